@@ -43,7 +43,7 @@ QColor toneColour(Tone tone, const QPalette& palette) {
     return palette.color(QPalette::WindowText);
 }
 
-/// A state as a strip in its colour, so that it is seen from afar.
+/// A state as a coloured strip, visible from afar.
 class StateLabel : public QLabel {
 public:
     using QLabel::QLabel;
@@ -182,7 +182,7 @@ void SessionPanel::setScene(const SessionScene& scene) {
     const bool newChecks = scene.checks != m_scene.checks;
     const bool newOutcomes = scene.outcomes != m_scene.outcomes;
     if (scene.questionnaire != m_scene.questionnaire) {
-        // It asked about one that is over.
+        // The question was about one that is over.
         for (auto* box : findChildren<QMessageBox*>(QStringLiteral("confirmSkip")))
             box->close();
     }
@@ -257,7 +257,7 @@ void SessionPanel::showOutcomes() {
         showOutcome(row);
 }
 
-/// After a trial only the newest line is another.
+/// After a trial only the newest line differs.
 void SessionPanel::showNewOutcomes(const std::vector<OutcomeLine>& before) {
     const std::vector<OutcomeLine>& now = m_scene.outcomes;
     const bool oneMore = !now.empty() && !before.empty() && now.size() <= before.size() + 1 &&
@@ -287,11 +287,10 @@ void SessionPanel::showOutcome(int row) {
 }
 
 void SessionPanel::askForAbort() {
-    auto* box =
-        new QMessageBox(QMessageBox::Warning, tr("Abort the session?"),
-                        tr("The session ends here. What was answered is kept, and the session can be gone on "
-                           "with later, where it stopped."),
-                        QMessageBox::NoButton, this);
+    auto* box = new QMessageBox(
+        QMessageBox::Warning, tr("Abort the session?"),
+        tr("The session ends here. All answers are saved, and it can be resumed later where it stopped."),
+        QMessageBox::NoButton, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setObjectName(QStringLiteral("confirmAbort"));
     QPushButton* abort = box->addButton(tr("&Abort the session"), QMessageBox::DestructiveRole);
@@ -301,14 +300,14 @@ void SessionPanel::askForAbort() {
 }
 
 void SessionPanel::askForSkip() {
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Leave the questionnaire out?"),
-                                tr("What is filled in is lost, and a note says that it was left out."),
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Skip the questionnaire?"),
+                                tr("What is filled in is lost, and a note says that it was skipped."),
                                 QMessageBox::NoButton, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setObjectName(QStringLiteral("confirmSkip"));
     box->setInformativeText(m_scene.skipConsequence);
-    QPushButton* skip = box->addButton(tr("&Leave it out"), QMessageBox::DestructiveRole);
-    box->setDefaultButton(box->addButton(tr("&Go on with it"), QMessageBox::RejectRole));
+    QPushButton* skip = box->addButton(tr("&Skip it"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(box->addButton(tr("&Continue with it"), QMessageBox::RejectRole));
     connect(skip, &QPushButton::clicked, this,
             [this, questionnaire = m_scene.questionnaire] { emit skipRequested(questionnaire); });
     box->open();
@@ -324,14 +323,14 @@ void SessionPanel::retranslate() {
     m_outcomes->setAccessibleName(tr("Last trials"));
     m_outcomes->setHorizontalHeaderLabels(
         {tr("Trial"), tr("Presented"), tr("Answered"), tr("Outcome"), tr("Response time")});
-    m_note->setPlaceholderText(tr("A note on this session; Return keeps it"));
+    m_note->setPlaceholderText(tr("A note on this session; Return saves it"));
     m_note->setAccessibleName(tr("Note"));
     m_window->setText(tr("Participant's &window"));
-    m_window->setToolTip(tr("Shows the participant's window, on the second screen where there is one"));
-    m_skip->setText(tr("&Leave the questionnaire out\u2026"));
-    m_skip->setToolTip(tr("Goes on without the participant's answers"));
+    m_window->setToolTip(tr("Shows the participant's window, on the second screen if there is one"));
+    m_skip->setText(tr("S&kip the questionnaire\u2026"));
+    m_skip->setToolTip(tr("Continues without the participant's answers"));
     m_pause->setText(tr("&Pause"));
-    m_pause->setToolTip(tr("Pauses after the present trial"));
+    m_pause->setToolTip(tr("Pauses after the current trial"));
     m_abort->setText(tr("&Abort\u2026"));
     refresh();
 }

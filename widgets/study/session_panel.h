@@ -15,8 +15,8 @@ class QVBoxLayout;
 
 namespace teleta::studyview {
 
-/// The experimenter's view of a session: the next step as one large button, what must be met before a run,
-/// progress, the last outcomes, the device, notes. Thread: GUI.
+/// The experimenter's view of a session: the next step as one large button, checks before a run, progress,
+/// the last outcomes, the device, notes. Thread: GUI.
 class SessionPanel : public QWidget {
     Q_OBJECT
 
@@ -24,17 +24,16 @@ public:
     explicit SessionPanel(QWidget* parent = nullptr);
 
     void setScene(const SessionScene& scene);
-    /// Puts a note that could not be kept back into its field, before what was written since.
+    /// Puts a note that could not be saved back into its field, before newer text.
     void restoreNote(const QString& text);
     [[nodiscard]] const SessionScene& scene() const { return m_scene; }
-    [[nodiscard]] QPushButton* nextButton() const { return m_next; }
 
 signals:
     void nextRequested();
     void pauseRequested();
-    /// After the experimenter confirmed it.
+    /// After the experimenter has confirmed it.
     void abortRequested();
-    /// The same for a questionnaire that is left out: the one that SessionScene::questionnaire says.
+    /// The same for skipping a questionnaire: that of SessionScene::questionnaire.
     void skipRequested(std::size_t questionnaire);
     void noteWritten(const QString& text);
     void noiseConfirmed(bool confirmed);

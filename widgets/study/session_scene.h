@@ -11,7 +11,7 @@
 
 namespace teleta::studyview {
 
-/// How much attention something wants.
+/// How much attention something needs.
 enum class Tone { calm, good, attention, alarm };
 
 /// A condition of a run.
@@ -23,7 +23,7 @@ struct CheckLine {
     friend bool operator==(const CheckLine&, const CheckLine&) = default;
 };
 
-/// A trial that is over.
+/// A finished trial.
 struct OutcomeLine {
     QString trial; ///< "test 12"
     QString presented;
@@ -34,14 +34,14 @@ struct OutcomeLine {
     friend bool operator==(const OutcomeLine&, const OutcomeLine&) = default;
 };
 
-/// What the experimenter sees of a session.
+/// What the session panel shows.
 struct SessionScene {
-    QString title;    ///< participant and what is discriminated
+    QString title;    ///< participant and task
     QString subtitle; ///< place in the plan
     study::Mode mode = study::Mode::run;
     QString next; ///< the next step, on the large button
     bool nextEnabled = false;
-    QString state; ///< what happens now, or why nothing does
+    QString state; ///< what happens now, or why nothing happens
     Tone tone = Tone::calm;
     std::vector<CheckLine> checks; ///< before a run
     QString phase;
@@ -50,12 +50,12 @@ struct SessionScene {
     std::vector<OutcomeLine> outcomes; ///< newest first
     QString device;
     Tone deviceTone = Tone::calm;
-    QString saved; ///< where the results are safe
+    QString saved; ///< where the results were saved
     bool canPause = false;
     bool canAbort = false;
     bool canNote = false;
     bool canSkip = false;          ///< a questionnaire
-    std::size_t questionnaire = 0; ///< which one is asked; each has a number of its own
+    std::size_t questionnaire = 0; ///< number of the one that is asked
     QString skipConsequence;       ///< whether it is asked again
     bool needsNoise = false;
     bool noiseConfirmed = false;

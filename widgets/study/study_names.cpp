@@ -17,7 +17,7 @@ struct BuiltInName {
     const char* name;
 };
 
-/// As resources/studies names them. A name that somebody has changed is that person's, in one language.
+/// Names as in resources/studies. Names that somebody has changed are not translated.
 constexpr std::array kBuiltInNames{
     BuiltInName{"shape", "", QT_TRANSLATE_NOOP("StudyNames", "Object shape")},
     BuiltInName{"shape", "A", QT_TRANSLATE_NOOP("StudyNames", "circle")},

@@ -9,8 +9,8 @@
 
 namespace teleta::studyview {
 
-/// Names to show: those of the protocols that come with the program in the language of the program, any other
-/// as it is written. Files and rows have the identifiers and letters, in every language. Thread: any (pure).
+/// Names to show: those of built-in protocols in the program's language, others as written. Files and rows
+/// contain the identifiers and letters, in every language. Thread: any (pure).
 [[nodiscard]] QString displayName(const study::StudyTask& task);
 [[nodiscard]] QString displayName(const study::StudyTask& task, const study::StudyPattern& pattern);
 [[nodiscard]] QString displayCondition(const study::StudyTask& task, const std::string& condition);

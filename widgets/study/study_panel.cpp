@@ -104,7 +104,7 @@ StudyPanel::StudyPanel(QWidget* parent)
         const QTreeWidgetItem* person = item->parent() != nullptr ? item->parent() : item;
         const int index = m_list->indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(person));
         const int session = item->data(0, kSession).toInt();
-        // Not from within the list, which is filled anew.
+        // Queued: the list, which sends this signal, is refilled.
         QMetaObject::invokeMethod(
             this, [this, index, session] { emit sessionChosen(index, session); }, Qt::QueuedConnection);
     });
@@ -141,7 +141,7 @@ void StudyPanel::refresh() {
     m_store->setVisible(!m_scene.store.isEmpty());
     m_store->setText(usable ? tr("\u25cf On the server: %1").arg(m_scene.store)
                      : m_scene.storeAway
-                         ? tr("\u2717 Server away: %1").arg(m_scene.storeProblem)
+                         ? tr("\u2717 Server unreachable: %1").arg(m_scene.storeProblem)
                          : tr("\u2717 The study cannot be used: %1").arg(m_scene.storeProblem));
     setTextColour(m_store, usable ? status.live : status.lost);
     m_protocol->setText(m_scene.protocol);
@@ -183,14 +183,14 @@ void StudyPanel::fillList() {
 
 void StudyPanel::retranslate() {
     m_new->setText(tr("&New\u2026"));
-    m_new->setToolTip(tr("Begin a new study"));
+    m_new->setToolTip(tr("Create a new study"));
     m_open->setText(tr("&Open\u2026"));
     m_open->setToolTip(tr("Open another study"));
     m_open->menu()->clear();
     m_open->menu()->addAction(tr("The &folder of a study\u2026"), this, &StudyPanel::openRequested);
     m_open->menu()->addAction(tr("A study on a &server\u2026"), this, &StudyPanel::openServerRequested);
     m_edit->setText(tr("Pro&tocol\u2026"));
-    m_edit->setToolTip(tr("Look at the protocol, or make another one from it"));
+    m_edit->setToolTip(tr("View the protocol, or make another one from it"));
     m_people->setText(tr("Participants"));
     m_list->setHeaderLabels({tr("Session"), tr("State")});
     m_list->setAccessibleName(tr("Participants and their sessions"));

@@ -36,23 +36,23 @@ struct ParticipantLine {
     friend bool operator==(const ParticipantLine&, const ParticipantLine&) = default;
 };
 
-/// What there is to see of a study.
+/// What the study panel shows.
 struct StudyScene {
     QString name;
     QString folder;
     QString store;          ///< a server; empty: a file in the folder
-    QString storeProblem;   ///< why the server cannot be used; empty: it can
-    bool storeAway = false; ///< the problem is that it does not answer
+    QString storeProblem;   ///< why the server cannot be used; empty: no problem
+    bool storeAway = false; ///< the server does not answer
     study::Mode mode = study::Mode::run;
     QString protocol; ///< some lines
     std::vector<ParticipantLine> participants;
     std::optional<std::pair<int, int>> chosen; ///< participant, session
-    bool locked = false; ///< a session runs, or the store is busy: nothing else can be chosen
+    bool locked = false; ///< a session is running or the store is busy: the choice is locked
     friend bool operator==(const StudyScene&, const StudyScene&) = default;
 };
 
-/// The study at the left of its page: the protocol in short, the participants with their sessions. Thread:
-/// GUI.
+/// The study on the left of its page: a summary of the protocol, the participants with their sessions.
+/// Thread: GUI.
 class StudyPanel : public QWidget {
     Q_OBJECT
 
@@ -60,9 +60,9 @@ public:
     explicit StudyPanel(QWidget* parent = nullptr);
 
     void setScene(const StudyScene& scene);
-    /// The keyboard goes to the field for a new participant.
+    /// Moves the keyboard focus to the field for a new participant.
     void askForName();
-    /// The participant who was typed is enrolled: the field is for the next one.
+    /// Clears the field once the participant is enrolled.
     void clearName(const QString& id);
     [[nodiscard]] QTreeWidget* list() const { return m_list; }
 

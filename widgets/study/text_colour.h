@@ -7,7 +7,7 @@
 
 namespace teleta::studyview {
 
-/// Gives the text of a label a colour of its own.
+/// Sets the text colour of a label.
 inline void setTextColour(QWidget* widget, const QColor& colour) {
     QPalette palette = widget->palette();
     palette.setColor(QPalette::WindowText, colour);

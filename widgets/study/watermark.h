@@ -15,7 +15,7 @@ namespace teleta::studyview {
 [[nodiscard]] QString modeMark(study::Mode mode);
 [[nodiscard]] QColor modeColour(study::Mode mode, const QPalette& palette);
 
-/// The mark, large and faint, across a picture; nothing for a real run.
+/// Paints it, large and faint, across a picture; nothing for a real run.
 void paintWatermark(QPainter& painter, const QRectF& rect, study::Mode mode, const QPalette& palette);
 
 } // namespace teleta::studyview

@@ -24,21 +24,20 @@ namespace {
 
 constexpr std::int64_t kLookAround_ns = 2'000'000'000;
 
-/// When a session began, on a clock that is now at now_ns: its onsets go on from there.
+/// When a session began on the clock that is now at now_ns, so that the onsets of a resumed one continue.
 std::int64_t beganAt_ns(const OpenedSession& session, std::int64_t now_ns, const QDateTime& utcNow) {
-    const QDateTime began = QDateTime::fromString(QString::fromStdString(session.record.id).left(15),
-                                                  QStringLiteral("yyyyMMdd'T'HHmmss"));
-    QDateTime utc = began;
-    utc.setTimeSpec(Qt::UTC);
-    double elapsed_s = static_cast<double>(utc.msecsTo(utcNow)) * 1e-3;
-    // A clock that was set back does not make a session go back.
+    QDateTime began = QDateTime::fromString(QString::fromStdString(session.record.id).left(15),
+                                            QStringLiteral("yyyyMMdd'T'HHmmss"));
+    began.setTimeSpec(Qt::UTC);
+    double elapsed_s = static_cast<double>(began.msecsTo(utcNow)) * 1e-3;
+    // Onsets never go back, even when the wall clock was.
     for (const study::TrialResult& result : session.kept)
         elapsed_s =
             std::max(elapsed_s, result.onset_s + result.duration_s + result.responseTime_s.value_or(0.0));
     return now_ns - std::llround(1e9 * std::max(elapsed_s, 0.0));
 }
 
-/// Where nothing can be written a study can still be looked at.
+/// A study in a folder that cannot be written to is opened for reading.
 core::Expected<StudyStore> openedOrShown(const study::StoreLocation& location) {
     const QFileInfo folder(QString::fromStdString(location.folder));
     return location.server.empty() && folder.isDir() && !folder.isWritable()
@@ -46,7 +45,7 @@ core::Expected<StudyStore> openedOrShown(const study::StoreLocation& location) {
                : StudyStore::open(location);
 }
 
-/// The store becomes another one only when all of that study could be read.
+/// Replaces the store only if all of the other study could be read.
 core::Expected<StudyOverview> replaced(StudyDesk::Store& store, core::Expected<StudyStore> another) {
     if (!another)
         return core::Unexpected(another.error());
@@ -70,7 +69,7 @@ StudyController::StudyController(BraceletStation& station, core::StopSwitch& sto
     , m_runner(
           stop, [this] { return now_ns(); }, [this] { return m_utcNow(); },
           [this](const study::TrialResult& result, const QDateTime& ended, StudyRunner::Kept kept) {
-              m_desk.ask([record = *m_record, result,
+              m_desk.ask([record = m_running->record, result,
                           ended](StudyDesk::Store& store) { return store->keepTrial(record, result, ended); },
                          std::move(kept));
           })
@@ -79,28 +78,25 @@ StudyController::StudyController(BraceletStation& station, core::StopSwitch& sto
     connect(&m_round, &QuestionnaireRound::changed, this, &StudyController::changed);
     connect(&m_runner, &StudyRunner::changed, this, &StudyController::followSimulated);
     connect(&m_runner, &StudyRunner::changed, this, &StudyController::changed);
-    // What is felt in a session is the session's alone.
+    // During a session nothing else may play on the bracelet.
     connect(&m_runner, &StudyRunner::changed, this, [this] { m_station.reserve(m_runner.isActive()); });
     connect(&m_runner, &StudyRunner::blockKept, this, &StudyController::exportSession);
     connect(&m_runner, &StudyRunner::finished, this, &StudyController::conclude);
     connect(&m_runner, &StudyRunner::aborted, this, [this] {
         stopRehearsal();
-        exportSession(study::Phase::test);
+        exportSession();
         refresh();
     });
 }
 
 StudyController::~StudyController() {
-    m_round.leave();
-    m_person.leave();
-    m_runner.clear();
-    releaseClaim();
+    forgetSession();
     m_station.reserve(false);
 }
 
 std::int64_t StudyController::now_ns() const {
     const std::int64_t now_ns = m_clock();
-    // In real time it is the clock by which the bracelet's player stamps its frames.
+    // In real time it must be the clock by which the bracelet's player stamps its frames.
     return isFast() ? m_anchor_ns + std::llround(m_speed * static_cast<double>(now_ns - m_anchor_ns))
                     : now_ns;
 }
@@ -130,8 +126,8 @@ const SessionOverview* StudyController::chosenSession() const {
 }
 
 const study::PlannedSession* StudyController::plan() const {
-    if (m_plan)
-        return &*m_plan;
+    if (m_running)
+        return &m_running->plan;
     const SessionOverview* session = chosenSession();
     return session == nullptr ? nullptr : &session->plan;
 }
@@ -160,19 +156,19 @@ void StudyController::askForOverview(const QString& what, Work work, std::functi
 }
 
 bool StudyController::mayChange(const QString& what) {
-    // A session that is about to begin would write into the other study.
+    // A session that is about to start would write into the other study.
     if (!isActive() && !isBusy()) {
         stopRehearsal();
         return true;
     }
     const bool runs = isActive();
-    emit failed(what,
-                {core::ErrorKind::refused,
-                 (runs ? tr("a session of the open study is going on")
-                       : tr("the open study is being read or written"))
-                     .toStdString(),
-                 (runs ? tr("to leave the session first") : tr("to try again in a moment")).toStdString(),
-                 {}});
+    emit failed(
+        what,
+        {core::ErrorKind::refused,
+         (runs ? tr("a session of the open study is running") : tr("the open study is being read or written"))
+             .toStdString(),
+         (runs ? tr("to leave the session first") : tr("to try again in a moment")).toStdString(),
+         {}});
     return false;
 }
 
@@ -188,7 +184,7 @@ void StudyController::open(const study::StoreLocation& location) {
 }
 
 void StudyController::create(const study::StoreLocation& location, const study::StudyHead& head) {
-    const QString what = tr("The study could not be made.");
+    const QString what = tr("The study could not be created.");
     if (mayChange(what))
         askForOverview(what, [location, head](StudyDesk::Store& store) {
             return replaced(store, StudyStore::create(location, head));
@@ -215,7 +211,7 @@ void StudyController::enrol(const QString& id) {
             return store->enrol(id).and_then([&](const study::Participant&) { return overviewOf(*store); });
         },
         [this, id] {
-            // The newcomer is who is looked at next, and has not heard the noise.
+            // The new participant is chosen next, and has not heard the noise.
             m_chosen.reset();
             m_noiseConfirmed = false;
             emit enrolled(id);
@@ -242,7 +238,7 @@ void StudyController::take(StudyOverview overview) {
     if (m_chosen && static_cast<std::size_t>(m_chosen->first) >= people.size())
         m_chosen.reset();
     if (!m_chosen && !people.empty()) {
-        // Somebody who was interrupted comes first, then whoever came last.
+        // An interrupted session comes first, otherwise the participant who was enrolled last.
         std::size_t person = people.size() - 1;
         std::size_t session = people.back().nextSession().value_or(0);
         for (std::size_t p = 0; p < people.size() && another; ++p) {
@@ -264,7 +260,7 @@ void StudyController::take(StudyOverview overview) {
 }
 
 void StudyController::choose(int participant, int session) {
-    // A session that is about to begin is the one that was chosen.
+    // A session that is about to start is the chosen one.
     if (!m_overview || isActive() || isBusy() || participant < 0 || session < 0)
         return;
     const auto p = static_cast<std::size_t>(participant);
@@ -280,7 +276,7 @@ void StudyController::choose(int participant, int session) {
     emit changed();
 }
 
-/// What only a thread that may wait can find out: the folder, and whether somebody else runs the participant.
+/// Looks at the folder, and at whether somebody else runs the participant: both may take long.
 void StudyController::lookAround(bool thenBegin) {
     m_lookedAround_ns = m_clock();
     const ParticipantOverview* participant = chosenParticipant();
@@ -295,7 +291,7 @@ void StudyController::lookAround(bool thenBegin) {
         [who = participant->participant](StudyDesk::Store& store) {
             return Findings{study::lookAtFolder(store->folder()), store->runner(who)};
         },
-        [this, thenBegin, isOwn = m_claim != nullptr](Findings findings) {
+        [this, thenBegin, isOwn = m_running.has_value()](Findings findings) {
             m_lookingAround = false;
             m_folder = std::move(findings.folder);
             m_otherRunner = findings.runner && !isOwn ? *findings.runner : std::nullopt;
@@ -304,7 +300,7 @@ void StudyController::lookAround(bool thenBegin) {
                 return;
             if (thenBegin && m_rehearsing) {
                 begin();
-                // Whatever stands against it is among the checks that are shown.
+                // Whatever prevents it is among the checks that are shown.
                 m_rehearsing = isBusy();
             }
             emit changed();
@@ -365,30 +361,27 @@ void StudyController::begin() {
             --m_busy;
             if (!opened) {
                 stopRehearsal();
-                emit failed(tr("The session could not begin."), opened.error());
+                emit failed(tr("The session could not start."), opened.error());
                 emit changed();
                 return;
             }
-            m_record = opened->record;
-            m_participant = who;
-            m_plan = plan;
-            m_claim = opened->claim;
-            m_after = opened->after;
+            m_running = {opened->record, who, plan, opened->after, opened->claim};
             m_round.begin({m_overview->head, who, plan, opened->record}, opened->before,
-                          [this, session = *opened, plan] { beginTrials(session, plan); });
+                          [this, session = *opened] { beginTrials(session); });
             emit changed();
         });
     emit changed();
 }
 
-void StudyController::beginTrials(const OpenedSession& opened, const study::PlannedSession& plan) {
+void StudyController::beginTrials(const OpenedSession& opened) {
+    const study::PlannedSession& plan = m_running->plan;
     const core::Expected<void> begun =
         m_runner.begin(output(), m_overview->head.protocol, m_overview->head.stimuli, plan, opened.kept,
                        beganAt_ns(opened, now_ns(), m_utcNow()));
     if (!begun) {
         forgetSession();
         stopRehearsal();
-        emit failed(tr("The session could not begin."), begun.error());
+        emit failed(tr("The session could not start."), begun.error());
         return;
     }
     if (!isSimulated())
@@ -399,21 +392,21 @@ void StudyController::beginTrials(const OpenedSession& opened, const study::Plan
                        ? m_scene->participantFor(task, condition)
                        : study::SimulatedParticipant{knownMatrix(task, condition), m_overview->head.lapses},
                    plan.seed);
-    // It was halted while a questionnaire was filled in.
+    // The rehearsal was halted during a questionnaire.
     if (!m_rehearsing)
         m_runner.pause();
 }
 
-void StudyController::exportSession(study::Phase /*phase*/) {
-    if (!m_record)
+void StudyController::exportSession() {
+    if (!m_running)
         return;
     m_desk.ask(
-        [who = m_participant, record = *m_record](StudyDesk::Store& store) {
+        [who = m_running->participant, record = m_running->record](StudyDesk::Store& store) {
             return study::exportSession(*store, who, record, study::ExportFormat::psychds);
         },
         [this](const core::Expected<void>& written) {
             if (written)
-                m_saved = tr("Saved, read back and compared: %1")
+                m_saved = tr("Saved and verified: %1")
                               .arg(QDir(QString::fromStdString(m_overview->location.folder))
                                        .filePath(QStringLiteral("data")));
             else
@@ -425,14 +418,15 @@ void StudyController::exportSession(study::Phase /*phase*/) {
 
 void StudyController::conclude() {
     m_person.leave();
-    m_round.begin({m_overview->head, m_participant, *m_plan, *m_record}, m_after,
-                  [this, answered = !m_after.empty()] { closeSession(answered); });
+    m_round.begin({m_overview->head, m_running->participant, m_running->plan, m_running->record},
+                  m_running->after,
+                  [this, answered = !m_running->after.empty()] { closeSession(answered); });
 }
 
 void StudyController::closeSession(bool answered) {
     if (answered)
-        exportSession(study::Phase::test);
-    askForOverview(tr("The session could not be closed."), [record = *m_record](StudyDesk::Store& store) {
+        exportSession();
+    askForOverview(tr("The session could not be closed."), [record = m_running->record](StudyDesk::Store& store) {
         return store->finishSession(record).and_then([&] { return overviewOf(*store); });
     });
 }
@@ -442,7 +436,7 @@ void StudyController::abort() {
         m_runner.abort();
         return;
     }
-    // What was answered is kept; the session is open until the rest is.
+    // Given answers are kept; the session stays open until the others are.
     stopRehearsal();
     forgetSession();
     refresh();
@@ -452,9 +446,16 @@ void StudyController::forgetSession() {
     m_round.leave();
     m_person.leave();
     m_runner.clear();
-    m_record.reset();
-    m_plan.reset();
-    releaseClaim();
+    if (!m_running)
+        return;
+    // A claim may hold the server's connection, which belongs to the store's thread.
+    m_desk.ask(
+        [claim = std::move(m_running->claim)](StudyDesk::Store&) mutable {
+            claim.reset();
+            return true;
+        },
+        [](bool) {});
+    m_running.reset();
 }
 
 void StudyController::leaveSession() {
@@ -469,25 +470,15 @@ void StudyController::leaveSession() {
     emit changed();
 }
 
-/// A claim may be one of the server's connection, which belongs to the store's thread.
-void StudyController::releaseClaim() {
-    m_desk.ask(
-        [claim = std::exchange(m_claim, nullptr)](StudyDesk::Store&) mutable {
-            claim.reset();
-            return true;
-        },
-        [](bool) {});
-}
-
 void StudyController::keepNote(const QString& text) {
-    if (!m_record)
+    if (!m_running)
         return;
     struct Written {
         core::Expected<void> kept;
         core::Expected<void> exported;
     };
     m_desk.ask(
-        [who = m_participant, record = *m_record, text = text.toStdString(),
+        [who = m_running->participant, record = m_running->record, text = text.toStdString(),
          now = m_utcNow()](StudyDesk::Store& store) {
             Written written{store->keepNote(record, text, now), {}};
             if (written.kept)
@@ -497,7 +488,7 @@ void StudyController::keepNote(const QString& text) {
         [this, text](const Written& written) {
             if (!written.kept) {
                 emit noteNotKept(text);
-                emit failed(tr("The note could not be kept."), written.kept.error());
+                emit failed(tr("The note could not be saved."), written.kept.error());
             } else if (!written.exported) {
                 emit failed(tr("The note is safe in the study, but could not be exported."),
                             written.exported.error());
@@ -514,7 +505,7 @@ void StudyController::write(const QString& format) {
         else
             emit failed(tr("The export failed."), folder.error());
     };
-    // Figures take their time; a session that runs does not wait for them.
+    // Figures take long; a running session must not wait for them.
     if (format == QLatin1String("psychds"))
         m_desk.ask([format](StudyDesk::Store& store) { return writeStudy(*store, format); }, done);
     else

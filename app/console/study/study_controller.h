@@ -38,49 +38,48 @@ public:
                     WallClock utcNow = QDateTime::currentDateTimeUtc, QObject* parent = nullptr);
     ~StudyController() override;
 
-    /// What comes of these comes as a signal.
+    /// The outcome of these comes as a signal.
     void open(const study::StoreLocation& location);
     void create(const study::StoreLocation& location, const study::StudyHead& head);
-    /// Opens the study of the folder; makes it where there is none.
+    /// Opens the study of the folder, or creates it where there is none.
     void openOrCreate(const study::StoreLocation& location, const study::StudyHead& head);
-    /// Makes the study of a scene, or opens it where the folder has one, with the scene's participants as
-    /// long as it is open.
-    void rehearse(const QString& folder, const study::StudyScene& scene, std::uint64_t seed);
+    /// The same for the study of a scene, which has the scene's participants as long as it is open.
+    void openScene(const QString& folder, const study::StudyScene& scene, std::uint64_t seed);
     /// Both change nothing while a session is under way or the store is busy.
     void enrol(const QString& id);
     void choose(int participant, int session);
 
-    /// Begins the chosen session, or goes on with it, when all checks pass.
+    /// Starts or resumes the chosen session if all checks pass.
     void begin();
     void goOn() { m_runner.goOn(); }
     void abort();
-    /// Forgets a session that is over, and chooses the participant's next one.
+    /// Leaves a session that is over and chooses the participant's next one.
     void leaveSession();
     void keepNote(const QString& text);
-    /// Writes the files of the whole study, see writeStudy(). written() tells when.
+    /// Writes the files of the whole study, see writeStudy(); written() follows.
     void write(const QString& format);
     void setNoiseConfirmed(bool confirmed);
 
     /// A simulated study: runs all sessions of all participants that are still open, one after another.
-    void rehearse();
+    void startRehearsal();
     void stopRehearsal();
     [[nodiscard]] bool isRehearsing() const { return m_rehearsing; }
     /// How much faster than real time simulated participants are; over 1 nothing is played on the bracelet.
     void setSpeed(double speed);
     [[nodiscard]] double speed() const { return m_speed; }
 
-    /// Looks at device, STOP and time limits; 30 times a second.
+    /// Checks device, STOP and time limits; to be called 30 times a second.
     void tick();
-    /// The clock on which participants' presses are stamped.
+    /// The clock of participants' presses.
     [[nodiscard]] std::int64_t now_ns() const;
 
     [[nodiscard]] const std::optional<StudyOverview>& overview() const { return m_overview; }
     [[nodiscard]] std::optional<std::pair<int, int>> chosen() const { return m_chosen; }
     [[nodiscard]] const ParticipantOverview* chosenParticipant() const;
     [[nodiscard]] const SessionOverview* chosenSession() const;
-    /// Of the session that runs; otherwise of the chosen one. Null: there is none.
+    /// Of the running session, otherwise of the chosen one; null: none.
     [[nodiscard]] const study::PlannedSession* plan() const;
-    /// What is discriminated in it.
+    /// Its task.
     [[nodiscard]] const study::StudyTask* task() const;
     [[nodiscard]] std::vector<study::RunCheck> checks() const;
     /// Why the store cannot be used now, the server being away for example; empty: it can.
@@ -95,16 +94,16 @@ public:
     [[nodiscard]] const StudyRunner& runner() const { return m_runner; }
     [[nodiscard]] const StimulusOutput& output() const;
     [[nodiscard]] StimulusOutput& output();
-    /// Where the last block was written, and that it was read back and compared.
+    /// Says where the last block was written, once it was read back and compared.
     [[nodiscard]] const QString& savedText() const { return m_saved; }
-    /// An interrupted session was found when the study was opened.
+    /// The study had an interrupted session when it was opened.
     [[nodiscard]] bool foundInterrupted() const { return m_foundInterrupted; }
 
 signals:
     void changed();
-    /// A study was opened or made; its results may be looked at.
+    /// A study was opened or created.
     void opened();
-    /// Trials were kept; results that are shown are out of date.
+    /// Trials were kept; shown results are out of date.
     void resultsOutdated();
     void rehearsed();
     void enrolled(const QString& id);
@@ -113,19 +112,27 @@ signals:
     void failed(const QString& what, const teleta::core::Error& error);
 
 private:
-    /// done: before the overview is taken, when there is one.
+    /// What is known of the session under way, from its first questionnaire to its last.
+    struct Running {
+        study::SessionRecord record;
+        study::Participant participant;
+        study::PlannedSession plan;
+        std::vector<study::DueQuestionnaire> after;     ///< questionnaires after the last trial
+        std::shared_ptr<study::ParticipantClaim> claim; ///< keeps others from running the participant
+    };
+
+    /// done: called before take(), on success.
     template <typename Work>
     void askForOverview(const QString& what, Work work, std::function<void()> done = {});
     [[nodiscard]] bool mayChange(const QString& what);
     void take(StudyOverview overview);
     void refresh();
     void lookAround(bool thenBegin = false);
-    void beginTrials(const OpenedSession& opened, const study::PlannedSession& plan);
+    void beginTrials(const OpenedSession& opened);
     void conclude();
     void closeSession(bool answered);
     void forgetSession();
-    void exportSession(study::Phase phase);
-    void releaseClaim();
+    void exportSession();
     void goOnRehearsing();
     void followSimulated();
     [[nodiscard]] bool isFast() const { return isSimulated() && m_speed > 1.0; }
@@ -138,7 +145,7 @@ private:
     SteadyClock m_clock;
     WallClock m_utcNow;
     double m_speed = 1.0;
-    std::int64_t m_anchor_ns = 0; ///< since when a fast rehearsal's clock runs
+    std::int64_t m_anchor_ns = 0; ///< start of a fast rehearsal's clock
 
     BraceletStimulus m_bracelet;
     UnplayedStimulus m_unplayed;
@@ -147,24 +154,20 @@ private:
     StudyRunner m_runner;
     SimulatedPerson m_person;
 
-    std::optional<study::StudyScene> m_scene; ///< whose participants the study in m_sceneFolder has
+    std::optional<study::StudyScene> m_scene; ///< of the study in m_sceneFolder
     std::string m_sceneFolder;
     std::optional<StudyOverview> m_overview;
     std::optional<std::pair<int, int>> m_chosen;
-    std::optional<study::SessionRecord> m_record;     ///< of the session that the runner has
-    study::Participant m_participant;                 ///< the same
-    std::optional<study::PlannedSession> m_plan;      ///< the same
-    std::vector<study::DueQuestionnaire> m_after;     ///< questionnaires of the same
-    std::shared_ptr<study::ParticipantClaim> m_claim; ///< nobody else runs the participant meanwhile
+    std::optional<Running> m_running;
     study::FolderCondition m_folder;
     std::optional<std::string> m_otherRunner;
     std::optional<core::Error> m_storeError;
     std::int64_t m_lookedAround_ns = 0;
-    bool m_lookingAround = false; ///< a server that does not answer takes its time
+    bool m_lookingAround = false; ///< on the store's thread; a server may take long to answer
     bool m_noiseConfirmed = false;
     bool m_foundInterrupted = false;
     bool m_rehearsing = false;
-    int m_busy = 0; ///< requests to the desk that change what there is
+    int m_busy = 0; ///< pending requests that change the study
     QString m_saved;
 };
 

@@ -18,9 +18,10 @@ StudyLeaving::StudyLeaving(StudyController& controller, QWidget& parent)
 }
 
 QString StudyLeaving::notKept() const {
-    // What waits for its server is not lost with the session.
-    if (m_controller.runner().hold() == StudyRunner::Hold::notKept && !m_controller.runner().waitsForServer())
-        return m_controller.runner().reason();
+    // A result that waits for its server is safe on this machine.
+    const StudyRunner& runner = m_controller.runner();
+    if (runner.hold() == study::Hold::notKept && !runner.flow()->waitsForServer())
+        return runner.reason();
     return m_controller.round().problem();
 }
 
@@ -37,7 +38,7 @@ bool StudyLeaving::isUnderWay() const {
             session->stage() != study::Stage::aborted);
 }
 
-/// Simulated participants can do it all again.
+/// Simulated participants can repeat everything.
 bool StudyLeaving::isSettled() const {
     if (!m_controller.overview() || m_controller.overview()->head.mode == study::Mode::simulated)
         return true;
@@ -83,11 +84,12 @@ QMessageBox* StudyLeaving::question(const QString& text, const QString& more) {
 }
 
 void StudyLeaving::askAboutLoss(const QString& reason) {
-    QMessageBox* box = question(tr("The last answer is not kept: %1").arg(reason),
-                                tr("It is only in the memory of this program. The session ends with it."));
+    QMessageBox* box =
+        question(tr("The last answer is not saved: %1").arg(reason),
+                 tr("It exists only in the memory of this program and is lost when the session ends."));
     box->setObjectName(QStringLiteral("notKept"));
     QPushButton* again = box->addButton(tr("&Try again"), QMessageBox::AcceptRole);
-    box->addButton(tr("&Lose it"), QMessageBox::DestructiveRole);
+    box->addButton(tr("&Discard it"), QMessageBox::DestructiveRole);
     box->setDefaultButton(again);
     connect(box, &QMessageBox::finished, this, [this, box] {
         const auto role = box->buttonRole(box->clickedButton());
@@ -108,9 +110,9 @@ void StudyLeaving::askAboutLoss(const QString& reason) {
 void StudyLeaving::askAboutSession() {
     const ParticipantOverview* participant = m_controller.chosenParticipant();
     QMessageBox* box = question(
-        tr("The session of %1 is going on.", "a participant")
+        tr("The session of %1 is still running.", "a participant")
             .arg(participant == nullptr ? QString() : QString::fromStdString(participant->participant.id)),
-        tr("What was answered is kept, and the session can be gone on with later."));
+        tr("All answers are saved, and the session can be resumed later."));
     box->setObjectName(QStringLiteral("endSession"));
     QPushButton* end = box->addButton(tr("&End the session"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Cancel);

@@ -10,8 +10,8 @@
 
 namespace teleta::console {
 
-/// What must not be lost without a word when the study is left: a session of people that is under way, and
-/// what was answered but could not be kept. Thread: GUI.
+/// Asks before the study is left if something would be lost: a running session with people, or answers that
+/// could not be saved. Thread: GUI.
 class StudyLeaving : public QObject {
     Q_OBJECT
 
@@ -19,14 +19,14 @@ public:
     /// controller: must outlive it. parent: of its questions.
     StudyLeaving(StudyController& controller, QWidget& parent);
 
-    /// Nothing has to be asked.
+    /// There is nothing to ask.
     [[nodiscard]] bool isSettled() const;
-    /// Asks, tries again to keep what is not kept if that is wished, and goes on when nothing is left to ask.
-    /// At once, where nothing is; never, when somebody thinks better of it.
+    /// Asks, retries to save if wanted, and calls goOn when nothing is left to ask: at once if there is
+    /// nothing, never if the user cancels.
     void whenSettled(std::function<void()> goOn);
 
 private:
-    /// Why the last answers are not kept; empty when they are, or are safe until the server is back.
+    /// Why the last answers are not saved; empty: they are, or are safe until the server is back.
     [[nodiscard]] QString notKept() const;
     [[nodiscard]] bool isKeeping() const;
     [[nodiscard]] bool isUnderWay() const;
@@ -40,8 +40,8 @@ private:
     QWidget& m_parent;
     std::function<void()> m_goOn;
     QPointer<QMessageBox> m_question;
-    bool m_waits = false;     ///< for the store
-    bool m_isDecided = false; ///< to end the session
+    bool m_waits = false;     ///< waits for the store
+    bool m_isDecided = false; ///< the user has decided to end the session
 };
 
 } // namespace teleta::console

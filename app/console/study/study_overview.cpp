@@ -7,8 +7,9 @@ namespace teleta::console {
 
 namespace {
 
-/// Those of the whole study come before the participant's first session and after the last one, whichever
-/// that is. A session is open until what comes after it is answered, so that an interruption loses none.
+/// Questionnaires of the whole study come before the participant's first session and after the last one,
+/// whichever that is. A session stays open until those after it are answered, so that an interruption loses
+/// none.
 core::Expected<void> findDue(const study::StudyStore& store, const study::Participant& participant,
                              const study::SessionRecord& record, OpenedSession& opened) {
     const study::Protocol& protocol = store.head().protocol;

@@ -12,7 +12,7 @@
 
 namespace teleta::console {
 
-/// One session of a participant's plan, and how far it is.
+/// A session of a participant's plan, and its progress.
 struct SessionOverview {
     study::PlannedSession plan;
     std::optional<study::SessionRecord> record; ///< empty: not begun
@@ -26,33 +26,33 @@ struct SessionOverview {
 struct ParticipantOverview {
     study::Participant participant;
     std::vector<SessionOverview> sessions;
-    /// The first one that is not finished; empty when all are.
+    /// The first unfinished session; empty: all are finished.
     [[nodiscard]] std::optional<std::size_t> nextSession() const;
 };
 
-/// What a study has, at one time.
+/// The contents of a study at one time.
 struct StudyOverview {
     study::StoreLocation location;
     std::string store; ///< the file, or the server without any password
     study::StudyHead head;
     std::vector<ParticipantOverview> participants;
-    bool isReadOnly = false; ///< it can only be looked at
+    bool isReadOnly = false; ///< opened for reading
 };
 
 /// Thread: that of the store. Error: what the store reports.
 [[nodiscard]] core::Expected<StudyOverview> overviewOf(const study::StudyStore& store);
 
-/// What is needed to go on with a session.
+/// What is needed to run a session.
 struct OpenedSession {
     study::SessionRecord record;
     std::vector<study::TrialResult> kept;
     std::vector<study::DueQuestionnaire> before;    ///< the first trial
     std::vector<study::DueQuestionnaire> after;     ///< the last one
-    std::shared_ptr<study::ParticipantClaim> claim; ///< nobody else runs the participant as long as it lives
+    std::shared_ptr<study::ParticipantClaim> claim; ///< keeps others from running the participant
 };
 
-/// Begins the session of a place in the participant's plan, or goes on with it. Error: refused when somebody
-/// else runs the participant; what the store reports. Thread: that of the store.
+/// Starts or resumes a session of the participant's plan. Error: refused when somebody else runs the
+/// participant; what the store reports. Thread: that of the store.
 [[nodiscard]] core::Expected<OpenedSession>
 openSession(study::StudyStore& store, const study::Participant& participant, std::size_t planIndex,
             const study::PlannedSession& plan, const QDateTime& now);

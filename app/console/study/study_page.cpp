@@ -75,7 +75,7 @@ StudyPage::StudyPage(BraceletStation& station, core::StopSwitch& stop, StudyCont
     , m_speed(new QComboBox(this))
     , m_speedRow(new QWidget(this))
     , m_speedLabel(new QLabel(this))
-    // A window of nobody's: a dialog of the experimenter would block one of the console's.
+    // No parent: a modal dialog of the experimenter would block it.
     , m_participant(std::make_unique<studyview::ParticipantWindow>([this] { return m_controller.now_ns(); }))
     , m_placement(*m_participant, *this, *m_session)
     , m_results(new studyview::ResultsView(this))
@@ -87,7 +87,7 @@ StudyPage::StudyPage(BraceletStation& station, core::StopSwitch& stop, StudyCont
 }
 
 StudyPage::~StudyPage() {
-    // Both say a last word, when there is nothing left to show it.
+    // Both send last signals in their destructors, when their receivers are gone.
     m_controller.disconnect(this);
     m_noise.disconnect(this);
 }
@@ -103,6 +103,7 @@ void StudyPage::build() {
     add("openStudyButton", [this] { askForStudy(); });
     add("serverStudyButton", [this] { askForServer(); });
 
+    m_matrix->setObjectName(QStringLiteral("liveMatrix"));
     m_counts->setObjectName(QStringLiteral("counts"));
     m_speed->setObjectName(QStringLiteral("speed"));
     m_counts->addItems({QString(), QString()});
@@ -157,19 +158,19 @@ void StudyPage::connectViews() {
 
     connect(&m_placement, &ParticipantPlacement::screenLost, this, [this] {
         m_controller.runner().pause();
-        m_messages->post(
-            {chrome::Message::Severity::warning, tr("The participant's screen was lost."),
-             tr("The participant's window is beside the console now, and the session pauses. Plug the "
-                "screen in and show the window again."),
-             QString()});
+        m_messages->post({chrome::Message::Severity::warning,
+                          tr("The participant's screen was disconnected."),
+                          tr("The participant's window is now next to the console, and the session pauses. "
+                             "Reconnect the screen and show the window again."),
+                          QString()});
     });
 
     connect(&m_placement, &ParticipantPlacement::consoleCovered, this, [this] {
-        m_messages->post(
-            {chrome::Message::Severity::warning, tr("The participant's window covers a part of the console."),
-             tr("There is no other screen, and no room beside the console. Plug in a second screen, or make "
-                "the console smaller, and show the window again."),
-             QString()});
+        m_messages->post({chrome::Message::Severity::warning,
+                          tr("The participant's window covers part of the console."),
+                          tr("There is no second screen, and no room next to the console. Connect a second "
+                             "screen, or make the console smaller, and show the window again."),
+                          QString()});
     });
 
     using studyview::SessionPanel;
@@ -239,14 +240,14 @@ void StudyPage::connectViews() {
     connect(&m_controller, &StudyController::opened, this, [this] {
         if (m_controller.overview()->isReadOnly)
             m_messages->post({chrome::Message::Severity::information,
-                              tr("This study can only be looked at: nothing can be written here."),
-                              tr("Copy its whole folder to go on with it."), QString()});
+                              tr("This study is read-only: nothing can be written here."),
+                              tr("Copy its whole folder to continue the study."), QString()});
         else if (m_controller.foundInterrupted())
-            m_messages->post(
-                {chrome::Message::Severity::warning, tr("A session of this study was interrupted."),
-                 tr("Nothing that was answered is lost. Go on with it, or choose another one."), QString()});
+            m_messages->post({chrome::Message::Severity::warning,
+                              tr("A session of this study was interrupted."),
+                              tr("No answer is lost. Resume it, or choose another one."), QString()});
         if (std::exchange(m_rehearseWhenOpened, false))
-            m_controller.rehearse();
+            m_controller.startRehearsal();
     });
 }
 
@@ -294,10 +295,10 @@ void StudyPage::watchRehearsal(const QString& folder) {
 
 void StudyPage::watchScene(const study::StudyScene& scene, std::uint64_t seed, const QString& folder) {
     m_rehearseWhenOpened = true;
-    m_controller.rehearse(folder.isEmpty() ? newFolder(QStringLiteral("rehearsal")) : folder, scene, seed);
+    m_controller.openScene(folder.isEmpty() ? newFolder(QStringLiteral("rehearsal")) : folder, scene, seed);
 }
 
-/// protocol: what is chosen at first; otherwise the paper's.
+/// protocol: selected at first; otherwise the paper's.
 void StudyPage::askForNewStudy(study::Mode mode, std::optional<study::Protocol> protocol) {
     runInBackground(
         this, [] { return study::builtInProtocols(); },
@@ -322,7 +323,7 @@ void StudyPage::askForNewStudy(study::Mode mode, std::optional<study::Protocol> 
         });
 }
 
-/// In place of the form that may be open.
+/// Replaces a form that is open.
 void StudyPage::showProtocol(const study::Protocol& protocol) {
     for (auto* old : findChildren<ProtocolDialog*>()) {
         if (!old->isVisible()) // closed already
@@ -348,7 +349,7 @@ void StudyPage::showProtocol(const study::Protocol& protocol) {
     });
     connect(dialog, &ProtocolDialog::studyRequested, this,
             [this](const study::Protocol& valid) { askForNewStudy(study::Mode::run, valid); });
-    // Who thinks better of a new study has the form still.
+    // The form stays open if the new study is cancelled.
     connect(&m_controller, &StudyController::opened, dialog,
             [this, dialog] { dialog->leaveTo(m_controller.overview()->head.protocol); });
     dialog->show();
@@ -392,7 +393,7 @@ void StudyPage::doNextStep() {
         showParticipantWindow();
         return;
     case NextStep::rehearse:
-        m_controller.rehearse();
+        m_controller.startRehearsal();
         return;
     case NextStep::stopRehearsal:
         m_controller.stopRehearsal();
@@ -402,7 +403,7 @@ void StudyPage::doNextStep() {
     case NextStep::goOn:
         m_controller.goOn();
         if (m_controller.overview()->head.mode == study::Mode::simulated)
-            m_controller.rehearse();
+            m_controller.startRehearsal();
         else
             m_participant->activateWindow();
         return;
@@ -430,7 +431,7 @@ void StudyPage::refresh() {
     m_stack->setCurrentWidget(m_controller.overview() ? static_cast<QWidget*>(m_tabs) : m_empty);
     if (!m_controller.overview())
         return;
-    // The participant waits for an answer to the key; the experimenter's panels come after it.
+    // The participant's window first: the participant waits for a response to the key.
     showParticipant();
     m_study->setScene(StudyScenes::study(m_controller));
     showSession();
@@ -440,7 +441,7 @@ void StudyPage::refresh() {
 }
 
 void StudyPage::showParticipant() {
-    // Choices change with the session only; their pictures are not cheap.
+    // Choices change only with the session; their pictures are expensive.
     QString session;
     if (const study::PlannedSession* plan = m_controller.plan())
         session = QStringLiteral("%1 %2 %3")
@@ -462,7 +463,7 @@ void StudyPage::showParticipant() {
 
 void StudyPage::showSession() {
     studyview::SessionScene scene = StudyScenes::session(m_controller);
-    // The level at the ear depends on headphones and volume: what is played has none of its own.
+    // The level at the ear depends on headphones and volume, not on what is played.
     scene.noisePlaying = m_noise.isPlaying();
     scene.needsNoise = scene.needsNoise || scene.noisePlaying; // whatever plays can be stopped
     if (!m_noiseProblem.isEmpty())
@@ -475,7 +476,7 @@ void StudyPage::tick() {
     if (isVisible() && m_controller.overview())
         showSession();
     // A rest counts down.
-    if (m_controller.runner().hold() == StudyRunner::Hold::rest)
+    if (m_controller.runner().hold() == study::Hold::rest)
         m_participant->setScene(StudyScenes::participant(m_controller));
 }
 
@@ -494,7 +495,7 @@ QWidget* StudyPage::forwardWindow() const {
     return m_participant->isVisible() ? m_participant.get() : nullptr;
 }
 
-/// Computes the results anew when they are looked at and there is something new.
+/// Updates the results if they are visible and outdated.
 void StudyPage::analyse() {
     if (!m_controller.overview() || !m_outdated || m_analysing || m_tabs->currentWidget() != m_results)
         return;
@@ -517,9 +518,8 @@ void StudyPage::analyse() {
             m_analysing = false;
             if (results) {
                 scene.tasks = std::move(*results);
-                m_results->setState(scene.tasks.empty()
-                                        ? tr("There are no completed trials yet.")
-                                        : tr("Test trials that are complete; others are left out."));
+                m_results->setState(scene.tasks.empty() ? tr("There are no completed trials yet.")
+                                                        : tr("Completed test trials only."));
                 m_results->setScene(std::move(scene));
             } else {
                 m_results->setState({});
@@ -545,8 +545,7 @@ void StudyPage::retranslate() {
                          "trial to confusion matrices and ANOVA."));
     m_empty->setAction("watchRehearsal", tr("Watch a rehearsal"),
                        tr("Simulated participants go through the whole study"));
-    m_empty->setAction("newStudyButton", tr("New study\u2026"),
-                       tr("Of the paper's protocol, or of one of your own"));
+    m_empty->setAction("newStudyButton", tr("New study\u2026"), tr("With the paper's protocol or your own"));
     m_empty->setAction("openStudyButton", tr("Open a study\u2026"), tr("The folder of a study"));
     m_empty->setAction("serverStudyButton", tr("Study on a server\u2026"),
                        tr("A study that several stations share"));
@@ -561,8 +560,8 @@ void StudyPage::retranslate() {
     m_speed->setItemText(0, tr("Real time, felt on the bracelet"));
     for (int i = 1; i < m_speed->count(); ++i)
         m_speed->setItemText(i, tr("%1 times real time, not played").arg(m_speed->itemData(i).toInt()));
-    m_speed->setToolTip(tr("How fast simulated participants are; it can be changed between sessions"));
-    // The names on the answers, and of the tasks.
+    m_speed->setToolTip(tr("Speed of the simulated participants; can be changed between sessions"));
+    // For the names of answers and tasks.
     m_choicesOf.clear();
     m_outdated = true;
     refresh();

@@ -34,8 +34,8 @@ class StudyPanel;
 
 namespace teleta::console {
 
-/// The Study page: protocol and participants at the left, the session in the middle, the live confusion
-/// matrix at the right, and the participant's window. Files are read on pool threads. Thread: GUI.
+/// The Study page: protocol and participants on the left, the session in the middle, the live confusion
+/// matrix on the right, and the participant's window. Files are read on pool threads. Thread: GUI.
 class StudyPage : public QWidget {
     Q_OBJECT
 
@@ -46,32 +46,28 @@ public:
 
     ~StudyPage() override;
 
-    /// Opens the folder of a study, the address of a study on a server (postgresql://..), or a protocol to
-    /// make one of.
+    /// Opens a study's folder, the address of a study on a server (postgresql://..), or a protocol to create
+    /// one from.
     void open(const QString& path);
-    /// Goes on with a simulated study, or makes one of the paper's protocol, and lets simulated participants
-    /// go through it. folder: empty for a new one among the user's documents.
+    /// Opens a simulated study, or creates one with the paper's protocol, and rehearses it. folder: empty for
+    /// a new one among the user's documents.
     void watchRehearsal(const QString& folder = {});
     /// The same with the study of a scene.
     void watchScene(const study::StudyScene& scene, std::uint64_t seed, const QString& folder = {});
-    /// Whether the study can be left, and what to do once it can; see StudyLeaving.
+    /// See StudyLeaving.
     [[nodiscard]] bool isSettled() const { return m_leaving->isSettled(); }
     void whenSettled(std::function<void()> goOn) { m_leaving->whenSettled(std::move(goOn)); }
     /// Names of views for bringForward().
     [[nodiscard]] static QStringList viewNames();
     void bringForward(const QString& view);
-    /// What a picture of the page is taken of, when it is not the console's window.
+    /// Window for screenshots of the page if it is not the console's; otherwise null.
     [[nodiscard]] QWidget* forwardWindow() const;
-    /// Shows what happened.
+    /// To be called 30 times a second.
     void tick();
 
     [[nodiscard]] StudyController& controller() { return m_controller; }
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
     [[nodiscard]] studyview::ParticipantWindow& participantWindow() { return *m_participant; }
-    [[nodiscard]] studyview::SessionPanel& sessionPanel() { return *m_session; }
-    [[nodiscard]] studyview::StudyPanel& studyPanel() { return *m_study; }
-    [[nodiscard]] studyview::ConfusionView& matrixView() { return *m_matrix; }
-    [[nodiscard]] studyview::ResultsView& resultsView() { return *m_results; }
 
 signals:
     /// Something could not be opened.
@@ -115,10 +111,10 @@ private:
     ParticipantPlacement m_placement;
     studyview::ResultsView* m_results;
     StudyLeaving* m_leaving;
-    bool m_outdated = true;   ///< there are trials that the results do not have
+    bool m_outdated = true;   ///< the results lack the latest trials
     bool m_analysing = false; ///< on a pool thread
-    QString m_choicesOf;      ///< session whose answers the participant's window has
-    std::size_t m_asked = 0;  ///< QuestionnaireRound::shown() of what the participant's window has
+    QString m_choicesOf;      ///< session whose answers the participant's window shows
+    std::size_t m_asked = 0;  ///< QuestionnaireRound::shown() of the one in the participant's window
     bool m_rehearseWhenOpened = false;
     QString m_noiseProblem; ///< why the noise could not be played the last time
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the controller does with simulated participants.
+// Simulated participants.
 #include "app/console/study/study_controller.h"
 
 #include <QCoreApplication>
@@ -18,7 +18,7 @@ void StudyController::setSpeed(double speed) {
     emit changed();
 }
 
-void StudyController::rehearse(const QString& folder, const study::StudyScene& scene, std::uint64_t seed) {
+void StudyController::openScene(const QString& folder, const study::StudyScene& scene, std::uint64_t seed) {
     if (!isActive() && !isBusy()) {
         m_scene = scene;
         m_sceneFolder = folder.toStdString();
@@ -34,7 +34,7 @@ void StudyController::rehearse(const QString& folder, const study::StudyScene& s
     openOrCreate(folder.toStdString(), head);
 }
 
-void StudyController::rehearse() {
+void StudyController::startRehearsal() {
     if (!isSimulated() || m_rehearsing)
         return;
     m_rehearsing = true;
@@ -49,7 +49,7 @@ void StudyController::stopRehearsal() {
     m_rehearsing = false;
 }
 
-/// The next open session of anybody; when there is none, the next participant.
+/// Starts the next unfinished session of any participant; if there is none, enrols the next participant.
 void StudyController::goOnRehearsing() {
     if (!m_rehearsing || isBusy() || m_round.current() != nullptr)
         return;
@@ -71,8 +71,8 @@ void StudyController::goOnRehearsing() {
 }
 
 void StudyController::followSimulated() {
-    // Nobody has to be asked whether the test may begin.
-    if (isSimulated() && m_runner.hold() == StudyRunner::Hold::blockEnd && !m_runner.isKeeping())
+    // A rehearsal starts the test by itself.
+    if (isSimulated() && m_runner.hold() == study::Hold::blockEnd && !m_runner.isKeeping())
         QMetaObject::invokeMethod(&m_runner, &StudyRunner::goOn, Qt::QueuedConnection);
 }
 

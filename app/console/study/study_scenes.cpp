@@ -13,12 +13,12 @@
 
 namespace teleta::console {
 
+using study::Hold;
 using study::Phase;
 using study::Stage;
 using studyview::displayCondition;
 using studyview::displayName;
 using studyview::Tone;
-using Hold = StudyRunner::Hold;
 
 namespace {
 
@@ -26,17 +26,14 @@ QString text(const std::string& value) {
     return QString::fromStdString(value);
 }
 
-/// For a runner that has a session.
-Phase phaseNow(const StudyRunner& runner) {
-    const study::Session* session = runner.session();
-    const study::PlannedTrial* current = session == nullptr ? nullptr : session->current();
-    if (current != nullptr)
+Phase phaseNow(const study::SessionFlow& flow) {
+    if (const study::PlannedTrial* current = flow.session().current())
         return current->phase;
-    return runner.results().empty() ? Phase::test : runner.results().back().planned.phase;
+    return flow.results().empty() ? Phase::test : flow.results().back().planned.phase;
 }
 
-std::size_t completed(const StudyRunner& runner, Phase phase) {
-    const auto& results = runner.results();
+std::size_t completed(const study::SessionFlow& flow, Phase phase) {
+    const auto& results = flow.results();
     return static_cast<std::size_t>(std::count_if(results.begin(), results.end(), [&](const auto& result) {
         return result.planned.phase == phase && result.isComplete();
     }));
@@ -44,14 +41,6 @@ std::size_t completed(const StudyRunner& runner, Phase phase) {
 
 std::size_t planned(const study::PlannedSession& plan, Phase phase) {
     return phase == Phase::practice ? plan.practice.size() : plan.test.size();
-}
-
-bool isOver(const StudyRunner& runner) {
-    if (runner.session() == nullptr)
-        return false;
-    const Stage stage = runner.session()->stage();
-    return (stage == Stage::finished || stage == Stage::aborted) && !runner.isKeeping() &&
-           runner.hold() != Hold::notKept;
 }
 
 } // namespace
@@ -73,7 +62,7 @@ QString StudyScenes::protocolText(const study::StudyHead& head) {
                      .arg(displayName(task), conditions.join(QStringLiteral(", ")));
     }
     const QLocale locale;
-    lines << tr("Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials a participant")
+    lines << tr("Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials per participant")
                  .arg(protocol.practice.repetitions)
                  .arg(protocol.test.repetitions)
                  .arg(protocol.testTrials());
@@ -136,19 +125,18 @@ studyview::StudyScene StudyScenes::study(const StudyController& controller) {
 NextStep StudyScenes::nextStep(const StudyController& controller) {
     if (!controller.overview())
         return NextStep::none;
-    const StudyRunner& runner = controller.runner();
     const bool simulated = controller.overview()->head.mode == study::Mode::simulated;
     if (controller.round().current() != nullptr) {
         if (!controller.round().problem().isEmpty())
             return NextStep::retry;
         return controller.isRehearsing() ? NextStep::stopRehearsal : NextStep::fillIn;
     }
-    if (runner.isActive()) {
-        if (runner.hold() == Hold::notKept)
+    if (const study::SessionFlow* flow = controller.runner().flow()) {
+        if (flow->hold() == Hold::notKept)
             return NextStep::retry;
-        if (isOver(runner))
+        if (flow->isOver())
             return simulated && controller.isRehearsing() ? NextStep::stopRehearsal : NextStep::leaveSession;
-        if (runner.waitsForExperimenter() || (runner.hold() == Hold::rest && !controller.isRehearsing()))
+        if (flow->waitsForExperimenter() || (flow->hold() == Hold::rest && !controller.isRehearsing()))
             return NextStep::goOn;
         return controller.isRehearsing() ? NextStep::stopRehearsal : NextStep::none;
     }
@@ -219,30 +207,28 @@ void StudyScenes::describeIdle(const StudyController& controller, studyview::Ses
     scene.nextEnabled = !controller.isBusy();
     switch (nextStep(controller)) {
     case NextStep::begin:
-        scene.next = session->isInterrupted() ? tr("Go on with this session") : tr("Begin this session");
+        scene.next = session->isInterrupted() ? tr("Resume this session") : tr("Start this session");
         scene.nextEnabled = scene.nextEnabled && passed;
         if (session->isInterrupted()) {
-            scene.state = tr("This session was interrupted after %1 of %2 trials. What was answered is kept; "
-                             "it goes on "
-                             "with the same order.")
+            scene.state = tr("This session was interrupted after %1 of %2 trials. All answers are saved; it "
+                             "resumes in the same order.")
                               .arg(session->kept)
                               .arg(session->planned());
             scene.tone = Tone::attention;
         } else if (!passed) {
-            scene.state = tr("The session can begin when all checks have passed.");
+            scene.state = tr("The session can start when all checks have passed.");
         }
         return;
     case NextStep::rehearse:
-        scene.next =
-            overview.participants.empty() ? tr("Begin the rehearsal") : tr("Go on with the rehearsal");
+        scene.next = overview.participants.empty() ? tr("Start the rehearsal") : tr("Resume the rehearsal");
         scene.nextEnabled = scene.nextEnabled && (passed || !open);
-        scene.state = tr("Simulated participants go through all sessions, with the same code as people.");
+        scene.state = tr("Simulated participants go through all sessions, by the same rules as people.");
         return;
     case NextStep::stopRehearsal:
         scene.next = tr("Halt the rehearsal");
         return;
     case NextStep::leaveSession:
-        scene.next = tr("To the next session");
+        scene.next = tr("Next session");
         scene.state = tr("This session is finished.");
         scene.tone = Tone::good;
         return;
@@ -253,9 +239,8 @@ void StudyScenes::describeIdle(const StudyController& controller, studyview::Ses
         return;
     case NextStep::enrol:
         scene.next = tr("Add a participant");
-        scene.state =
-            tr("Enrol the first participant at the left: the order of the conditions follows from the "
-               "order of enrolment.");
+        scene.state = tr("Enrol the first participant on the left: the order of enrolment determines the "
+                         "order of the conditions.");
         return;
     case NextStep::none:
     case NextStep::goOn:
@@ -272,14 +257,14 @@ void StudyScenes::describeIdle(const StudyController& controller, studyview::Ses
 QString StudyScenes::skipConsequence(study::QuestionnaireTime when) {
     switch (when) {
     case study::QuestionnaireTime::beforeStudy:
-        return tr("It is asked again when a session of this participant begins or is gone on with.");
+        return tr("It is asked again when a session of this participant starts or resumes.");
     case study::QuestionnaireTime::beforeSession:
-        return tr("It is asked again only when this session is interrupted and gone on with.");
+        return tr("It is asked again only if this session is interrupted and resumed.");
     case study::QuestionnaireTime::afterSession:
     case study::QuestionnaireTime::afterStudy:
         break;
     }
-    return tr("The session is finished without it, and then it is not asked again.");
+    return tr("The session finishes without it, and it is not asked again.");
 }
 
 void StudyScenes::describeQuestionnaire(const StudyController& controller, studyview::SessionScene& scene) {
@@ -295,24 +280,23 @@ void StudyScenes::describeQuestionnaire(const StudyController& controller, study
     scene.tone = Tone::calm;
     scene.state = round.isSimulated() ? tr("The simulated participant fills in \u201c%1\u201d.").arg(title)
                   : round.isSkipping() && round.isKeeping()
-                      ? tr("Noting that \u201c%1\u201d is left out \u2026").arg(title)
-                  : round.isKeeping() ? tr("Keeping the answers \u2026")
+                      ? tr("Recording that \u201c%1\u201d is skipped \u2026").arg(title)
+                  : round.isKeeping() ? tr("Saving the answers \u2026")
                                       : tr("The participant fills in \u201c%1\u201d.").arg(title);
     switch (nextStep(controller)) {
     case NextStep::retry:
         scene.tone = Tone::alarm;
         if (round.isSkipping()) {
-            scene.next = tr("Try again to leave it out");
+            scene.next = tr("Try again to skip it");
             scene.state =
-                tr("\u201c%1\u201d could not be left out, because the note about it could not be kept. %2")
+                tr("\u201c%1\u201d could not be skipped, because the note about it could not be saved. %2")
                     .arg(title, round.problem());
             return;
         }
-        scene.next = tr("Try again to keep the answers");
-        scene.state =
-            tr("The answers to \u201c%1\u201d could not be kept; they are still in the participant's "
-               "window. %2")
-                .arg(title, round.problem());
+        scene.next = tr("Try again to save the answers");
+        scene.state = tr("The answers to \u201c%1\u201d could not be saved; they are still in the "
+                         "participant's window. %2")
+                          .arg(title, round.problem());
         return;
     case NextStep::stopRehearsal:
         scene.next = tr("Halt the rehearsal");
@@ -325,26 +309,28 @@ void StudyScenes::describeQuestionnaire(const StudyController& controller, study
 
 void StudyScenes::describeRunning(const StudyController& controller, studyview::SessionScene& scene) {
     const StudyRunner& runner = controller.runner();
-    if (runner.session() == nullptr)
+    const study::SessionFlow* running = runner.flow();
+    if (running == nullptr)
         return;
-    const study::Session& session = *runner.session();
+    const study::SessionFlow& flow = *running;
+    const study::Session& session = flow.session();
     const study::StudyTask& task = *controller.task();
     const bool simulated = controller.overview()->head.mode == study::Mode::simulated;
-    const Phase phase = phaseNow(runner);
+    const Phase phase = phaseNow(flow);
     scene.phase = phase == Phase::practice ? tr("Practice") : tr("Test");
-    scene.done = completed(runner, phase);
+    scene.done = completed(flow, phase);
     scene.total = planned(*controller.plan(), phase);
-    const bool over = isOver(runner);
+    const bool over = flow.isOver();
     scene.canAbort = !over;
-    scene.canPause = !over && !runner.waitsForExperimenter() && !runner.pauseWanted();
+    scene.canPause = !over && !flow.waitsForExperimenter() && !flow.pauseWanted();
     scene.canNote = true;
 
-    scene.outcomes = outcomeLines(runner.results(), task);
+    scene.outcomes = outcomeLines(flow.results(), task);
 
     const NextStep step = nextStep(controller);
     scene.nextEnabled = step != NextStep::none && !controller.isBusy();
-    const bool stopped = runner.hold() == Hold::stopped;
-    switch (runner.hold()) {
+    const bool stopped = flow.hold() == Hold::stopped;
+    switch (flow.hold()) {
     case Hold::paused:
         scene.next = tr("Go on");
         scene.state = tr("Paused.");
@@ -353,13 +339,13 @@ void StudyScenes::describeRunning(const StudyController& controller, studyview::
     case Hold::rest: {
         const int left_s = static_cast<int>(std::ceil(runner.restLeft_s()));
         scene.next = tr("End the rest");
-        scene.state = left_s > 0 ? tr("Rest. The participant may go on in %1 s.").arg(left_s)
-                                 : tr("Rest. The participant goes on with Space.");
+        scene.state = left_s > 0 ? tr("Rest. The participant may continue in %1 s.").arg(left_s)
+                                 : tr("Rest. The participant continues with Space.");
         scene.tone = Tone::calm;
         break;
     }
     case Hold::blockEnd:
-        scene.next = tr("Begin the test");
+        scene.next = tr("Start the test");
         scene.state = tr("Practice is over. In the test there is no feedback unless the protocol says so.");
         scene.tone = Tone::good;
         break;
@@ -370,7 +356,7 @@ void StudyScenes::describeRunning(const StudyController& controller, studyview::
         scene.nextEnabled = scene.nextEnabled && obstacle.isEmpty();
         scene.state =
             stopped
-                ? tr("STOPPED. The bracelet is off. A trial that ran will be shown again.")
+                ? tr("STOPPED. The bracelet is off. An interrupted trial will be shown again.")
                 : tr("The stimulus was interrupted: %1. The trial will be shown again.").arg(runner.reason());
         if (!obstacle.isEmpty())
             scene.state += QLatin1Char('\n') + obstacle;
@@ -380,42 +366,41 @@ void StudyScenes::describeRunning(const StudyController& controller, studyview::
         break;
     }
     case Hold::notKept:
-        scene.next = tr("Try again to keep the last trial");
+        scene.next = tr("Try again to save the last trial");
         scene.state =
-            (runner.waitsForServer() ? tr("The last trial waits for the server. %1")
-                                     : tr("The last trial could not be kept; it is still in memory. %1"))
+            (flow.waitsForServer() ? tr("The last trial is waiting for the server. %1")
+                                   : tr("The last trial could not be saved; it is still in memory. %1"))
                 .arg(runner.reason());
         scene.tone = Tone::alarm;
         break;
     case Hold::none:
         if (over) {
             const bool aborted = session.stage() == Stage::aborted;
-            scene.next = aborted ? tr("Leave this session") : tr("To the next session");
-            scene.state = aborted ? tr("The session was aborted. What was answered is kept.")
+            scene.next = aborted ? tr("Leave this session") : tr("Next session");
+            scene.state = aborted ? tr("The session was aborted. All answers are saved.")
                                   : tr("This session is finished. Thank the participant.");
             scene.tone = aborted ? Tone::attention : Tone::good;
             break;
         }
-        scene.state = runner.isKeeping()                   ? tr("Keeping the trial \u2026")
+        scene.state = flow.isKeeping()                     ? tr("Saving the trial \u2026")
                       : session.stage() == Stage::ready    ? tr("Ready for the next trial.")
-                      : session.stage() == Stage::starting ? tr("The stimulus begins \u2026")
-                      : session.stage() == Stage::stimulus ? tr("The stimulus is felt.")
+                      : session.stage() == Stage::starting ? tr("The stimulus is starting \u2026")
+                      : session.stage() == Stage::stimulus ? tr("The stimulus is playing.")
                       : session.stage() == Stage::feedback ? tr("The right answer is shown.")
                                                            : tr("Waiting for the answer.");
-        scene.next =
-            simulated ? tr("The simulated participant is at work") : tr("The participant goes on with Space");
+        scene.next = simulated ? tr("The simulated participant is working")
+                               : tr("The participant continues with Space");
         break;
     }
     if (step == NextStep::stopRehearsal)
         scene.next = tr("Halt the rehearsal");
-    if (runner.pauseWanted())
+    if (flow.pauseWanted())
         scene.state += QLatin1Char(' ') + tr("A pause follows.");
 }
 
 studyview::ParticipantScene StudyScenes::participant(const StudyController& controller) {
     using State = studyview::ParticipantScene::State;
     studyview::ParticipantScene scene;
-    const StudyRunner& runner = controller.runner();
     if (!controller.overview())
         return scene;
     if (const QuestionnaireRound& round = controller.round(); round.current() != nullptr) {
@@ -423,31 +408,33 @@ studyview::ParticipantScene StudyScenes::participant(const StudyController& cont
         scene.mode = controller.overview()->head.mode;
         scene.title = text(controller.overview()->head.protocol.name);
         const bool areNotKept = !round.problem().isEmpty() && !round.isSkipping();
-        // What is tried again is what was given: it stays as it is shown.
+        // retry() stores the submitted answers: the form must stay unchanged.
         scene.questionnaireLocked = round.isKeeping() || round.isSimulated() || areNotKept;
         if (areNotKept)
             scene.questionnaireProblem =
-                tr("Your answers could not be kept yet. Please tell the experimenter.");
+                tr("Your answers could not be saved yet. Please tell the experimenter.");
         return scene;
     }
-    if (runner.session() == nullptr)
+    const StudyRunner& runner = controller.runner();
+    if (!runner.isActive())
         return scene;
-    const study::Session& session = *runner.session();
+    const study::SessionFlow& flow = *runner.flow();
+    const study::Session& session = flow.session();
+    const bool isFeedback = session.stage() == Stage::feedback;
+    const study::TrialResult* last = flow.results().empty() ? nullptr : &flow.results().back();
     scene.title = displayName(*controller.task());
     scene.mode = controller.overview()->head.mode;
-    scene.phase =
-        session.stage() == Stage::feedback ? runner.results().back().planned.phase : phaseNow(runner);
+    scene.phase = isFeedback ? last->planned.phase : phaseNow(flow);
     scene.trials = planned(*controller.plan(), scene.phase);
     scene.diagrams = session.settings(scene.phase).diagram;
     scene.answersOpen = session.deadline_ns().has_value();
     scene.canReplay = session.stage() == Stage::answering && session.replaysLeft() > 0;
-    const bool isFeedback = session.stage() == Stage::feedback;
-    scene.trial = std::min(completed(runner, scene.phase) + (isFeedback ? 0 : 1), scene.trials);
-    if (!runner.results().empty() && runner.results().back().planned.phase == scene.phase)
-        scene.answered = runner.results().back().response;
+    scene.trial = std::min(completed(flow, scene.phase) + (isFeedback ? 0 : 1), scene.trials);
+    if (last != nullptr && last->planned.phase == scene.phase)
+        scene.answered = last->response;
     if (isFeedback)
-        scene.presented = runner.results().back().planned.stimulus;
-    switch (runner.hold()) {
+        scene.presented = last->planned.stimulus;
+    switch (flow.hold()) {
     case Hold::stopped:
     case Hold::deviceLost:
         scene.state = State::stopped;
@@ -493,16 +480,16 @@ studyview::ConfusionContent StudyScenes::matrix(const StudyController& controlle
     studyview::ConfusionContent content;
     const study::StudyTask* task = controller.task();
     if (task == nullptr) {
-        content.title = tr("No session is chosen");
+        content.title = tr("No session is selected");
         return content;
     }
     for (const study::StudyPattern& pattern : task->patterns)
         content.letters << text(pattern.letter);
     content.mode = controller.overview()->head.mode;
     content.matrix = study::ConfusionMatrix(task->patterns.size());
-    const StudyRunner& runner = controller.runner();
     const QString name = sessionName(controller.overview()->head.protocol, *controller.plan());
-    if (!runner.isActive()) {
+    const study::SessionFlow* flow = controller.runner().flow();
+    if (flow == nullptr) {
         const SessionOverview* chosen = controller.chosenSession();
         content.title = name;
         if (chosen != nullptr && !chosen->results.empty()) {
@@ -511,12 +498,12 @@ studyview::ConfusionContent StudyScenes::matrix(const StudyController& controlle
         }
         return content;
     }
-    const Phase phase = phaseNow(runner);
-    content.matrix = confusionOf(runner.results(), phase, task->patterns.size());
+    const Phase phase = phaseNow(*flow);
+    content.matrix = confusionOf(flow->results(), phase, task->patterns.size());
     content.title = (phase == Phase::practice ? tr("%1, practice") : tr("%1, test")).arg(name);
-    if (!runner.results().empty() && runner.results().back().planned.phase == phase &&
-        runner.results().back().isComplete()) {
-        const study::TrialResult& last = runner.results().back();
+    const auto& results = flow->results();
+    if (!results.empty() && results.back().planned.phase == phase && results.back().isComplete()) {
+        const study::TrialResult& last = results.back();
         content.last = {last.planned.stimulus, last.response.value_or(content.matrix.noneColumn())};
     }
     return content;

@@ -11,7 +11,7 @@
 
 namespace teleta::console {
 
-/// What the large button does.
+/// Action of the large button.
 enum class NextStep {
     none,
     enrol,    ///< the first participant
@@ -19,13 +19,13 @@ enum class NextStep {
     rehearse, ///< all simulated sessions
     stopRehearsal,
     goOn,         ///< after a hold
-    retry,        ///< to keep the last trial, or the last answers
+    retry,        ///< to save the last trial, or the last answers
     fillIn,       ///< a questionnaire, in the participant's window
     leaveSession, ///< to the participant's next one
     showResults,
 };
 
-/// What the views of a study show, in words. Thread: GUI.
+/// What the views of a study show. Thread: GUI.
 class StudyScenes {
     Q_DECLARE_TR_FUNCTIONS(StudyScenes)
 
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] static studyview::SessionScene session(const StudyController& controller);
     [[nodiscard]] static studyview::ParticipantScene participant(const StudyController& controller);
     [[nodiscard]] static studyview::ConfusionContent matrix(const StudyController& controller);
-    /// The answers of the chosen session; the pictures are those of the patterns themselves.
+    /// The answers of the chosen session, with pictures of the patterns.
     [[nodiscard]] static std::vector<studyview::AnswerChoice> choices(const StudyController& controller);
     [[nodiscard]] static NextStep nextStep(const StudyController& controller);
     /// "Object shape, static".

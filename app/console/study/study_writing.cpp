@@ -28,7 +28,7 @@ core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStor
     return study::studyResults(tally);
 }
 
-/// Tables, figures and report of a study in its folder "results", which is returned.
+/// Writes tables, figures and report into the study's folder "results", which is returned.
 core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir& study) {
     study::TrialTally tally;
     const core::Expected<std::vector<study::TaskResults>> tasks = resultsOf(store, tally);

@@ -32,7 +32,7 @@ std::pair<QString, Tone> outcomeText(study::Outcome outcome) {
     case study::Outcome::deviceError:
         break;
     }
-    return {LineText::tr("device fault, comes again"), Tone::alarm};
+    return {LineText::tr("device fault, will be repeated"), Tone::alarm};
 }
 
 } // namespace

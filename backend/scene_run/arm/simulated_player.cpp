@@ -31,7 +31,7 @@ void SimulatedPlayer::play(playback::Program program) {
 }
 
 void SimulatedPlayer::advance(double now_s, double heardAt_s) {
-    // A frame that is due with a sample is not put off by how their times are rounded.
+    // Rounding must not delay a frame that is due with a sample.
     constexpr double kRounding_s = 1e-9;
     for (; static_cast<double>(m_frames) / kRate_Hz <= now_s + kRounding_s; ++m_frames)
         writeFrame(static_cast<double>(m_frames) / kRate_Hz, now_s - heardAt_s <= kTimeout_s);

@@ -12,24 +12,24 @@
 
 namespace teleta::scene_run {
 
-/// The bracelet of a scene in simulated time: frames at the player's rate, below its safety limits, off when
-/// what they rest on stays away. Thread: one.
+/// The bracelet of a scene in simulated time: frames at the player's rate, within its safety limits, off when
+/// its input stalls. Thread: one.
 class SimulatedPlayer {
 public:
     static constexpr double kRate_Hz = 200.0;
     /// As the live setpoints of playback::PlayerConfig.
     static constexpr double kTimeout_s = 0.1;
 
-    /// outFolder: gets bracelet.csv, time_s,t1..t6, a row when the frame changes; empty: none.
+    /// outFolder: gets bracelet.csv, time_s,t1..t6, a row for each change; empty: none.
     [[nodiscard]] static core::Expected<SimulatedPlayer> open(const std::string& outFolder);
 
-    /// Played from the next frame on, in place of what is played.
+    /// Plays the program from the next frame on, in place of the current one.
     void play(playback::Program program);
-    /// Writes the frames that are due by now. heardAt_s: when the arm told something last; older than
-    /// kTimeout_s ends the playing.
+    /// Writes the frames that are due by now. heardAt_s: time of the arm's last data; playing ends when it is
+    /// older than kTimeout_s.
     void advance(double now_s, double heardAt_s);
 
-    /// When the first frame other than zero of the newest program was written; empty: not yet, or never.
+    /// When the first nonzero frame of the current program was written; empty: not yet.
     [[nodiscard]] std::optional<double> onset_s() const { return m_onset_s; }
     [[nodiscard]] core::Expected<void> finish() { return m_csv ? m_csv->finish() : core::Expected<void>(); }
 
@@ -40,7 +40,7 @@ private:
     playback::SafetyLimiter m_limiter;
     std::optional<core::CsvWriter> m_csv;
     std::optional<playback::Program> m_program;
-    std::optional<double> m_begun_s; ///< of the program: its first frame
+    std::optional<double> m_begun_s; ///< first frame of the program
     std::optional<double> m_onset_s;
     std::uint64_t m_frames = 0;
     core::Intensities m_written{};

@@ -12,10 +12,10 @@ namespace teleta::scene_run {
 
 namespace {
 
-/// Stream of a trial; those of the participant are others.
+/// Random stream of a trial, other than those of SimulatedParticipant.
 constexpr std::uint64_t kDroppedFrames = 4;
 constexpr double kFullSpeed_Hz = 250.0;
-/// A motor that lags and has no dead zone.
+/// A motor with a lag and no dead zone.
 constexpr double kNoStart = 1e-9;
 
 pattern::MotorProfile motorOf(const study::StudyScene::MotorLag& lag) {
@@ -27,7 +27,7 @@ pattern::MotorProfile motorOf(const study::StudyScene::MotorLag& lag) {
     return motor;
 }
 
-/// Adds the time until its end to an effect's.
+/// Adds its lifetime to the time of an effect.
 class Stopwatch {
 public:
     explicit Stopwatch(std::int64_t& total_ns)
@@ -67,7 +67,7 @@ StimulusBracelet::Shown StimulusBracelet::show(const pattern::Pattern& pattern, 
             if (random.unit() >= *m_scene.droppedFrames)
                 continue;
             ++shown.lost;
-            // The board keeps what it was told last.
+            // The board keeps the last command.
             felt[k] = k > 0 ? felt[k - 1] : core::Intensities{};
         }
     }

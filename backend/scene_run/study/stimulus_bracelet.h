@@ -16,8 +16,8 @@
 
 namespace teleta::scene_run {
 
-/// The bracelet of a study's scene: computes, frame by frame, what a stimulus makes the motors do. Without
-/// effects they do at once what they are told. Thread: one.
+/// The bracelet of a study's scene: computes, frame by frame, how the motors follow a stimulus. Without
+/// effects they follow at once. Thread: one.
 class StimulusBracelet {
 public:
     explicit StimulusBracelet(const study::StudyScene& scene);
@@ -26,13 +26,13 @@ public:
         std::size_t frames = 0;
         std::size_t lost = 0;
     };
-    /// seed: of the trial; lost frames are drawn from it, where the scene lists them. pattern: at most
-    /// atMost_s of it.
+    /// Plays at most atMost_s of the pattern. seed: answerSeed() of the trial, for lost frames if the scene
+    /// has them.
     Shown show(const pattern::Pattern& pattern, double atMost_s, std::uint64_t seed);
 
-    /// From the first frame of each stimulus shown until a motor had half of what it is told.
+    /// Time from the first frame of each stimulus until a motor has reached half of its command.
     [[nodiscard]] const std::vector<double>& onsets_s() const { return m_onsets_s; }
-    /// Of intensities told and felt; empty before the first frame.
+    /// Between commanded and felt intensities; empty before the first frame.
     [[nodiscard]] std::optional<double> rmsError() const;
     /// Computing time of an effect.
     [[nodiscard]] double time_s(const std::string& effect) const;

@@ -25,7 +25,7 @@ struct StudyRunText {
     Q_DECLARE_TR_FUNCTIONS(SceneRun)
 };
 
-/// Same scene and seed, same files: the day does not depend on the clock.
+/// A fixed day: the same scene and seed give the same files.
 QDateTime beginning() {
     return {QDate(2026, 1, 1), QTime(8, 0), Qt::UTC};
 }
@@ -40,7 +40,7 @@ ordered_json median(std::vector<double> values) {
     return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-/// What the study itself has kept.
+/// Measures of the stored trials.
 core::Expected<ordered_json> measuresOf(const study::StudyStore& store) {
     const auto participants = store.participants();
     if (!participants)
@@ -75,7 +75,7 @@ core::Expected<ordered_json> measuresOf(const study::StudyStore& store) {
                         {"response_time_median_s", median(std::move(times_s))}};
 }
 
-/// The participant's effects, each with the computing time that it took.
+/// The simulated participants, with the computing time of each effect.
 class Minds {
 public:
     explicit Minds(const study::StudyScene& scene)
@@ -155,20 +155,18 @@ core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const
     };
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     bool stopped = false;
-    cast.goOn = [&](double simulated_s) {
-        stopped = options.goOn && !options.goOn(simulated_s, duration_s);
-        return !stopped && simulated_s < duration_s;
+    cast.goOn = [&](const study::RehearsalProgress& now) {
+        stopped = options.goOn && !options.goOn(now.simulated_s, duration_s);
+        return !stopped && now.simulated_s < duration_s;
     };
-    const auto progress = study::rehearse(
-        *store, [](std::size_t) { return true; }, cast);
+    const auto progress = study::rehearse(*store, cast);
     if (!progress)
         return core::Unexpected(progress.error());
     if (unknown)
         return core::Unexpected(core::Error{
             core::ErrorKind::badInput,
-            StudyRunText::tr("the protocol has a stimulus that does not come with the program").toStdString(),
-            StudyRunText::tr("tasks, letters and conditions whose patterns come with the program")
-                .toStdString(),
+            StudyRunText::tr("the protocol has a stimulus that is not built in").toStdString(),
+            StudyRunText::tr("tasks, letters and conditions whose patterns are built in").toStdString(),
             {}});
     core::Expected<ordered_json> measures = measuresOf(*store);
     if (!measures)

@@ -7,16 +7,16 @@
 
 namespace teleta::scene_run {
 
-/// Lets the simulated participants of a scene go through its study, with the session code of real ones and a
-/// bracelet whose frames are computed. outFolder gets the study itself (study.sqlite, data/) beside
-/// summary.json; without one nothing is kept. Measures, of the test trials where nothing else is said:
+/// Runs the study of a scene with its simulated participants, by the rules of real sessions, and a bracelet
+/// whose frames are computed. outFolder gets the study (study.sqlite, data/) and summary.json; without it
+/// nothing is kept. Measures, of test trials unless stated otherwise:
 ///   trials, accuracy, timeouts, response_time_median_s (of right answers)
 ///   patterns_sent       stimuli of practice and test
 ///   frames, frames_lost of the bracelet
 ///   felt_onset_p50_s    from a stimulus' first frame until a motor has reached half of what it is told
 ///   felt_rms_error      between the intensity that is told and the one that is felt, over all frames and
 ///   tactors
-/// Error: badInput, ioFailed; refused where outFolder has a study already. Thread: any.
+/// Error: badInput, ioFailed; refused when outFolder contains a study. Thread: any.
 [[nodiscard]] core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene,
                                                          const RunOptions& options);
 

@@ -8,21 +8,21 @@
 
 namespace teleta::study {
 
-/// How often each pattern was answered when each was presented. Rows: presented; columns: answered, and last
-/// one more for trials without an answer in time (NONE). Thread: one.
+/// How often each pattern was answered when each was presented. Rows: presented; columns: answered, plus a
+/// last one for trials without an answer in time (NONE). Thread: one.
 class ConfusionMatrix {
 public:
-    /// patterns: how many there are, at least 1.
+    /// patterns: at least 1.
     explicit ConfusionMatrix(std::size_t patterns);
 
     [[nodiscard]] std::size_t patterns() const { return m_patterns; }
     [[nodiscard]] std::size_t columns() const { return m_patterns + 1; }
     [[nodiscard]] std::size_t noneColumn() const { return m_patterns; }
 
-    /// stimulus, response: 0 .. patterns-1; no response is NONE. count: not negative.
+    /// stimulus, response: 0 .. patterns-1; no response: NONE. count: not negative.
     void add(std::size_t stimulus, std::optional<std::size_t> response, std::int64_t count = 1);
 
-    /// Adds all trials of a matrix with as many patterns.
+    /// Adds all trials of another matrix of the same size.
     void add(const ConfusionMatrix& other);
 
     [[nodiscard]] std::int64_t count(std::size_t row, std::size_t column) const {
@@ -37,7 +37,7 @@ public:
     /// Share of the row in percent; empty for a pattern that was never presented.
     [[nodiscard]] std::optional<double> rowPercent(std::size_t row, std::size_t column) const;
 
-    /// Correct trials of all; empty without trials.
+    /// Share of correct trials; empty without trials.
     [[nodiscard]] std::optional<double> accuracy() const;
 
     friend bool operator==(const ConfusionMatrix&, const ConfusionMatrix&) = default;

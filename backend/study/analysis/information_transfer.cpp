@@ -20,7 +20,7 @@ double timesLog2(double x) {
 /// E[X log2 X] of X ~ Bin(trials, share), 0 < share < 1.
 double expectedTimesLog2(std::int64_t trials, double share) {
     const auto n = static_cast<double>(trials);
-    // What lies farther from the mean has no part in the digits of a double (Bernstein's inequality).
+    // Terms farther from the mean do not affect a double (Bernstein's inequality).
     const double reach = 9.0 * std::sqrt(n * share) + 30.0;
     const double last = std::min(n, std::floor(n * share + reach));
     double sum = 0.0;

@@ -22,21 +22,21 @@ struct InformationTransfer {
 /// Maximum-likelihood estimate and its first-order bias:
 ///   T = sum n_ij/n log2(n_ij n / (n_i n_j)),  bias = (R-1)(C-1) / (2 n ln 2)
 /// with R and C the rows and columns that occur; NONE is an answer like any other. Absolute error < 1e-14
-/// bit. alternatives: how many patterns there are where the matrix has fewer. Empty without trials. Thread:
-/// any. Source: Miller and Nicely 1955, doi:10.1121/1.1907526; bias: Miller 1955.
+/// bit. alternatives: number of patterns, if the matrix has fewer. Empty without trials. Thread: any. Source:
+/// Miller and Nicely 1955, doi:10.1121/1.1907526; bias: Miller 1955.
 [[nodiscard]] std::optional<InformationTransfer> informationTransfer(const ConfusionMatrix& matrix,
                                                                      std::size_t alternatives = 0);
 
-/// What informationTransfer().measured_bit would be on average had all answers been guesses, equally likely
-/// among k patterns, those of the matrix or the alternatives where these are more, with the row totals of
-/// this matrix. With g(m) = E[X log2 X], X ~ Bin(m, 1/k):
+/// Expected informationTransfer().measured_bit if all answers were guesses, equally likely among k patterns
+/// (those of the matrix, or the alternatives if these are more), with the row totals of this matrix. With
+/// g(m) = E[X log2 X], X ~ Bin(m, 1/k):
 ///   (sum_i (k g(n_i) - n_i log2 n_i) - k g(n) + n log2 n) / n
-/// Exact but for rounding. Empty without trials. Thread: any.
+/// Exact except for rounding. Empty without trials. Thread: any.
 [[nodiscard]] std::optional<double> guesserTransfer(const ConfusionMatrix& matrix,
                                                     std::size_t alternatives = 0);
 
 /// Percentile bootstrap of the measured transfer of the pooled matrix: participants are drawn with
-/// replacement. One matrix a participant, all of as many patterns. resamples: at least 1. The same seed gives
+/// replacement. One matrix per participant, all of the same size. resamples: at least 1. The same seed gives
 /// the same interval everywhere. Empty for fewer than two participants or without trials. Thread: any.
 /// Source: Efron 1979, doi:10.1214/aos/1176344552.
 [[nodiscard]] std::optional<Interval> bootstrapTransfer(std::span<const ConfusionMatrix> participants,

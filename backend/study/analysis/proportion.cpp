@@ -67,25 +67,10 @@ std::optional<double> chanceProbability(std::int64_t successes, std::int64_t tri
     return boost::math::cdf(boost::math::complement(guesses, static_cast<double>(successes - 1)));
 }
 
-std::optional<std::int64_t> smallestAboveChance(std::int64_t trials, double chance, double level) {
-    if (!chanceProbability(0, trials, chance))
-        return std::nullopt;
-    const auto isUnlikely = [&](std::int64_t x) { return *chanceProbability(x, trials, chance) <= level; };
-    if (!isUnlikely(trials))
-        return std::nullopt;
-    std::int64_t likely = -1;
-    std::int64_t unlikely = trials;
-    while (unlikely - likely > 1) {
-        const std::int64_t middle = likely + (unlikely - likely) / 2;
-        (isUnlikely(middle) ? unlikely : likely) = middle;
-    }
-    return unlikely;
-}
-
 std::optional<GroupMean> groupMean(std::span<const double> values, double confidence) {
     if (values.empty() || !allFinite(values) || !isConfidence(confidence))
         return std::nullopt;
-    // Relative to the largest value, so that neither sum nor squares overflow or vanish.
+    // Scaled by the largest value, so that neither the sum nor the squares overflow or underflow.
     double scale = 0.0;
     for (const double v : values)
         scale = std::max(scale, std::abs(v));

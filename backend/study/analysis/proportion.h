@@ -26,27 +26,22 @@ struct Interval {
 [[nodiscard]] std::optional<Interval> clopperPearsonInterval(std::int64_t successes, std::int64_t trials,
                                                              double confidence = 0.95);
 
-/// Probability of so many successes or more by chance: P(X >= x), X ~ Bin(n, chance) (exact one-sided test).
-/// chance: 0 .. 1. Empty without trials and out of the ranges. Thread: any.
+/// Probability of at least this many successes by chance: P(X >= x), X ~ Bin(n, chance) (exact one-sided
+/// test). chance: 0 .. 1. Empty without trials and out of the ranges. Thread: any.
 [[nodiscard]] std::optional<double> chanceProbability(std::int64_t successes, std::int64_t trials,
                                                       double chance);
 
-/// The smallest number of successes with chanceProbability() <= level; empty when not even all of them
-/// suffice, and where chanceProbability() is empty. Thread: any.
-[[nodiscard]] std::optional<std::int64_t> smallestAboveChance(std::int64_t trials, double chance,
-                                                              double level = 0.05);
-
-/// Mean of participants and its interval from Student's t with n-1 degrees of freedom.
+/// Mean over participants and its interval from Student's t with n-1 degrees of freedom.
 struct GroupMean {
     double mean = 0.0;
     std::optional<double> standardDeviation; ///< with n-1; empty for one participant
-    std::optional<Interval> interval;        ///< empty for one participant; without width when all agree
+    std::optional<Interval> interval;        ///< empty for one participant; of zero width when all agree
 };
 
-/// values: one a participant. Empty without values and when one is not finite. Thread: any.
+/// values: one per participant. Empty without values or if one is not finite. Thread: any.
 [[nodiscard]] std::optional<GroupMean> groupMean(std::span<const double> values, double confidence = 0.95);
 
-/// Median, the mean of the middle two for an even number. Empty without values and when one is not finite.
+/// Median; the mean of the middle two for an even number. Empty without values or if one is not finite.
 /// Thread: any.
 [[nodiscard]] std::optional<double> median(std::span<const double> values);
 

@@ -46,7 +46,7 @@ bool hasMissing(const std::vector<double>& values) {
     return std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
 }
 
-/// Participants without missing cells, about their mean and over the largest of what is left.
+/// Complete participants, less their mean, scaled by the largest remaining value.
 struct Sample {
     MatrixXd values;
     double scale = 1.0;         ///< true value = centred value times scale
@@ -99,7 +99,7 @@ tl::expected<Sample, Refusal> completeSample(const ParticipantCells& cells, std:
     return sample;
 }
 
-/// Effect of some contrasts before the squares of all errors are known.
+/// Effect of some contrasts, before all error sums of squares are known.
 struct ContrastSums {
     double effect = 0.0;
     double error = 0.0;
@@ -147,7 +147,7 @@ AnovaRow effectOf(const ContrastSums& sums, double contrastCount, double partici
         const double sphericity = contrastCount * sums.epsilon;
         const double numerator = participants * sphericity - 2.0;
         const double denominator = contrastCount * (participants - 1.0 - sphericity);
-        // Rounding decides here whether the quotient is infinite or the numerator vanishes too.
+        // Rounding would decide whether the quotient is infinite or 0/0.
         constexpr double kNothing = 1e-12;
         if (denominator > kNothing)
             row.epsilonHf = numerator / denominator;

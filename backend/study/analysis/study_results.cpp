@@ -30,10 +30,10 @@ private:
     void analyseVariance();
 
     [[nodiscard]] ConfusionMatrix matrixOf(const TrialTally::Cell& cell) const;
-    /// Shares of correct answers, row after row of the participants; columns of the conditions, and of these
-    /// patterns within each. NaN where a pattern was not presented.
+    /// Shares of correct answers: a row per participant; columns: conditions, and these patterns within each.
+    /// NaN where a pattern was not presented.
     [[nodiscard]] ParticipantCells accuracies(const std::vector<std::size_t>& patterns) const;
-    /// cells: those that the row is of; whoever lacks one is named, also where too few are left for a row.
+    /// cells: those of the row. Participants who lack one are named, even if too few are left for a row.
     void addLine(std::string effect, std::string stimulus, const AnovaRow& row,
                  const ParticipantCells& cells);
 

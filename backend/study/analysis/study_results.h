@@ -17,7 +17,7 @@
 
 namespace teleta::study {
 
-/// A confusion matrix and whose it is; participant empty: of all of them together.
+/// A confusion matrix; participant empty: of all participants together.
 struct NamedMatrix {
     std::string participant;
     std::string condition;
@@ -46,24 +46,25 @@ struct GroupSummary {
 /// One row of the ANOVA table, or the reason why there is none.
 struct AnovaLine {
     std::string effect;   ///< condition, pattern, condition:pattern
-    std::string stimulus; ///< the pattern of a comparison of conditions within it; empty: all
+    std::string stimulus; ///< conditions are compared within this pattern; empty: all
     std::optional<AnovaEffect> row;
     std::string note;                 ///< why there is no row; empty otherwise
-    std::size_t participants = 0;     ///< complete ones
+    std::size_t participants = 0;     ///< with complete data
     std::vector<std::string> dropped; ///< those with a missing cell
 };
 
 struct TaskResults {
     std::string task;
-    std::vector<std::string> patterns; ///< in the order of rows and columns; of a store also those not seen
+    std::vector<std::string>
+        patterns; ///< in the order of rows and columns; from a store also those not presented
     std::vector<std::string> conditions;
     std::vector<NamedMatrix> matrices;
     std::vector<ParticipantSummary> participants;
     std::vector<GroupSummary> groups;
     std::vector<AnovaLine> anova;     ///< of the shares of correct answers in each cell
-    std::size_t toldAlternatives = 0; ///< how many patterns the trials say that there are; 0: nothing
+    std::size_t toldAlternatives = 0; ///< number of patterns according to the trials; 0: unknown
 
-    /// Among how many patterns an answer is chosen, at least 1.
+    /// Number of patterns to choose from, at least 1.
     [[nodiscard]] std::size_t alternatives() const {
         return std::max({patterns.size(), toldAlternatives, std::size_t{1}});
     }
@@ -74,13 +75,14 @@ struct ResultSettings {
     std::uint64_t seed = 1;
 };
 
-/// Everything that writeResults() writes, by task. Names are in alphabetical order, so that the order of the
-/// trials does not matter. Empty for an empty tally. Thread: any.
+/// Everything that writeResults() writes, by task. Names are sorted, so that the order of the trials does not
+/// matter. Empty for an empty tally. Thread: any.
 [[nodiscard]] std::vector<TaskResults> studyResults(const TrialTally& tally,
                                                     const ResultSettings& settings = {});
 
-/// Writes confusion_long.csv, summary.csv, group.csv, anova.csv and analysis.R into a folder, which is made;
-/// each file appears when it is complete. Missing values are NA. Error: ioFailed. Thread: any.
+/// Writes confusion_long.csv, summary.csv, group.csv, anova.csv and analysis.R into a folder, which is
+/// created if needed; each file appears when it is complete. Missing values are NA. Error: ioFailed. Thread:
+/// any.
 [[nodiscard]] core::Expected<void> writeResults(const std::vector<TaskResults>& results,
                                                 const std::string& folder);
 

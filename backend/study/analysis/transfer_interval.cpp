@@ -10,7 +10,7 @@ namespace teleta::study {
 
 namespace {
 
-/// Variance of the logarithms whose mean, weighted alike, is the transfer.
+/// Variance of the logarithms whose weighted mean is the transfer.
 double varianceOfLogs(const ConfusionMatrix& matrix, double transfer_bit) {
     const auto n = static_cast<double>(matrix.total());
     double sum = 0.0;
@@ -27,7 +27,7 @@ double varianceOfLogs(const ConfusionMatrix& matrix, double transfer_bit) {
     return sum;
 }
 
-/// x log2 x - (x - 1) log2(x - 1), which n T is made of: what the last of x trials adds.
+/// x log2 x - (x - 1) log2(x - 1): what the last of x trials adds to n T.
 double lastTrial_bit(std::int64_t trials) {
     if (trials < 2)
         return 0.0;

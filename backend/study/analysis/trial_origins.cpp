@@ -5,7 +5,7 @@ namespace teleta::study {
 
 namespace {
 
-/// A trial with a larger number is a damaged row or another program's; it costs a little more.
+/// A larger trial number is a damaged row or from another program; it costs more memory.
 constexpr std::size_t kMostInBits = 65'536;
 
 } // namespace

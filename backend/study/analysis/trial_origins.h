@@ -16,7 +16,7 @@
 
 namespace teleta::study {
 
-/// Which trial of which session a row is.
+/// Identifies the trial of a row.
 struct TrialName {
     std::string_view participant;
     std::string_view session;
@@ -25,19 +25,18 @@ struct TrialName {
     std::size_t attempt = 1;
 };
 
-/// Where the data of the participants came from, so that different people of one name are not counted as one
-/// and no trial counts twice. The files of a study may be many; its store has all of a participant.
-/// Memory: by participant and session, and some bits a trial. Thread: one.
+/// Records where participants' data came from, so that different people with the same name are not merged and
+/// no trial counts twice. A study may have many files; a store has all data of a participant. Memory: per
+/// participant and session, and a few bits per trial. Thread: one.
 class TrialOrigins {
 public:
-    /// The place where this participant's data were before, when these may not be added to them; otherwise
-    /// the participant is of this place.
+    /// Assigns the participant to this place. Returns the earlier place if data of both must not be combined.
     [[nodiscard]] std::optional<std::string> takeFromStore(std::string_view participant,
                                                            const std::string& store);
     [[nodiscard]] std::optional<std::string> takeFromFile(std::string_view participant,
                                                           const std::string& file);
 
-    /// False: it was there before.
+    /// False: it was added before.
     [[nodiscard]] bool addTrial(const TrialName& name);
 
 private:

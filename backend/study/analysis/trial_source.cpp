@@ -34,26 +34,25 @@ QString shown(std::string_view text) {
 }
 
 core::Unexpected mixedModes(const core::SourcePlace& place, Mode one, Mode other) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused,
-                    SourceText::tr("these are data of different modes: %1 and %2")
-                        .arg(toString(one), toString(other))
-                        .toStdString(),
-                    SourceText::tr("one mode, or to be told which one counts").toStdString(), place});
+    return core::Unexpected(core::Error{core::ErrorKind::refused,
+                                        SourceText::tr("these are data of different modes: %1 and %2")
+                                            .arg(toString(one), toString(other))
+                                            .toStdString(),
+                                        SourceText::tr("one mode, or the choice of one").toStdString(),
+                                        place});
 }
 
 core::Unexpected twoPeople(const core::SourcePlace& place, std::string_view participant,
                            const std::string& before) {
     return core::Unexpected(core::Error{
         core::ErrorKind::refused,
-        SourceText::tr("%1 has trials in %2 too: these may be two people, or the same trials "
-                       "twice")
+        SourceText::tr("%1 also has trials in %2: these may be two people, or the same trials twice")
             .arg(shown(participant), QString::fromStdString(before))
             .toStdString(),
-        SourceText::tr("each participant in one study, under a name of their own").toStdString(), place});
+        SourceText::tr("each participant in one study only, under a unique name").toStdString(), place});
 }
 
-/// Reads the fields of one file's rows.
+/// Reads the rows of a file.
 class RowReader {
 public:
     RowReader(const core::CsvReader& csv, const std::vector<std::size_t>& needed)
@@ -68,13 +67,13 @@ public:
         , m_attempt(optionalColumn("attempt"))
         , m_alternatives(optionalColumn("n_alternatives")) {}
 
-    /// False: the row does not count.
+    /// False: the row is not counted.
     [[nodiscard]] core::Expected<bool> read(const std::vector<std::string_view>& fields, ModeFilter& modes,
                                             TalliedTrial& trial) const;
-    /// Error: the row may not be counted with those before it.
+    /// Error: the row must not be combined with those before it.
     [[nodiscard]] core::Expected<void> take(const std::vector<std::string_view>& fields,
                                             const TalliedTrial& trial, TrialOrigins& origins) const;
-    /// How many patterns the row says that its task has; 0: it does not say.
+    /// Number of patterns of the task according to the row; 0: unknown.
     [[nodiscard]] core::Expected<std::size_t> alternatives(const std::vector<std::string_view>& fields) const;
 
 private:
@@ -111,7 +110,7 @@ private:
 };
 
 core::Expected<bool> RowReader::hasCountedMode(std::string_view text, ModeFilter& modes) const {
-    // Comparing with the last mode first spares a text for each row.
+    // Comparing with the last mode first saves a string per row.
     if (modes.seen && text == toString(*modes.seen))
         return !modes.wanted || modes.wanted == modes.seen;
     const std::optional<Mode> mode = modeOf(std::string(text));
@@ -154,7 +153,7 @@ core::Expected<bool> RowReader::read(const std::vector<std::string_view>& fields
         const bool isAnswer = *outcome == Outcome::correct || *outcome == Outcome::incorrect;
         if (completed &&
             (isAnswer != answered || (isAnswer && (*outcome == Outcome::correct) != (field(4) == field(5)))))
-            return wrong(*m_outcome, text, SourceText::tr("what stimulus and response say"));
+            return wrong(*m_outcome, text, SourceText::tr("the value implied by stimulus and response"));
     }
     trial.responseTime_s.reset();
     if (m_time && !isMissing(fields[*m_time])) {
@@ -178,7 +177,7 @@ core::Expected<std::size_t> RowReader::number(std::size_t column, std::string_vi
     std::size_t value = 0;
     const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc{} || stop != text.data() + text.size() || value == 0)
-        return wrong(column, text, SourceText::tr("a whole number from 1 on"));
+        return wrong(column, text, SourceText::tr("a whole number of at least 1"));
     return value;
 }
 
@@ -207,7 +206,7 @@ core::Expected<void> RowReader::take(const std::vector<std::string_view>& fields
         return core::Unexpected(attempt.error());
     if (!origins.addTrial({trial.participant, fields[*m_session], trial.phase, *shownTrial, *attempt}))
         return core::Unexpected(core::Error{core::ErrorKind::refused,
-                                            SourceText::tr("trial %1 of session %2 of %3 was counted before")
+                                            SourceText::tr("trial %1 of session %2 of %3 was already counted")
                                                 .arg(*shownTrial)
                                                 .arg(shown(fields[*m_session]), shown(trial.participant))
                                                 .toStdString(),

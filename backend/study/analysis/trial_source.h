@@ -11,26 +11,26 @@
 
 namespace teleta::study {
 
-/// Which data may be counted together. Modes are never mixed: the first trial decides unless the user does.
+/// Which mode is counted. Modes are never mixed: the first trial decides unless the user does.
 struct ModeFilter {
     std::optional<Mode> wanted; ///< the others are left out
-    std::optional<Mode> seen;   ///< of the trials so far; without `wanted` another one is an error
+    std::optional<Mode> seen;   ///< of the trials so far; unless `wanted` is set, another one is an error
 };
 
 /// Counts the completed trials of a trial CSV. Needed columns: participant_id, task, condition, phase,
-/// stimulus, response. Used where they are there: mode, outcome (aborted and device_error are left out;
-/// otherwise a response NA, NONE or nothing is a timeout), response_time_s (NA: unknown), n_alternatives (how
-/// many patterns the task has, whether they occur or not; NA: unknown), and session_id, trial and attempt
-/// together. Constant memory but the tally. goOn: asked now and then with the bytes read;
-/// false stops. Error: badInput with file, line and column, notFound, ioFailed, cancelled; refused for mixed
-/// modes, for a trial that was counted before, and for a participant whom a store has as well. The tally is
-/// of no use then. Thread: any.
+/// stimulus, response. Optional columns: mode, outcome (aborted and device_error are left out; otherwise a
+/// response NA, NONE or nothing is a timeout), response_time_s (NA: unknown), n_alternatives (how many
+/// patterns the task has, whether they occur or not; NA: unknown), and session_id, trial and attempt
+/// together. Memory: constant, except for the tally. goOn: called regularly with the bytes read; false stops.
+/// Error: badInput with file, line and column, notFound, ioFailed, cancelled; refused for mixed modes, for a
+/// trial that was already counted, and for a participant whose data are also in a store. The tally is invalid
+/// then. Thread: any.
 [[nodiscard]] core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialTally& tally,
                                             const std::function<bool(std::uint64_t bytes)>& goOn);
 
-/// Counts the completed trials of a store, whose protocol says what patterns their tasks have. Error: what
-/// the store reports; refused for mixed modes, and for a participant who has trials elsewhere too: another
-/// study may have another person of that name. Thread: that of the store.
+/// Counts the completed trials of a store; its protocol gives the patterns of the tasks. Error: what the
+/// store reports; refused for mixed modes, and for a participant with trials elsewhere: another study may
+/// have another person of that name. Thread: that of the store.
 [[nodiscard]] core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, TrialTally& tally);
 
 } // namespace teleta::study

@@ -17,7 +17,7 @@
 
 namespace teleta::study {
 
-/// A completed trial as the analysis sees it.
+/// A completed trial for the analysis.
 struct TalliedTrial {
     std::string_view participant;
     std::string_view task;
@@ -28,8 +28,8 @@ struct TalliedTrial {
     std::optional<double> responseTime_s; ///< from the onset
 };
 
-/// Counts trials by participant, task, condition and phase. Memory grows with these and by one number for
-/// each correct test trial, not with anything else of the rows. Thread: one.
+/// Counts trials by participant, task, condition and phase. Memory grows with these and by one number per
+/// correct test trial. Thread: one.
 class TrialTally {
 public:
     struct Key {
@@ -47,28 +47,28 @@ public:
     static constexpr std::size_t kNone = SIZE_MAX;
     static constexpr std::size_t kMostNames = 1000;
 
-    /// False, and nothing is counted, when more than kMostNames patterns have different names.
+    /// False, and nothing is counted, when there would be more than kMostNames pattern names.
     [[nodiscard]] bool add(const TalliedTrial& trial);
 
-    /// What a task has besides what was seen of it: few trials do not show all of it.
+    /// What is known of a task besides its trials: few trials do not show all patterns.
     struct Alternatives {
         std::set<std::size_t> patterns; ///< indices in names()
-        std::size_t count = 0;          ///< as the trials say; 0: nothing
+        std::size_t count = 0;          ///< according to the trials; 0: unknown
     };
-    /// A pattern that the task has, presented or not.
+    /// Adds a pattern of the task, presented or not.
     void expectPattern(std::string_view task, std::string_view pattern);
-    /// The task has at least so many patterns, whatever their names are.
+    /// The task has at least this many patterns.
     void expectCount(std::string_view task, std::size_t patterns);
-    /// Null: nothing but the trials is known of it.
+    /// Null: nothing is known besides the trials.
     [[nodiscard]] const Alternatives* alternatives(std::string_view task) const;
 
-    /// Where what is counted came from; whoever adds trials keeps it.
+    /// Where the counted trials came from; maintained by whoever adds them.
     [[nodiscard]] TrialOrigins& origins() { return m_origins; }
 
-    /// How the stimuli came to the bracelet, where it is known.
+    /// Frame statistics of the stimuli, where known.
     struct Frames {
-        std::size_t trials = 0;                ///< of which it is known
-        std::optional<double> longestWrite_ms; ///< empty: no write of a frame was timed
+        std::size_t trials = 0;                ///< with frame statistics
+        std::optional<double> longestWrite_ms; ///< empty: not timed
         std::size_t missed = 0;
         std::size_t trialsWithMisses = 0;
     };
@@ -88,7 +88,7 @@ private:
     std::map<std::string, Alternatives, std::less<>> m_alternatives; ///< by task
     std::map<Key, Cell> m_cells;
     std::vector<std::string> m_names;
-    std::pair<const Key, Cell>* m_last = nullptr; ///< rows of a file come session by session
+    std::pair<const Key, Cell>* m_last = nullptr; ///< rows of a file are grouped by session
 };
 
 } // namespace teleta::study

@@ -30,7 +30,7 @@ std::string readIdentifier(core::TomlTable& table, std::string_view key, std::se
                    IdentifierText::tr("\"%1\" cannot be part of a file name").arg(text.c_str()).toStdString(),
                    IdentifierText::tr("letters, digits, - and _").toStdString());
     else if (!text.empty() && !used.insert(text).second)
-        table.fail(key, IdentifierText::tr("\"%1\" is there twice").arg(text.c_str()).toStdString(),
+        table.fail(key, IdentifierText::tr("\"%1\" occurs twice").arg(text.c_str()).toStdString(),
                    IdentifierText::tr("each one once").toStdString());
     return text;
 }

@@ -9,8 +9,8 @@
 
 namespace teleta::study {
 
-/// Reads a name that may stand in file names and in identifiers of every export: letters, digits, - and _,
-/// not among `used`, to which it is added. Anything else is an error of the document.
+/// Reads a name that is safe in file names and in identifiers of every export: letters, digits, - and _, not
+/// in `used`, to which it is added. Anything else is an error of the document.
 [[nodiscard]] std::string readIdentifier(core::TomlTable& table, std::string_view key,
                                          std::set<std::string>& used);
 

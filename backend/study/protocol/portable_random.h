@@ -15,7 +15,7 @@ public:
     explicit PortableRandom(std::uint64_t seed)
         : m_engine(seed) {}
 
-    /// Uniform in 0 .. limit-1; limit > 0. Values of the last, incomplete run of limit are drawn again.
+    /// Uniform in 0 .. limit-1; limit > 0. Values in the last, incomplete multiple of limit are redrawn.
     [[nodiscard]] std::uint64_t below(std::uint64_t limit) {
         const std::uint64_t biasedTail = (std::mt19937_64::max() % limit + 1) % limit;
         const std::uint64_t last = std::mt19937_64::max() - biasedTail;

@@ -65,7 +65,7 @@ StudyTask readTask(TomlTable& table, std::set<std::string>& usedIds) {
                        ProtocolText::tr("at most %1, one digit each").arg(kMostPatterns).toStdString());
         StudyPattern pattern;
         pattern.letter = readIdentifier(entry, "letter", letters);
-        // These words stand for something else in the columns stimulus and response.
+        // These words have another meaning in the columns stimulus and response.
         if (pattern.letter == "NA" || pattern.letter == "NONE")
             entry.fail("letter",
                        ProtocolText::tr("\"%1\" means no answer").arg(pattern.letter.c_str()).toStdString(),
@@ -159,7 +159,7 @@ core::Expected<Protocol> readProtocol(const std::string& path) {
             }
         }
     }
-    // What is kept of it is read again in another place.
+    // Stored protocols are read again in another folder.
     if (moved)
         protocol->source = protocolText(*protocol);
     return protocol;
@@ -203,8 +203,8 @@ std::vector<PlannedSession> planSessions(const Protocol& protocol, std::uint64_t
                 return trialOrder(protocol.order, task.patterns.size(), repetitions,
                                   derivedSeed(session.seed, part));
             };
-            session.practice = order(protocol.practice.repetitions, 0);
-            session.test = order(protocol.test.repetitions, 1);
+            session.practice = order(protocol.practice.repetitions, kSeedOfPractice);
+            session.test = order(protocol.test.repetitions, kSeedOfTest);
             sessions.push_back(std::move(session));
         }
     }

@@ -14,35 +14,35 @@
 
 namespace teleta::study {
 
-/// Practice or test of one condition.
+/// Settings of practice or test.
 struct PhaseSettings {
-    std::size_t repetitions = 0; ///< of each pattern; 0: the phase is left out
+    std::size_t repetitions = 0; ///< of each pattern; 0: the phase is skipped
     bool feedback = false;       ///< the right answer is shown after each trial
     bool diagram = false;        ///< the pictures of the patterns are in view during the trials
 };
 
 /// Rests within a phase, so that skin and attention recover.
 struct RestSettings {
-    std::size_t everyTrials = 0; ///< completed ones of the phase; 0: no rests
-    double atLeast_s = 0.0;      ///< the participant may not go on before
-    /// After so many completed trials of a phase that has more.
+    std::size_t everyTrials = 0; ///< completed in the phase; 0: no rests
+    double atLeast_s = 0.0;      ///< the shortest rest
+    /// completed: trials of a phase that has more to come.
     [[nodiscard]] bool isDueAfter(std::size_t completed) const {
         return everyTrials > 0 && completed > 0 && completed % everyTrials == 0;
     }
 };
 
-/// Patterns that a task has at most: each is answered by one digit.
+/// The most patterns of a task: each is answered by one digit.
 inline constexpr std::size_t kMostPatterns = 9;
 
 struct StudyPattern {
     std::string letter; ///< what rows have: A, B, ..
     std::string name;
-    /// Files of one's own tactile patterns, by condition; a condition without one has the built-in pattern.
+    /// Files of custom tactile patterns, by condition; other conditions use the built-in pattern.
     std::map<std::string, std::string> files = {};
 };
 
-/// What the participants discriminate, under some conditions. The stimulus of a pattern under a condition is
-/// the tactile pattern with the id "task.letter.condition".
+/// What participants discriminate, under one or more conditions. The stimulus of a pattern under a condition
+/// is the tactile pattern with the id "task.letter.condition".
 struct StudyTask {
     std::string id;
     std::string name;
@@ -50,7 +50,7 @@ struct StudyTask {
     std::vector<std::string> conditions;
 };
 
-/// When the time to answer begins. Response times are from the onset in either case.
+/// When the time to answer starts. Response times are measured from the onset in either case.
 enum class ResponseWindow { fromOnset, fromEnd };
 
 /// A study as its file describes it.
@@ -60,7 +60,7 @@ struct Protocol {
     double stimulus_s = 2.0;
     double responseLimit_s = 10.0;
     ResponseWindow window = ResponseWindow::fromOnset;
-    std::size_t replays = 0; ///< how often a participant may feel a stimulus again
+    std::size_t replays = 0; ///< how often a participant may repeat a stimulus
     OrderMethod order = OrderMethod::fullRandom;
     PhaseSettings practice;
     PhaseSettings test;
@@ -71,27 +71,34 @@ struct Protocol {
     std::vector<Questionnaire> questionnaires;
     std::string source; ///< text of the file, kept with the study
 
-    /// Trials of the test phase that one participant goes through.
+    /// Test trials of one participant.
     [[nodiscard]] std::size_t testTrials() const;
 };
 
 /// Reads a protocol (TOML). Unknown keys, keys without their unit, wrong types, values out of range, and
-/// letters or conditions that occur twice are errors with file, line, column and what was expected. Pattern
-/// files that it names are looked for beside it; they are not read. Error: notFound, ioFailed, badInput.
+/// letters or conditions that occur twice are errors with file, line, column and what was expected. Paths of
+/// pattern files are relative to the protocol; the files are not read. Error: notFound, ioFailed, badInput.
 /// Thread: any.
 [[nodiscard]] core::Expected<Protocol> readProtocol(const std::string& path);
 
-/// The same from text; file is the name that errors show. Paths of pattern files stay as they are.
+/// The same from text. file: name for errors. Paths of pattern files stay as they are.
 [[nodiscard]] core::Expected<Protocol> parseProtocol(std::string_view text, const std::string& file);
 
 /// The protocol of the paper: shape (6 patterns) and stiffness (5), each static and dynamic; 18 and 15
-/// practice, 30 and 25 test trials. It is the resource :/studies/teleta.toml. Thread: any.
+/// practice, 30 and 25 test trials. The resource :/studies/teleta.toml. Thread: any.
 [[nodiscard]] core::Expected<Protocol> paperProtocol();
 
-/// All protocols that come with the program (:/studies/NAME.toml), the paper's first. Thread: any.
+/// All built-in protocols (:/studies/NAME.toml), the paper's first. Thread: any.
 [[nodiscard]] core::Expected<std::vector<Protocol>> builtInProtocols();
 
-/// One participant's way through a condition of a task.
+/// Parts of a session's seed, see derivedSeed().
+inline constexpr std::uint64_t kSeedOfPractice = 0; ///< the order of its trials
+inline constexpr std::uint64_t kSeedOfTest = 1;
+inline constexpr std::uint64_t kSeedOfAnswers = 2; ///< of simulated participants
+/// Of a session's or a participant's seed: answers of simulated participants to questionnaires.
+inline constexpr std::uint64_t kSeedOfQuestionnaires = 1'000'000;
+
+/// One participant's session: one condition of a task.
 struct PlannedSession {
     std::size_t task = 0;
     std::size_t condition = 0;         ///< index in the task's conditions
@@ -102,8 +109,8 @@ struct PlannedSession {
     std::vector<std::size_t> test;
 };
 
-/// All sessions of the participant who is enrolled as number `enrolment` (from 0): tasks as in the protocol,
-/// conditions by Williams square. Depends on nothing but its arguments. Thread: any.
+/// All sessions of participant number `enrolment` (from 0): tasks as in the protocol, conditions by Williams
+/// square. Depends on its arguments alone. Thread: any.
 [[nodiscard]] std::vector<PlannedSession> planSessions(const Protocol& protocol, std::uint64_t studySeed,
                                                        std::size_t enrolment);
 

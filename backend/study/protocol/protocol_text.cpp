@@ -10,7 +10,7 @@ namespace teleta::study {
 
 namespace {
 
-/// A basic string of TOML.
+/// A TOML basic string.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
@@ -34,13 +34,13 @@ std::string number(double value) {
     std::array<char, 32> digits{};
     const auto [end, code] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
     std::string text(digits.data(), end);
-    // A float of TOML shows that it is one.
+    // A TOML float needs a decimal point or an exponent.
     if (text.find_first_of(".en") == std::string::npos)
         text.append(".0");
     return text;
 }
 
-/// Appends to the text of a file.
+/// Appends to the text.
 class Lines {
 public:
     Lines& head(const char* name) {
@@ -54,14 +54,14 @@ public:
     Lines& text(const char* key, const std::string& value) { return this->value(key, quoted(value)); }
     Lines& count(const char* key, std::size_t value) { return this->value(key, std::to_string(value)); }
     Lines& truth(const char* key, bool value) { return this->value(key, value ? "true" : "false"); }
-    /// An inline table of two texts, a line of an array.
+    /// An inline table of two strings, as a line of an array.
     Lines& pair(const char* key, const std::string& value, const char* otherKey,
                 const std::string& otherValue) {
         m_text.append("    { ").append(key).append(" = ").append(quoted(value)).append(", ");
         m_text.append(otherKey).append(" = ").append(quoted(otherValue)).append(" },\n");
         return *this;
     }
-    /// An inline table, a line of an array.
+    /// An inline table, as a line of an array.
     Lines& pattern(const StudyPattern& pattern) {
         if (pattern.files.empty())
             return pair("letter", pattern.letter, "name", pattern.name);

@@ -7,8 +7,8 @@
 
 namespace teleta::study {
 
-/// A protocol as the text of its file (TOML): parseProtocol() gives the same protocol again. Whether it is a
-/// valid one is parseProtocol()'s business. Thread: any.
+/// A protocol as TOML: parseProtocol() gives the same protocol back. Validity is not checked here but by
+/// parseProtocol(). Thread: any.
 [[nodiscard]] std::string protocolText(const Protocol& protocol);
 
 } // namespace teleta::study

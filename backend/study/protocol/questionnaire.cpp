@@ -78,7 +78,7 @@ core::Expected<void> checkAnswer(const QuestionnaireItem& item, const std::optio
     case ItemKind::likert:
         if (!isPoint(*value, item.points))
             return misfit(item.id,
-                          ItemText::tr("\"%1\" cannot be answered by \"%2\"")
+                          ItemText::tr("\"%1\" cannot be answered with \"%2\"")
                               .arg(question, QString::fromStdString(*value)),
                           ItemText::tr("a number from 1 to %1").arg(item.points));
         break;
@@ -86,7 +86,7 @@ core::Expected<void> checkAnswer(const QuestionnaireItem& item, const std::optio
         if (std::none_of(item.choices.begin(), item.choices.end(),
                          [&](const ItemChoice& choice) { return choice.id == *value; }))
             return misfit(item.id,
-                          ItemText::tr("\"%1\" cannot be answered by \"%2\"")
+                          ItemText::tr("\"%1\" cannot be answered with \"%2\"")
                               .arg(question, QString::fromStdString(*value)),
                           ItemText::tr("one of the choices"));
         break;
@@ -147,14 +147,14 @@ core::Expected<void> checkAnswers(const Questionnaire& questionnaire,
     for (std::size_t i = 0; i < questionnaire.items.size(); ++i) {
         const QuestionnaireItem& item = questionnaire.items[i];
         if (i >= answers.size() || answers[i].item != item.id)
-            return misfit(item.id, ItemText::tr("the answers are not those of this questionnaire"),
-                          ItemText::tr("one answer an item, in their order"));
+            return misfit(item.id, ItemText::tr("the answers do not match this questionnaire"),
+                          ItemText::tr("one answer per item, in order"));
         if (const core::Expected<void> fits = checkAnswer(item, answers[i].value); !fits)
             return fits;
     }
     if (answers.size() > questionnaire.items.size())
-        return misfit(answers.back().item, ItemText::tr("the answers are not those of this questionnaire"),
-                      ItemText::tr("one answer an item, in their order"));
+        return misfit(answers.back().item, ItemText::tr("the answers do not match this questionnaire"),
+                      ItemText::tr("one answer per item, in order"));
     return {};
 }
 

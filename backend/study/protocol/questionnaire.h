@@ -20,11 +20,11 @@ enum class ItemKind {
     choice, ///< one of the choices
 };
 
-/// Words of files: before_study, ..; text, likert, choice.
+/// Words in files: before_study, ..; text, likert, choice.
 [[nodiscard]] const char* toString(QuestionnaireTime time);
 [[nodiscard]] const char* toString(ItemKind kind);
 
-/// Of every session, or once a participant.
+/// Of every session, as opposed to once per participant.
 [[nodiscard]] constexpr bool isOfSession(QuestionnaireTime time) {
     return time == QuestionnaireTime::beforeSession || time == QuestionnaireTime::afterSession;
 }
@@ -58,15 +58,15 @@ struct ItemAnswer {
     std::optional<std::string> value;
 };
 
-/// Reads [[questionnaire]] tables; what is wrong is kept by the document. Texts of ids: as in the protocol.
+/// Reads [[questionnaire]] tables; errors are kept by the document. Ids: as in the protocol.
 [[nodiscard]] std::vector<Questionnaire> readQuestionnaires(core::TomlTable& root);
 
-/// Whether answers may be kept: one an item in the items' order, what is required answered, values that the
-/// item has, texts of at most 10000 characters. Error: refused, naming the item in Error::where.file.
+/// Checks answers: one per item in the items' order, required items answered, valid values, texts of at most
+/// 10000 characters. Error: refused, naming the item in Error::where.file.
 [[nodiscard]] core::Expected<void> checkAnswers(const Questionnaire& questionnaire,
                                                 const std::vector<ItemAnswer>& answers);
 
-/// The value as people read it: the text of a choice, otherwise the value itself; empty when left out.
+/// The value for people: the text of a choice, otherwise the value itself; empty when left out.
 [[nodiscard]] std::string shownAnswer(const QuestionnaireItem& item, const std::optional<std::string>& value);
 
 } // namespace teleta::study

@@ -3,7 +3,7 @@
 
 namespace teleta::study {
 
-/// Why there is no statistic. Whoever talks to a person says it in words.
+/// Why a statistic is undefined. User interfaces put it into words.
 enum class Refusal {
     noData,          ///< nothing to evaluate
     notFinite,       ///< a value is infinite
@@ -14,7 +14,7 @@ enum class Refusal {
     noErrorVariance, ///< the participants agree exactly about the effect, so that F would be infinite
 };
 
-/// Name of the code, for files, logs and tests.
+/// Name for files, logs and tests.
 [[nodiscard]] const char* toString(Refusal refusal);
 
 } // namespace teleta::study

@@ -21,7 +21,7 @@ struct StimulusText {
     Q_DECLARE_TR_FUNCTIONS(StimulusText)
 };
 
-/// Calls use(id, file) for all stimuli in their order; file: empty where the protocol names none.
+/// Calls use(id, file) for all stimuli in order; file: empty where the protocol names none.
 template <typename Use>
 void forEachStimulus(const Protocol& protocol, const Use& use) {
     for (const StudyTask& task : protocol.tasks) {
@@ -55,11 +55,10 @@ core::Expected<std::vector<OwnStimulus>> readOwnStimuli(const Protocol& protocol
             return;
         const QFileInfo info(QString::fromStdString(file));
         if (info.isRelative()) {
-            failed =
-                core::Error{core::ErrorKind::refused,
-                            StimulusText::tr("nobody can tell in which folder this pattern is").toStdString(),
-                            StimulusText::tr("the whole path of the file").toStdString(),
-                            {file}};
+            failed = core::Error{core::ErrorKind::refused,
+                                 StimulusText::tr("the folder of this pattern is unknown").toStdString(),
+                                 StimulusText::tr("the full path of the file").toStdString(),
+                                 {file}};
             return;
         }
         const auto json = pattern::loadPattern(file).and_then(

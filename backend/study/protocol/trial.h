@@ -10,7 +10,7 @@ namespace teleta::study {
 
 enum class Phase { practice, test };
 
-/// How a trial ended. Only correct, incorrect and timeout complete it; the others show it again.
+/// How a trial ended. correct, incorrect and timeout complete it; after the others it is shown again.
 enum class Outcome { correct, incorrect, timeout, aborted, deviceError };
 
 /// What a study is for; data of different modes are never merged by default.
@@ -21,24 +21,24 @@ enum class Mode { run, pilot, simulated };
 [[nodiscard]] const char* toString(Outcome outcome);
 [[nodiscard]] const char* toString(Mode mode);
 
-/// The inverse; empty for another word.
+/// The inverse; empty for any other word.
 [[nodiscard]] std::optional<Phase> phaseOf(const std::string& word);
 [[nodiscard]] std::optional<Outcome> outcomeOf(const std::string& word);
 [[nodiscard]] std::optional<Mode> modeOf(const std::string& word);
 
-/// A trial that is to be shown.
+/// A trial to be shown.
 struct PlannedTrial {
     Phase phase = Phase::practice;
     std::size_t trial = 1;      ///< number in its phase, from 1; stays the same when it is shown again
-    std::size_t repetition = 1; ///< how often its pattern was planned up to it, from 1
+    std::size_t repetition = 1; ///< occurrence of its pattern in the plan, from 1
     std::size_t attempt = 1;    ///< from 1; more after device faults and interruptions
     std::size_t stimulus = 0;   ///< index of the pattern
 };
 
-/// A trial that was shown, and what came of it.
+/// A trial that was shown, and its result.
 struct TrialResult {
     PlannedTrial planned;
-    std::size_t trialInBlock = 1; ///< how many trials of the phase were shown up to it, from 1
+    std::size_t trialInBlock = 1; ///< number of trials shown in the phase so far, from 1
     std::optional<std::size_t> response;
     Outcome outcome = Outcome::timeout;
     std::optional<double> responseTime_s;       ///< from the onset of the stimulus; empty without an answer
@@ -51,7 +51,7 @@ struct TrialResult {
     double duration_s = 0.0;                ///< of the stimulus
     std::optional<double> deviceLatency_ms; ///< from the request to the stimulus
     std::size_t deviceFaults = 0;
-    std::optional<double> frameWrite_ms;     ///< longest write of a frame of the stimulus; empty: not known
+    std::optional<double> frameWrite_ms;     ///< longest write of a frame of the stimulus; empty: unknown
     std::optional<std::size_t> framesMissed; ///< deadlines without a frame, and frames that were lost
 
     [[nodiscard]] bool isComplete() const {

@@ -11,7 +11,7 @@
 
 namespace teleta::study {
 
-/// What the cells of a confusion matrix say.
+/// What the cells of a confusion matrix show.
 enum class ConfusionValues {
     percent, ///< as the paper's tables: share of the row with one digit, "0", "NA" without trials
     counts,
@@ -19,15 +19,15 @@ enum class ConfusionValues {
 };
 
 /// A confusion matrix in the layout of the paper's Tables 4-7: rows presented, columns answered, each cell
-/// the darker the larger its share of the row. The column NONE is there when it is needed. title: shown
-/// above. mode: others than run are written across. Thread: any.
+/// the darker the larger its share of the row. The column NONE appears only if needed. title: above the
+/// matrix. mode: any mode but run is written across the picture. Thread: any.
 [[nodiscard]] figure::SvgCanvas confusionFigure(const ConfusionMatrix& matrix,
                                                 const std::vector<std::string>& patterns,
                                                 const std::string& title,
                                                 ConfusionValues values = ConfusionValues::percent,
                                                 std::optional<Mode> mode = {});
 
-/// The same as a file of its own.
+/// The same as a complete file.
 [[nodiscard]] std::string confusionSvg(const ConfusionMatrix& matrix,
                                        const std::vector<std::string>& patterns, const std::string& title,
                                        ConfusionValues values = ConfusionValues::percent,

@@ -48,7 +48,7 @@ core::Expected<void> writeChecked(const std::string& path, const std::string& co
         return finished;
     QFile file(name);
     if (!file.open(QIODevice::ReadOnly) || file.readAll().toStdString() != content)
-        return failed(ExportText::tr("the file does not hold what was written"), path);
+        return failed(ExportText::tr("the file differs from what was written"), path);
     return {};
 }
 
@@ -82,7 +82,7 @@ std::string sessionPath(ExportFormat format, const std::string& label, const std
     return "excel/" + label + '_' + session + '_' + task;
 }
 
-/// Names and values of Psych-DS and BIDS keep - and _ for themselves.
+/// Psych-DS and BIDS reserve - and _.
 std::string alphanumeric(const std::string& text) {
     std::string kept;
     std::copy_if(text.begin(), text.end(), std::back_inserter(kept), [](char c) {
@@ -116,7 +116,7 @@ std::string bidsDescription(const StudyHead& head) {
     return description.dump(2) + "\n";
 }
 
-/// What belongs to all trials of a session.
+/// Metadata of a session's trials.
 ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan) {
     const StudyTask& task = head.protocol.tasks[plan.task];
     const std::string& condition = task.conditions[plan.condition];
@@ -127,7 +127,7 @@ ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan) {
         stimulus = {{"name", pattern.name}, {"pattern", id}};
         if (const OwnStimulus* own = head.stimuli.findOwn(id)) {
             stimulus["file"] = own->file;
-            // It was read as a pattern when the study was opened.
+            // It was parsed when the study was opened.
             stimulus["definition"] = ordered_json::parse(own->json, nullptr, false);
         }
     }
@@ -141,7 +141,7 @@ ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan) {
         {"seed", std::to_string(plan.seed)}};
 }
 
-/// How the frames of each stimulus came to the bracelet, of those that were played.
+/// Frame statistics of the stimuli that were played on a bracelet.
 ordered_json frameSidecar(const std::vector<StoredTrial>& trials) {
     ordered_json list = ordered_json::array();
     for (const StoredTrial& stored : trials) {
@@ -206,7 +206,7 @@ core::Expected<void> writeSession(const StudyStore& store, const Participant& pa
     return writeChecked(path + ".json", sidecarText(head, plan, *trials, format));
 }
 
-/// Path of a participant's table beside those of the sessions, without its extension. name: alphanumeric.
+/// Path of a participant's table next to those of the sessions, without its extension. name: alphanumeric.
 std::string besidePath(ExportFormat format, const std::string& label, const std::string& name) {
     switch (format) {
     case ExportFormat::psychds:
@@ -219,7 +219,7 @@ std::string besidePath(ExportFormat format, const std::string& label, const std:
     return "excel/" + label + '_' + name;
 }
 
-/// bidsSidecar: what describes the table where it is a file of BIDS.
+/// bidsSidecar: description of the table in BIDS.
 core::Expected<void> writeBeside(const StudyStore& store, const std::string& path,
                                  const std::vector<TrialRow>& rows, std::span<const std::string_view> columns,
                                  const ordered_json& bidsSidecar, ExportFormat format) {
@@ -330,7 +330,7 @@ std::vector<std::string> fileLabels(const std::vector<Participant>& participants
         std::string label = alphanumeric(participant.id);
         if (label != participant.id)
             label += number;
-        // Some file systems take letters for the same whatever their case is.
+        // Some file systems ignore case.
         while (!used.insert(QString::fromStdString(label).toLower().toStdString()).second)
             label += number;
         labels.push_back(std::move(label));

@@ -17,29 +17,28 @@ namespace teleta::study {
 ///          beside each and DIR/bids/dataset_description.json; tab, n/a.
 /// excel    DIR/excel/P07_20261103T142233_shape.csv; semicolon, decimal sign of the locale, byte order mark;
 ///          texts like formulas and numbers of more than 15 digits have ' before them.
-/// Answers to questionnaires, one file a participant who gave any:
+/// Answers to questionnaires, one file per participant with answers:
 ///          DIR/data/subject-P07/subject-P07_description-questionnaire_data.csv with its .json,
 ///          DIR/bids/phenotype/questionnaire_P07.tsv with its .json, DIR/excel/P07_questionnaire.csv.
-/// The experimenter's notes in the same way, with "notes" for "questionnaire".
+/// The experimenter's notes likewise, with "notes" in place of "questionnaire".
 enum class ExportFormat { psychds, bids, excel };
 
-/// What names a participant in file names: the letters A-Z, a-z and digits of the id; where the id has
-/// others, or somebody who enrolled before has that name, the number of enrolment follows behind an x. So
-/// nobody's files get another name when more people enrol. One a participant, in their order of enrolment.
-/// Thread: any.
+/// Participants in file names: the letters A-Z, a-z and digits of the id; if the id has other characters, or
+/// an earlier participant has that name, x and the number of enrolment are appended. So nobody's files are
+/// renamed when more people enrol. One per participant, in order of enrolment. Thread: any.
 [[nodiscard]] std::vector<std::string> fileLabels(const std::vector<Participant>& participants);
 
-/// Writes the sessions of a study into its folder, or one of them only. Files are replaced as a whole, read
-/// back and compared. Returns how many sessions were written. Error: ioFailed, also when what was read back
-/// differs. Thread: that of the store.
+/// Exports all sessions of a study, or one, into its folder. Files are replaced as a whole, read back and
+/// compared. exportStudy() returns the number of sessions. Error: ioFailed, also when the comparison fails.
+/// Thread: that of the store.
 [[nodiscard]] core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat format);
-/// Answers that a participant has given, and notes that were written, since the last session was exported;
-/// both functions write them too.
+[[nodiscard]] core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
+                                                 const SessionRecord& session, ExportFormat format);
+/// Exports the answers and notes of a participant alone, without the sessions; the functions above include
+/// them.
 [[nodiscard]] core::Expected<void> exportAnswers(const StudyStore& store, const Participant& participant,
                                                  ExportFormat format);
 [[nodiscard]] core::Expected<void> exportNotes(const StudyStore& store, const Participant& participant,
                                                ExportFormat format);
-[[nodiscard]] core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
-                                                 const SessionRecord& session, ExportFormat format);
 
 } // namespace teleta::study

@@ -37,7 +37,7 @@ QString classes(const QString& names) {
     return QStringLiteral("class=\"%1\"").arg(names);
 }
 
-/// About five of them are a span.
+/// About five steps per span.
 double tickStep(double span) {
     return figure::roundStep(span / 6.0);
 }
@@ -87,7 +87,7 @@ public:
             canvas.line(atX - 7.0, y(end), atX + 7.0, y(end), style);
     }
 
-    /// Side by side where they would hide each other.
+    /// Spread sideways, so that they do not hide each other.
     void dots(std::size_t category, const std::vector<double>& values, double offset, const QString& series) {
         for (std::size_t i = 0; i < values.size(); ++i) {
             const double spread = 28.0 * (static_cast<double>((i * 7U) % 11U) / 10.0 - 0.5);
@@ -111,7 +111,7 @@ public:
         }
     }
 
-    /// Of a series: told apart by shape too.
+    /// Series differ in shape too.
     void mark(std::size_t index, double atX, double atY) {
         if (index % 2 == 0)
             canvas.circle(atX, atY, kDot, classes(series(index)));
@@ -152,7 +152,7 @@ QString safeName(const std::string& name) {
     return safe;
 }
 
-/// Names of files, no two the same although letters may be left out of them and their case may not count.
+/// File names, unique even after characters were replaced and without regard to case.
 class FileNames {
 public:
     QString add(const QString& name) {

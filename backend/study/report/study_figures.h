@@ -12,20 +12,19 @@
 
 namespace teleta::study {
 
-/// Participants' shares of correct answers under each condition, their mean with its t interval, and chance.
+/// Participants' shares of correct answers per condition, their mean with its t interval, and chance.
 [[nodiscard]] figure::SvgCanvas accuracyFigure(const TaskResults& task, std::optional<Mode> mode);
 
-/// Mean share of correct answers of each pattern, the conditions beside each other, with t intervals over
-/// participants.
+/// Mean share of correct answers per pattern, conditions side by side, with t intervals over participants.
 [[nodiscard]] figure::SvgCanvas patternFigure(const TaskResults& task, std::optional<Mode> mode);
 
-/// Participants' median response times of correct answers under each condition, and the median of these.
+/// Participants' median response times of correct answers per condition, and the median of these.
 [[nodiscard]] figure::SvgCanvas responseTimeFigure(const TaskResults& task, std::optional<Mode> mode);
 
-/// Information transfer of the pooled answers as measured, with its bootstrap interval, and without bias.
+/// Information transfer of the pooled answers: measured, with its bootstrap interval, and bias-corrected.
 [[nodiscard]] figure::SvgCanvas transferFigure(const TaskResults& task, std::optional<Mode> mode);
 
-/// Shares of correct answers of one pattern under one condition, one a participant who was presented it.
+/// Shares of correct answers for one pattern under one condition, one per participant who was presented it.
 [[nodiscard]] std::vector<double> patternAccuracies(const TaskResults& task, const std::string& condition,
                                                     std::size_t pattern);
 
@@ -35,17 +34,17 @@ struct StudyFigure {
     figure::SvgCanvas picture;
 };
 
-/// Every picture of a study: confusion_TASK_CONDITION (percent) and confusion_counts_TASK_CONDITION of all
-/// participants in the test phase; accuracy_TASK, patterns_TASK, response_time_TASK, transfer_TASK. Other
-/// characters of names than the letters a to z, digits, - and _ become _, and a number is added where that
-/// makes two names the same. Thread: any.
+/// All pictures of a study: confusion_TASK_CONDITION (percent) and confusion_counts_TASK_CONDITION of all
+/// participants in the test phase; accuracy_TASK, patterns_TASK, response_time_TASK, transfer_TASK.
+/// Characters other than letters a to z, digits, - and _ become _; a number is added where names would
+/// collide. Thread: any.
 [[nodiscard]] std::vector<StudyFigure> studyFigures(const std::vector<TaskResults>& results,
                                                     std::optional<Mode> mode);
 
-/// How pictures are written: what an SVG becomes, and the extension that it gets.
+/// A file format of pictures: extension, and conversion from SVG.
 struct FigureFormat {
     std::string extension;
-    /// Empty: the SVG itself.
+    /// Empty: SVG as it is.
     std::function<core::Expected<std::string>(const std::string& svg)> convert = {};
 };
 

@@ -20,8 +20,8 @@ struct ReportText {
     Q_DECLARE_TR_FUNCTIONS(ReportText)
 };
 
-QString escaped(const std::string& text) {
-    return QString::fromStdString(text).toHtmlEscaped();
+QString text(const std::string& value) {
+    return QString::fromStdString(value);
 }
 
 QString fixed(const std::optional<double>& value, int digits) {
@@ -43,17 +43,17 @@ QString interval(const std::optional<Interval>& ends, double scale, int digits) 
 QString probability(const std::optional<double>& p) {
     if (!p)
         return QStringLiteral("NA");
-    return *p < 0.0001 ? QStringLiteral("&lt; 0.0001") : QString::number(*p, 'f', 4);
+    return *p < 0.0001 ? QStringLiteral("< 0.0001") : QString::number(*p, 'f', 4);
 }
 
-/// A table; cells are HTML already.
+/// A table of plain texts.
 class Table {
 public:
     Table(const QString& caption, const QStringList& columns) {
-        m_html =
-            QStringLiteral("<div class=\"scroll\"><table>\n<caption>%1</caption>\n<thead><tr>").arg(caption);
+        m_html = QStringLiteral("<div class=\"scroll\"><table>\n<caption>%1</caption>\n<thead><tr>")
+                     .arg(caption.toHtmlEscaped());
         for (const QString& column : columns)
-            m_html += QStringLiteral("<th scope=\"col\">%1</th>").arg(column);
+            m_html += QStringLiteral("<th scope=\"col\">%1</th>").arg(column.toHtmlEscaped());
         m_html += QStringLiteral("</tr></thead>\n<tbody>\n");
     }
 
@@ -63,7 +63,7 @@ public:
         for (int i = 0; i < cells.size(); ++i)
             m_html +=
                 (i < heads ? QStringLiteral("<th scope=\"row\">%1</th>") : QStringLiteral("<td>%1</td>"))
-                    .arg(cells[i]);
+                    .arg(cells[i].toHtmlEscaped());
         m_html += QStringLiteral("</tr>\n");
     }
 
@@ -78,6 +78,14 @@ QString figure(const figure::SvgCanvas& picture, const QString& caption) {
         .arg(QString::fromStdString(picture.embedded()), caption);
 }
 
+QString heading(const QString& title) {
+    return QStringLiteral("<h3>%1</h3>\n").arg(title.toHtmlEscaped());
+}
+
+QString paragraph(const QString& content) {
+    return QStringLiteral("<p>%1</p>\n").arg(content.toHtmlEscaped());
+}
+
 class TaskSection {
 public:
     TaskSection(const TaskResults& task, std::optional<Mode> mode)
@@ -85,11 +93,11 @@ public:
         , m_mode(mode) {}
 
     [[nodiscard]] QString html() const {
-        const QString head = QStringLiteral("<section>\n<h2>%1</h2>\n").arg(escaped(m_task.task));
+        const QString head =
+            QStringLiteral("<section>\n<h2>%1</h2>\n").arg(text(m_task.task).toHtmlEscaped());
         const QString end = QStringLiteral("</section>\n");
         if (m_task.groups.empty())
-            return head + QStringLiteral("<p>%1</p>\n").arg(ReportText::tr("There are no test trials.")) +
-                   end;
+            return head + paragraph(ReportText::tr("There are no test trials.")) + end;
         return head + accuracy() + confusions() + patterns() + times() + transfer() + participants() +
                anova() + end;
     }
@@ -102,12 +110,12 @@ private:
                      ReportText::tr("SD, %"), ReportText::tr("Interval, %")});
         for (const GroupSummary& group : m_task.groups) {
             const std::optional<GroupMean>& mean = group.accuracy;
-            table.row({escaped(group.condition), QString::number(group.participants),
+            table.row({text(group.condition), QString::number(group.participants),
                        percent(mean ? std::optional(mean->mean) : std::nullopt),
                        percent(mean ? mean->standardDeviation : std::nullopt),
                        interval(mean ? mean->interval : std::nullopt, 100.0, 1)});
         }
-        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Correct answers")) +
+        return heading(ReportText::tr("Correct answers")) +
                figure(
                    accuracyFigure(m_task, m_mode),
                    ReportText::tr("Dots: participants. Marks: mean with the t interval over participants.")) +
@@ -124,12 +132,12 @@ private:
                 ReportText::tr("Rows: presented; columns: answered. Percent of the row, all participants."));
             QStringList columns{ReportText::tr("Presented")};
             for (const std::string& pattern : m_task.patterns)
-                columns << escaped(pattern);
+                columns << text(pattern);
             columns << QStringLiteral("NONE") << ReportText::tr("Trials");
-            Table table(ReportText::tr("%1: trials and share of the row in percent").arg(escaped(title)),
+            Table table(ReportText::tr("%1: trials and share of the row in percent").arg(text(title)),
                         columns);
             for (std::size_t i = 0; i < m_task.patterns.size(); ++i) {
-                QStringList cells{escaped(m_task.patterns[i])};
+                QStringList cells{text(m_task.patterns[i])};
                 for (std::size_t j = 0; j < group.matrix.columns(); ++j)
                     cells << QStringLiteral("%1 (%2 %)")
                                  .arg(group.matrix.count(i, j))
@@ -138,21 +146,21 @@ private:
             }
             tables += table.html();
         }
-        return QStringLiteral("<h3>%1</h3>\n<div class=\"beside\">\n%2</div>\n%3")
-            .arg(ReportText::tr("Confusion matrices"), pictures, tables);
+        return heading(ReportText::tr("Confusion matrices")) +
+               QStringLiteral("<div class=\"beside\">\n%1</div>\n").arg(pictures) + tables;
     }
 
     [[nodiscard]] QString patterns() const {
         QStringList columns{ReportText::tr("Pattern")};
         for (const GroupSummary& group : m_task.groups)
-            columns << ReportText::tr("%1, %").arg(escaped(group.condition));
+            columns << ReportText::tr("%1, %").arg(text(group.condition));
         if (m_task.groups.size() == 2)
             columns << QStringLiteral("F") << ReportText::tr("df") << QStringLiteral("p");
         Table table(ReportText::tr("Mean of the participants' correct answers for each pattern; "
                                    "two conditions are compared within participants"),
                     columns);
         for (std::size_t i = 0; i < m_task.patterns.size(); ++i) {
-            QStringList cells{escaped(m_task.patterns[i])};
+            QStringList cells{text(m_task.patterns[i])};
             for (const GroupSummary& group : m_task.groups) {
                 const auto mean = groupMean(patternAccuracies(m_task, group.condition, i));
                 cells << percent(mean ? std::optional(mean->mean) : std::nullopt);
@@ -161,7 +169,7 @@ private:
                 cells << comparison(m_task.patterns[i]);
             table.row(cells);
         }
-        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Patterns and conditions")) +
+        return heading(ReportText::tr("Patterns and conditions")) +
                figure(patternFigure(m_task, m_mode),
                       ReportText::tr("Mean of the participants with the t interval (95 %).")) +
                table.html();
@@ -173,7 +181,7 @@ private:
             if (line.stimulus != pattern)
                 continue;
             if (!line.row)
-                return {escaped(line.note), QStringLiteral("NA"), QStringLiteral("NA")};
+                return {text(line.note), QStringLiteral("NA"), QStringLiteral("NA")};
             return {fixed(line.row->f, 3), QStringLiteral("%1, %2").arg(line.row->df1).arg(line.row->df2),
                     probability(line.row->pGg)};
         }
@@ -194,11 +202,11 @@ private:
             }
             const auto [least, most] = std::minmax_element(medians_s.begin(), medians_s.end());
             const bool none = medians_s.empty();
-            table.row({escaped(group.condition), QString::number(medians_s.size()),
-                       fixed(median(medians_s), 3), fixed(none ? std::nullopt : std::optional(*least), 3),
+            table.row({text(group.condition), QString::number(medians_s.size()), fixed(median(medians_s), 3),
+                       fixed(none ? std::nullopt : std::optional(*least), 3),
                        fixed(none ? std::nullopt : std::optional(*most), 3)});
         }
-        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Response times")) +
+        return heading(ReportText::tr("Response times")) +
                figure(responseTimeFigure(m_task, m_mode),
                       ReportText::tr("Dots: medians of participants. Marks: the median of these.")) +
                table.html();
@@ -212,7 +220,7 @@ private:
                      ReportText::tr("A guesser would show"), ReportText::tr("Remark")});
         for (const GroupSummary& group : m_task.groups) {
             const auto bits = informationTransfer(group.matrix, m_task.alternatives());
-            table.row({escaped(group.condition), QString::number(group.matrix.total()),
+            table.row({text(group.condition), QString::number(group.matrix.total()),
                        fixed(bits ? std::optional(bits->measured_bit) : std::nullopt, 3),
                        fixed(bits ? std::optional(bits->bias_bit) : std::nullopt, 3),
                        fixed(bits ? std::optional(bits->corrected_bit) : std::nullopt, 3),
@@ -220,7 +228,7 @@ private:
                        fixed(guesserTransfer(group.matrix, m_task.alternatives()), 2),
                        bits && bits->fewTrials ? ReportText::tr("few trials: fewer than 5 k²") : QString()});
         }
-        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Information transfer")) +
+        return heading(ReportText::tr("Information transfer")) +
                figure(
                    transferFigure(m_task, m_mode),
                    ReportText::tr("Filled: measured, with the bootstrap interval. Hollow: less the bias.")) +
@@ -246,7 +254,7 @@ private:
             const std::int64_t n = person.matrix.total();
             const std::int64_t correct = person.matrix.correct();
             const auto bits = informationTransfer(person.matrix);
-            table.row({escaped(person.participant), escaped(person.condition),
+            table.row({text(person.participant), text(person.condition),
                        QStringLiteral("%1/%2").arg(correct).arg(n),
                        QString::number(person.matrix.unanswered()), percent(person.matrix.accuracy()),
                        interval(wilsonInterval(correct, n), 100.0, 1),
@@ -258,7 +266,7 @@ private:
                        fixed(person.medianTime_s, 3), QString::number(person.times)},
                       2);
         }
-        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Participants")) + table.html();
+        return heading(ReportText::tr("Participants")) + table.html();
     }
 
     [[nodiscard]] QString anova() const {
@@ -279,10 +287,10 @@ private:
             const std::optional<double> hf = row ? row->epsilonHf : std::nullopt;
             QStringList remarks;
             if (!line.note.empty())
-                remarks << escaped(line.note);
+                remarks << text(line.note);
             for (const std::string& person : line.dropped)
-                remarks << ReportText::tr("%1 is left out: a cell is missing").arg(escaped(person));
-            table.row({escaped(line.effect),
+                remarks << ReportText::tr("%1 is left out: a cell is missing").arg(text(person));
+            table.row({text(line.effect),
                        row ? QStringLiteral("%1, %2").arg(row->df1).arg(row->df2) : QStringLiteral("NA"),
                        fixed(value(&AnovaEffect::f), 4), probability(value(&AnovaEffect::p)),
                        fixed(value(&AnovaEffect::epsilonGg), 4), probability(value(&AnovaEffect::pGg)),
@@ -291,7 +299,7 @@ private:
                        fixed(value(&AnovaEffect::generalizedEta2), 4), QString::number(line.participants),
                        remarks.join(QStringLiteral("; "))});
         }
-        return QStringLiteral("<h3>%1</h3>\n").arg(ReportText::tr("Analysis of variance")) + table.html();
+        return heading(ReportText::tr("Analysis of variance")) + table.html();
     }
 
     const TaskResults& m_task;
@@ -352,7 +360,7 @@ QString modeBanner(std::optional<Mode> mode) {
 } // namespace
 
 std::string reportHtml(const std::vector<TaskResults>& results, const ReportHeading& heading) {
-    const QString title = escaped(heading.title);
+    const QString title = text(heading.title).toHtmlEscaped();
     QString html =
         QStringLiteral(
             "<!DOCTYPE html>\n<html lang=\"%1\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
@@ -363,12 +371,11 @@ std::string reportHtml(const std::vector<TaskResults>& results, const ReportHead
     html += modeBanner(heading.mode);
     QStringList sources;
     for (const std::string& source : heading.sources)
-        sources << escaped(source);
-    html += QStringLiteral("<p>%1</p>\n")
-                .arg(ReportText::tr("Data: %1. TeleTA Console %2.")
-                         .arg(sources.join(QStringLiteral(", ")), escaped(heading.appVersion)));
+        sources << text(source);
+    html += paragraph(ReportText::tr("Data: %1. TeleTA Console %2.")
+                          .arg(sources.join(QStringLiteral(", ")), text(heading.appVersion)));
     if (heading.frames.trials > 0)
-        html += QStringLiteral("<p>%1</p>\n").arg(framesText(heading.frames));
+        html += paragraph(framesText(heading.frames));
     for (const TaskResults& task : results)
         html += TaskSection(task, heading.mode).html();
     html +=

@@ -11,7 +11,7 @@
 
 namespace teleta::study {
 
-/// What a report says about its data.
+/// What a report states about its data.
 struct ReportHeading {
     std::string title;
     std::optional<Mode> mode;         ///< empty: unknown; others than run are said loudly
@@ -20,9 +20,9 @@ struct ReportHeading {
     TrialTally::Frames frames = {}; ///< how the stimuli were played; of no trials: nothing is said
 };
 
-/// The results as one page of HTML 5 that needs nothing else: figures as SVG within, each with its table,
-/// readable on light and dark screens and on paper. Names of participants, tasks and patterns may have any
-/// characters. The page is well-formed XML too. Thread: any.
+/// The results as one self-contained HTML 5 page: embedded SVG figures, each with its table, for light and
+/// dark screens and for paper. Names of participants, tasks and patterns may contain any characters. The page
+/// is also well-formed XML. Thread: any.
 [[nodiscard]] std::string reportHtml(const std::vector<TaskResults>& results, const ReportHeading& heading);
 
 /// Writes FOLDER/report.html. Error: ioFailed. Thread: any.

@@ -11,8 +11,6 @@ namespace teleta::study {
 
 namespace {
 
-constexpr std::uint64_t kQuestionnaires = 1'000'000;
-
 } // namespace
 
 std::vector<DueQuestionnaire> dueQuestionnaires(const Protocol& protocol, QuestionnaireTime when,
@@ -39,7 +37,7 @@ std::vector<ItemAnswer> simulatedAnswers(const StudyHead& head, const Participan
     const Questionnaire& questionnaire = head.protocol.questionnaires.at(index);
     const std::uint64_t seed =
         isOfSession(questionnaire.when) ? plan.seed : derivedSeed(head.seed, participant.enrolment);
-    PortableRandom random(derivedSeed(derivedSeed(seed, kQuestionnaires), index));
+    PortableRandom random(derivedSeed(derivedSeed(seed, kSeedOfQuestionnaires), index));
     std::vector<ItemAnswer> answers;
     for (const QuestionnaireItem& item : questionnaire.items) {
         std::string value = "simulated";

@@ -30,7 +30,7 @@ core::Unexpected outOfRange(const QString& message, const QString& expected) {
         core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
 }
 
-/// Little-endian, whatever the machine is.
+/// Little-endian on every machine.
 void put(std::string& bytes, std::uint64_t value, int count) {
     for (int i = 0; i < count; ++i)
         bytes += static_cast<char>((value >> (8 * i)) & 0xFFU);
@@ -60,7 +60,7 @@ core::Expected<std::vector<float>> pinkNoise(const PinkNoiseSettings& settings) 
         !(settings.low_Hz <= settings.high_Hz && settings.high_Hz <= settings.rate_Hz / 2.0) ||
         !std::isfinite(settings.rate_Hz) || !std::isfinite(settings.level_dBFS))
         return outOfRange(
-            NoiseText::tr("these settings of the noise are out of range"),
+            NoiseText::tr("the noise settings are out of range"),
             NoiseText::tr("an even number of samples up to %1, and frequencies above 0 up to half "
                           "the rate")
                 .arg(kMostSamples));
@@ -68,7 +68,7 @@ core::Expected<std::vector<float>> pinkNoise(const PinkNoiseSettings& settings) 
     const auto first = static_cast<std::size_t>(std::ceil(settings.low_Hz / step_Hz));
     const std::size_t last = std::min(static_cast<std::size_t>(settings.high_Hz / step_Hz), n / 2 - 1);
     if (first > last)
-        return outOfRange(NoiseText::tr("there is no frequency in this band"),
+        return outOfRange(NoiseText::tr("the band contains no frequency"),
                           NoiseText::tr("more samples or a wider band"));
 
     PortableRandom random(settings.seed);

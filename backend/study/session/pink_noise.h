@@ -19,17 +19,16 @@ struct PinkNoiseSettings {
     std::uint64_t seed = 1;
 };
 
-/// One period of pink noise, in -1 .. 1, that can be repeated without a seam: its Fourier series has the
-/// amplitudes c/sqrt(f) and random phases, so that the power density falls by exactly 10 dB a decade between
-/// low_Hz and high_Hz and there is no jump where the end meets the beginning.
+/// One period of pink noise, in -1 .. 1, that loops seamlessly: its Fourier series has the amplitudes
+/// c/sqrt(f) and random phases, so that the power density falls by exactly 10 dB per decade between low_Hz
+/// and high_Hz.
 ///   x_n = sum_k c/sqrt(k) cos(2 pi k n/N + phi_k),  c such that the root mean square is 10^(level/20)
-/// The same settings give the same noise everywhere but for rounding. Error: refused for settings out of
-/// range, a band without any frequency, and a level at which a sample would leave -1 .. 1. Thread: any (takes
-/// about 0.1 s).
+/// The same settings give the same noise everywhere, except for rounding. Error: refused for settings out of
+/// range, a band without any frequency, and a level that would clip. Thread: any (takes about 0.1 s).
 [[nodiscard]] core::Expected<std::vector<float>> pinkNoise(const PinkNoiseSettings& settings = {});
 
-/// WAV with one channel of 16 bit. samples: in -1 .. 1, rate_Hz: a whole number. Error: refused for more than
-/// 4 GiB, ioFailed. Thread: any.
+/// Writes a 16-bit mono WAV. samples: in -1 .. 1, rate_Hz: a whole number. Error: refused for more than 4
+/// GiB, ioFailed. Thread: any.
 [[nodiscard]] core::Expected<void> writeMonoWav(const std::vector<float>& samples, double rate_Hz,
                                                 const std::string& path);
 

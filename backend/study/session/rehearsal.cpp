@@ -4,14 +4,13 @@
 #include "backend/study/protocol/stimulus_set.h"
 #include "backend/study/report/study_export.h"
 #include "backend/study/session/due_questionnaires.h"
-#include "backend/study/session/session.h"
+#include "backend/study/session/session_flow.h"
 #include "backend/study/session/simulated_participant.h"
 
 #include <QCoreApplication>
 #include <QString>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -25,21 +24,22 @@ struct RehearsalText {
 
 constexpr std::int64_t kBetweenTrials_ns = 1'000'000'000;
 constexpr qint64 kBetweenSessions_s = 3600;
-constexpr std::uint64_t kAnswersOfSession = 2; // parts 0 and 1 of the session's seed are its orders
 
-/// A pattern ends by itself, and is cut off where the protocol says so.
+/// A pattern ends by itself or is cut off at the protocol's stimulus time.
 double lengthOf_s(const std::string& id, const StudyHead& head) {
     const pattern::Pattern* stimulus = head.stimuli.find(id);
     return stimulus == nullptr ? head.protocol.stimulus_s
                                : std::min(stimulus->duration_s, head.protocol.stimulus_s);
 }
 
-/// Shows one trial to the participant and passes on what it does.
-void showTrial(Session& session, const SimulatedParticipant::Answer& answer,
+/// Shows one trial to the participant and passes on the answer.
+void showTrial(SessionFlow& flow, const SimulatedParticipant::Answer& answer,
                const RehearsalCast::Shown& shown, double stimulus_s, std::int64_t& now_ns) {
     now_ns += kBetweenTrials_ns;
-    if (!session.startTrial(now_ns))
+    flow.next(now_ns);
+    if (!flow.startTrial(now_ns))
         return;
+    Session& session = flow.session();
     const std::int64_t onset_ns = now_ns + std::llround(shown.latency_s * 1e9);
     const std::int64_t end_ns = onset_ns + std::llround(stimulus_s * 1e9);
     const std::int64_t answer_ns = onset_ns + std::llround(answer.time_s * 1e9);
@@ -65,9 +65,8 @@ void showTrial(Session& session, const SimulatedParticipant::Answer& answer,
 
 class Rehearsal {
 public:
-    Rehearsal(StudyStore& store, const std::function<bool(std::size_t)>& goOn, const RehearsalCast& cast)
+    Rehearsal(StudyStore& store, const RehearsalCast& cast)
         : m_store(store)
-        , m_goOn(goOn)
         , m_cast(cast) {}
 
     [[nodiscard]] core::Expected<RehearsalProgress> run();
@@ -75,14 +74,13 @@ public:
 private:
     [[nodiscard]] core::Expected<void> runSession(const Participant& participant, std::size_t planIndex,
                                                   const PlannedSession& plan, const QDateTime& begin);
-    /// Those that are due then and were not answered before an interruption.
+    /// Those that are due then and not answered yet.
     [[nodiscard]] core::Expected<void> answerQuestionnaires(QuestionnaireTime when,
                                                             const Participant& participant,
                                                             const SessionRecord& session,
                                                             const PlannedSession& plan, const QDateTime& now);
 
     StudyStore& m_store;
-    const std::function<bool(std::size_t)>& m_goOn;
     const RehearsalCast& m_cast;
     RehearsalProgress m_progress;
 };
@@ -93,7 +91,7 @@ core::Expected<RehearsalProgress> Rehearsal::run() {
         return core::Unexpected(
             core::Error{core::ErrorKind::refused,
                         RehearsalText::tr("this study has real participants").toStdString(),
-                        RehearsalText::tr("a study that was begun as a rehearsal").toStdString(),
+                        RehearsalText::tr("a study created as a rehearsal").toStdString(),
                         {m_store.folder()}});
     core::Expected<std::vector<Participant>> enrolled = m_store.participants();
     if (!enrolled)
@@ -170,53 +168,49 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         now_ns = begin.msecsTo(trial.time) * 1'000'000;
     }
     m_progress.trialsBefore += done.size();
-    core::Expected<Session> session = Session::create(head.protocol, plan, done, 0);
-    if (!session)
-        return core::Unexpected(session.error());
+    core::Expected<SessionFlow> flow = SessionFlow::create(head.protocol, plan, done, 0);
+    if (!flow)
+        return core::Unexpected(flow.error());
 
     const StudyTask& task = head.protocol.tasks[plan.task];
     const std::string& condition = task.conditions[plan.condition];
     const SimulatedParticipant simulated{knownMatrix(task, condition), head.lapses};
     const std::int64_t start_ns = now_ns;
     const double before_s = m_progress.simulated_s;
-    // From the results, so that a resumed rehearsal rests where an interrupted one did.
-    std::array<std::size_t, 2> completed{};
-    const auto count = [&](const TrialResult& result) {
-        completed[result.planned.phase == Phase::test ? 1 : 0] += result.isComplete() ? 1 : 0;
-    };
-    std::for_each(done.begin(), done.end(), count);
-    while (session->stage() == Stage::ready) {
-        const bool goOn = m_goOn(m_progress.trialsBefore + m_progress.trials) &&
-                          (!m_cast.goOn || m_cast.goOn(m_progress.simulated_s));
-        if (!goOn) {
+    // An interruption is no rest: a resumed rehearsal rests where an uninterrupted one does.
+    flow->settle(now_ns);
+    while (const PlannedTrial* current = flow->session().current()) {
+        if (m_cast.goOn && !m_cast.goOn(m_progress)) {
             m_progress.interrupted = true;
             return {};
         }
-        const PlannedTrial trial = *session->current();
-        const std::uint64_t part =
-            (trial.trial << 16U) + (trial.attempt << 1U) + (trial.phase == Phase::test ? 1 : 0);
-        const std::uint64_t seed = derivedSeed(derivedSeed(plan.seed, kAnswersOfSession), part);
+        const PlannedTrial trial = *current;
+        const std::uint64_t seed = answerSeed(plan.seed, trial);
         const SimulatedParticipant::Answer answer = m_cast.answer
                                                         ? m_cast.answer(task, condition, trial.stimulus, seed)
                                                         : simulated.answer(trial.stimulus, seed);
         const std::string stimulus = stimulusId(task, task.patterns[trial.stimulus], condition);
         const RehearsalCast::Shown shown = m_cast.show ? m_cast.show(stimulus, seed) : RehearsalCast::Shown{};
-        if (head.protocol.rest.isDueAfter(completed[trial.phase == Phase::test ? 1 : 0]))
-            now_ns += std::llround(head.protocol.rest.atLeast_s * 1e9);
-        showTrial(*session, answer, shown, lengthOf_s(stimulus, head), now_ns);
-        // The store keeps milliseconds, and the next trial begins at what it keeps, resumed or not.
+        if (flow->hold() == Hold::rest)
+            now_ns = flow->restUntil_ns();
+        else
+            flow->goOn(); // nobody has to be asked whether the test may begin
+        showTrial(*flow, answer, shown, lengthOf_s(stimulus, head), now_ns);
+        // The store keeps milliseconds; the next trial starts at the stored time, so that a resumed rehearsal
+        // is the same.
         now_ns = (now_ns + 999'999) / 1'000'000 * 1'000'000;
         m_progress.simulated_s = before_s + static_cast<double>(now_ns - start_ns) * 1e-9;
-        if (std::optional<TrialResult> result = session->takeResult()) {
-            result->framesMissed = shown.framesMissed;
-            count(*result);
-            const core::Expected<void> safe =
-                m_store.keepTrial(*record, *result, begin.addMSecs(now_ns / 1'000'000));
-            if (!safe)
-                return safe;
-            ++m_progress.trials;
-        }
-        session->feedbackSeen();
+        TrialResult result = flow->takeResult().value();
+        result.framesMissed = shown.framesMissed;
+        flow->keeping(result);
+        const core::Expected<void> safe =
+            m_store.keepTrial(*record, result, begin.addMSecs(now_ns / 1'000'000));
+        if (!safe)
+            return safe;
+        flow->kept({});
+        ++m_progress.trials;
+        flow->settle(now_ns);
+        flow->next(now_ns);
     }
     if (const auto answered = answerQuestionnaires(QuestionnaireTime::afterSession, participant, *record,
                                                    plan, begin.addMSecs(now_ns / 1'000'000));
@@ -224,7 +218,7 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         return answered;
     if (record->finished)
         return {};
-    // Before it counts as finished, so that a resumed rehearsal writes what an interrupted one did not.
+    // Before it counts as finished, so that a resumed rehearsal exports what an interrupted one did not.
     if (const core::Expected<void> written =
             exportSession(m_store, participant, *record, ExportFormat::psychds);
         !written)
@@ -242,9 +236,8 @@ std::size_t plannedTrials(const StudyHead& head) {
     return trials * head.plannedParticipants;
 }
 
-core::Expected<RehearsalProgress> rehearse(StudyStore& store, const std::function<bool(std::size_t)>& goOn,
-                                           const RehearsalCast& cast) {
-    return Rehearsal(store, goOn, cast).run();
+core::Expected<RehearsalProgress> rehearse(StudyStore& store, const RehearsalCast& cast) {
+    return Rehearsal(store, cast).run();
 }
 
 } // namespace teleta::study

@@ -24,33 +24,35 @@ QString megabytes(std::int64_t bytes) {
     return QString::number(bytes / 1'000'000);
 }
 
-RunCheck passed(RunCheckKind kind, const QString& name, const QString& finding) {
-    return {kind, true, name.toStdString(), finding.toStdString(), {}};
+struct Verdict {
+    bool passed = false;
+    QString finding;
+    QString remedy = {};
+};
+
+Verdict passed(const QString& finding) {
+    return {true, finding};
 }
 
-RunCheck failed(RunCheckKind kind, const QString& name, const QString& finding, const QString& remedy) {
-    return {kind, false, name.toStdString(), finding.toStdString(), remedy.toStdString()};
+Verdict failed(const QString& finding, const QString& remedy) {
+    return {false, finding, remedy};
 }
 
-RunCheck checkProtocol(const RunConditions& now) {
-    constexpr auto kKind = RunCheckKind::protocol;
-    const QString name = CheckText::tr("Protocol");
+Verdict checkProtocol(const RunConditions& now) {
     if (!now.protocol)
-        return failed(kKind, name, QString::fromStdString(core::describe(now.protocol.error())),
-                      CheckText::tr("Mend the protocol at this place and open it again."));
+        return failed(QString::fromStdString(core::describe(now.protocol.error())),
+                      CheckText::tr("Correct the protocol at this place and open it again."));
     const Protocol* protocol = *now.protocol;
     if (protocol == nullptr)
-        return failed(kKind, name, CheckText::tr("no protocol is open"),
-                      CheckText::tr("Open a protocol, or begin with the paper's."));
+        return failed(CheckText::tr("no protocol is open"),
+                      CheckText::tr("Open a protocol, or start with the paper's."));
     if (protocol->testTrials() == 0 && protocol->practice.repetitions == 0)
-        return failed(kKind, name, CheckText::tr("the protocol has no trials"),
+        return failed(CheckText::tr("the protocol has no trials"),
                       CheckText::tr("Give practice or test at least one repetition."));
-    return passed(kKind, name, QString::fromStdString(protocol->name));
+    return passed(QString::fromStdString(protocol->name));
 }
 
-RunCheck checkStimuli(const RunConditions& now) {
-    constexpr auto kKind = RunCheckKind::stimuli;
-    const QString name = CheckText::tr("Stimuli");
+Verdict checkStimuli(const RunConditions& now) {
     if (!now.missingStimuli.empty()) {
         constexpr std::size_t kNamed = 3;
         QStringList some;
@@ -59,117 +61,100 @@ RunCheck checkStimuli(const RunConditions& now) {
         if (now.missingStimuli.size() > kNamed)
             some << QStringLiteral("\u2026");
         return failed(
-            kKind, name, CheckText::tr("there are no patterns %1").arg(some.join(QStringLiteral(", "))),
-            CheckText::tr("Make a study whose protocol names a file for each pattern that does not come with "
-                          "the program."));
+            CheckText::tr("there are no tactile patterns for %1").arg(some.join(QStringLiteral(", "))),
+            CheckText::tr(
+                "Create a study whose protocol names a file for each pattern that is not built in."));
     }
     if (now.stimuliChanged.value_or(false))
-        return failed(
-            kKind, name, CheckText::tr("the patterns are not those with which this study was begun"),
-            CheckText::tr("Go on with version %1 of the program, which began it, or begin a new study.")
-                .arg(QString::fromStdString(now.madeBy)));
-    return passed(kKind, name,
-                  now.stimuliChanged
-                      ? CheckText::tr("those with which the study was begun")
-                      : CheckText::tr("all there; whether the study was begun with others is not known"));
+        return failed(CheckText::tr("the patterns have changed since this study was created"),
+                      CheckText::tr("Use version %1 of the program, which created it, or create a new study.")
+                          .arg(QString::fromStdString(now.madeBy)));
+    return passed(
+        now.stimuliChanged
+            ? CheckText::tr("unchanged since the study was created")
+            : CheckText::tr("all there; whether they have changed since the study was created is unknown"));
 }
 
-RunCheck checkParticipant(const RunConditions& now) {
-    constexpr auto kKind = RunCheckKind::participant;
-    const QString name = CheckText::tr("Participant");
+Verdict checkParticipant(const RunConditions& now) {
     if (now.participant.empty())
-        return failed(kKind, name, CheckText::tr("no participant is chosen"),
+        return failed(CheckText::tr("no participant is selected"),
                       CheckText::tr("Choose a participant, or add a new one."));
     const QString id = QString::fromStdString(now.participant);
     if (now.runner)
-        return failed(kKind, name,
-                      now.runner->empty() ? CheckText::tr("%1 is in a session already").arg(id)
-                                          : CheckText::tr("%1 is in a session already, at %2")
+        return failed(now.runner->empty() ? CheckText::tr("%1 is already in a session").arg(id)
+                                          : CheckText::tr("%1 is already in a session at %2")
                                                 .arg(id, QString::fromStdString(*now.runner)),
                       CheckText::tr("Finish or abort the other session, or choose another participant."));
     if (now.finished)
-        return failed(kKind, name, CheckText::tr("%1 has finished this session").arg(id),
+        return failed(CheckText::tr("%1 has finished this session").arg(id),
                       CheckText::tr("Choose the next session or another participant."));
-    return passed(kKind, name, id);
+    return passed(id);
 }
 
-RunCheck checkBracelet(const RunConditions& now) {
-    constexpr auto kKind = RunCheckKind::bracelet;
-    const QString name = CheckText::tr("Bracelet");
+Verdict checkBracelet(const RunConditions& now) {
     const QString device =
         now.braceletName.empty() ? CheckText::tr("the bracelet") : QString::fromStdString(now.braceletName);
     switch (now.bracelet) {
     case BraceletCondition::missing:
-        return failed(kKind, name, CheckText::tr("no bracelet is open"),
+        return failed(CheckText::tr("no bracelet is open"),
                       CheckText::tr("Plug the bracelet in and choose it in the menu Bracelet."));
     case BraceletCondition::notLive:
-        return failed(kKind, name, CheckText::tr("%1 does not answer").arg(device),
-                      CheckText::tr("Check cable and power supply; it goes on by itself when it is back."));
+        return failed(CheckText::tr("%1 does not answer").arg(device),
+                      CheckText::tr("Check cable and power supply; it reconnects by itself."));
     case BraceletCondition::stopped:
-        return failed(kKind, name, CheckText::tr("STOP is engaged"),
-                      CheckText::tr("Release STOP when it is safe."));
+        return failed(CheckText::tr("STOP is engaged"), CheckText::tr("Release STOP when it is safe."));
     case BraceletCondition::live:
         break;
     }
     if (now.braceletIsSimulated && now.mode == Mode::run)
-        return failed(kKind, name, CheckText::tr("%1 is simulated: nobody can feel it").arg(device),
+        return failed(CheckText::tr("%1 is simulated: nobody can feel it").arg(device),
                       CheckText::tr("Choose a real bracelet, or a pilot or simulated study."));
-    return passed(kKind, name, device);
+    return passed(device);
 }
 
-RunCheck checkFolder(const RunConditions& now) {
-    constexpr auto kKind = RunCheckKind::folder;
-    const QString name = CheckText::tr("Folder");
+Verdict checkFolder(const RunConditions& now) {
     const QString path = QString::fromStdString(now.folder.path);
     if (!now.folder.exists)
-        return failed(kKind, name, CheckText::tr("%1 is not there").arg(path),
+        return failed(CheckText::tr("%1 was not found").arg(path),
                       CheckText::tr("Connect the drive of the study, or choose another folder."));
     if (!now.folder.writable)
         return failed(
-            kKind, name,
-            CheckText::tr("%1 cannot be written: %2").arg(path, QString::fromStdString(now.folder.reason)),
+            CheckText::tr("cannot write to %1: %2").arg(path, QString::fromStdString(now.folder.reason)),
             CheckText::tr("Allow writing to the folder, or choose another one."));
-    return passed(kKind, name, path);
+    return passed(path);
 }
 
-RunCheck checkSpace(const RunConditions& now) {
-    constexpr auto kKind = RunCheckKind::space;
-    const QString name = CheckText::tr("Disk space");
+Verdict checkSpace(const RunConditions& now) {
     const QString finding = CheckText::tr("%1 MB are free").arg(megabytes(now.folder.free_B));
     if (now.folder.free_B < kNeededSpace_B)
-        return failed(kKind, name, finding,
-                      CheckText::tr("Free space until there are %1 MB, or choose another folder.")
-                          .arg(megabytes(kNeededSpace_B)));
-    return passed(kKind, name, finding);
+        return failed(finding, CheckText::tr("Free up space to at least %1 MB, or choose another folder.")
+                                   .arg(megabytes(kNeededSpace_B)));
+    return passed(finding);
 }
 
-RunCheck checkStore(const RunConditions& now) {
-    constexpr auto kKind = RunCheckKind::store;
-    const QString name = CheckText::tr("Data store");
+Verdict checkStore(const RunConditions& now) {
     if (!now.store)
-        return passed(kKind, name, CheckText::tr("ready"));
-    return failed(kKind, name, QString::fromStdString(core::describe(*now.store)),
+        return passed(CheckText::tr("ready"));
+    return failed(QString::fromStdString(core::describe(*now.store)),
                   now.store->kind == core::ErrorKind::unavailable
-                      ? CheckText::tr("Start the server or mend the network; then try again.")
+                      ? CheckText::tr("Start the server or repair the network connection, then try again.")
                       : CheckText::tr("Make a copy of the study's folder and open the study again."));
 }
 
-RunCheck checkNoise(const RunConditions& now) {
-    constexpr auto kKind = RunCheckKind::noise;
-    const QString name = CheckText::tr("Masking noise");
+Verdict checkNoise(const RunConditions& now) {
     if (now.mode == Mode::simulated)
-        return passed(kKind, name, CheckText::tr("not needed: simulated participants hear nothing"));
+        return passed(CheckText::tr("not needed: simulated participants hear nothing"));
     const Protocol* protocol = now.protocol ? *now.protocol : nullptr;
     if (protocol != nullptr && protocol->noiseColour == "none")
-        return passed(kKind, name, CheckText::tr("the protocol has none"));
+        return passed(CheckText::tr("the protocol has none"));
     if (!now.noiseConfirmed)
         return failed(
-            kKind, name, CheckText::tr("the noise is not confirmed"),
+            CheckText::tr("the noise is not confirmed"),
             protocol == nullptr
                 ? CheckText::tr("Play the noise, measure its level at the ear, and confirm.")
                 : CheckText::tr("Play the noise, measure %1 dBA at the participant's ear, and confirm.")
                       .arg(protocol->noise_dBA));
-    return passed(kKind, name, CheckText::tr("confirmed"));
+    return passed(CheckText::tr("confirmed"));
 }
 
 } // namespace
@@ -183,7 +168,7 @@ FolderCondition lookAtFolder(const std::string& path) {
     const QStorageInfo storage(name);
     folder.free_B = std::max<qint64>(0, storage.bytesAvailable());
     QTemporaryFile probe(QDir(name).filePath(QStringLiteral(".teleta-probe-XXXXXX")));
-    // Some file systems notice that they are full only when the data have to come to the disk.
+    // Some file systems report that they are full only when the data are flushed.
     folder.writable =
         probe.open() && probe.write("probe") == 5 && probe.flush() && fsync(probe.handle()) == 0;
     if (!folder.writable)
@@ -191,10 +176,21 @@ FolderCondition lookAtFolder(const std::string& path) {
     return folder;
 }
 
-std::vector<RunCheck> preRunChecks(const RunConditions& conditions) {
-    return {checkProtocol(conditions), checkStimuli(conditions), checkParticipant(conditions),
-            checkBracelet(conditions), checkFolder(conditions),  checkSpace(conditions),
-            checkStore(conditions),    checkNoise(conditions)};
+std::vector<RunCheck> preRunChecks(const RunConditions& now) {
+    const auto check = [](RunCheckKind kind, const QString& name, const Verdict& verdict) {
+        return RunCheck{kind, verdict.passed, name.toStdString(), verdict.finding.toStdString(),
+                        verdict.remedy.toStdString()};
+    };
+    return {
+        check(RunCheckKind::protocol, CheckText::tr("Protocol"), checkProtocol(now)),
+        check(RunCheckKind::stimuli, CheckText::tr("Stimuli"), checkStimuli(now)),
+        check(RunCheckKind::participant, CheckText::tr("Participant"), checkParticipant(now)),
+        check(RunCheckKind::bracelet, CheckText::tr("Bracelet"), checkBracelet(now)),
+        check(RunCheckKind::folder, CheckText::tr("Folder"), checkFolder(now)),
+        check(RunCheckKind::space, CheckText::tr("Disk space"), checkSpace(now)),
+        check(RunCheckKind::store, CheckText::tr("Data store"), checkStore(now)),
+        check(RunCheckKind::noise, CheckText::tr("Masking noise"), checkNoise(now)),
+    };
 }
 
 bool allPassed(const std::vector<RunCheck>& checks) {

@@ -12,40 +12,40 @@
 
 namespace teleta::study {
 
-/// Free space that the folder of a study must have for a run: its trials need less than 1 MB, its exports
-/// and the write-ahead log some more.
+/// Free space needed in a study's folder: its trials need less than 1 MB, exports and the write-ahead log
+/// some more.
 inline constexpr std::int64_t kNeededSpace_B = 100'000'000;
 
 /// The bracelet as it is now.
 enum class BraceletCondition {
     missing, ///< none is open
     notLive, ///< open, but its connection is lost or it does not answer
-    stopped, ///< STOP is engaged, so that nothing would be felt
+    stopped, ///< STOP is engaged: nothing would be felt
     live,
 };
 
-/// What a folder can take.
+/// State of a study's folder.
 struct FolderCondition {
     std::string path;
     bool exists = false;
-    bool writable = false; ///< a file was written to it and came through to the disk
-    std::string reason;    ///< of the system, when it is not
+    bool writable = false; ///< a test file reached the disk
+    std::string reason;    ///< the system's, if it is not
     std::int64_t free_B = 0;
 };
 
-/// Looks at a folder by writing a file that is removed again: permissions alone do not tell that a file
-/// system is read-only. Thread: any but the GUI's (I/O).
+/// Checks a folder by writing and removing a file: permissions alone do not show that a file system is
+/// read-only. Thread: any but the GUI's (I/O).
 [[nodiscard]] FolderCondition lookAtFolder(const std::string& path);
 
-/// Everything that decides whether a run may begin, as it is now.
+/// Everything that decides whether a run may start.
 struct RunConditions {
     Mode mode = Mode::run;
     /// Protocol, or what is wrong with it.
     core::Expected<const Protocol*> protocol = nullptr;
-    std::vector<std::string> missingStimuli; ///< ids of stimuli of which there is no pattern
-    /// They are not those with which the study was made; empty: nobody knows.
+    std::vector<std::string> missingStimuli; ///< ids of stimuli without a pattern
+    /// The patterns differ from those with which the study was created; empty: unknown.
     std::optional<bool> stimuliChanged = false;
-    std::string madeBy;                ///< version of the program that made the study
+    std::string madeBy;                ///< version of the program that created the study
     std::string participant;           ///< empty: none is chosen
     std::optional<std::string> runner; ///< who runs the participant now; empty: nobody else
     bool finished = false;             ///< the session was finished before
@@ -59,18 +59,18 @@ struct RunConditions {
 
 enum class RunCheckKind { protocol, stimuli, participant, bracelet, folder, space, store, noise };
 
-/// One condition of a run.
+/// The check of one condition.
 struct RunCheck {
     RunCheckKind kind = RunCheckKind::protocol;
     bool passed = false;
     std::string name;    ///< a word or two
-    std::string finding; ///< what is the case, a sentence without full stop
-    std::string remedy;  ///< what to do about it; empty when passed
+    std::string finding; ///< a sentence without full stop
+    std::string remedy;  ///< what to do; empty when passed
 };
 
-/// All conditions of a run in the order in which they are best met; a run may begin when every one passed.
-/// A simulated bracelet is refused in mode run, since nobody feels it; the noise counts where people take
-/// part and the protocol has it. Texts are translated. Thread: any (pure).
+/// Checks all conditions of a run, in the order in which they are best met; it may start when all pass. A
+/// simulated bracelet fails in mode run, since nobody feels it; noise is checked if people take part and the
+/// protocol has it. Texts are translated. Thread: any (pure).
 [[nodiscard]] std::vector<RunCheck> preRunChecks(const RunConditions& conditions);
 
 [[nodiscard]] bool allPassed(const std::vector<RunCheck>& checks);

@@ -54,8 +54,8 @@ core::Expected<Session> Session::create(const Protocol& protocol, const PlannedS
             next->attempt != result.planned.attempt || next->stimulus != result.planned.stimulus)
             return core::Unexpected(core::Error{
                 core::ErrorKind::refused,
-                SessionText::tr("the trials that were kept are not those of this plan").toStdString(),
-                SessionText::tr("the order that the seed of the session gives").toStdString(),
+                SessionText::tr("the stored trials do not belong to this session's plan").toStdString(),
+                SessionText::tr("the order given by the session's seed").toStdString(),
                 {}});
         session.m_queue.pop_front();
         ++session.m_shown[static_cast<int>(result.planned.phase)];
@@ -67,7 +67,7 @@ core::Expected<Session> Session::create(const Protocol& protocol, const PlannedS
     return session;
 }
 
-/// Behind the last trial of its phase.
+/// Requeues the trial at the end of its phase.
 void Session::showAgain(PlannedTrial trial) {
     ++trial.attempt;
     const auto next = std::find_if(m_queue.begin(), m_queue.end(),
@@ -75,16 +75,12 @@ void Session::showAgain(PlannedTrial trial) {
     m_queue.insert(next, trial);
 }
 
-bool Session::isRunning() const {
-    return m_stage == Stage::starting || m_stage == Stage::stimulus || m_stage == Stage::answering;
-}
-
 bool Session::windowIsOpen() const {
     return m_stage == Stage::answering ||
            (m_stage == Stage::stimulus && m_window == ResponseWindow::fromOnset);
 }
 
-/// The window may have opened since.
+/// The window may be open now and yet have been closed at this time.
 bool Session::windowIsOpenAt(std::int64_t time_ns) const {
     return windowIsOpen() && time_ns >= (m_window == ResponseWindow::fromOnset ? m_onset_ns : *m_end_ns);
 }

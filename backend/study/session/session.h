@@ -26,31 +26,35 @@ struct KeyPress {
 enum class Stage {
     ready,     ///< for the participant to ask for the next trial
     starting,  ///< for the stimulus to begin
-    stimulus,  ///< the stimulus runs
-    answering, ///< the stimulus is over, an answer may still come
+    stimulus,  ///< for the stimulus to end, or an answer
+    answering, ///< for an answer after the stimulus
     feedback,  ///< for the participant to have seen the right answer
-    paused,    ///< for the experimenter
+    paused,    ///< for something between trials, see SessionFlow
     finished,
     aborted,
 };
 
-/// One participant's session: practice, then test, of one task under one condition. The caller shows the
-/// stimulus and passes on what happens with its time on the steady clock; the session decides what it means.
-/// Whoever drives it takes each result and keeps it before the next trial may start.
-/// Answers count from the onset (or end, as the protocol says) until the limit, ends included, by the time of
-/// the press, also when it comes to be known later than the onset or end. Keys that repeat by themselves, and
-/// those that are still down from before, do not count; the others outside of the window are early presses. A
-/// trial that ends by a device fault or an abort is shown again at the end of its phase with attempt + 1.
-/// Thread: one. Times must not go back, but those of presses.
+/// The trials of one participant's session: practice, then test, of one task under one condition. The caller
+/// shows the stimulus and passes on what happens with its time on the steady clock; the session decides what
+/// it means. What happens between trials is SessionFlow's.
+/// Answers count from the onset (or the end, as the protocol says) until the limit, both ends included, by
+/// the time of the press, even when it is reported later. Repeats of a held key, and keys still down from
+/// before, do not count; other presses outside the window are early presses. A trial that ends by a device
+/// fault or an abort is shown again at the end of its phase with attempt + 1.
+/// Thread: one. Times must not go back, except those of presses.
 class Session {
 public:
-    /// done: results that were kept when this session was interrupted, in their order; the session goes on
-    /// behind them. Error: refused when they are not results of this plan.
+    /// done: the results that were kept before an interruption, in their order; the session resumes after them.
+    /// Error: refused when they are not results of this plan.
     [[nodiscard]] static core::Expected<Session> create(const Protocol& protocol, const PlannedSession& plan,
                                                         std::span<const TrialResult> done,
                                                         std::int64_t now_ns);
 
     [[nodiscard]] Stage stage() const { return m_stage; }
+    /// A trial is being shown.
+    [[nodiscard]] bool isRunning() const {
+        return m_stage == Stage::starting || m_stage == Stage::stimulus || m_stage == Stage::answering;
+    }
 
     /// The trial that is shown or comes next; nullptr when the session is over.
     [[nodiscard]] const PlannedTrial* current() const { return m_queue.empty() ? nullptr : &m_queue.front(); }
@@ -60,44 +64,43 @@ public:
         return phase == Phase::practice ? m_practice : m_test;
     }
 
-    /// When the time to answer is over; empty while it does not run.
+    /// When the time to answer ends; empty while it does not run.
     [[nodiscard]] std::optional<std::int64_t> deadline_ns() const;
 
-    /// How often the stimulus of the trial that runs may still be felt again.
+    /// Replays of the stimulus that are left in the running trial.
     [[nodiscard]] std::size_t replaysLeft() const {
         return isRunning() && m_trial.replays < m_replays ? m_replays - m_trial.replays : 0;
     }
 
-    /// The participant asks for the next trial. False, and nothing happens, unless ready with no result that
-    /// waits to be taken.
+    /// Starts the next trial. False, and nothing happens, unless ready and the last result has been taken.
     [[nodiscard]] bool startTrial(std::int64_t time_ns);
 
-    /// due_ns: when the stimulus will end by itself, from which the time of an answer before its end is told;
-    /// empty: as late as the protocol lets it.
+    /// due_ns: when the stimulus will end by itself, the reference for answers given before that; empty: after
+    /// the protocol's stimulus time.
     void stimulusStarted(std::int64_t time_ns, std::optional<std::int64_t> due_ns = {});
     void stimulusEnded(std::int64_t time_ns);
 
-    /// The participant wants to feel the stimulus again: back to starting. False when the protocol does not
-    /// allow another one or there was none yet.
+    /// The participant wants to feel the stimulus again: back to starting. False unless it has ended and the
+    /// protocol allows another replay.
     [[nodiscard]] bool replay(std::int64_t time_ns);
 
     void press(const KeyPress& press);
     void release(const std::string& device, const std::string& key);
 
-    /// Lets the limit pass. Input events up to this time must have been passed on before.
+    /// Times the trial out if its limit has passed. All input up to this time must have been passed on.
     void advance(std::int64_t time_ns);
 
-    /// The device did not show the stimulus as it should.
+    /// The device did not show the stimulus properly.
     void deviceFailed(std::int64_t time_ns);
 
     /// Ends the feedback.
     void feedbackSeen();
 
-    /// Between trials only; false otherwise.
+    /// Only between trials; false otherwise.
     [[nodiscard]] bool pause();
     void goOn();
 
-    /// Ends the session; a trial that runs is aborted.
+    /// Ends the session; a running trial is aborted.
     void abort(std::int64_t time_ns);
 
     /// The result of the trial that has just ended, once.
@@ -106,7 +109,6 @@ public:
 private:
     Session(const Protocol& protocol, const PlannedSession& plan, std::int64_t now_ns);
 
-    [[nodiscard]] bool isRunning() const;
     [[nodiscard]] bool windowIsOpen() const;
     [[nodiscard]] bool windowIsOpenAt(std::int64_t time_ns) const;
     void complete(Outcome outcome, std::int64_t time_ns);

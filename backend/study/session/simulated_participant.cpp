@@ -29,6 +29,12 @@ ConfusionMatrix matrixOf(const Counts& counts) {
 
 } // namespace
 
+std::uint64_t answerSeed(std::uint64_t sessionSeed, const PlannedTrial& trial) {
+    const std::uint64_t part =
+        (trial.trial << 16U) + (trial.attempt << 1U) + (trial.phase == Phase::test ? 1 : 0);
+    return derivedSeed(derivedSeed(sessionSeed, kSeedOfAnswers), part);
+}
+
 SimulatedParticipant::Answer SimulatedParticipant::answer(std::size_t stimulus, std::uint64_t seed) const {
     Answer answer{std::nullopt, time_s(seed)};
     if (!isLapse(seed))
@@ -58,7 +64,7 @@ std::size_t SimulatedParticipant::response(std::size_t stimulus, std::uint64_t s
         return static_cast<std::size_t>(choice * static_cast<double>(matrix->patterns()));
     auto left = static_cast<std::int64_t>(choice * static_cast<double>(total));
     std::size_t column = 0;
-    // An answer that is none, the last column, is a lapse's; the matrix is asked for the others only.
+    // Lapses are drawn elsewhere: the last column (no answer) is left out.
     while (column + 1 < matrix->patterns() && left >= matrix->count(stimulus, column)) {
         left -= matrix->count(stimulus, column);
         ++column;

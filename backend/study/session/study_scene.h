@@ -13,9 +13,9 @@
 
 namespace teleta::study {
 
-/// A scene that is no tactile world but a study: simulated participants with a bracelet. What is not listed
-/// among its effects is not simulated: who is not confused answers right, who has no reaction time answers
-/// when the stimulus ends, a bracelet without effects does at once what it is told.
+/// A scene that describes a study: simulated participants with a bracelet. Only listed effects are simulated:
+/// without confusion answers are right, without a reaction time they come when the stimulus ends, and a
+/// bracelet without effects follows its commands at once.
 struct StudyScene {
     std::string name;
     std::string description;
@@ -36,8 +36,8 @@ struct StudyScene {
         double fall_s = 0.0; ///< from a speed to 10 % of it
     };
     std::optional<MotorLag> motorLag;
-    std::optional<double> deadZone;      ///< share of the full drive below which a motor stands
-    std::optional<double> droppedFrames; ///< share of the frames that do not arrive
+    std::optional<double> deadZone;      ///< share of the full drive below which a motor does not turn
+    std::optional<double> droppedFrames; ///< share of frames that are lost
 
     struct Effect {
         std::string name;
@@ -45,19 +45,19 @@ struct StudyScene {
     };
     std::vector<Effect> effects; ///< in the order of the file
 
-    /// The same scene without one of its effects; one that it does not list changes nothing.
+    /// The same scene without one of its effects; unlisted effects change nothing.
     [[nodiscard]] StudyScene without(const std::string& effect) const;
 
-    /// As the effects say. Thread: any.
+    /// According to the effects. Thread: any.
     [[nodiscard]] SimulatedParticipant participantFor(const StudyTask& task,
                                                       const std::string& condition) const;
 };
 
-/// Whether a scene file is one of a study: it has a table [study]. What cannot be read is none.
+/// Whether a scene file describes a study, that is, has a table [study]; false for unreadable text.
 [[nodiscard]] bool isStudyScene(std::string_view text);
 
-/// Reads such a scene. file: the name that errors show; a protocol is looked for beside it, "paper" is the
-/// paper's. Error: badInput with line and column; what readProtocol() reports. Thread: any.
+/// Reads such a scene. file: name for errors, and base of the protocol's path; "paper" is the paper's
+/// protocol. Error: badInput with line and column; what readProtocol() reports. Thread: any.
 [[nodiscard]] core::Expected<StudyScene> parseStudyScene(std::string_view text, const std::string& file);
 
 } // namespace teleta::study

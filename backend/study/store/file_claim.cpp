@@ -15,7 +15,7 @@ namespace teleta::study {
 
 namespace {
 
-/// The whole file, for this opening of it: closing another one in the same program does not free it.
+/// An open file description lock: closing another descriptor of the file in this program does not release it.
 struct flock wholeFile() {
     struct flock lock = {};
     lock.l_type = F_WRLCK;
@@ -23,8 +23,8 @@ struct flock wholeFile() {
     return lock;
 }
 
-/// The last holder may have removed the file between its opening and its locking; then this lock is of
-/// nothing that others can find.
+/// The last holder may have removed the file between open and lock; then nobody else can find the locked
+/// file.
 bool isStillThere(int descriptor, const std::string& path) {
     struct stat opened = {};
     struct stat named = {};
@@ -54,7 +54,7 @@ core::Expected<std::unique_ptr<FileClaim>> FileClaim::take(const std::string& pa
     } while (!isStillThere(descriptor, path));
     std::unique_ptr<FileClaim> claim(new FileClaim(descriptor, path));
     const auto length = static_cast<ssize_t>(holder.size());
-    // The lock counts, not the name: a full disk is no reason to refuse it.
+    // Only the lock matters, not the name: a full disk is no reason to fail.
     if (ftruncate(descriptor, 0) == 0 && pwrite(descriptor, holder.data(), holder.size(), 0) != length)
         (void)!ftruncate(descriptor, 0);
     return claim;
@@ -82,7 +82,7 @@ void FileClaim::removeUnheld(const std::string& folder, const char* namePattern)
 }
 
 FileClaim::~FileClaim() {
-    // While it is still held: nobody else can have it then.
+    // While still locked, so that nobody else can hold it.
     ::unlink(m_path.c_str());
     ::close(m_descriptor);
 }

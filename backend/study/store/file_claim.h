@@ -10,18 +10,18 @@
 
 namespace teleta::study {
 
-/// A file that one program at a time holds, by a lock of the kernel: whatever ends the program, at whatever
-/// instant, ends the hold. The file names its holder and goes with the hold; what a killed program left
-/// behind goes with the next one, or by removeUnheld(). Thread: any.
+/// A lock file that one program at a time holds, by a kernel lock: the lock ends with the program, however it
+/// ends. The file names its holder and is removed with the lock; the file of a killed program is removed by
+/// the next holder or by removeUnheld(). Thread: any.
 class FileClaim {
 public:
-    /// Empty when somebody has it, this program too. holder: written into the file. Error: ioFailed.
+    /// Empty when somebody holds it, even this program. holder: written into the file. Error: ioFailed.
     [[nodiscard]] static core::Expected<std::unique_ptr<FileClaim>> take(const std::string& path,
                                                                          const std::string& holder);
-    /// What its holder wrote into the file; empty when nobody holds it.
+    /// The text of its holder; empty when nobody holds it.
     [[nodiscard]] static std::optional<std::string> holderOf(const std::string& path);
 
-    /// Removes the files of a folder whose names fit and that nobody holds.
+    /// Removes the matching files of a folder that nobody holds.
     static void removeUnheld(const std::string& folder, const char* namePattern);
 
     ~FileClaim();

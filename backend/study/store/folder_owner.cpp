@@ -30,11 +30,11 @@ core::Expected<void> checkFolderOwner(const std::string& folder, const StudyHead
     const auto refused = [&](const QString& message) {
         return core::Unexpected(core::Error{core::ErrorKind::refused,
                                             message.toStdString(),
-                                            OwnerText::tr("a folder of its own for each study").toStdString(),
+                                            OwnerText::tr("a separate folder for each study").toStdString(),
                                             {folder}});
     };
     if (QFile::exists(QDir(QString::fromStdString(folder)).filePath(QStringLiteral("study.sqlite"))))
-        return refused(OwnerText::tr("this folder has a study that is kept in it"));
+        return refused(OwnerText::tr("this folder already contains a study"));
     QFile mark(markOf(folder));
     if (!mark.exists())
         return {};
@@ -48,14 +48,14 @@ core::Expected<void> checkFolderOwner(const std::string& folder, const StudyHead
         const ordered_json json = ordered_json::parse(mark.readAll().toStdString());
         if (json.at("created_utc").get<std::string>() != timeText(head.created).toStdString() ||
             json.at("seed").get<std::string>() != std::to_string(head.seed))
-            return refused(OwnerText::tr("this folder is that of another study, on %1")
+            return refused(OwnerText::tr("this folder belongs to another study, on %1")
                                .arg(QString::fromStdString(json.at("server").get<std::string>())));
     } catch (const ordered_json::exception&) {
-        return core::Unexpected(
-            core::Error{core::ErrorKind::badInput,
-                        OwnerText::tr("this does not say which study the folder is for").toStdString(),
-                        OwnerText::tr("server, created_utc and seed of a study").toStdString(),
-                        {mark.fileName().toStdString()}});
+        return core::Unexpected(core::Error{
+            core::ErrorKind::badInput,
+            OwnerText::tr("the file does not say which study the folder belongs to").toStdString(),
+            OwnerText::tr("server, created_utc and seed of a study").toStdString(),
+            {mark.fileName().toStdString()}});
     }
     return {};
 }

@@ -8,15 +8,15 @@
 
 namespace teleta::study {
 
-/// A study on a server has its exports and waiting trials in a folder, where server-study.json says whose
-/// they are: two studies in one folder would overwrite each other. A study is known by its time and seed, so
-/// that it may be reached under several addresses.
+/// A study on a server keeps its exports and pending trials in a local folder; server-study.json in it names
+/// the owner, because two studies in one folder would overwrite each other. A study is identified by its time
+/// of creation and seed, since it may be reached under several addresses.
 
-/// Error: refused when the folder has a study of its own or that of another server; badInput when the mark is
-/// damaged; ioFailed. A folder that is not there, or has no mark, is free. Thread: any.
+/// Error: refused when the folder contains a local study or belongs to another one; badInput when the file is
+/// damaged; ioFailed. A missing folder, or one without the file, is free. Thread: any.
 [[nodiscard]] core::Expected<void> checkFolderOwner(const std::string& folder, const StudyHead& head);
 
-/// Checks it, makes it and leaves the mark. shownName: the server, for people. Error: the same.
+/// Checks the folder, creates it and writes the file. shownName: the server, for people. Error: the same.
 [[nodiscard]] core::Expected<void> ownFolder(const std::string& folder, const StudyHead& head,
                                              const std::string& shownName);
 

@@ -28,7 +28,7 @@ struct ConnectionText {
 
 constexpr int kWaitForOthers_ms = 10'000;
 constexpr int kWaitForServer_s = 5;
-/// How often a lock is asked for, 0.1 s apart, while the server ends a connection of before.
+/// Attempts to take a lock, 0.1 s apart, while the server ends the previous connection.
 constexpr int kTriesForOrphans = 20;
 constexpr QLatin1String kTryLock("SELECT pg_try_advisory_lock(hashtext(?), ?)");
 constexpr QLatin1String kOwnBackend("SELECT pid, (extract(epoch FROM backend_start) * 1000000)::bigint "
@@ -48,14 +48,14 @@ bool hasLog(const QString& file) {
     return QFileInfo(file + QStringLiteral("-wal")).size() > 0;
 }
 
-/// A value as libpq reads it, also with blanks and quotes.
+/// A value quoted for libpq.
 QString quotedForServer(QString value) {
     value.replace(QLatin1Char('\\'), QStringLiteral("\\\\"))
         .replace(QLatin1Char('\''), QStringLiteral("\\'"));
     return QLatin1Char('\'') + value + QLatin1Char('\'');
 }
 
-/// Options that go through to libpq as they are.
+/// Options that are passed on to libpq.
 const QStringList& passedOptions() {
     static const QStringList kOptions{QStringLiteral("sslmode"), QStringLiteral("sslrootcert"),
                                       QStringLiteral("sslcert"), QStringLiteral("sslkey")};
@@ -82,7 +82,7 @@ StudyConnection::StudyConnection(StoreLocation location)
 }
 
 StudyConnection::~StudyConnection() {
-    // The server notices the end of a connection a little later.
+    // The server notices the end of a connection with a delay.
     for (const long long key : std::set<long long>(m_locks))
         unlock(key);
     leaveFile();
@@ -100,7 +100,7 @@ core::Expected<void> StudyConnection::configureServer() {
             core::ErrorKind::badInput, message.toStdString(), expected.toStdString(), {m_shownName}});
     };
     if (!url.isValid() || !isPostgres)
-        return badUrl(ConnectionText::tr("this is no address of a PostgreSQL server"),
+        return badUrl(ConnectionText::tr("this is not the address of a PostgreSQL server"),
                       QStringLiteral("postgresql://user@host/database?study=name"));
     QStringList options{QStringLiteral("connect_timeout=%1").arg(kWaitForServer_s),
                         QStringLiteral("tcp_user_timeout=%1").arg(kWaitForOthers_ms),
@@ -122,7 +122,7 @@ core::Expected<void> StudyConnection::configureServer() {
                               ConnectionText::tr("a whole number from 1 to 65535"));
             m_database.setPort(port);
         } else if (passedOptions().contains(key)) {
-            // Qt separates the options by it.
+            // Qt separates options by semicolons.
             if (value.contains(QLatin1Char(';')))
                 return badUrl(ConnectionText::tr("the option \"%1\" of the address has a semicolon").arg(key),
                               ConnectionText::tr("a value without semicolons"));
@@ -134,7 +134,7 @@ core::Expected<void> StudyConnection::configureServer() {
     static const QRegularExpression kName(QStringLiteral("^[a-z_][a-z0-9_]{0,62}$"));
     if (!kName.match(m_schema).hasMatch())
         return badUrl(ConnectionText::tr("\"%1\" cannot name a study on a server").arg(m_schema),
-                      ConnectionText::tr("small letters, digits and _, not a digit first"));
+                      ConnectionText::tr("lower-case letters, digits and _, no digit first"));
     m_database.setDatabaseName(url.path(QUrl::FullyDecoded).mid(1));
     m_database.setUserName(url.userName(QUrl::FullyDecoded));
     m_database.setPassword(url.password(QUrl::FullyDecoded));
@@ -175,8 +175,7 @@ core::Expected<void> StudyConnection::configureFile(Purpose purpose) {
     m_isReadOnly = purpose == Purpose::read;
     if (m_isReadOnly) {
         options += QStringLiteral(";QSQLITE_OPEN_READONLY");
-        // SQLite would have to make the files of the log, empty as they are; nobody can change the study
-        // here.
+        // Otherwise SQLite would need to create the (empty) log files; nobody can change the study here.
         if (!canBeWritten(m_location.folder) && !hasLog(file)) {
             m_database.setDatabaseName(QString::fromLatin1(QUrl::fromLocalFile(file).toEncoded()) +
                                        QStringLiteral("?immutable=1"));
@@ -187,40 +186,40 @@ core::Expected<void> StudyConnection::configureFile(Purpose purpose) {
     return {};
 }
 
-/// The schema of a study that is only looked at.
+/// The schema of a read-only study.
 core::Expected<void> StudyConnection::readFile() {
     QSqlQuery query(m_database);
     const bool isRead = query.exec(QStringLiteral("PRAGMA user_version")) && query.next();
     const bool canWrite = canBeWritten(m_location.folder);
     const int schema = isRead ? query.value(0).toInt() : 0;
     query.finish();
-    // SQLite cannot always read a log that it may not write.
+    // SQLite cannot always read a log that it cannot write.
     if (canWrite && (!isRead || (schema >= 0 && schema < currentSchema()))) {
         m_database.close();
         return open(Purpose::open);
     }
     if (!isRead && hasLog(QString::fromStdString(m_shownName)))
-        return core::Unexpected(core::Error{
-            core::ErrorKind::ioFailed,
-            ConnectionText::tr("the program that ran this study was interrupted, and its last trials are in "
-                               "%1, which can only be read where something can be written")
-                .arg(QStringLiteral("study.sqlite-wal"))
-                .toStdString(),
-            ConnectionText::tr("a copy of the whole folder in a place that can be written").toStdString(),
-            {m_shownName}});
+        return core::Unexpected(
+            core::Error{core::ErrorKind::ioFailed,
+                        ConnectionText::tr("the program that ran this study was interrupted; its last trials "
+                                           "are in %1, which can be read only in a writable folder")
+                            .arg(QStringLiteral("study.sqlite-wal"))
+                            .toStdString(),
+                        ConnectionText::tr("a copy of the whole folder in a writable place").toStdString(),
+                        {m_shownName}});
     if (!isRead)
         return failed(ConnectionText::tr("cannot read the study: %1"), query.lastError());
     if (schema >= 0 && schema < currentSchema())
         return core::Unexpected(core::Error{
             core::ErrorKind::refused,
-            ConnectionText::tr("an older program made this study, and it cannot be brought up to date here")
+            ConnectionText::tr("this study was made by an older program and cannot be upgraded here")
                 .toStdString(),
-            ConnectionText::tr("a copy of the whole folder in a place that can be written").toStdString(),
+            ConnectionText::tr("a copy of the whole folder in a writable place").toStdString(),
             {m_shownName}});
     return migrateSchema(m_database, m_shownName, [this](const QSqlError& error) { return kindOf(error); });
 }
 
-/// Without its log the file can be read everywhere. While somebody else has it open the log stays.
+/// Without a log the file can be read everywhere. The log stays while somebody else has the file open.
 void StudyConnection::leaveFile() {
     if (isServer() || m_isReadOnly || !m_database.isOpen())
         return;
@@ -232,8 +231,8 @@ void StudyConnection::leaveFile() {
 core::Expected<void> StudyConnection::connect() {
     if (!m_database.open())
         return failed(ConnectionText::tr("cannot open the study: %1"), m_database.lastError());
-    // The server looks whether this station is still there, so that its participants do not stay taken for
-    // hours after its power or its network has gone. Older servers lack the limit of unanswered data.
+    // Keep-alives, so that participants do not stay locked for hours after this station has lost power or
+    // network. Older servers lack tcp_user_timeout.
     const auto settings =
         isServer()     ? QStringList{QStringLiteral("SET client_min_messages = error"),
                                  QStringLiteral("SET synchronous_commit = on"),
@@ -273,10 +272,10 @@ core::Expected<void> StudyConnection::chooseSchema(Purpose purpose) {
             return core::Unexpected(
                 core::Error{core::ErrorKind::notFound,
                             ConnectionText::tr("the server has no study \"%1\"").arg(m_schema).toStdString(),
-                            ConnectionText::tr("the name of a study that was begun there").toStdString(),
+                            ConnectionText::tr("the name of a study on that server").toStdString(),
                             {m_shownName}});
         const auto made = execute(QStringLiteral("CREATE SCHEMA IF NOT EXISTS %1").arg(m_schema), {});
-        // Another station may make it at the same moment.
+        // Another station may create it at the same moment.
         if (!made && made.error().kind != core::ErrorKind::refused)
             return core::Unexpected(made.error());
     }
@@ -294,20 +293,20 @@ core::Expected<void> StudyConnection::reconnect() {
     ++m_reconnections;
     core::Expected<void> back =
         connect().and_then([&] { return chooseSchema(Purpose::open); }).and_then([&] { return lockAgain(); });
-    // Closed, so that the next statement chooses the schema and asks for the locks once more.
+    // Closed, so that the next statement selects the schema and takes the locks again.
     if (!back)
         m_database.close();
     return back;
 }
 
-/// Where a cable was pulled the server goes on with the connection that broke, and with its locks.
+/// After a network failure the server may keep the broken connection and its locks.
 core::Expected<bool> StudyConnection::endOrphans() {
     std::vector<Backend> left;
     for (const Backend& orphan : m_orphans) {
         auto query = execute(kEndBackend, {orphan.pid, orphan.began_us});
         if (!query && query.error().kind == core::ErrorKind::unavailable)
             return core::Unexpected(query.error());
-        // One that may not be ended may be there still.
+        // One that this user may not end may still exist.
         if (!query || query->next())
             left.push_back(orphan);
     }
@@ -330,14 +329,14 @@ core::Expected<void> StudyConnection::lockAgain() {
                 break;
             if (!*orphaned)
                 return refused(
-                    ConnectionText::tr("another station went on with this participant while the server "
-                                       "was away"),
+                    ConnectionText::tr(
+                        "another station took over this participant while the server was unreachable"),
                     ConnectionText::tr("one session of a participant at a time"));
             if (++tries > kTriesForOrphans)
                 return core::Unexpected(core::Error{
                     core::ErrorKind::unavailable,
-                    ConnectionText::tr("the server still has the connection that broke, and with it this "
-                                       "participant")
+                    ConnectionText::tr(
+                        "the server still holds the broken connection, and with it this participant")
                         .toStdString(),
                     ConnectionText::tr("another try in a moment").toStdString(),
                     {m_shownName}});
@@ -405,7 +404,7 @@ core::Expected<bool> StudyConnection::lock(long long key) {
 }
 
 void StudyConnection::unlock(long long key) {
-    // Without a connection there is no lock any more.
+    // Without a connection there are no locks.
     if (m_locks.erase(key) > 0)
         (void)execute(QStringLiteral("SELECT pg_advisory_unlock(hashtext(?), ?)"), {m_schema, key});
 }
@@ -429,7 +428,7 @@ core::Expected<std::string> StudyConnection::lockedBy(long long key) {
 
 core::ErrorKind StudyConnection::kindOf(const QSqlError& error) const {
     if (isServer()) {
-        // Codes of the SQL standard; there is none when the connection broke or was never there.
+        // SQLSTATE codes; none when the connection broke or never existed.
         const QString code = error.nativeErrorCode();
         if (code.startsWith(QStringLiteral("23")) || code == QStringLiteral("42P06"))
             return core::ErrorKind::refused;
@@ -437,7 +436,7 @@ core::ErrorKind StudyConnection::kindOf(const QSqlError& error) const {
                             code.startsWith(QStringLiteral("57P")) || code == QStringLiteral("53300");
         return isAway ? core::ErrorKind::unavailable : core::ErrorKind::ioFailed;
     }
-    // SQLite's primary code says whose fault it is; extended codes have it in their low byte.
+    // The low byte of SQLite's extended codes is the primary code.
     constexpr int kCorrupt = 11;
     constexpr int kConstraint = 19;
     constexpr int kNotADatabase = 26;
@@ -451,15 +450,14 @@ core::Unexpected StudyConnection::failed(const QString& what, const QSqlError& e
     QString reason = error.databaseText().isEmpty() ? error.driverText() : error.databaseText().simplified();
     constexpr int kReadOnly = 8;
     if (!isServer() && (error.nativeErrorCode().toInt() & 0xFF) == kReadOnly)
-        reason = ConnectionText::tr("it cannot be written here, only be looked at");
+        reason = ConnectionText::tr("it is read-only here");
     return core::Unexpected(core::Error{kindOf(error), what.arg(reason).toStdString(), {}, {m_shownName}});
 }
 
 core::Unexpected StudyConnection::damaged() const {
     return core::Unexpected(core::Error{
         core::ErrorKind::badInput,
-        ConnectionText::tr(
-            "the study is damaged: a session or a trial has a number that its protocol does not have")
+        ConnectionText::tr("the study is damaged: a session or trial has a number outside its protocol")
             .toStdString(),
         {},
         {m_shownName}});

@@ -20,8 +20,8 @@ class QSqlError;
 
 namespace teleta::study {
 
-/// Where a study is kept: in study.sqlite of its folder, or on a PostgreSQL server, then with its exports in
-/// the folder.
+/// Where a study is stored: in study.sqlite in its folder, or on a PostgreSQL server with its exports in the
+/// folder.
 struct StoreLocation {
     StoreLocation(std::string studyFolder, std::string serverUrl = {}) // NOLINT: a folder is a location
         : folder(std::move(studyFolder))
@@ -29,18 +29,18 @@ struct StoreLocation {
 
     std::string folder;
     /// postgresql://[user[:password]@][host][:port][/database][?study=NAME&host=..&port=..&sslmode=..];
-    /// empty: SQLite. What the URL lacks comes from the PG* environment and ~/.pgpass. study: the schema that
-    /// the study is in, "study" unless given.
+    /// empty: SQLite. Missing parts come from the PG* environment and ~/.pgpass. study: the schema of the
+    /// study, "study" unless given.
     std::string server;
 };
 
-/// The address of a server as it may stand in messages, logs and reports: without any password. Thread: any.
+/// The address of a server for messages, logs and reports: without any password. Thread: any.
 [[nodiscard]] std::string shownServer(const std::string& url);
 
-/// A connection of Qt to the database of a study, SQLite or PostgreSQL, with what differs between them.
-/// SQLite: write-ahead log while somebody may write, synchronous FULL; the last one who leaves takes the log
-/// away, so that the file alone is the study and can be read where nothing can be written. PostgreSQL: a
-/// connection that was lost is opened again at the next statement. Thread: the one that made it.
+/// A connection to the database of a study; hides what differs between SQLite and PostgreSQL. SQLite:
+/// write-ahead log while somebody may write, synchronous FULL; the last connection to close removes the log,
+/// so that the file alone is the study and can be read on read-only media. PostgreSQL: a lost connection is
+/// reopened at the next statement. Thread: the one that made it.
 class StudyConnection {
 public:
     enum class Purpose {
@@ -54,19 +54,19 @@ public:
     StudyConnection(const StudyConnection&) = delete;
     StudyConnection& operator=(const StudyConnection&) = delete;
 
-    /// Connects and brings the schema up to date. Error: notFound where there is no study and none is made;
+    /// Connects and upgrades the schema. Error: notFound where there is no study and none is created;
     /// badInput, refused, ioFailed; unavailable when the server does not answer.
     [[nodiscard]] core::Expected<void> open(Purpose purpose);
 
-    /// Executes one statement. Outside of transactions a lost connection is opened again, once, and the
-    /// statement repeated: reconnections() tells. Error: refused for a constraint, badInput for a damaged
-    /// file, unavailable when the server is away, ioFailed.
+    /// Executes one statement. Outside of transactions a lost connection is reopened once and the statement
+    /// repeated: reconnections() counts that. Error: refused for a constraint, badInput for a damaged file,
+    /// unavailable when the server is away, ioFailed.
     [[nodiscard]] core::Expected<QSqlQuery> run(const QString& sql, const QVariantList& values = {});
 
-    /// All that the function does, or nothing of it.
+    /// Runs the function in a transaction, which is rolled back if it fails.
     [[nodiscard]] core::Expected<void> inTransaction(const std::function<core::Expected<void>()>& work);
 
-    /// Only to be looked at: opened to be read.
+    /// Opened for reading.
     [[nodiscard]] bool isReadOnly() const { return m_isReadOnly; }
     [[nodiscard]] bool isServer() const { return !m_location.server.empty(); }
     [[nodiscard]] std::size_t reconnections() const { return m_reconnections; }
@@ -74,20 +74,20 @@ public:
     /// The file, or the server without any password.
     [[nodiscard]] const std::string& shownName() const { return m_shownName; }
 
-    /// Server only: takes or gives back a lock of the session, which the server frees when the connection
-    /// ends. Taken locks are taken again after a reconnection, from what the server may still have of the
-    /// connection before, too; while that cannot be ended, every statement is unavailable, and while somebody
-    /// else has one of them, refused. False: it is taken.
+    /// Server only: takes or releases an advisory lock of the database session, which the server releases
+    /// when the connection ends. After a reconnection held locks are taken again, even from the remains of
+    /// the broken connection on the server; while these cannot be ended, every statement fails as
+    /// unavailable, and while somebody else has one of the locks, as refused. False: somebody else has it.
     [[nodiscard]] core::Expected<bool> lock(long long key);
     void unlock(long long key);
-    /// Server only: the name of the machine that has the lock; empty when nobody has it.
+    /// Server only: name of the machine that holds the lock; empty: nobody.
     [[nodiscard]] core::Expected<std::string> lockedBy(long long key);
 
     [[nodiscard]] core::Unexpected damaged() const;
     [[nodiscard]] core::Unexpected refused(const QString& message, const QString& expected) const;
 
 private:
-    /// A connection as the server has it; a number alone may be another one's later.
+    /// A connection on the server; a pid alone may be reused.
     struct Backend {
         long long pid = 0;
         long long began_us = 0; ///< since 1970 on the server's clock
@@ -100,7 +100,7 @@ private:
     void leaveFile();
     [[nodiscard]] core::Expected<void> chooseSchema(Purpose purpose);
     [[nodiscard]] core::Expected<void> reconnect();
-    /// True: the server still has some of the connections that broke.
+    /// True: the server still has some of the broken connections.
     [[nodiscard]] core::Expected<bool> endOrphans();
     [[nodiscard]] core::Expected<void> lockAgain();
     [[nodiscard]] core::Expected<QSqlQuery> execute(const QString& sql, const QVariantList& values);
@@ -114,7 +114,7 @@ private:
     QSqlDatabase m_database;
     std::set<long long> m_locks;
     std::optional<Backend> m_backend; ///< server only
-    std::vector<Backend> m_orphans;   ///< server only: those that broke and may still be there
+    std::vector<Backend> m_orphans;   ///< server only: broken ones that may still exist
     std::size_t m_reconnections = 0;
     bool m_inTransaction = false;
     bool m_isReadOnly = false;

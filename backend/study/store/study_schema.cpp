@@ -18,8 +18,8 @@ struct SchemaText {
     Q_DECLARE_TR_FUNCTIONS(StudySchema)
 };
 
-/// Step i leads from schema i to schema i + 1. AUTOKEY and FLOAT stand for what the two databases call a key
-/// that counts by itself and a double.
+/// Step i leads from schema i to schema i + 1. AUTOKEY and FLOAT stand for an auto-incremented key and a
+/// double in either database.
 const std::vector<QStringList>& steps() {
     static const std::vector<QStringList> kSteps = {
         {QStringLiteral(
@@ -45,7 +45,7 @@ const std::vector<QStringList>& steps() {
              "device_latency_ms FLOAT, device_faults INTEGER NOT NULL, time_utc TEXT NOT NULL, "
              "UNIQUE (session, phase, trial, attempt), UNIQUE (session, phase, trial_in_block))")},
         {QStringLiteral("ALTER TABLE study ADD COLUMN stimulus_set_sha256 TEXT NOT NULL DEFAULT ''")},
-        // Those of a participant as a whole have no session, and NULLs are not the same to UNIQUE.
+        // Answers of a participant as a whole have no session, and UNIQUE treats NULLs as different.
         {QStringLiteral("CREATE TABLE answer (key AUTOKEY, "
                         "participant INTEGER NOT NULL REFERENCES participant (key), "
                         "session INTEGER REFERENCES session (key), questionnaire TEXT NOT NULL, "
@@ -89,11 +89,11 @@ public:
     Migration(const Migration&) = delete;
     Migration& operator=(const Migration&) = delete;
 
-    /// The schema of the database; empty when it cannot be told.
+    /// The schema of the database; empty when it cannot be read.
     std::optional<int> begin() {
         const bool server = isServer(m_database);
         m_begun = m_query.exec(server ? QStringLiteral("BEGIN") : QStringLiteral("BEGIN IMMEDIATE"));
-        // Any number does that all versions of the program use.
+        // Any number that all versions of the program share.
         const bool ready =
             m_begun &&
             (!server ||
@@ -158,7 +158,7 @@ core::Expected<void> migrateSchema(QSqlDatabase& database, const std::string& na
         return {};
     };
     if (!isServer(database)) {
-        // Most often there is nothing to do, and then nobody has to wait.
+        // Usually there is nothing to do, and nobody has to wait.
         QSqlQuery query(database);
         if (query.exec(QStringLiteral("PRAGMA user_version")) && query.next()) {
             const int found = query.value(0).toInt();

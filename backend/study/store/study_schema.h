@@ -12,12 +12,12 @@
 
 namespace teleta::study {
 
-/// The schema that this program writes.
+/// Schema version of this program.
 [[nodiscard]] int currentSchema();
 
-/// Brings a database, SQLite or PostgreSQL, from its schema (0: empty) to the current one in one transaction;
-/// of several programs that do it at once, one does. name: for errors. Error: refused when it is newer,
-/// badInput when another program made it, else what kindOf says. Thread: that of the connection.
+/// Upgrades a database, SQLite or PostgreSQL, from its schema (0: empty) to the current one in one
+/// transaction; if several programs try at once, one does it. name: for errors. Error: refused when it is
+/// newer, badInput when another program made it, otherwise as kindOf says. Thread: that of the connection.
 [[nodiscard]] core::Expected<void>
 migrateSchema(QSqlDatabase& database, const std::string& name,
               const std::function<core::ErrorKind(const QSqlError&)>& kindOf);

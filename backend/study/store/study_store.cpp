@@ -83,11 +83,11 @@ const std::string& StudyStore::shownName() const {
 }
 
 core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, const StudyHead& head) {
-    // What cannot be felt makes no study.
+    // A study needs a pattern for every stimulus.
     const core::Expected<std::vector<OwnStimulus>> own = readOwnStimuli(head.protocol);
     if (!own)
         return core::Unexpected(own.error());
-    // A server refuses a bad address before anything is made here.
+    // A bad server address fails before anything is created here.
     const bool isOnServer = !location.server.empty();
     if (const core::Expected<void> free =
             isOnServer ? checkFolderOwner(location.folder, head) : core::Expected<void>();
@@ -103,7 +103,7 @@ core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, con
     StudyConnection& connection = *store.m_connection;
     if (const core::Expected<void> opened = connection.open(StudyConnection::Purpose::create); !opened)
         return core::Unexpected(opened.error());
-    // The row is unique, so that of two programs that make the same study only one does.
+    // The row is unique: of two programs that create the same study only one succeeds.
     const core::Expected<void> made = connection.inTransaction([&]() -> core::Expected<void> {
         const auto row =
             connection.run(QStringLiteral("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)"),
@@ -125,10 +125,10 @@ core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, con
     });
     if (!made && made.error().kind == core::ErrorKind::refused)
         return connection.isServer()
-                   ? connection.refused(StoreText::tr("there is a study of this name already"),
-                                        StoreText::tr("a new name, or to go on with the study"))
-                   : connection.refused(StoreText::tr("there is a study in this folder already"),
-                                        StoreText::tr("a new folder, or to go on with the study"));
+                   ? connection.refused(StoreText::tr("a study of this name already exists"),
+                                        StoreText::tr("a new name, or to continue the study"))
+                   : connection.refused(StoreText::tr("this folder already contains a study"),
+                                        StoreText::tr("a new folder, or to continue the study"));
     if (!made)
         return core::Unexpected(made.error());
     if (const core::Expected<void> read = store.readHead().and_then([&] { return store.ownFolder(); }); !read)
@@ -183,7 +183,7 @@ core::Expected<void> StudyStore::readHead() {
     if (!query->next())
         return core::Unexpected(
             core::Error{core::ErrorKind::badInput,
-                        StoreText::tr("the study was never completely made").toStdString(),
+                        StoreText::tr("the study was not created completely").toStdString(),
                         {},
                         {m_connection->shownName()}});
     core::Expected<Protocol> protocol =
@@ -215,14 +215,14 @@ core::Expected<void> StudyStore::readHead() {
 
 core::Expected<Participant> StudyStore::enrol(const std::string& id) {
     const QString text = QString::fromStdString(id);
-    // Files have these words for no value and for all participants.
+    // Exports use these words for missing values and for all participants.
     static const QStringList kReserved{QStringLiteral("NA"), QStringLiteral("n/a"), QStringLiteral("NONE"),
                                        QStringLiteral("GROUP")};
     const bool isReserved = kReserved.contains(text);
     if (text.trimmed().isEmpty() || text.size() > kLongestId || isReserved)
         return m_connection->refused(
             StoreText::tr("\"%1\" cannot name a participant").arg(text.left(kLongestId)),
-            isReserved ? StoreText::tr("another name: files have %1 for no value or for all participants")
+            isReserved ? StoreText::tr("another name: in files, %1 means no value or all participants")
                              .arg(kReserved.join(QStringLiteral(", ")))
                        : StoreText::tr("a text of 1 to %1 characters").arg(kLongestId));
     // Two stations may read the same highest number; then one of them is refused and reads again.
@@ -242,10 +242,10 @@ core::Expected<Participant> StudyStore::enrol(const std::string& id) {
             return Participant{query->value(0).toLongLong(), id, count(query->value(1))};
         if (isThere)
             return m_connection->refused(
-                StoreText::tr("the participant \"%1\" is enrolled already").arg(text),
+                StoreText::tr("the participant \"%1\" is already enrolled").arg(text),
                 StoreText::tr("another name"));
     }
-    return m_connection->refused(StoreText::tr("other stations enrol participants all the time"),
+    return m_connection->refused(StoreText::tr("other stations keep enrolling participants"),
                                  StoreText::tr("to try again"));
 }
 
@@ -265,7 +265,7 @@ core::Expected<ParticipantClaim> StudyStore::claim(const Participant& participan
     auto hold = std::make_unique<ParticipantClaim::Hold>();
     const auto taken = [&](const std::string& who) {
         return m_connection->refused(
-            StoreText::tr("\"%1\" is in a session already, at %2")
+            StoreText::tr("\"%1\" is already in a session at %2")
                 .arg(QString::fromStdString(participant.id), QString::fromStdString(who)),
             StoreText::tr("one session of a participant at a time"));
     };
@@ -305,13 +305,13 @@ core::Expected<std::optional<std::string>> StudyStore::runner(const Participant&
 core::Expected<SessionRecord> StudyStore::beginSession(const Participant& participant, std::size_t planIndex,
                                                        const PlannedSession& plan, const QDateTime& now) {
     if (m_head.stimuliChanged().value_or(false))
-        return core::Unexpected(core::Error{
-            core::ErrorKind::refused,
-            StoreText::tr("the patterns are not those with which this study was begun").toStdString(),
-            StoreText::tr("version %1 of the program, or a new study")
-                .arg(QString::fromStdString(m_head.appVersion))
-                .toStdString(),
-            {shownName()}});
+        return core::Unexpected(
+            core::Error{core::ErrorKind::refused,
+                        StoreText::tr("the patterns have changed since this study was created").toStdString(),
+                        StoreText::tr("version %1 of the program, or a new study")
+                            .arg(QString::fromStdString(m_head.appVersion))
+                            .toStdString(),
+                        {shownName()}});
     const QString second = now.toUTC().toString(QStringLiteral("yyyyMMdd'T'HHmmss"));
     constexpr int kMostRefusals = 10;
     int refusals = 0;
@@ -333,8 +333,8 @@ core::Expected<SessionRecord> StudyStore::beginSession(const Participant& partic
             {participant.key, id, number(planIndex), QString::number(plan.seed)});
         if (made)
             continue; // the next round reads it
-        // Another station may just have begun this session or taken this name; the next round sees it. A
-        // refusal that nobody else explains comes back every time.
+        // Another station may just have begun this session or taken this name; the next round sees it. Any
+        // other refusal comes back every time.
         if (made.error().kind != core::ErrorKind::refused || ++refusals == kMostRefusals)
             return core::Unexpected(made.error());
     }

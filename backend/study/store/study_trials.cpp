@@ -16,7 +16,7 @@ struct TrialsText {
     Q_DECLARE_TR_FUNCTIONS(StudyStore)
 };
 
-/// What of a questionnaire's answers is kept.
+/// The stored form of a questionnaire's answers.
 enum class KeptAnswers { none, same, other };
 
 KeptAnswers compare(const std::vector<StoredAnswer>& all, const std::optional<SessionRecord>& session,
@@ -77,7 +77,7 @@ core::Expected<void> StudyStore::insertTrial(long long session, const StoredTria
          orNull(result.frameWrite_ms),
          orNull(result.framesMissed)});
     if (!kept && kept.error().kind == core::ErrorKind::refused)
-        return m_connection->refused(TrialsText::tr("this trial is kept already"),
+        return m_connection->refused(TrialsText::tr("this trial is already stored"),
                                      TrialsText::tr("each attempt of a trial once"));
     if (!kept)
         return core::Unexpected(kept.error());
@@ -90,8 +90,8 @@ core::Expected<void> StudyStore::keepTrial(const SessionRecord& session, const T
     return m_connection->isServer() ? keepOnServer(session, trial) : insertTrial(session.key, trial);
 }
 
-/// A server that goes away in a commit does not say whether it has the trial. Its onset and what was answered
-/// tell it from any other one; the UTC is that of whoever asked first.
+/// A server that is lost during a commit does not tell whether it has the trial. Onset and answer identify
+/// it; the UTC is that of the first attempt.
 core::Expected<void> StudyStore::insertUnlessKept(long long session, const StoredTrial& trial) {
     core::Expected<void> kept = insertTrial(session, trial);
     if (kept || kept.error().kind != core::ErrorKind::refused)
@@ -130,7 +130,7 @@ core::Expected<void> StudyStore::sendPending(long long session) {
             return core::Unexpected(
                 core::Error{core::ErrorKind::badInput,
                             TrialsText::tr("these trials belong to another study").toStdString(),
-                            TrialsText::tr("a folder of its own for each study").toStdString(),
+                            TrialsText::tr("a separate folder for each study").toStdString(),
                             {journal.path()}});
         if (const core::Expected<void> sent = insertUnlessKept(session, {trial.result, trial.time}); !sent)
             return sent;
@@ -143,13 +143,13 @@ core::Expected<void> StudyStore::keepOnServer(const SessionRecord& session, cons
     core::Expected<void> kept = sendPending(session.key);
     if (kept) {
         kept = insertTrial(session.key, trial);
-        // What was sent just before may have been this one.
+        // The last one sent may have been this one.
         const bool isUnsure = m_unsure || m_connection->reconnections() != reconnections;
         if (!kept && kept.error().kind == core::ErrorKind::refused && isUnsure)
             kept = insertUnlessKept(session.key, trial);
     }
     const bool isAway = !kept && kept.error().kind == core::ErrorKind::unavailable;
-    // Another error, between two tries, does not say it either.
+    // Another error, between two attempts, does not tell either.
     m_unsure = isAway || (m_unsure && !kept);
     if (!isAway)
         return kept;
@@ -166,7 +166,7 @@ core::Expected<void> StudyStore::keepOnServer(const SessionRecord& session, cons
             return safe;
     }
     core::Error error = kept.error();
-    error.message += ' ' + TrialsText::tr("The trial is safe in %1 and is sent when the server is back.")
+    error.message += ' ' + TrialsText::tr("The trial is safe in %1 and will be sent when the server is back.")
                                .arg(QString::fromStdString(journal.path()))
                                .toStdString();
     return core::Unexpected(std::move(error));
@@ -248,9 +248,8 @@ core::Expected<void> StudyStore::keepAnswers(const Participant& participant,
     if (const core::Expected<void> fit = checkAnswers(questionnaire, answers); !fit)
         return fit;
     if (isOfSession(questionnaire.when) != session.has_value())
-        return m_connection->refused(
-            TrialsText::tr("this questionnaire belongs to another place in the study"),
-            QString::fromLatin1(toString(questionnaire.when)));
+        return m_connection->refused(TrialsText::tr("this questionnaire belongs elsewhere in the study"),
+                                     QString::fromLatin1(toString(questionnaire.when)));
     const QVariant key = session ? QVariant(session->key) : QVariant(QMetaType(QMetaType::LongLong));
     const core::Expected<void> kept = m_connection->inTransaction([&]() -> core::Expected<void> {
         for (const ItemAnswer& answer : answers) {
@@ -267,7 +266,7 @@ core::Expected<void> StudyStore::keepAnswers(const Participant& participant,
     });
     if (kept || kept.error().kind != core::ErrorKind::refused)
         return kept;
-    // A server that goes away in a commit does not say whether it has them.
+    // A server that is lost during a commit does not tell whether it has them.
     const auto stored = this->answers(participant);
     if (!stored)
         return core::Unexpected(stored.error());
@@ -279,7 +278,7 @@ core::Expected<void> StudyStore::keepAnswers(const Participant& participant,
     case KeptAnswers::other:
         break;
     }
-    return m_connection->refused(TrialsText::tr("this questionnaire was answered already"),
+    return m_connection->refused(TrialsText::tr("this questionnaire has already been answered"),
                                  TrialsText::tr("each questionnaire once"));
 }
 

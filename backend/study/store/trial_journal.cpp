@@ -28,7 +28,7 @@ ordered_json jsonOrNull(const std::optional<Value>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
-/// A number that is counted: nothing below 0, no fraction.
+/// A count: not negative, no fraction.
 std::size_t countOf(const ordered_json& value) {
     if (!value.is_number_unsigned())
         throw std::out_of_range("not a count");
@@ -103,7 +103,7 @@ core::Unexpected journalFailed(const QString& message, const std::string& path) 
     return core::Unexpected(core::Error{core::ErrorKind::ioFailed, message.toStdString(), {}, {path}});
 }
 
-/// Makes a name in a folder as durable as the file that it names.
+/// Makes a directory entry as durable as its file.
 bool syncFolder(const QString& folder) {
     const int descriptor = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     const bool done = descriptor >= 0 && fsync(descriptor) == 0;
@@ -124,7 +124,7 @@ core::Expected<void> TrialJournal::append(const PendingTrial& trial) const {
     QFile file(QString::fromStdString(m_path));
     const QByteArray line = QByteArray::fromStdString(toJson(trial).dump() + '\n');
     const qint64 before_B = file.size();
-    // Without a buffer: what it held after a failed write would come behind the cut.
+    // Unbuffered: buffered data would be written after the truncation that follows a failed write.
     const bool done = file.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered) &&
                       file.write(line) == line.size() && fsync(file.handle()) == 0;
     if (done && syncFolder(QFileInfo(file).path()))
@@ -150,8 +150,8 @@ core::Expected<std::vector<PendingTrial>> TrialJournal::read() const {
             if (file.atEnd() && line.back() != '\n')
                 break;
             return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                                JournalText::tr("this is no trial").toStdString(),
-                                                JournalText::tr("a trial that was kept here").toStdString(),
+                                                JournalText::tr("this is not a trial").toStdString(),
+                                                JournalText::tr("a stored trial").toStdString(),
                                                 {m_path, number, 0}});
         }
     }

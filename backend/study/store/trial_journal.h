@@ -11,7 +11,7 @@
 
 namespace teleta::study {
 
-/// A trial that a server has not got yet.
+/// A trial that the server does not have yet.
 struct PendingTrial {
     long long sessionKey = 0;
     std::string sessionId;
@@ -19,24 +19,24 @@ struct PendingTrial {
     QDateTime time; ///< UTC of its end
 };
 
-/// Trials of one session that wait for their server, in a file pending-KEY.jsonl of the study's folder, one
-/// JSON object a line, so that they outlive the program. Thread: one; several processes use files of their
-/// own.
+/// Trials of one session that are waiting for their server, in a file pending-KEY.jsonl in the study's
+/// folder, one JSON object per line, so that they outlive the program. Thread: one; every process has its own
+/// files.
 class TrialJournal {
 public:
     TrialJournal(const std::string& folder, long long sessionKey);
 
     /// Safe on the disk when it returns. Error: ioFailed.
     [[nodiscard]] core::Expected<void> append(const PendingTrial& trial) const;
-    /// A last line that was cut off by a crash was never reported as safe and is left out. Error: ioFailed,
+    /// A last line that was cut off by a crash was never reported as safe and is ignored. Error: ioFailed,
     /// badInput with the line for any other damage.
     [[nodiscard]] core::Expected<std::vector<PendingTrial>> read() const;
-    /// When everything of it is on the server.
+    /// To be called when the server has all of it.
     [[nodiscard]] core::Expected<void> remove() const;
 
     [[nodiscard]] const std::string& path() const { return m_path; }
 
-    /// Keys of the sessions that have a file in a folder.
+    /// Keys of the sessions with a file in a folder.
     [[nodiscard]] static std::vector<long long> sessionsIn(const std::string& folder);
 
 private:

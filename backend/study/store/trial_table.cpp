@@ -30,7 +30,7 @@ TrialCell numberCell(const std::optional<Number>& value) {
     return value ? numberCell(*value) : TrialCell{};
 }
 
-/// Null where the protocol does not have them.
+/// Null if the protocol does not have them.
 std::pair<const Questionnaire*, const QuestionnaireItem*> itemOf(const Protocol& protocol,
                                                                  const StoredAnswer& answer) {
     for (const Questionnaire& questionnaire : protocol.questionnaires) {
@@ -50,15 +50,15 @@ std::string maskingNoise(const Protocol& protocol) {
     return protocol.noiseColour + '_' + std::string(core::NumberText(protocol.noise_dBA).view()) + "dBA";
 }
 
-/// What a spreadsheet would take for something else: a formula, or a number of which it keeps 15 digits. A
-/// number with a sign, a participant's answer for example, stays one.
+/// Whether a spreadsheet would misread the text: as a formula, or as a number, of which it keeps 15 digits. A
+/// number with a sign, such as a participant's answer, is left alone.
 bool needsGuard(std::string_view text) {
     constexpr std::ptrdiff_t kDigits = 15;
     double value = 0.0;
     const char* begin = text.data() + (text.front() == '+' ? 1 : 0);
     const char* end = text.data() + text.size();
     const auto [stop, code] = std::from_chars(begin, end, value);
-    // What is too large for a number in here is one with too many digits there.
+    // A number too large to be parsed here has too many digits there.
     const bool isNumber = stop == end && code != std::errc::invalid_argument;
     const auto digits = std::count_if(begin, end, [](char c) { return c >= '0' && c <= '9'; });
     if (isNumber && digits > 0)
@@ -85,7 +85,7 @@ std::string field(const TrialCell& cell, const TableFormat& format) {
             [&](char c) { return c == format.separator || c == '\n' || c == '\r'; }, ' ');
         return value;
     }
-    // A text that begins or ends with a blank is read back as it is only in quotes.
+    // Leading and trailing blanks survive only in quotes.
     const bool mustQuote = std::any_of(value.begin(), value.end(), isSpecial) || value.front() == ' ' ||
                            value.back() == ' ' || value.front() == '\t' || value.back() == '\t';
     if (!mustQuote)

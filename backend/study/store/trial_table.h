@@ -11,7 +11,7 @@
 
 namespace teleta::study {
 
-/// The columns of a trial table, as every export has them.
+/// The columns of a trial table in every export.
 inline constexpr std::array<std::string_view, 37> kTrialColumns{"schema",
                                                                 "participant_id",
                                                                 "session_id",
@@ -59,9 +59,8 @@ struct TrialCell {
 
 using TrialRow = std::vector<TrialCell>; ///< one a column
 
-/// The rows of a session, aborted trials and faults among them, in the order in which they were kept.
-/// Times are in s, positions and rows count from 1, `correct` is 1 or 0 and missing where a trial was not
-/// completed, the seed is text. Thread: any.
+/// The rows of a session, including aborted trials and faults, in the order of storing. Times in s, positions
+/// and rows from 1, `correct` 1 or 0 and missing for uncompleted trials, the seed as text. Thread: any.
 [[nodiscard]] std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& participant,
                                               const SessionRecord& session, const PlannedSession& plan,
                                               const std::vector<StoredTrial>& trials);
@@ -73,8 +72,8 @@ struct TableFormat {
     char decimal = '.';
     bool byteOrderMark = false;
     bool quotes = true; ///< as in RFC 4180; otherwise line ends and separators in a text become blanks
-    /// For programs that compute with what they open: a text that begins like a formula, and a number with
-    /// more digits than such a program keeps, has ' before it.
+    /// For spreadsheets: texts that look like formulas, and numbers with more digits than a spreadsheet
+    /// keeps, are prefixed with '.
     bool guarded = false;
 };
 
@@ -87,9 +86,9 @@ inline constexpr std::array<std::string_view, 15> kAnswerColumns{
     "schema", "participant_id", "session_id", "mode",   "task",        "condition", "questionnaire", "when",
     "item",   "kind",           "question",   "answer", "answer_text", "time_utc",  "app_version"};
 
-/// The answers of a participant in the order in which they were kept; session, task and condition are missing
-/// for those of the participant as a whole, answer and answer_text where an item was left out.
-/// answer_text has the words of a choice. Thread: any.
+/// The answers of a participant in the order of storing; session, task and condition are missing for those of
+/// the participant as a whole, answer and answer_text for items that were left out. answer_text is the text
+/// of a choice. Thread: any.
 [[nodiscard]] std::vector<TrialRow> answerRows(const StudyHead& head, const Participant& participant,
                                                const std::vector<SessionRecord>& sessions,
                                                const std::vector<StoredAnswer>& answers);
@@ -98,7 +97,7 @@ inline constexpr std::array<std::string_view, 15> kAnswerColumns{
 inline constexpr std::array<std::string_view, 9> kNoteColumns{
     "schema", "participant_id", "session_id", "mode", "task", "condition", "note", "time_utc", "app_version"};
 
-/// The notes of a session in the order in which they were written. Thread: any.
+/// The notes of a session in the order of writing. Thread: any.
 [[nodiscard]] std::vector<TrialRow> noteRows(const StudyHead& head, const Participant& participant,
                                              const SessionRecord& session, const PlannedSession& plan,
                                              const std::vector<StoredNote>& notes);

@@ -145,7 +145,7 @@ private slots:
         beginTrial();
         execute("ALTER TABLE trial RENAME TO hidden");
         press(Qt::Key_1);
-        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), console::StudyRunner::Hold::notKept, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), study::Hold::notKept, kPatience_ms);
         QVERIFY(!m_window->close());
         QVERIFY(question("notKept") != nullptr);
         choose("notKept", QMessageBox::RejectRole);
@@ -238,7 +238,7 @@ private slots:
         beginTrial();
         execute("ALTER TABLE trial RENAME TO hidden");
         press(Qt::Key_1);
-        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), console::StudyRunner::Hold::notKept, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), study::Hold::notKept, kPatience_ms);
         QVERIFY(!m_window->close());
         choose("notKept", QMessageBox::DestructiveRole);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);

@@ -187,7 +187,7 @@ TEST_F(OwnStimuliTest, noSessionGoesOnWithOtherPatternsThanTheStudyWasBegunWith)
     runSql(QStringLiteral("UPDATE study SET stimulus_set_sha256 = 'other', app_version = '0.7.1'"));
     std::optional<StudyStore> store = std::move(StudyStore::open(study()).value());
     EXPECT_EQ(store->head().stimuliChanged(), true);
-    const auto refused = rehearse(*store, [](std::size_t) { return true; });
+    const auto refused = rehearse(*store);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, core::ErrorKind::refused);
     EXPECT_NE(core::describe(refused.error()).find("0.7.1"), std::string::npos);
@@ -196,7 +196,7 @@ TEST_F(OwnStimuliTest, noSessionGoesOnWithOtherPatternsThanTheStudyWasBegunWith)
     runSql(QStringLiteral("UPDATE study SET stimulus_set_sha256 = ''"));
     store = std::move(StudyStore::open(study()).value());
     EXPECT_EQ(store->head().stimuliChanged(), std::nullopt);
-    EXPECT_TRUE(rehearse(*store, [](std::size_t) { return true; }));
+    EXPECT_TRUE(rehearse(*store));
 }
 
 TEST_F(OwnStimuliTest, whatIsKeptOfAProtocolNamesItsFilesWholeToo) {
@@ -210,7 +210,7 @@ TEST_F(OwnStimuliTest, whatIsKeptOfAProtocolNamesItsFilesWholeToo) {
 
 TEST_F(OwnStimuliTest, aRehearsalPlaysThemAndTheExportHasThem) {
     StudyStore store = std::move(StudyStore::create(study(), head()).value());
-    ASSERT_TRUE(rehearse(store, [](std::size_t) { return true; }));
+    ASSERT_TRUE(rehearse(store));
     const Participant participant = store.participants()->front();
     const SessionRecord session = store.sessions(participant)->front();
     const std::vector<StoredTrial> trials = store.trials(session).value();

@@ -65,14 +65,10 @@ TEST(Proportion, chanceProbabilityIsTheBinomialTail) {
 }
 
 TEST(Proportion, aboveChanceAreTenOfThirtyForSixAndNineOfTwentyFiveForFivePatterns) {
-    EXPECT_EQ(smallestAboveChance(30, 1.0 / 6.0), 10);
-    EXPECT_EQ(smallestAboveChance(25, 1.0 / 5.0), 9);
-}
-
-TEST(Proportion, nothingIsAboveChanceInOneTrialOrWhenChanceIsAlwaysRight) {
-    EXPECT_FALSE(smallestAboveChance(1, 1.0 / 6.0));
-    EXPECT_FALSE(smallestAboveChance(30, 1.0));
-    EXPECT_FALSE(smallestAboveChance(0, 0.5));
+    EXPECT_LE(*chanceProbability(10, 30, 1.0 / 6.0), 0.05);
+    EXPECT_GT(*chanceProbability(9, 30, 1.0 / 6.0), 0.05);
+    EXPECT_LE(*chanceProbability(9, 25, 1.0 / 5.0), 0.05);
+    EXPECT_GT(*chanceProbability(8, 25, 1.0 / 5.0), 0.05);
 }
 
 // Expected values: t(0.975; 4) = 2.776445 from tables; mean and deviation of 1..5 in closed form.

@@ -178,7 +178,7 @@ TEST_F(ReadOnlyStudyTest, takesNoTrialAndKeepsWhatIsThere) {
     EXPECT_TRUE(fs::is_empty(m_folder.path("bare")));
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().kind, core::ErrorKind::ioFailed);
-    EXPECT_NE(opened.error().message.find("only be looked at"), std::string::npos) << opened.error().message;
+    EXPECT_NE(opened.error().message.find("read-only"), std::string::npos) << opened.error().message;
     ASSERT_FALSE(enrolled);
     EXPECT_EQ(enrolled.error().kind, core::ErrorKind::ioFailed);
     ASSERT_FALSE(kept);

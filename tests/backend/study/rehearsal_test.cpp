@@ -57,7 +57,7 @@ protected:
 
 TEST_F(RehearsalTest, takesEveryParticipantThroughAllTrials) {
     StudyStore store = create("study", 4);
-    const auto progress = rehearse(store, [](std::size_t) { return true; });
+    const auto progress = rehearse(store);
     ASSERT_TRUE(progress) << core::describe(progress.error());
     EXPECT_EQ(progress->participants, 4U);
     EXPECT_EQ(progress->trials, 4U * 2U * 9U);
@@ -72,19 +72,19 @@ TEST_F(RehearsalTest, takesEveryParticipantThroughAllTrials) {
 
 TEST_F(RehearsalTest, isTheSameAfterAnInterruptionAtAnyTrial) {
     StudyStore whole = create("whole", 2);
-    ASSERT_TRUE(rehearse(whole, [](std::size_t) { return true; }));
+    ASSERT_TRUE(rehearse(whole));
     const std::vector<Row> expected = rows(whole);
     for (std::size_t stop = 0; stop < expected.size(); stop += 9) {
         const std::string name = "stopped" + std::to_string(stop);
         {
             StudyStore store = create(name, 2);
-            const auto progress = rehearse(store, [stop](std::size_t trials) { return trials < stop; });
+            const auto progress = rehearse(store, {.goOn = [stop](const RehearsalProgress& now) { return now.allTrials() < stop; }});
             ASSERT_TRUE(progress);
             EXPECT_TRUE(progress->interrupted);
             EXPECT_EQ(progress->trials, stop);
         }
         StudyStore store = StudyStore::open(m_folder.path(name)).value();
-        const auto progress = rehearse(store, [](std::size_t) { return true; });
+        const auto progress = rehearse(store);
         ASSERT_TRUE(progress);
         EXPECT_EQ(progress->trialsBefore, stop);
         EXPECT_EQ(rows(store), expected) << "stopped after " << stop;
@@ -102,7 +102,7 @@ TEST_F(RehearsalTest, restsWhereTheProtocolSaysSo) {
         head.plannedParticipants = 1;
         head.created = QDateTime(QDate(2026, 11, 3), QTime(9, 0), Qt::UTC);
         StudyStore store = std::move(StudyStore::create(m_folder.path(name), head).value());
-        EXPECT_TRUE(rehearse(store, [](std::size_t) { return true; }));
+        EXPECT_TRUE(rehearse(store));
         std::vector<double> onsets;
         const std::vector<Participant> participants = store.participants().value();
         const std::vector<SessionRecord> sessions = store.sessions(participants.front()).value();
@@ -124,7 +124,7 @@ TEST_F(RehearsalTest, restsWhereTheProtocolSaysSo) {
 
 TEST_F(RehearsalTest, refusesAStudyWithRealParticipants) {
     StudyStore store = create("real", 2, Mode::run);
-    const auto progress = rehearse(store, [](std::size_t) { return true; });
+    const auto progress = rehearse(store);
     ASSERT_FALSE(progress);
     EXPECT_EQ(progress.error().kind, core::ErrorKind::refused);
     EXPECT_TRUE(store.participants()->empty());
@@ -132,7 +132,7 @@ TEST_F(RehearsalTest, refusesAStudyWithRealParticipants) {
 
 TEST_F(RehearsalTest, lapsesTimeOut) {
     StudyStore store = create("lapses", 1, Mode::simulated, 1.0);
-    ASSERT_TRUE(rehearse(store, [](std::size_t) { return true; }));
+    ASSERT_TRUE(rehearse(store));
     for (const Row& row : rows(store)) {
         EXPECT_EQ(std::get<7>(row), Outcome::timeout);
         EXPECT_FALSE(std::get<6>(row));

@@ -69,7 +69,7 @@ TEST_F(RunChecksTest, refusesStimuliThatAreMissingOrNotThoseOfTheBeginning) {
     EXPECT_TRUE(allPassed(checks));
     EXPECT_NE(std::find_if(checks.begin(), checks.end(),
                            [](const RunCheck& check) { return check.kind == RunCheckKind::stimuli; })
-                  ->finding.find("not known"),
+                  ->finding.find("unknown"),
               std::string::npos);
     m_now.missingStimuli = {"taste.A.static"};
     EXPECT_NE(onlyFailure().finding.find("taste.A.static"), std::string::npos);

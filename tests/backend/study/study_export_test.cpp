@@ -258,7 +258,7 @@ TEST_F(StudyExportTest, aParticipantThatTheStudyDoesNotHaveIsAnErrorAndNoFile) {
 
 TEST_F(StudyExportTest, aRehearsedStudyExportsWhatItsStoreHolds) {
     StudyStore store = create(Mode::simulated, 3);
-    ASSERT_TRUE(rehearse(store, [](std::size_t) { return true; }));
+    ASSERT_TRUE(rehearse(store));
     TrialTally ofStore;
     TrialTally ofFiles;
     ModeFilter storeModes;

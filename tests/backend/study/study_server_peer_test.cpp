@@ -508,18 +508,18 @@ TEST_F(StudyServerTest, aParticipantOfAnotherDatabaseDoesNotCount) {
 
 TEST_F(StudyServerTest, aRehearsalThatTheServerLeftGoesOnAndIsTheSameAsInAFile) {
     StudyStore local = StudyStore::create(m_folder.path("local"), head(Mode::simulated)).value();
-    ASSERT_TRUE(rehearse(local, [](std::size_t) { return true; }));
+    ASSERT_TRUE(rehearse(local));
     StudyStore remote = StudyStore::create(at(), head(Mode::simulated)).value();
-    const auto broken = rehearse(remote, [](std::size_t trials) {
-        if (trials == 13)
-            s_server->kill();
-        return true;
-    });
+    const auto broken = rehearse(remote, {.goOn = [](const RehearsalProgress& now) {
+                                     if (now.allTrials() == 13)
+                                         s_server->kill();
+                                     return true;
+                                 }});
     ASSERT_FALSE(broken);
     EXPECT_EQ(broken.error().kind, core::ErrorKind::unavailable);
     s_server->start();
     StudyStore again = StudyStore::open(at()).value();
-    const auto progress = rehearse(again, [](std::size_t) { return true; });
+    const auto progress = rehearse(again);
     ASSERT_TRUE(progress) << core::describe(progress.error());
     EXPECT_GE(progress->trialsBefore, 13U);
     EXPECT_EQ(rowsOf(again), rowsOf(local));

@@ -153,7 +153,7 @@ private slots:
         };
         touch(item(0).buttons()[2]);
         touch(item(1).buttons()[0]);
-        touch(form().doneButton());
+        touch(form().findChild<QPushButton*>("questionnaireDone"));
         QCOMPARE(m_handedOver.size(), std::size_t(1));
         QCOMPARE(m_handedOver[0][0].value, std::optional<std::string>("3"));
         QCOMPARE(m_handedOver[0][1].value, std::optional<std::string>("l"));
@@ -170,7 +170,7 @@ private slots:
 
     void whatIsMissingIsSaidAtItsQuestionAndNothingIsHandedOver() {
         QTest::mouseClick(item(0).buttons()[6], Qt::LeftButton);
-        QTest::mouseClick(form().doneButton(), Qt::LeftButton);
+        QTest::mouseClick(form().findChild<QPushButton*>("questionnaireDone"), Qt::LeftButton);
         QVERIFY(m_handedOver.empty());
         const auto problems = [&](std::size_t index) {
             QStringList shown;
@@ -185,7 +185,7 @@ private slots:
         QVERIFY(item(1).isAncestorOf(focused()));
         QTest::keyClick(focused(), Qt::Key_3);
         QCOMPARE(problems(1), 0);
-        QTest::mouseClick(form().doneButton(), Qt::LeftButton);
+        QTest::mouseClick(form().findChild<QPushButton*>("questionnaireDone"), Qt::LeftButton);
         QCOMPARE(m_handedOver.size(), std::size_t(1));
     }
 
@@ -198,7 +198,7 @@ private slots:
         QCOMPARE(item(0).value(), std::optional<std::string>("4"));
         QTest::mouseClick(item(0).buttons().back(), Qt::LeftButton);
         QVERIFY(!item(0).value());
-        QTest::mouseClick(form().doneButton(), Qt::LeftButton);
+        QTest::mouseClick(form().findChild<QPushButton*>("questionnaireDone"), Qt::LeftButton);
         QCOMPARE(m_handedOver.size(), std::size_t(1));
         QVERIFY(!m_handedOver[0][0].value);
     }
@@ -207,7 +207,7 @@ private slots:
         QTest::mouseClick(item(0).buttons()[1], Qt::LeftButton);
         m_window->setScene({.state = State::questionnaire, .questionnaireLocked = true});
         QTest::mouseClick(item(0).buttons()[5], Qt::LeftButton);
-        QTest::mouseClick(form().doneButton(), Qt::LeftButton);
+        QTest::mouseClick(form().findChild<QPushButton*>("questionnaireDone"), Qt::LeftButton);
         QVERIFY(m_handedOver.empty());
         m_window->setScene(
             {.state = State::questionnaire, .questionnaireProblem = QStringLiteral("not kept")});

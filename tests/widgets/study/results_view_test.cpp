@@ -141,17 +141,20 @@ private slots:
         scene.mode = study::Mode::pilot;
         view.setScene(scene);
         // A condition without a name is called by its id, and data have the id in every language.
-        QCOMPARE(view.accuracyChart()->content().categories, (QStringList{"dynamic", "statique"}));
+        QCOMPARE(view.findChild<studyview::IntervalChart*>("accuracyChart")->content().categories,
+                 (QStringList{"dynamic", "statique"}));
         QVERIFY(view.matrices()[1]->content().title.startsWith("statique, "));
-        QCOMPARE(view.groupTable()->item(1, 0)->text(), QStringLiteral("statique"));
-        QVERIFY(view.groupTable()->csv().contains("\nstatic,"));
-        QVERIFY(!view.groupTable()->csv().contains("statique"));
+        QCOMPARE(view.findChild<studyview::ResultTable*>("groupTable")->item(1, 0)->text(),
+                 QStringLiteral("statique"));
+        QVERIFY(view.findChild<studyview::ResultTable*>("groupTable")->csv().contains("\nstatic,"));
+        QVERIFY(!view.findChild<studyview::ResultTable*>("groupTable")->csv().contains("statique"));
         view.resize(1200, 900);
         view.show();
         QCOMPARE(view.matrices().size(), std::size_t(2));
         QCOMPARE(view.matrices()[1]->content().matrix.total(), 8 * 30);
         QCOMPARE(view.matrices()[1]->content().mode, study::Mode::pilot);
-        studyview::ParticipantPicker* who = view.whoPicker();
+        studyview::ParticipantPicker* who =
+            view.findChild<studyview::ParticipantPicker*>("resultParticipant");
         QCOMPARE(who->text(), QStringLiteral("All participants"));
         auto* box = who->menu()->findChild<QCheckBox*>("s01");
         QVERIFY(box != nullptr);
@@ -159,7 +162,7 @@ private slots:
         QCOMPARE(who->chosen(), QStringList("s01"));
         QCOMPARE(view.matrices()[1]->content().matrix.total(), 30);
         QCOMPARE(view.matrices()[1]->content().matrix.correct(), 27);
-        QCOMPARE(view.peopleTable()->rowCount(), 2);
+        QCOMPARE(view.findChild<studyview::ResultTable*>("peopleTable")->rowCount(), 2);
         view.setScene(scene);
         QCOMPARE(who->chosen(), QStringList("s01"));
         QCOMPARE(who->text(), QStringLiteral("s01"));
@@ -176,9 +179,11 @@ private slots:
         studyview::ResultsScene scene;
         scene.tasks = {results()};
         view.setScene(scene);
-        view.whoPicker()->choose({"s02", "s01", "nobody of that name"});
-        view.besidePicker()->choose({"s03", "s04"});
-        QCOMPARE(view.whoPicker()->chosen(), (QStringList{"s01", "s02"}));
+        view.findChild<studyview::ParticipantPicker*>("resultParticipant")
+            ->choose({"s02", "s01", "nobody of that name"});
+        view.findChild<studyview::ParticipantPicker*>("resultBeside")->choose({"s03", "s04"});
+        QCOMPARE(view.findChild<studyview::ParticipantPicker*>("resultParticipant")->chosen(),
+                 (QStringList{"s01", "s02"}));
         QCOMPARE(view.matrices().size(), std::size_t(4));
         const auto right = [&](std::size_t matrix) {
             return view.matrices()[matrix]->content().matrix.correct();
@@ -191,20 +196,23 @@ private slots:
             QCOMPARE(matrix->content().matrix.total(), 60);
         QVERIFY2(view.matrices()[3]->content().title.contains("s03, s04"),
                  qPrintable(view.matrices()[3]->content().title));
-        const auto& accuracy = view.accuracyChart()->content();
+        const auto& accuracy = view.findChild<studyview::IntervalChart*>("accuracyChart")->content();
         QCOMPARE(accuracy.series.size(), std::size_t(2));
         QVERIFY(std::abs(*accuracy.series[0].points[1].value - 100.0 * (27 + 14) / 60) < 1e-9);
         QVERIFY(std::abs(*accuracy.series[1].points[1].value - 100.0 * (16 + 20) / 60) < 1e-9);
-        QCOMPARE(view.patternChart()->content().series.size(), std::size_t(4));
-        for (const QString& note : view.patternChart()->content().notes)
+        QCOMPARE(view.findChild<studyview::IntervalChart*>("patternChart")->content().series.size(),
+                 std::size_t(4));
+        for (const QString& note : view.findChild<studyview::IntervalChart*>("patternChart")->content().notes)
             QVERIFY2(note.isEmpty(), "p is of all participants");
-        QCOMPARE(view.timeChart()->content().series.size(), std::size_t(2));
-        QCOMPARE(view.peopleTable()->rowCount(), 8);
-        view.besidePicker()->choose({});
+        QCOMPARE(view.findChild<studyview::IntervalChart*>("timeChart")->content().series.size(),
+                 std::size_t(2));
+        QCOMPARE(view.findChild<studyview::ResultTable*>("peopleTable")->rowCount(), 8);
+        view.findChild<studyview::ParticipantPicker*>("resultBeside")->choose({});
         QCOMPARE(view.matrices().size(), std::size_t(2));
-        QCOMPARE(view.accuracyChart()->content().series.size(), std::size_t(1));
-        view.whoPicker()->choose({});
-        QVERIFY(!view.patternChart()->content().notes[0].isEmpty());
+        QCOMPARE(view.findChild<studyview::IntervalChart*>("accuracyChart")->content().series.size(),
+                 std::size_t(1));
+        view.findChild<studyview::ParticipantPicker*>("resultParticipant")->choose({});
+        QVERIFY(!view.findChild<studyview::IntervalChart*>("patternChart")->content().notes[0].isEmpty());
     }
 
     void aPickerNamesAFewAndCountsMany() {
@@ -226,7 +234,7 @@ private slots:
         ResultsView view;
         view.setScene({});
         view.show();
-        QVERIFY(!view.groupTable()->isVisible());
+        QVERIFY(!view.findChild<studyview::ResultTable*>("groupTable")->isVisible());
         QVERIFY(!view.findChild<QComboBox*>("resultTask")->isEnabled());
     }
 

@@ -14,7 +14,7 @@ namespace teleta::studyview {
 
 namespace {
 
-/// The font, smaller where the text is wider than its room.
+/// The font, reduced if the text is too wide.
 QFont fitted(QFont font, const QString& text, double width) {
     const double needed = QFontMetricsF(font).horizontalAdvance(text);
     if (needed > width)
@@ -28,7 +28,7 @@ AnswerButton::AnswerButton(AnswerChoice choice, std::size_t digit, QWidget* pare
     : QWidget(parent)
     , m_choice(std::move(choice))
     , m_digit(digit) {
-    // The window itself takes presses, in one place and at the time of their arrival.
+    // The window handles presses, in one place and as they arrive.
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     describe();
@@ -130,7 +130,7 @@ void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
     painter.drawText(name, Qt::AlignCenter, words);
     painter.setFont(font);
 
-    // The key, as it looks.
+    // The key cap.
     const QRectF key(inside.right() - 1.5 * unit, inside.top(), 1.5 * unit, 1.5 * unit);
     painter.setPen(QPen(base::mixed(ground, text, 0.4 * faint), 1.0));
     painter.setBrush(base::mixed(ground, text, 0.05));

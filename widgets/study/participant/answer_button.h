@@ -8,8 +8,8 @@
 
 namespace teleta::studyview {
 
-/// One large answer: letter, name, the digit that stands for it, the picture of the pattern. Painted only;
-/// the window that holds it takes the input. Thread: GUI.
+/// One large answer: letter, name, its digit, and the picture of the pattern. It is only painted; the window
+/// handles the input. Thread: GUI.
 class AnswerButton : public QWidget {
     Q_OBJECT
 

@@ -10,7 +10,7 @@ class QKeyEvent;
 
 namespace teleta::studyview {
 
-/// A key as it lies on the keyboard, whatever the layout prints on it and whether Num Lock is on.
+/// A physical key, whatever the keyboard layout and Num Lock.
 struct PhysicalKey {
     enum class Kind {
         digit, ///< 1 to 9, above the letters
@@ -20,14 +20,14 @@ struct PhysicalKey {
     Kind kind = Kind::digit;
     std::size_t number = 0; ///< 1 .. 9; 0 for the space bar
 
-    /// The code of the W3C's UI Events: "Digit3", "Numpad3", "Space".
+    /// Code in W3C UI Events: "Digit3", "Numpad3", "Space".
     [[nodiscard]] QString code() const;
     /// "keyboard" or "keypad".
     [[nodiscard]] QString device() const;
 };
 
-/// By the scan code under X11 and Wayland (evdev + 8), otherwise by what Qt makes of the key. Empty for any
-/// other key. Thread: GUI.
+/// From the scan code under X11 and Wayland (evdev + 8), otherwise from Qt's key. Empty for other keys.
+/// Thread: GUI.
 [[nodiscard]] std::optional<PhysicalKey> physicalKey(const QKeyEvent& event);
 
 } // namespace teleta::studyview

@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::int64_t kRemembered_ns = 120'000'000'000;
 constexpr std::size_t kMostRemembered = 64;
-/// So close are the differences of events that nothing delayed.
+/// Differences of events that were not delayed agree within this.
 constexpr std::int64_t kAgreement_ns = 10'000'000;
 constexpr std::ptrdiff_t kWitnesses = 3;
-/// An event loop does not stand for so long: the event is of another clock.
+/// No event loop is blocked for so long: the timestamp is of another clock.
 constexpr std::int64_t kLongestDelay_ns = 5'000'000'000;
 
 } // namespace
@@ -23,7 +23,7 @@ std::int64_t EventClock::time_ns(std::uint64_t timestamp_ms, std::int64_t now_ns
     while (!m_seen.empty() &&
            (m_seen.size() >= kMostRemembered || now_ns - m_seen.front().handled_ns > kRemembered_ns))
         m_seen.pop_front();
-    // Unsigned arithmetic wraps; a timestamp without meaning only disagrees with the others.
+    // Unsigned arithmetic wraps; a meaningless timestamp merely disagrees with the others.
     const auto difference_ns =
         static_cast<std::int64_t>(static_cast<std::uint64_t>(now_ns) - timestamp_ms * 1'000'000U);
     m_seen.push_back({now_ns, difference_ns});

@@ -6,12 +6,11 @@
 
 namespace teleta::studyview {
 
-/// Tells when an input event happened, on the steady clock, although a busy event loop handles it later. The
-/// system stamps events in ms on a clock of its own:
+/// Time of an input event on the steady clock, even if a busy event loop handles it late. The system stamps
+/// events in ms on its own clock:
 ///   time = timestamp + smallest difference between handling and timestamp of the last two minutes
-/// so that an event counts from when it would have been handled at once, and clocks may drift. Until some
-/// events agree on the difference, and for events without a timestamp or one of another clock, it is the time
-/// of the handling. Thread: one.
+/// that is, when it would have been handled without delay; clocks may drift. Until some events agree on the
+/// difference, and for events without a usable timestamp, it is the time of handling. Thread: one.
 class EventClock {
 public:
     /// timestamp_ms: of the event, 0: none. now_ns: steady time of its handling. Returns steady time, at most

@@ -12,7 +12,7 @@
 
 namespace teleta::studyview {
 
-/// One of the answers between which a participant chooses.
+/// One of the participant's answers.
 struct AnswerChoice {
     QString letter;
     QString name;
@@ -22,17 +22,17 @@ struct AnswerChoice {
 /// What the participant's window shows.
 struct ParticipantScene {
     enum class State {
-        waiting,   ///< for the experimenter: nothing runs
+        waiting,   ///< for the experimenter
         ready,     ///< Space begins the next trial
-        starting,  ///< asked for, the stimulus has not begun
-        stimulus,  ///< it is felt
-        answering, ///< it is over
-        feedback,  ///< the right answer is shown; Space goes on
-        resting,   ///< Space goes on once restLeft_s is over
+        starting,  ///< requested, the stimulus has not begun
+        stimulus,  ///< the stimulus is playing
+        answering, ///< the stimulus is over
+        feedback,  ///< the right answer is shown; Space continues
+        resting,   ///< Space continues once restLeft_s is over
         paused,
-        stopped, ///< STOP, or a device that is lost
+        stopped, ///< STOP, or a lost device
         finished,
-        questionnaire, ///< in place of the answers, a questionnaire is filled in
+        questionnaire, ///< a questionnaire replaces the answers
     };
 
     State state = State::waiting;
@@ -47,8 +47,8 @@ struct ParticipantScene {
     std::optional<std::size_t> answered = {};  ///< the last answer, in feedback and after it
     std::optional<std::size_t> presented = {}; ///< the right answer; in feedback only
     int restLeft_s = 0;
-    bool questionnaireLocked = false;  ///< its answers are being or have to be kept, or are a program's
-    QString questionnaireProblem = {}; ///< why they could not be kept
+    bool questionnaireLocked = false;  ///< its answers are being saved, could not be saved, or are simulated
+    QString questionnaireProblem = {}; ///< why they could not be saved
 
     friend bool operator==(const ParticipantScene&, const ParticipantScene&) = default;
 };

@@ -75,7 +75,7 @@ void ParticipantWindow::arrange() {
     for (AnswerButton* button : m_buttons)
         delete button;
     m_buttons.clear();
-    // Two to four in a row, as even as it goes.
+    // Two to four per row, as even as possible.
     const std::size_t count = m_choices.size();
     const std::size_t columns = count <= 3 ? count : count == 4 ? 2 : count <= 6 || count == 9 ? 3 : 4;
     for (std::size_t i = 0; i < count; ++i) {
@@ -105,17 +105,17 @@ void ParticipantWindow::setScene(const ParticipantScene& scene) {
         scene.mode != m_scene.mode || (scene.state == State::stopped) != (m_scene.state == State::stopped);
     m_scene = scene;
     refresh();
-    // The parts of the window know by themselves what changed.
+    // The parts of the window detect changes themselves.
     if (newGround) {
         m_watermark.forget();
         update();
     }
     if (m_scene.state == State::questionnaire && !wasQuestionnaire) {
-        // Releases would go to the questions.
+        // Key releases would go to the questionnaire.
         releaseAll();
         m_questionnaire->takeKeyboard();
     } else if (m_scene.state == State::questionnaire && wasLocked && !m_scene.questionnaireLocked) {
-        // What was locked lost the keyboard.
+        // A locked form has lost the keyboard focus.
         m_questionnaire->takeKeyboard();
     } else if (wasQuestionnaire && m_scene.state != State::questionnaire) {
         setFocus();
@@ -139,13 +139,15 @@ QString ParticipantWindow::instruction() const {
                                  : tr("Which pattern do you feel?");
     case State::feedback:
         if (!m_scene.answered)
-            return tr("There was no answer in time. The marked pattern was felt. Press Space to go on.");
-        return m_scene.answered == m_scene.presented ? tr("Right. Press Space to go on.")
-                                                     : tr("That was another one: the pattern marked with "
-                                                          "\u2713 was felt. Press Space to go on.");
+            return tr("There was no answer in time. The marked pattern was the right one. Press Space to "
+                      "continue.");
+        return m_scene.answered == m_scene.presented
+                   ? tr("Right. Press Space to continue.")
+                   : tr("That was another one: the pattern marked with \u2713 was the right one. Press Space "
+                        "to continue.");
     case State::resting:
-        return m_scene.restLeft_s > 0 ? tr("Have a rest. You may go on in %1 s.").arg(m_scene.restLeft_s)
-                                      : tr("Have a rest. Press Space when you would like to go on.");
+        return m_scene.restLeft_s > 0 ? tr("Take a break. You can continue in %1 s.").arg(m_scene.restLeft_s)
+                                      : tr("Take a break. Press Space when you would like to continue.");
     case State::paused:
         return tr("Pause. Please wait for the experimenter.");
     case State::stopped:
@@ -164,7 +166,7 @@ void ParticipantWindow::refresh() {
     QFont large = base::sized(font(), base::kHugeText);
     large.setBold(m_scene.state == State::stopped);
     m_instruction->setFont(large);
-    // Two lines are kept free, so that the answers stay where they are when an instruction is long.
+    // Two lines are reserved, so that a long instruction does not move the answers.
     m_instruction->setMinimumHeight(2 * QFontMetrics(large).lineSpacing());
     const QString phase = m_scene.phase == study::Phase::practice ? tr("Practice") : tr("Test");
     QString title = m_scene.trials == 0 ? m_scene.title
@@ -178,7 +180,7 @@ void ParticipantWindow::refresh() {
     m_title->setText(title);
     m_instruction->setText(instruction());
     m_questionnaire->setVisible(asks);
-    // The touches of a questionnaire are those of its own buttons.
+    // A questionnaire's buttons handle touches themselves.
     setAttribute(Qt::WA_AcceptTouchEvents, !asks);
     m_questionnaire->setLocked(m_scene.questionnaireLocked);
     m_questionnaire->setProblem(m_scene.questionnaireProblem);
@@ -229,7 +231,7 @@ bool ParticipantWindow::event(QEvent* event) {
             if (point.state() == QEventPoint::Pressed)
                 pressAt(point.position(), QStringLiteral("touch"), time_ns);
         }
-        // Accepted: otherwise the same touch would come once more as a mouse.
+        // Accepted: otherwise the touch would be repeated as a mouse event.
         event->accept();
         return true;
     }
@@ -243,7 +245,7 @@ bool ParticipantWindow::event(QEvent* event) {
     }
 }
 
-/// Every event of an input device shows how late events are handled.
+/// Every input event shows the delay of handling.
 std::int64_t ParticipantWindow::timeOf(const QInputEvent& event) {
     return m_eventClock.time_ns(event.timestamp(), m_clock());
 }
@@ -267,7 +269,7 @@ void ParticipantWindow::keyPressEvent(QKeyEvent* event) {
         return;
     }
     if (key->kind == PhysicalKey::Kind::space) {
-        // Held down, it would run through the trials by itself.
+        // Auto-repeat would run through the trials.
         if (!event->isAutoRepeat())
             emit nextRequested(time_ns);
         return;
@@ -327,7 +329,7 @@ void ParticipantWindow::pressAt(const QPointF& at, const QString& device, std::i
         emit pressed(press);
         return;
     }
-    // Beside the buttons a press asks for the next trial, so that a session needs no keyboard.
+    // A press outside the buttons asks for the next trial, so that no keyboard is needed.
     if (m_scene.state == State::ready || m_scene.state == State::feedback || m_scene.state == State::resting)
         emit nextRequested(time_ns);
 }
@@ -342,7 +344,7 @@ void ParticipantWindow::releasePointer() {
     }
 }
 
-/// The releases of keys that are still down will go to another window.
+/// Releases of keys that are still down will go to another window.
 void ParticipantWindow::releaseAll() {
     const auto down = std::exchange(m_down, {});
     for (const auto& [device, key] : down)

@@ -24,10 +24,10 @@ namespace teleta::studyview {
 class AnswerButton;
 class QuestionnaireForm;
 
-/// The participant's own window: the answers as large buttons, and nothing else. Answers come by the digits
-/// of keyboard and keypad, mouse and touch; Space asks for the next trial, R for the stimulus once more where
-/// that is allowed. Questionnaires take the place of the answers. It decides nothing: each press goes out
-/// with the time at which it was made, also when a busy program handles it later. Thread: GUI.
+/// The participant's window: the answers as large buttons. Input by the digits of keyboard and keypad, mouse
+/// and touch; Space asks for the next trial, R for a replay where that is allowed. Questionnaires replace the
+/// answers. The window decides nothing: each press is signalled with the time at which it was made, even if a
+/// busy program handles it later. Thread: GUI.
 class ParticipantWindow : public QWidget {
     Q_OBJECT
 
@@ -36,18 +36,18 @@ public:
 
     using Clock = std::function<std::int64_t()>;
 
-    /// clock: the steady clock on which presses are stamped.
+    /// clock: steady clock for the times of presses.
     explicit ParticipantWindow(Clock clock, QWidget* parent = nullptr);
 
     void setChoices(std::vector<AnswerChoice> choices);
-    /// What ParticipantScene::State::questionnaire shows. answers: those that are given already.
+    /// For ParticipantScene::State::questionnaire. answers: given already.
     void setQuestionnaire(const study::Questionnaire& questionnaire,
                           const std::vector<study::ItemAnswer>& answers = {});
     void setScene(const ParticipantScene& scene);
-    /// Paints what changed at once, not after whatever else waits to be painted.
+    /// Repaints changes at once, before anything else that waits to be painted.
     void paintNow();
     [[nodiscard]] const ParticipantScene& scene() const { return m_scene; }
-    /// The sentence that says what to do.
+    /// The instruction.
     [[nodiscard]] QString instruction() const;
     [[nodiscard]] const std::vector<AnswerButton*>& buttons() const { return m_buttons; }
     [[nodiscard]] QuestionnaireForm& questionnaire() const { return *m_questionnaire; }
@@ -92,7 +92,7 @@ private:
     QuestionnaireForm* m_questionnaire;
     QString m_questionnaireTitle;
     std::vector<AnswerButton*> m_buttons;
-    std::set<std::pair<QString, QString>> m_down; ///< keys and buttons, by device, that were passed on
+    std::set<std::pair<QString, QString>> m_down; ///< keys and buttons that were signalled, by device
 };
 
 } // namespace teleta::studyview

@@ -94,7 +94,7 @@ PatternDiagram diagramOf(const pattern::Pattern& pattern, double span_s) {
     std::array<std::size_t, core::kTactors> begin{};
     begin.fill(PatternDiagram::kColumns);
     for (std::size_t c = 0; c < PatternDiagram::kColumns; ++c) {
-        // Columns are evaluated in their middle: at a step either side would be as right.
+        // Columns are evaluated at their centre: at a step either side would do.
         const double t_s =
             span_s * (static_cast<double>(c) + 0.5) / static_cast<double>(PatternDiagram::kColumns);
         diagram.course[c] = compiled.evaluate(t_s);
@@ -108,7 +108,7 @@ PatternDiagram diagramOf(const pattern::Pattern& pattern, double span_s) {
     for (const std::size_t i : tactorsOn(diagram))
         begins.push_back(begin[i]);
     std::sort(begins.begin(), begins.end());
-    // Beginnings within one column of the one before are together.
+    // Onsets within one column of the previous one count as simultaneous.
     std::vector<std::size_t> groups;
     for (const std::size_t at : begins) {
         if (groups.empty() || at > groups.back() + 1)

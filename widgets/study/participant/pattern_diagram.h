@@ -14,7 +14,7 @@ class QPainter;
 
 namespace teleta::studyview {
 
-/// What the picture of a pattern shows, taken from the pattern itself.
+/// Contents of a pattern's picture, computed from the pattern.
 struct PatternDiagram {
     static constexpr std::size_t kColumns = 96;
 
@@ -25,13 +25,13 @@ struct PatternDiagram {
     double span_s = 0.0;                              ///< what the course covers
 };
 
-/// span_s: shown length, > 0; a shorter pattern is off for the rest of it, so that pictures with the same
-/// span can be compared. Thread: any (pure).
+/// span_s: shown length, > 0; shorter patterns are padded, so that pictures with the same span can be
+/// compared. Thread: any (pure).
 [[nodiscard]] PatternDiagram diagramOf(const pattern::Pattern& pattern, double span_s);
 
 /// The arm in cross-section with six tactors around it, tactor 1 on top, rising numbers counter-clockwise:
-/// each filled as strongly as it ever vibrates, with the turn in which it begins. Below, intensity over time:
-/// one curve for tactors that all do the same, otherwise a lane for each that is on.
+/// each filled by its peak intensity, with the order of its onset. Below, intensity over time: one curve if
+/// all tactors do the same, otherwise a lane for each active one.
 void paintDiagram(QPainter& painter, const QRectF& rect, const PatternDiagram& diagram,
                   const QPalette& palette);
 

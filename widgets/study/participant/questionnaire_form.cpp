@@ -83,7 +83,7 @@ void QuestionnaireForm::setQuestionnaire(study::Questionnaire questionnaire,
     column->addStretch(1);
     m_column->setMaximumWidth(base::em(page, kWidest_em));
     m_area->setWidget(page);
-    // What the window has across it shows behind the questions as well.
+    // The window's watermark must show behind the questions as well.
     page->setAutoFillBackground(false);
     m_area->viewport()->setAutoFillBackground(false);
     setProblem({});
@@ -123,7 +123,7 @@ void QuestionnaireForm::submit() {
     for (QuestionnaireItemView* item : m_items) {
         if (item->item().id != fits.error().where.file)
             continue;
-        item->setProblem(item->value() ? tr("This does not fit: %1.", "what is expected")
+        item->setProblem(item->value() ? tr("This answer is not valid: %1.", "what is expected")
                                              .arg(QString::fromStdString(fits.error().expected))
                                        : tr("Please answer this question."));
         m_area->ensureWidgetVisible(item);
@@ -159,7 +159,7 @@ bool QuestionnaireForm::focusNextPrevChild(bool next) {
 
 void QuestionnaireForm::retranslate() {
     m_done->setText(tr("&Done"));
-    m_done->setToolTip(tr("Hands the answers over (Ctrl+Return)"));
+    m_done->setToolTip(tr("Submits the answers (Ctrl+Return)"));
     showCount();
 }
 

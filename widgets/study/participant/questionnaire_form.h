@@ -15,31 +15,29 @@ namespace teleta::studyview {
 
 class QuestionnaireItemView;
 
-/// A questionnaire to be filled in: its questions below each other, and a button that hands the answers
-/// over. What does not fit is said at its question. Thread: GUI.
+/// A questionnaire to be filled in: its questions one below the other, and a button that submits the answers.
+/// Problems are shown at the question. Thread: GUI.
 class QuestionnaireForm : public QWidget {
     Q_OBJECT
 
 public:
     explicit QuestionnaireForm(QWidget* parent = nullptr);
 
-    /// answers: what is filled in already; empty: nothing.
+    /// answers: filled in already; may be empty.
     void setQuestionnaire(study::Questionnaire questionnaire, const std::vector<study::ItemAnswer>& answers);
-    /// The answers are being kept, or somebody else gives them: nothing can be changed.
+    /// Locked while the answers are being saved or come from somebody else.
     void setLocked(bool locked);
-    /// Why the answers could not be kept.
+    /// Why the answers could not be saved.
     void setProblem(const QString& problem);
-    /// Takes the keyboard: the first key that is typed goes to the first question, as long as that has no
-    /// answer, and Tab goes there. A key that is held down since before and Space, the key of the trials,
-    /// fill nothing in.
+    /// Takes the keyboard focus: the first key typed answers the first question unless it has an answer, and
+    /// Tab goes there. Keys still held down, and Space, the key of the trials, fill nothing in.
     void takeKeyboard();
-    /// One an item, in their order.
+    /// One per item, in order.
     [[nodiscard]] std::vector<study::ItemAnswer> answers() const;
     [[nodiscard]] const std::vector<QuestionnaireItemView*>& items() const { return m_items; }
-    [[nodiscard]] QPushButton* doneButton() const { return m_done; }
 
 signals:
-    /// They fit the questionnaire.
+    /// The answers are valid.
     void submitted(const std::vector<teleta::study::ItemAnswer>& answers);
 
 protected:
@@ -53,7 +51,7 @@ private:
     void retranslate();
 
     study::Questionnaire m_questionnaire;
-    QWidget* m_column = nullptr; ///< all of it, no wider than can be read
+    QWidget* m_column = nullptr; ///< all of it, no wider than is readable
     QScrollArea* m_area;
     QLabel* m_problem;
     QLabel* m_count;

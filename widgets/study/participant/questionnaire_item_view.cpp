@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kTarget_em = 2.4; ///< a finger's, in the large font of a form
 
-/// Can be pressed in all of its line, not on its words alone.
+/// Its whole line can be pressed, not only its text.
 class ChoiceButton : public QRadioButton {
 public:
     using QRadioButton::QRadioButton;
@@ -191,12 +191,12 @@ bool QuestionnaireItemView::choose(const QKeyEvent& event) {
 }
 
 void QuestionnaireItemView::keyPressEvent(QKeyEvent* event) {
-    // A digit that is held down may be that of the last trial.
+    // A digit still held down may be the answer to the last trial.
     if (event->isAutoRepeat() || !choose(*event))
         QWidget::keyPressEvent(event);
 }
 
-/// A number that was chosen has to be seen from afar.
+/// The chosen number has to be visible from afar.
 void QuestionnaireItemView::colour() {
     for (QAbstractButton* button : m_buttons) {
         if (m_item.kind != study::ItemKind::likert)
@@ -213,7 +213,7 @@ void QuestionnaireItemView::colour() {
 
 void QuestionnaireItemView::retranslate() {
     const QString question = QString::fromStdString(m_item.question);
-    m_question->setText(m_item.required ? question : tr("%1 (may be left out)", "a question").arg(question));
+    m_question->setText(m_item.required ? question : tr("%1 (optional)", "a question").arg(question));
     if (m_text != nullptr)
         m_text->setAccessibleName(question);
     if (!m_item.required && !m_buttons.empty())

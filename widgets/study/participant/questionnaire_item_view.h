@@ -16,8 +16,8 @@ class QVBoxLayout;
 
 namespace teleta::studyview {
 
-/// One question with what answers it: a field for text, large numbers for a scale, the choices. By mouse, by
-/// touch, and by keyboard: Tab goes from question to question, arrows and digits choose. Thread: GUI.
+/// One question with its input: a text field, large numbers for a scale, or choices. By mouse, touch and
+/// keyboard: Tab goes from question to question, arrows and digits choose. Thread: GUI.
 class QuestionnaireItemView : public QWidget {
     Q_OBJECT
 
@@ -28,13 +28,13 @@ public:
     /// Empty: left out.
     [[nodiscard]] std::optional<std::string> value() const;
     void setValue(const std::optional<std::string>& value);
-    /// Why the answer cannot be taken; empty: nothing is wrong.
+    /// Why the answer is not accepted; empty: no problem.
     void setProblem(const QString& problem);
     void focusAnswer();
-    /// Answers with a key that was typed before the item had the keyboard: a digit, or the first letter of a
-    /// text. False: this is none.
+    /// Answers with a key that was typed before the item had the focus: a digit, or the first letter of a
+    /// text. False: not an answer.
     bool takeFirstKey(QKeyEvent& key);
-    /// The points of a scale, or the choices; the last one of an optional item leaves it out.
+    /// The points of a scale, or the choices; the last one of an optional item is "No answer".
     [[nodiscard]] const std::vector<QAbstractButton*>& buttons() const { return m_buttons; }
 
 signals:
@@ -57,7 +57,7 @@ private:
     QLabel* m_problem;
     QPlainTextEdit* m_text = nullptr;
     std::vector<QAbstractButton*> m_buttons;
-    std::vector<std::string> m_values; ///< one a button; empty: left out
+    std::vector<std::string> m_values; ///< one per button; empty: left out
 };
 
 } // namespace teleta::studyview

@@ -143,7 +143,7 @@ void paintConfusion(QPainter& painter, const QRectF& rect, const ConfusionConten
             base::drawTabularText(painter, at, Qt::AlignCenter, cellText(content, row, column));
         }
     }
-    // Right answers are framed, so that they show without colour too.
+    // Right answers are framed, to be visible without colour.
     painter.setPen(QPen(text, 1.6));
     painter.setBrush(Qt::NoBrush);
     for (std::size_t i = 0; i < matrix.patterns(); ++i)

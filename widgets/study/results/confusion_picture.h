@@ -16,10 +16,10 @@ class QPainter;
 
 namespace teleta::studyview {
 
-/// A confusion matrix with all that its picture shows.
+/// A confusion matrix with everything that its picture shows.
 struct ConfusionContent {
     study::ConfusionMatrix matrix{1};
-    QStringList letters; ///< one a pattern; empty: there is nothing to show but the title
+    QStringList letters; ///< one per pattern; empty: only the title is shown
     QString title;
     study::Mode mode = study::Mode::run;
     bool percent = false;                                    ///< shares of the rows instead of counts
@@ -27,7 +27,7 @@ struct ConfusionContent {
     friend bool operator==(const ConfusionContent&, const ConfusionContent&) = default;
 };
 
-/// Where the cells lie. Thread: any (pure).
+/// Layout of the cells. Thread: any (pure).
 struct ConfusionLayout {
     ConfusionLayout(const QRectF& rect, double em, std::size_t rows, std::size_t columns);
 
@@ -40,8 +40,8 @@ struct ConfusionLayout {
     QRectF grid;
 };
 
-/// In the layout of the paper's tables: rows presented, columns answered and last NONE; the darker the larger
-/// the share of the row. Each row has its number of trials at its end.
+/// Layout of the paper's tables: rows presented, columns answered, the last one NONE; the larger the share of
+/// the row, the darker. Each row ends with its number of trials.
 void paintConfusion(QPainter& painter, const QRectF& rect, const ConfusionContent& content,
                     const QPalette& palette);
 

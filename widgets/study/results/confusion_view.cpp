@@ -64,7 +64,7 @@ void ConfusionView::describe() {
                  : tr("No trials yet"));
     setWhatsThis(
         tr("<p>Rows: what was presented. Columns: what was answered, and NONE for no answer in time. "
-           "<b>Space</b> or a double click changes between counts and percent of the row.</p>"));
+           "<b>Space</b> or a double click switches between counts and percent of the row.</p>"));
 }
 
 QSize ConfusionView::sizeHint() const {

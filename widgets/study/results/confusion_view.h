@@ -8,15 +8,15 @@
 
 namespace teleta::studyview {
 
-/// A confusion matrix, live or final; Space or a double click changes between counts and percent. It copies
-/// and saves as picture and as data. Thread: GUI.
+/// A confusion matrix, live or final; Space or a double click switches between counts and percent. It can be
+/// copied and saved as a picture and as data. Thread: GUI.
 class ConfusionView : public QWidget {
     Q_OBJECT
 
 public:
     explicit ConfusionView(QWidget* parent = nullptr);
 
-    /// `percent` of the content is left to the view.
+    /// The view ignores `percent` of the content.
     void setContent(ConfusionContent content);
     [[nodiscard]] const ConfusionContent& content() const { return m_content; }
     void setPercent(bool percent);

@@ -26,7 +26,7 @@ QString number(const std::optional<double>& value) {
     return value ? QLocale::c().toString(*value, 'g', QLocale::FloatingPointShortest) : QStringLiteral("NA");
 }
 
-/// Series differ by lightness too, so that they are told apart in grey.
+/// Series differ in lightness too, to be distinguishable in grey.
 QColor seriesColour(std::size_t series, const QPalette& palette) {
     const QColor colour = base::identityColour(static_cast<int>(series) + 1, base::isDark(palette));
     return series % 2 == 0 ? colour : base::mixed(colour, palette.color(QPalette::Base), 0.45);
@@ -73,7 +73,7 @@ private:
         m_painter.drawText(QRectF(m_rect.left(), m_rect.top() + 0.3 * m_em, m_rect.width(), 1.2 * m_em),
                            Qt::AlignCenter, m_content.title);
         m_painter.setFont(normal);
-        // Names of the series, with their colours, in one line.
+        // Legend, in one line.
         m_painter.setFont(m_small);
         const QFontMetricsF metrics(m_small);
         double width = 0.0;
@@ -148,7 +148,7 @@ private:
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(text(0.55));
         for (std::size_t i = 0; i < point.single.size(); ++i) {
-            // Spread out, so that equal values are seen as several.
+            // Spread out, so that equal values stay distinguishable.
             const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(point.single.size());
             m_painter.drawEllipse(
                 QPointF(room.left() + (0.15 + 0.7 * share) * room.width(), y(point.single[i])), 0.13 * m_em,

@@ -18,7 +18,7 @@ class QPainter;
 
 namespace teleta::studyview {
 
-/// One value with its interval, and the single values behind it.
+/// A value with its interval, and the single values behind it.
 struct ChartPoint {
     std::optional<double> value;
     std::optional<study::Interval> interval;
@@ -27,7 +27,7 @@ struct ChartPoint {
 
 struct ChartSeries {
     QString name;
-    std::vector<ChartPoint> points; ///< one a category
+    std::vector<ChartPoint> points; ///< one per category
 };
 
 /// Values in categories side by side: bars with their intervals, single participants as dots.
@@ -47,10 +47,10 @@ struct IntervalChartContent {
 void paintIntervalChart(QPainter& painter, const QRectF& rect, const IntervalChartContent& content,
                         const QPalette& palette);
 
-/// category,series,value,low,high,singles; C locale, NA where there is none.
+/// category,series,value,low,high,singles; C locale, NA for missing values.
 [[nodiscard]] QString intervalChartCsv(const IntervalChartContent& content);
 
-/// The chart as a widget that copies and saves. Thread: GUI.
+/// The chart as a widget that can be copied and saved. Thread: GUI.
 class IntervalChart : public QWidget {
     Q_OBJECT
 

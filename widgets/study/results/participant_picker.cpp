@@ -33,7 +33,7 @@ ParticipantPicker::ParticipantPicker(QWidget* parent)
     area->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     area->setMaximumHeight(base::em(this, kHighestList_em));
     area->setWidget(m_panel);
-    // A menu of actions would close with each tick.
+    // A menu would close with each tick.
     auto* list = new QWidgetAction(this);
     list->setDefaultWidget(area);
     auto* menu = new QMenu(this);

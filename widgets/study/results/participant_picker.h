@@ -10,22 +10,22 @@ class QVBoxLayout;
 
 namespace teleta::studyview {
 
-/// A button with a list of participants to tick. Nobody ticked has a meaning of its own, and a line for it:
-/// "All participants". Thread: GUI.
+/// A button with a list of participants to tick. If none is ticked, a text says what that means, such as "All
+/// participants". Thread: GUI.
 class ParticipantPicker : public QPushButton {
     Q_OBJECT
 
 public:
     explicit ParticipantPicker(QWidget* parent = nullptr);
 
-    /// noneText: what it means that nobody is ticked; what was ticked stays so.
+    /// noneText: meaning of no ticks. Ticks are kept.
     void setChoices(const QStringList& participants, const QString& noneText);
-    /// Those that are ticked, in the order of the list; empty for none.
+    /// Ticked participants in the order of the list.
     [[nodiscard]] const QStringList& chosen() const { return m_chosen; }
-    /// Ticks these and no others; ids that are not in the list are left out.
+    /// Ticks these and no others; unknown ids are ignored.
     void choose(const QStringList& participants);
 
-    /// A few ids, or how many: "P01, P03", "5 participants"; empty for nobody.
+    /// "P01, P03", or "5 participants" if there are many; empty for none.
     [[nodiscard]] static QString describe(const QStringList& participants);
 
 signals:

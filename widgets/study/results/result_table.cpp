@@ -96,7 +96,7 @@ void ResultTable::keyPressEvent(QKeyEvent* event) {
     base::copyData(figure);
 }
 
-/// All rows are in view: a wheel scrolls the page.
+/// All rows are visible: the wheel scrolls the page.
 void ResultTable::wheelEvent(QWheelEvent* event) {
     event->ignore();
 }

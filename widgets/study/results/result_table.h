@@ -10,13 +10,13 @@
 
 namespace teleta::studyview {
 
-/// What a cell shows, and what its file has, in the C locale; data empty: the same.
+/// A cell's text, and its value in files, in the C locale; data empty: the same.
 struct ResultCell {
     QString shown;
     QString data = {};
 };
 
-/// A table of results that is as high as its rows, and copies and saves its data. Thread: GUI.
+/// A table of results, as high as its rows, that can be copied and saved. Thread: GUI.
 class ResultTable : public QTableWidget {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
     /// name: of the file.
     explicit ResultTable(QString name, QWidget* parent = nullptr);
 
-    /// header: one a column; tips: explanations of the columns, may be fewer.
+    /// header: one per column; tips: explanations of the columns, may be fewer.
     void setRows(const QStringList& header, const QStringList& tips,
                  const std::vector<std::vector<ResultCell>>& rows);
     [[nodiscard]] QString csv() const;

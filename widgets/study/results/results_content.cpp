@@ -30,7 +30,7 @@ QString conditionName(const std::string& condition, const ConditionNames& names)
     return names.value(text(condition), text(condition));
 }
 
-/// Data have the id, in every language.
+/// Data contain the id, in every language.
 ResultCell conditionCell(const std::string& condition, const ConditionNames& names) {
     return {conditionName(condition, names), text(condition)};
 }
@@ -81,7 +81,7 @@ std::optional<Interval> percent(const std::optional<Interval>& share) {
     return share ? std::optional(Interval{kPercent * share->low, kPercent * share->high}) : std::nullopt;
 }
 
-/// The group's point of a set of participants' values.
+/// The point of a group from its participants' values.
 ChartPoint groupPoint(const std::vector<double>& values) {
     ChartPoint point;
     if (const std::optional<study::GroupMean> mean = study::groupMean(values)) {
@@ -111,7 +111,7 @@ std::vector<const ParticipantSummary*> under(const TaskResults& task, const std:
     return found;
 }
 
-/// A participant alone has an interval of the trials, a group one over its participants.
+/// For one participant the interval is over trials, for a group over participants.
 bool isOne(const QStringList& group) {
     return group.size() == 1;
 }
@@ -193,7 +193,7 @@ IntervalChartContent ResultsContent::patterns(const TaskResults& task, const Sho
                 note = tr("p %1%2").arg(line.row->p < kSmallP ? QString() : QStringLiteral("= "),
                                         pText(line.row->p));
         }
-        // The comparison is of all participants.
+        // The comparison covers all participants.
         chart.notes << (shown.isEverybody() ? note : QString());
     }
     for (const std::string& condition : task.conditions) {
@@ -267,7 +267,7 @@ TableContent ResultsContent::groups(const TaskResults& task, const ConditionName
                              tr("Of the mean, from Student's t over participants"),
                              tr("Of all participants together"),
                              tr("Information transfer of the pooled matrix, as counted"),
-                             tr("By how much it is too high on average: (R-1)(C-1) / (2 n ln 2)"),
+                             tr("Average overestimate: (R-1)(C-1) / (2 n ln 2)"),
                              tr("Measured less bias"),
                              tr("Of the measured transfer, participants drawn with replacement")};
     for (const study::GroupSummary& group : task.groups) {
@@ -305,7 +305,7 @@ TableContent ResultsContent::people(const TaskResults& task, const ShownPeople& 
                              {},
                              tr("Probability of so many right answers, or more, by guessing"),
                              tr("Information transfer as counted"),
-                             tr("By how much it is too high on average"),
+                             tr("Average overestimate"),
                              tr("Measured less bias"),
                              tr("Response time of right answers"),
                              {}};
@@ -357,7 +357,7 @@ TableContent ResultsContent::anova(const TaskResults& task) {
                              {},
                              {},
                              tr("Generalised eta squared"),
-                             tr("Participants that are complete"),
+                             tr("Participants with complete data"),
                              {}};
     for (const study::AnovaLine& line : task.anova) {
         QStringList notes;
@@ -411,9 +411,8 @@ QString ResultsContent::transferNote(const TaskResults& task) {
     study::ConfusionMatrix presented(k);
     for (std::size_t pattern = 0; pattern < k; ++pattern)
         presented.add(pattern, pattern, std::max<std::int64_t>(1, trials / static_cast<std::int64_t>(k)));
-    QString note = tr("The information transfer of few trials is too high: with %1 trials, somebody who only "
-                      "guesses shows "
-                      "%2 bit on average. Read the corrected value beside it.")
+    QString note = tr("Few trials give too high an information transfer: with %1 trials, guessing alone "
+                      "shows %2 bit on average. Use the corrected value next to it.")
                        .arg(trials)
                        .arg(QLocale().toString(study::guesserTransfer(presented).value_or(0.0), 'f', 2));
     if (few)
@@ -422,7 +421,7 @@ QString ResultsContent::transferNote(const TaskResults& task) {
 }
 
 QString ResultsContent::anovaNote(const TaskResults& task) {
-    return task.conditions.size() < 2 ? tr("There is one condition only, so the patterns are compared.")
+    return task.conditions.size() < 2 ? tr("There is only one condition, so the patterns are compared.")
                                       : tr("Within participants, condition \u00d7 pattern, of the shares of "
                                            "right answers; below, the conditions "
                                            "compared for each pattern.");

@@ -16,7 +16,7 @@
 
 namespace teleta::studyview {
 
-/// How conditions are called, by id; one that is not in it is called by its id.
+/// Names of conditions by id; others are called by their id.
 using ConditionNames = QMap<QString, QString>;
 
 /// Header, explanations and rows of a table.
@@ -26,7 +26,7 @@ struct TableContent {
     std::vector<std::vector<ResultCell>> rows;
 };
 
-/// Whose results are shown: some participants, and others beside them.
+/// Whose results are shown: a group, and optionally a second one for comparison.
 struct ShownPeople {
     QStringList group = {};                 ///< empty: all
     std::optional<QStringList> beside = {}; ///< a second group; empty list: all
@@ -36,16 +36,16 @@ struct ShownPeople {
     [[nodiscard]] std::vector<QStringList> groups() const;
 };
 
-/// What the pictures and tables of a task show. Thread: any (pure).
+/// Contents of the pictures and tables of a task. Thread: any (pure).
 class ResultsContent {
     Q_DECLARE_TR_FUNCTIONS(ResultsContent)
 
 public:
-    /// Share of right answers: a group's mean with its t interval, or a participant's with Wilson's.
+    /// Share of right answers: a group's mean with its t interval, or a participant's share with Wilson's.
     [[nodiscard]] static IntervalChartContent accuracy(const study::TaskResults& task,
                                                        const ShownPeople& people = {},
                                                        const ConditionNames& names = {});
-    /// The same for each pattern, conditions side by side, with p of the comparison where all are shown.
+    /// The same per pattern, conditions side by side, with p of the comparison if all participants are shown.
     [[nodiscard]] static IntervalChartContent patterns(const study::TaskResults& task,
                                                        const ShownPeople& people = {},
                                                        const ConditionNames& names = {});
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] static TableContent people(const study::TaskResults& task, const ShownPeople& shown = {},
                                              const ConditionNames& names = {});
     [[nodiscard]] static TableContent anova(const study::TaskResults& task);
-    /// What a guesser would show, and how far the information transfer can be trusted.
+    /// What guessing would give, and how far the information transfer can be trusted.
     [[nodiscard]] static QString transferNote(const study::TaskResults& task);
     [[nodiscard]] static QString anovaNote(const study::TaskResults& task);
 };

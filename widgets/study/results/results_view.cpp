@@ -76,6 +76,12 @@ ResultsView::ResultsView(QWidget* parent)
     m_beside->setObjectName(QStringLiteral("resultBeside"));
     m_counts->setObjectName(QStringLiteral("resultCounts"));
     m_export->setObjectName(QStringLiteral("resultExport"));
+    m_accuracy->setObjectName(QStringLiteral("accuracyChart"));
+    m_patterns->setObjectName(QStringLiteral("patternChart"));
+    m_times->setObjectName(QStringLiteral("timeChart"));
+    m_groups->setObjectName(QStringLiteral("groupTable"));
+    m_anova->setObjectName(QStringLiteral("anovaTable"));
+    m_people->setObjectName(QStringLiteral("peopleTable"));
     m_counts->addItems({QString(), QString()});
     for (QComboBox* box : {m_task, m_counts})
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -162,7 +168,7 @@ const study::TaskResults* ResultsView::chosen() const {
     return found == m_scene.tasks.end() ? nullptr : &*found;
 }
 
-/// What was chosen stays chosen when new trials come in.
+/// Keeps the selection when new trials arrive.
 void ResultsView::fillChoices() {
     const QString oldTask = task();
     const QSignalBlocker quietTask(m_task);
@@ -178,7 +184,7 @@ void ResultsView::fillChoices() {
     }
     const QStringList all(people.begin(), people.end());
     m_who->setChoices(all, tr("All participants"));
-    m_beside->setChoices(all, tr("Nobody beside them"));
+    m_beside->setChoices(all, tr("No comparison"));
     m_task->setCurrentIndex(std::max(0, m_task->findData(oldTask)));
 }
 
@@ -249,10 +255,10 @@ void ResultsView::showTables(const study::TaskResults& results) {
 
 void ResultsView::retranslate() {
     m_task->setAccessibleName(tr("Task"));
-    m_who->setAccessibleName(tr("Participants that are shown"));
+    m_who->setAccessibleName(tr("Participants shown"));
     m_who->setToolTip(tr("Tick one participant, or a group"));
-    m_beside->setAccessibleName(tr("Participants beside them"));
-    m_beside->setToolTip(tr("Tick those whom you want to compare with: a second group side by side"));
+    m_beside->setAccessibleName(tr("Participants for comparison"));
+    m_beside->setToolTip(tr("Tick the participants to compare with: a second group, side by side"));
     m_counts->setAccessibleName(tr("What the matrices show"));
     m_counts->setItemText(0, tr("Counts"));
     m_counts->setItemText(1, tr("Percent of the row"));

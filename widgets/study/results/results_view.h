@@ -25,7 +25,7 @@ class ResultTable;
 struct ShownPeople;
 using ConditionNames = QMap<QString, QString>;
 
-/// Results of a study, and how to call its parts.
+/// Results of a study, and names of its parts.
 struct ResultsScene {
     std::vector<study::TaskResults> tasks;
     QMap<QString, QString> taskNames;             ///< by id
@@ -34,8 +34,8 @@ struct ResultsScene {
 };
 
 /// The results of a study: confusion matrices, accuracy with intervals, conditions compared for each pattern,
-/// response times, information transfer with its bias, ANOVA. Every picture and table copies and saves.
-/// Thread: GUI.
+/// response times, information transfer with its bias, ANOVA. Every picture and table can be copied and
+/// saved. Thread: GUI.
 class ResultsView : public QWidget {
     Q_OBJECT
 
@@ -43,20 +43,11 @@ public:
     explicit ResultsView(QWidget* parent = nullptr);
 
     void setScene(ResultsScene scene);
-    /// What is going on with them: being computed, none yet.
+    /// State of the results: being computed, none yet.
     void setState(const QString& state);
     [[nodiscard]] QString task() const;
-    /// Who is shown, and who beside them.
-    [[nodiscard]] ParticipantPicker* whoPicker() const { return m_who; }
-    [[nodiscard]] ParticipantPicker* besidePicker() const { return m_beside; }
-    /// Conditions from left to right; below them those of the second group.
+    /// Conditions from left to right; the second group below.
     [[nodiscard]] const std::vector<ConfusionView*>& matrices() const { return m_matrices; }
-    [[nodiscard]] IntervalChart* accuracyChart() const { return m_accuracy; }
-    [[nodiscard]] IntervalChart* patternChart() const { return m_patterns; }
-    [[nodiscard]] IntervalChart* timeChart() const { return m_times; }
-    [[nodiscard]] ResultTable* groupTable() const { return m_groups; }
-    [[nodiscard]] ResultTable* peopleTable() const { return m_people; }
-    [[nodiscard]] ResultTable* anovaTable() const { return m_anova; }
 
 signals:
     /// psychds, bids, excel, or analysis for the files of this page.

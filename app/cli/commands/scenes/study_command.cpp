@@ -298,10 +298,11 @@ core::Expected<void> StudyCommand::runResume() const {
 core::Expected<void> StudyCommand::goOn(study::StudyStore& store) const {
     ProgressBar bar(ProgressBar::Unit::trials, false);
     const std::size_t all = study::plannedTrials(store.head());
-    const core::Expected<study::RehearsalProgress> progress = study::rehearse(store, [&](std::size_t trials) {
-        bar.update(static_cast<double>(trials), static_cast<double>(all));
-        return !interrupted();
-    });
+    const core::Expected<study::RehearsalProgress> progress =
+        study::rehearse(store, {.goOn = [&](const study::RehearsalProgress& now) {
+                            bar.update(static_cast<double>(now.allTrials()), static_cast<double>(all));
+                            return !interrupted();
+                        }});
     bar.erase();
     if (!progress)
         return core::Unexpected(progress.error());
@@ -315,14 +316,14 @@ core::Expected<void> StudyCommand::goOn(study::StudyStore& store) const {
                               {"mode", study::toString(head.mode)},
                               {"seed", std::to_string(head.seed)},
                               {"participants", progress->participants},
-                              {"trials", progress->trialsBefore + progress->trials},
+                              {"trials", progress->allTrials()},
                               {"trials_before", progress->trialsBefore}});
     const std::vector<std::pair<QString, QString>> fields{
         {StudyText::tr("Study"), QString::fromStdString(store.folder())},
         {StudyText::tr("Protocol"), QString::fromStdString(head.protocol.name)},
         {StudyText::tr("Seed"), QString::number(head.seed)},
         {StudyText::tr("Simulated participants"), QString::number(progress->participants)},
-        {StudyText::tr("Trials"), QString::number(progress->trialsBefore + progress->trials)},
+        {StudyText::tr("Trials"), QString::number(progress->allTrials())},
         {StudyText::tr("Of them kept before"), QString::number(progress->trialsBefore)}};
     return printFields(fields);
 }

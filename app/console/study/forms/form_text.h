@@ -9,7 +9,7 @@
 
 namespace teleta::console {
 
-/// Parts of a text between separators, trimmed, without empty ones.
+/// Trimmed, non-empty parts of a text between separators.
 inline QStringList parts(const QString& text, QChar separator) {
     QStringList found;
     for (const QString& part : text.split(separator, Qt::SkipEmptyParts)) {
@@ -19,7 +19,7 @@ inline QStringList parts(const QString& text, QChar separator) {
     return found;
 }
 
-/// Each line as its first word and what follows; the word once more where nothing does.
+/// Each line as its first word and the rest; the word itself if there is no rest.
 inline std::vector<std::pair<QString, QString>> firstWords(const QString& text) {
     std::vector<std::pair<QString, QString>> lines;
     for (const QString& line : parts(text, QLatin1Char('\n'))) {

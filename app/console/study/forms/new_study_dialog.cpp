@@ -30,7 +30,7 @@ namespace {
 constexpr std::size_t kPaperParticipants = 6;
 constexpr int kMostParticipants = 1000;
 
-/// A protocol of which a study can be made now.
+/// A protocol that can be used for a study now.
 core::Expected<study::Protocol> usableProtocol(const std::string& path) {
     core::Expected<study::Protocol> protocol = study::readProtocol(path);
     if (protocol) {
@@ -62,11 +62,11 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     m_trials->setObjectName(QStringLiteral("trials"));
     m_folder->setObjectName(QStringLiteral("folder"));
     m_store->setObjectName(QStringLiteral("store"));
-    m_store->addItem(tr("In a file of this folder: one station"));
-    m_store->addItem(tr("On a PostgreSQL server: stations share it"));
+    m_store->addItem(tr("In a file in this folder, for one station"));
+    m_store->addItem(tr("On a PostgreSQL server, shared by several stations"));
     m_mode->setObjectName(QStringLiteral("mode"));
     m_seed->setObjectName(QStringLiteral("seed"));
-    m_mode->addItem(tr("Run: real participants, counts as data"), static_cast<int>(study::Mode::run));
+    m_mode->addItem(tr("Run: real participants, data count"), static_cast<int>(study::Mode::run));
     m_mode->addItem(tr("Pilot: people try it, marked PILOT everywhere"),
                     static_cast<int>(study::Mode::pilot));
     m_mode->addItem(tr("Simulated: no people, marked SIMULATED everywhere"),
@@ -74,7 +74,7 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     m_participants->setRange(1, kMostParticipants);
     m_participants->setValue(static_cast<int>(kPaperParticipants));
     m_participantsLabel->setBuddy(m_participants);
-    m_seed->setToolTip(tr("The orders of all trials follow from it: the same seed gives the same study"));
+    m_seed->setToolTip(tr("Determines the order of all trials: the same seed gives the same study"));
     m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
@@ -93,14 +93,14 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     auto* form = new QFormLayout;
     base::addFormRow(*form, tr("Pr&otocol"), choice, m_protocol);
     form->addRow(QString(), m_trials);
-    base::addFormRow(*form, tr("&Folder, which is made"), place, m_folder);
-    form->addRow(tr("&Kept"), m_store);
+    base::addFormRow(*form, tr("New &folder"), place, m_folder);
+    form->addRow(tr("S&torage"), m_store);
     form->addRow(QString(), m_server);
     form->addRow(tr("&Mode"), m_mode);
     form->addRow(tr("&Seed"), m_seed);
     form->addRow(m_participantsLabel, m_participants);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_make = buttons->addButton(tr("Make the study"), QDialogButtonBox::AcceptRole);
+    m_make = buttons->addButton(tr("Create the study"), QDialogButtonBox::AcceptRole);
     m_make->setObjectName(QStringLiteral("makeStudy"));
     m_make->setDefault(true);
     auto* layout = new QVBoxLayout(this);
@@ -138,7 +138,7 @@ void NewStudyDialog::read(const QString& path) {
         [this, path](const core::Expected<study::Protocol>& protocol) {
             m_refused = protocol ? QString() : QString::fromStdString(core::describe(protocol.error()));
             if (protocol) {
-                // One that was changed and is read once more takes the place of what it was.
+                // A changed protocol that is read again replaces the earlier one.
                 if (const int old = m_protocol->findData(path); old >= 0) {
                     m_protocols.erase(m_protocols.begin() + old);
                     m_protocol->removeItem(old);
@@ -189,7 +189,7 @@ void NewStudyDialog::askForProtocol() {
 }
 
 void NewStudyDialog::chooseFolder() {
-    auto* dialog = new QFileDialog(this, tr("Folder of the study"), m_folder->text());
+    auto* dialog = new QFileDialog(this, tr("Study folder"), m_folder->text());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
@@ -202,13 +202,13 @@ void NewStudyDialog::check() {
     (void)m_seed->text().trimmed().toULongLong(&isNumber);
     const std::vector<std::string> missing = study::missingStimuli(protocol());
     m_trials->setText(
-        tr("%n test trial(s) a participant", nullptr, static_cast<int>(protocol().testTrials())));
+        tr("%n test trial(s) per participant", nullptr, static_cast<int>(protocol().testTrials())));
     QString problem;
     if (!missing.empty())
-        problem = tr("This protocol has no pattern %1 to be felt: name a file for it in the protocol.")
+        problem = tr("There is no tactile pattern for %1: name a file for it in the protocol.")
                       .arg(QString::fromStdString(missing.front()));
     else if (m_folder->text().trimmed().isEmpty() || !QDir::isAbsolutePath(folder()))
-        problem = tr("Choose a folder, with its whole path.");
+        problem = tr("Choose a folder by its full path.");
     else if (!isNumber)
         problem = tr("The seed is a whole number from 0 to 18446744073709551615.");
     else if (m_store->currentIndex() == 1)
@@ -217,7 +217,7 @@ void NewStudyDialog::check() {
     QStringList said{problem};
     if (!m_refused.isEmpty())
         said.prepend(
-            tr("The file is no protocol that can be used; the one above stays chosen. %1").arg(m_refused));
+            tr("The file is not a usable protocol; the one above stays selected. %1").arg(m_refused));
     said.removeAll(QString());
     m_problem->setText(said.join(QLatin1Char('\n')));
     m_make->setEnabled(problem.isEmpty());

@@ -17,20 +17,20 @@ namespace teleta::console {
 
 class ServerFields;
 
-/// Asks for what a new study is: its protocol, its folder, whether a server keeps it, what it is for, the
-/// seed of its orders. Thread: GUI; it does not block.
+/// Asks for the properties of a new study: protocol, folder, storage, mode, seed. Thread: GUI; it does not
+/// block.
 class NewStudyDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// protocol: what is chosen at first; from: as in offer().
+    /// protocol: selected at first; from: as in offer().
     NewStudyDialog(study::Protocol protocol, const QString& folder, QWidget* parent = nullptr,
                    const QString& from = {});
 
-    /// Another protocol that may be chosen. from: where it is from, shown beside its name; may be empty.
+    /// Adds a protocol to choose from. from: its origin, shown next to its name; may be empty.
     void offer(study::Protocol protocol, const QString& from);
-    /// Reads a protocol file, with the pattern files that it names, and chooses it. Where that fails it is
-    /// said, and everything stays as it is.
+    /// Reads a protocol file, with the pattern files that it names, and selects it. A failure is shown and
+    /// changes nothing.
     void read(const QString& path);
     void setMode(study::Mode mode);
     [[nodiscard]] QString folder() const;
@@ -46,7 +46,7 @@ private:
     std::vector<study::Protocol> m_protocols; ///< in the order of m_protocol
     QComboBox* m_protocol;
     QLabel* m_trials;
-    QString m_refused; ///< why the file that was chosen last is none; empty: it is one
+    QString m_refused; ///< why the last chosen file was rejected; empty: it was not
     QLineEdit* m_folder;
     QComboBox* m_store;
     ServerFields* m_server;

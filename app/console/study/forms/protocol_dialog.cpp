@@ -50,7 +50,7 @@ core::Unexpected refusedEntry(const QString& message, const QString& expected) {
         core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
 }
 
-/// Pattern files below the folder of a protocol are named from there, so that the folder can be moved.
+/// Pattern files below the protocol's folder get relative paths, so that the folder can be moved.
 study::Protocol asSavedIn(const QDir& folder, study::Protocol protocol) {
     for (study::StudyTask& task : protocol.tasks) {
         for (study::StudyPattern& pattern : task.patterns) {
@@ -243,17 +243,16 @@ void ProtocolDialog::addTask(const study::StudyTask& task) {
     row.files->setTabChangesFocus(true);
     row.files->setFixedHeight(base::em(this, kFileLines_em));
     row.files->setPlaceholderText(
-        tr("letter, condition and file, one a line, for patterns of your own; all others "
-           "come with the program"));
+        tr("letter, condition and file, one per line, for your own patterns; all others are built in"));
     row.id->setPlaceholderText(tr("for example shape"));
     row.conditions->setPlaceholderText(tr("for example static, dynamic"));
-    row.patterns->setPlaceholderText(tr("letter and name, one a line, for example A circle"));
+    row.patterns->setPlaceholderText(tr("letter and name, one per line, for example A circle"));
     auto* form = new QFormLayout(box);
     form->addRow(tr("Identifier"), row.id);
     form->addRow(tr("Name"), row.name);
     form->addRow(tr("Conditions"), row.conditions);
     form->addRow(tr("Patterns"), row.patterns);
-    form->addRow(tr("Of your own"), row.files);
+    form->addRow(tr("Your own"), row.files);
     connect(row.choose, &QPushButton::clicked, this, [this, row] { askForPattern(row); });
     auto* remove = new QPushButton(tr("Remove this task"), box);
     auto* buttons = new QHBoxLayout;
@@ -307,19 +306,19 @@ core::Expected<study::StudyTask> ProtocolDialog::taskOf(const TaskRow& row) {
         const bool isCondition = std::find(task.conditions.begin(), task.conditions.end(),
                                            condition.toStdString()) != task.conditions.end();
         if (pattern == task.patterns.end() || !isCondition)
-            return refusedEntry(tr("no pattern of the task is felt as \"%1 %2\"").arg(letter, condition),
+            return refusedEntry(tr("the task has no pattern \"%1 %2\"").arg(letter, condition),
                                 tr("a letter and a condition of the task, then the file"));
         if (!QDir::isAbsolutePath(file))
             return refusedEntry(tr("the file of \"%1 %2\" cannot be found").arg(letter, condition),
-                                tr("its whole path"));
+                                tr("its full path"));
         if (!pattern->files.emplace(condition.toStdString(), file.toStdString()).second)
             return refusedEntry(tr("\"%1 %2\" has two files").arg(letter, condition), tr("one file"));
     }
     return task;
 }
 
-/// The first stimulus without a pattern; when there is none, the first one that has no file. Empty: each has
-/// one, or the task is not whole.
+/// The first stimulus without a pattern, otherwise the first one without a file. Empty: all have one, or the
+/// task is incomplete.
 QString ProtocolDialog::placeForPattern(const TaskRow& row) {
     const core::Expected<study::StudyTask> task = taskOf(row);
     if (!task)
@@ -395,14 +394,13 @@ void ProtocolDialog::check() {
     m_make->setEnabled(valid.has_value() && missing.empty());
     QPalette colours = palette();
     if (!missing.empty()) {
-        m_verdict->setText(
-            QStringLiteral("\u2717 ") +
-            tr("There is no pattern %1 to be felt. Name a file for it, or take a task, letter and "
-               "condition whose pattern comes with the program; the protocol can be saved.")
-                .arg(QString::fromStdString(missing.front())));
+        m_verdict->setText(QStringLiteral("\u2717 ") +
+                           tr("There is no tactile pattern for %1. Name a file for it, or use a task, letter "
+                              "and condition whose pattern is built in. The protocol can be saved as it is.")
+                               .arg(QString::fromStdString(missing.front())));
         colours.setColor(QPalette::WindowText, base::statusColours(palette()).lost);
     } else if (valid) {
-        m_verdict->setText(QStringLiteral("\u2713 ") + tr("%n test trial(s) a participant", nullptr,
+        m_verdict->setText(QStringLiteral("\u2713 ") + tr("%n test trial(s) per participant", nullptr,
                                                           static_cast<int>(valid->testTrials())));
         colours.setColor(QPalette::WindowText, base::statusColours(palette()).live);
     } else {
@@ -420,7 +418,7 @@ QVariantList ProtocolDialog::fields() const {
     const QList<QWidget*> widgets = m_content->findChildren<QWidget*>();
     for (const QWidget* field : widgets) {
         if (const auto* line = qobject_cast<const QLineEdit*>(field)) {
-            // That of a number is in another form in another language.
+            // Numbers are formatted by language.
             if (qobject_cast<const QAbstractSpinBox*>(line->parent()) == nullptr)
                 values << line->text();
         } else if (const auto* text = qobject_cast<const QPlainTextEdit*>(field)) {

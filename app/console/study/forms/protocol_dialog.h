@@ -25,29 +25,29 @@ namespace teleta::console {
 
 class QuestionnaireEditor;
 
-/// A protocol as a form. What is entered is checked by the reader of protocol files as it is typed. It can be
-/// saved as a file, and a study made of it; a study that was made keeps the protocol that it has. What is
-/// entered and not saved goes with the form only when that is confirmed. Thread: GUI; it does not block.
+/// A protocol as a form. Input is checked by the reader of protocol files while it is typed. The protocol can
+/// be saved as a file and used for a new study; existing studies keep theirs. Unsaved changes are discarded
+/// only after confirmation. Thread: GUI; it does not block.
 class ProtocolDialog : public QDialog {
     Q_OBJECT
 
 public:
     explicit ProtocolDialog(const study::Protocol& protocol, QWidget* parent = nullptr);
 
-    /// What the form says, as the reader understands it. Error: what the reader says.
+    /// The protocol in the form. Error: what the reader reports.
     [[nodiscard]] core::Expected<study::Protocol> protocol() const;
-    /// Something was entered, valid or not, that is in no file.
+    /// There are unsaved changes, valid or not.
     [[nodiscard]] bool isChanged() const;
-    /// Goes on at once when nothing is changed; else asks whether it may be lost, or is to be saved first,
-    /// and does not go on when it may not. The form stays as it is.
+    /// Calls goOn at once if nothing is changed; otherwise asks whether to discard or save the changes, and
+    /// does not call it on cancel. The form stays unchanged.
     void whenSettled(std::function<void()> goOn);
-    /// A study was opened: the form closes when one was asked for, and it is of just what the form says.
+    /// A study was opened: the form closes if it had requested one and the study has this very protocol.
     void leaveTo(const study::Protocol& protocol);
 
     void reject() override;
 
 signals:
-    /// A study is to be made of a valid protocol.
+    /// A study with this valid protocol is requested.
     void studyRequested(const teleta::study::Protocol& protocol);
     void openRequested();
     void paperRequested();
@@ -63,15 +63,15 @@ private:
         QLineEdit* id;
         QLineEdit* name;
         QLineEdit* conditions;    ///< with commas between them
-        QPlainTextEdit* patterns; ///< one a line: "A circle"
-        QPlainTextEdit* files;    ///< one a line: "A static /home/me/mine.json"
-        QPushButton* choose;      ///< a file for the next place that needs one
+        QPlainTextEdit* patterns; ///< one per line: "A circle"
+        QPlainTextEdit* files;    ///< one per line: "A static /home/me/mine.json"
+        QPushButton* choose;      ///< a file for the next stimulus that needs one
     };
-    /// A number that stays as it was read, with all its digits, until somebody changes it.
+    /// A number that keeps all its digits until somebody edits it.
     struct NumberField {
         QDoubleSpinBox* box;
         double read;
-        double shown; ///< by the box, which rounds
+        double shown; ///< as rounded by the box
         [[nodiscard]] double value() const;
     };
 
@@ -85,13 +85,13 @@ private:
     [[nodiscard]] static QString placeForPattern(const TaskRow& row);
     void askForPattern(const TaskRow& row);
     void check();
-    /// The values of all fields, as they are.
+    /// The current values of all fields.
     [[nodiscard]] QVariantList fields() const;
     void ask();
-    /// goOn: called when all of the form is saved.
+    /// goOn: called once everything is saved.
     void save(std::function<void()> goOn);
 
-    QWidget* m_content; ///< with all fields
+    QWidget* m_content; ///< holds all fields
     QLineEdit* m_name;
     QLineEdit* m_description;
     NumberField m_stimulus_s;
@@ -113,9 +113,9 @@ private:
     QPushButton* m_save;
     QPushButton* m_make;
     bool m_isStudyWanted = false;
-    QVariantList m_saved; ///< fields() as they were at first, or are in a file
+    QVariantList m_saved; ///< fields() at first, or as last saved
     QPointer<QMessageBox> m_question;
-    std::function<void()> m_goOn; ///< when it is answered
+    std::function<void()> m_goOn; ///< once the question is answered
 };
 
 } // namespace teleta::console

@@ -85,7 +85,7 @@ void QuestionnaireEditor::addItem(const study::QuestionnaireItem& item) {
     const ItemRow row{box,
                       new QLineEdit(entryOf(item.id), box),
                       new QComboBox(box),
-                      new QCheckBox(tr("has to be answered"), box),
+                      new QCheckBox(tr("required"), box),
                       new QLineEdit(entryOf(item.question), box),
                       new QWidget(box),
                       new QSpinBox(box),
@@ -109,7 +109,7 @@ void QuestionnaireEditor::addItem(const study::QuestionnaireItem& item) {
         choices << entryOf(choice.id) + QLatin1Char(' ') + entryOf(choice.text);
     row.choices->setObjectName(QStringLiteral("questionChoices"));
     row.choices->setPlainText(choices.join(QLatin1Char('\n')));
-    row.choices->setPlaceholderText(tr("identifier and text, one a line, for example yes I felt it"));
+    row.choices->setPlaceholderText(tr("identifier and text, one per line, for example yes I felt it"));
     row.choices->setTabChangesFocus(true);
     row.choices->setFixedHeight(base::em(this, kChoiceLines_em));
 

@@ -16,8 +16,8 @@ class QVBoxLayout;
 
 namespace teleta::console {
 
-/// One questionnaire of a protocol as a form: when it is filled in, and its questions. It checks nothing: the
-/// reader of protocol files does. Thread: GUI.
+/// A questionnaire of a protocol as a form: its time, and its questions. The reader of protocol files checks
+/// it. Thread: GUI.
 class QuestionnaireEditor : public QGroupBox {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ signals:
     void removeRequested();
 
 private:
-    /// A question. What does not belong to its kind is hidden and kept until the form is closed.
+    /// A question. Fields that do not belong to its kind are hidden, and kept until the form is closed.
     struct ItemRow {
         QWidget* box;
         QLineEdit* id;
@@ -42,7 +42,7 @@ private:
         QSpinBox* points;
         QLineEdit* low;
         QLineEdit* high;
-        QPlainTextEdit* choices; ///< one a line: "yes I felt it"
+        QPlainTextEdit* choices; ///< one per line: "yes I felt it"
     };
 
     void addItem(const study::QuestionnaireItem& item);

@@ -23,7 +23,7 @@ ServerFields::ServerFields(QWidget* parent)
     m_address->setMinimumWidth(base::em(this, 26));
     m_password->setEchoMode(QLineEdit::Password);
     m_password->setPlaceholderText(tr("otherwise PGPASSWORD or ~/.pgpass"));
-    m_password->setToolTip(tr("Used for this connection, and kept nowhere"));
+    m_password->setToolTip(tr("Used for this connection only, never saved"));
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("&Server"), m_address);

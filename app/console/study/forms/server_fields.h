@@ -11,8 +11,7 @@ class QLineEdit;
 
 namespace teleta::console {
 
-/// Where on a PostgreSQL server a study is: its address, and the password, which is kept nowhere. Thread:
-/// GUI.
+/// Address of a study on a PostgreSQL server, and the password, which is never saved. Thread: GUI.
 class ServerFields : public QWidget {
     Q_OBJECT
 
@@ -20,12 +19,11 @@ public:
     explicit ServerFields(QWidget* parent = nullptr);
 
     void setAddress(const QString& address);
-    /// As StoreLocation::server has it, with the password that was typed.
+    /// As StoreLocation::server, including the typed password.
     [[nodiscard]] std::string url() const;
-    /// What is wrong with the address; empty: it can be tried.
+    /// What is wrong with the address; empty: nothing.
     [[nodiscard]] QString problem() const;
-    /// A name for the folder of its exports: of study, host and database, so that studies of several servers
-    /// do not meet in one.
+    /// A folder name for exports, from study, host and database, unique across servers.
     [[nodiscard]] QString folderName() const;
 
 signals:

@@ -23,7 +23,7 @@ ServerStudyDialog::ServerStudyDialog(const QString& folder, QWidget* parent)
     setWindowTitle(tr("Open a study on a server"));
     setObjectName(QStringLiteral("serverStudy"));
     m_folder->setObjectName(QStringLiteral("folder"));
-    m_folder->setToolTip(tr("Exports go here, and trials while the server is away"));
+    m_folder->setToolTip(tr("For exports, and for trials while the server is unreachable"));
     m_problem->setWordWrap(true);
     m_problem->setMinimumWidth(base::em(this, 32));
     auto* form = new QFormLayout;
@@ -53,7 +53,7 @@ void ServerStudyDialog::check() {
         m_folder->setText(QDir(m_parent).filePath(m_server->folderName()));
     QString problem = m_server->problem();
     if (problem.isEmpty() && !QDir::isAbsolutePath(m_folder->text().trimmed()))
-        problem = tr("Choose a folder, with its whole path.");
+        problem = tr("Choose a folder by its full path.");
     m_problem->setText(problem);
     m_open->setEnabled(problem.isEmpty());
 }

@@ -13,13 +13,12 @@ namespace teleta::console {
 
 class ServerFields;
 
-/// Asks which study of which server is opened, and where on this computer its exports go. Thread: GUI; it
-/// does not block.
+/// Asks for a study on a server, and for the local folder of its exports. Thread: GUI; it does not block.
 class ServerStudyDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// folder: in which the folders of studies are.
+    /// folder: parent of the studies' folders.
     explicit ServerStudyDialog(const QString& folder, QWidget* parent = nullptr);
 
     [[nodiscard]] study::StoreLocation location() const;
@@ -33,7 +32,7 @@ private:
     QLineEdit* m_folder;
     QLabel* m_problem;
     QPushButton* m_open;
-    bool m_ownFolder = false; ///< typed, no longer from the address
+    bool m_ownFolder = false; ///< typed, no longer derived from the address
 };
 
 } // namespace teleta::console

@@ -17,7 +17,7 @@ struct StimulusText {
     Q_DECLARE_TR_FUNCTIONS(StimulusText)
 };
 
-/// A player that does not even begin in this time hangs.
+/// A player that has not started after this time hangs.
 constexpr std::int64_t kLongestWait_ns = 500'000'000;
 
 QString words(const playback::PlayerStatus& status) {
@@ -27,7 +27,7 @@ QString words(const playback::PlayerStatus& status) {
     case playback::PlayerEnding::deviceLost:
         return StimulusText::tr("the bracelet was lost");
     case playback::PlayerEnding::stalled:
-        return StimulusText::tr("the bracelet stood still for too long");
+        return StimulusText::tr("playback stalled for too long");
     case playback::PlayerEnding::sourceFailed:
         return StimulusText::tr("the pattern could not be played: %1")
             .arg(QString::fromStdString(status.message));
@@ -86,7 +86,7 @@ void BraceletStimulus::stop() {
 
 BraceletSession* BraceletStimulus::session() const {
     const std::shared_ptr<BraceletSession>& now = m_station.session();
-    // Without lock(), which could make this thread the last owner.
+    // Not by lock(), which could make this thread the last owner.
     const bool isSame = !m_session.owner_before(now) && !now.owner_before(m_session);
     return isSame ? now.get() : nullptr;
 }
@@ -103,11 +103,11 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
         if (m_stop.engaged())
             state.failure = StimulusText::tr("STOP was pressed");
         else if (now_ns - m_request_ns > kLongestWait_ns)
-            state.failure = StimulusText::tr("the bracelet did not begin");
+            state.failure = StimulusText::tr("the bracelet did not start");
         return state;
     }
     const playback::PlayerCounters counters = begun->player().counters();
-    // A write that succeeds does not say that anything is felt.
+    // A successful write does not prove that anything is felt.
     state.onset_ns = counters.confirmed ? counters.onset_ns : 0;
     state.due_ns = status.begun_ns + std::llround(1e9 * status.duration_s);
     state.frameWrite_ms = static_cast<double>(counters.writeLongest_ns) * 1e-6;
@@ -119,18 +119,18 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
     }
     const bool isPlaying = status.mode == playback::PlayerMode::program;
     if (counters.framesRefused > 0 && (isPlaying || status.ending == playback::PlayerEnding::finished)) {
-        state.failure = StimulusText::tr("the bracelet refused the stimulus: it did not understand it");
+        state.failure = StimulusText::tr("the bracelet rejected the stimulus");
         return state;
     }
     if (isPlaying)
         return state;
     if (status.ending == playback::PlayerEnding::finished && !counters.confirmed) {
-        state.failure = StimulusText::tr("the bracelet did not confirm that it got the stimulus");
+        state.failure = StimulusText::tr("the bracelet did not confirm the stimulus");
         return state;
     }
     if (status.ending == playback::PlayerEnding::finished) {
         state.end_ns = status.ended_ns;
-        // A pattern that is off all the time begins when it is played.
+        // The onset of a pattern that is always off is its start.
         if (state.onset_ns == 0)
             state.onset_ns = status.begun_ns;
     } else {
@@ -142,7 +142,7 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
 }
 
 QString UnplayedStimulus::description() const {
-    return StimulusText::tr("No bracelet: this rehearsal runs too fast to be played");
+    return StimulusText::tr("No bracelet: this rehearsal is too fast to be played");
 }
 
 void UnplayedStimulus::begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) {

@@ -22,17 +22,17 @@ public:
     [[nodiscard]] StimulusState state(std::int64_t now_ns) const override;
 
 private:
-    /// That on which the last stimulus was begun, while the station has it; null otherwise.
+    /// The one on which the last stimulus began, as long as the station has it; otherwise null.
     [[nodiscard]] BraceletSession* session() const;
-    /// It ends with the station's use of it: the board would stay open for nobody.
+    /// Weak, so that the board is closed as soon as the station leaves it.
     std::weak_ptr<BraceletSession> m_session;
     BraceletStation& m_station;
     const core::StopSwitch& m_stop;
     std::int64_t m_request_ns = 0;
 };
 
-/// Nothing is played: a stimulus only takes its time. For rehearsals that run faster than a bracelet could.
-/// Thread: GUI.
+/// Plays nothing: a stimulus only takes its time. For rehearsals that are faster than a bracelet. Thread:
+/// GUI.
 class UnplayedStimulus : public StimulusOutput {
 public:
     [[nodiscard]] QString obstacle() const override { return {}; }

@@ -89,7 +89,7 @@ void NoisePlayer::play(std::vector<float> samples) {
             (device.isNull() ? tr("this computer has no sound output")
                              : tr("%1 cannot play 48 kHz", "a sound output").arg(device.description()))
                 .toStdString(),
-            tr("headphones that are plugged in, or the noise from another device").toStdString(),
+            tr("headphones, plugged in, or the noise from another device").toStdString(),
             {}});
         emit changed();
         return;
@@ -100,7 +100,7 @@ void NoisePlayer::play(std::vector<float> samples) {
     connect(m_sink.get(), &QAudioSink::stateChanged, this, [this](QAudio::State state) {
         if (state != QAudio::StoppedState || !m_sink || m_sink->error() == QAudio::NoError)
             return;
-        // Not from within the sink's own signal.
+        // Queued: not from within the sink's own signal.
         QMetaObject::invokeMethod(
             this,
             [this] {

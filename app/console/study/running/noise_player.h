@@ -14,7 +14,7 @@ class QAudioSink;
 
 namespace teleta::console {
 
-/// One period of a sound as an endless one, in 32-bit floats. Thread: the one that reads.
+/// Loops one period of a sound, in 32-bit floats. Thread: the one that reads.
 class LoopedSound : public QIODevice {
     Q_OBJECT
 
@@ -34,9 +34,8 @@ private:
     qint64 m_position_B = 0;
 };
 
-/// Plays pink noise without an end on the system's sound output. How loud it is at the ear only a level meter
-/// tells: the experimenter sets the volume of the system and confirms. Thread: GUI; the noise is made on a
-/// pool thread.
+/// Plays endless pink noise on the system's sound output. The level at the ear has to be measured: the
+/// experimenter sets the system's volume and confirms. Thread: GUI; the noise is computed on a pool thread.
 class NoisePlayer : public QObject {
     Q_OBJECT
 

@@ -24,7 +24,7 @@ int participantScreen(const QList<QRect>& screens, int console) {
     const auto place = [&](int screen) { return std::tuple(screens[screen].left(), screens[screen].top()); };
     int best = -1;
     for (int screen = 0; screen < screens.size(); ++screen) {
-        // Mirrored screens show the same: on one of them the window would cover the console's.
+        // On a mirrored screen the window would cover the console.
         if (screen == console || (console >= 0 && screens[screen] == screens[console]))
             continue;
         if (best < 0 || place(screen) > place(best))
@@ -65,7 +65,7 @@ void ParticipantPlacement::show() {
         places << screen->geometry();
     const int other = participantScreen(places, static_cast<int>(screens.indexOf(m_console.screen())));
     if (other < 0) {
-        // Where somebody has put it, it stays.
+        // A window that somebody has moved stays.
         if (m_screen != nullptr || m_window.isFullScreen() || !m_window.isVisible())
             showBeside();
     } else {

@@ -89,7 +89,7 @@ void QuestionnaireRound::retry() {
 void QuestionnaireRound::keep() {
     const QDateTime now = QDateTime::currentDateTimeUtc();
     if (m_skipping) {
-        // The words of a file: they do not depend on the language of the program.
+        // Part of the data: not translated.
         askToKeep([session = m_subject.session, text = "questionnaire skipped: " + current()->id,
                    now](StudyDesk::Store& store) { return store->keepNote(session, text, now); });
         return;

@@ -15,9 +15,8 @@
 
 namespace teleta::console {
 
-/// Lets a participant fill in the questionnaires that are due, one after another: the next one is shown when
-/// the answers to the last one are safe. A simulated participant's are filled in, shown for a moment, and
-/// kept. Thread: GUI.
+/// Goes through the questionnaires that are due: each is shown once the answers to the previous one are safe.
+/// Those of simulated participants are filled in, shown for a moment, and stored. Thread: GUI.
 class QuestionnaireRound : public QObject {
     Q_OBJECT
 
@@ -31,33 +30,33 @@ public:
         study::SessionRecord session;
     };
 
-    /// done: when nothing is due any more, which may be at once.
+    /// done: called when nothing is due any more, possibly at once.
     void begin(Subject subject, std::vector<study::DueQuestionnaire> due, std::function<void()> done);
-    /// Ends the round; what was not kept is due again the next time.
+    /// Ends the sequence; what was not stored is due again next time.
     void leave();
-    /// Answers of the one that is shown. Those that do not fit are refused, and what could not be kept stays
-    /// here for retry(); whoever shows the form keeps it as it is meanwhile.
+    /// Answers to the shown questionnaire. What could not be stored stays here for retry(); the form must not
+    /// change meanwhile.
     void submit(std::vector<study::ItemAnswer> answers);
-    /// Does once more what problem() is about.
+    /// Repeats what problem() is about.
     void retry();
-    /// Goes on without the answers, and notes that. shown: the one that is meant, as shown() counts; nothing
-    /// happens to another one.
+    /// Continues without the answers, and stores a note about it. shown: that of the intended questionnaire;
+    /// ignored if another one is shown by now.
     void skip(std::size_t shown);
-    /// How much faster than real time simulated participants are.
+    /// Speed of simulated participants relative to real time.
     void setSpeed(double speed) { m_speed = speed; }
 
-    /// Null when nothing is to be filled in.
+    /// Null: none.
     [[nodiscard]] const study::Questionnaire* current() const;
-    /// Counts up with each that is shown.
+    /// Number of questionnaires shown so far.
     [[nodiscard]] std::size_t shown() const { return m_shown; }
-    /// What is filled in already: a simulated participant's.
+    /// Answers of a simulated participant.
     [[nodiscard]] const std::vector<study::ItemAnswer>& filledIn() const { return m_filledIn; }
     [[nodiscard]] bool isSimulated() const;
-    /// The answers, or the note that there are none, are on their way to the store.
+    /// The answers, or the note about skipping, are on their way to the store.
     [[nodiscard]] bool isKeeping() const { return m_keeping; }
-    /// isKeeping() and problem() are about the note that it is left out.
+    /// isKeeping() and problem() are about the note about skipping.
     [[nodiscard]] bool isSkipping() const { return m_skipping; }
-    /// Why the last answers, or the note, could not be kept; empty when they could.
+    /// Why the last answers, or the note, could not be stored; empty: no problem.
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
 signals:
@@ -73,13 +72,13 @@ private:
     StudyDesk& m_desk;
     double m_speed = 1.0;
     Subject m_subject;
-    std::vector<study::DueQuestionnaire> m_due; ///< the first one is shown
+    std::vector<study::DueQuestionnaire> m_due; ///< the first is shown
     std::function<void()> m_done;
     std::vector<study::ItemAnswer> m_filledIn;
-    std::vector<study::ItemAnswer> m_given; ///< being kept, or waiting for retry()
+    std::vector<study::ItemAnswer> m_given; ///< being stored, or waiting for retry()
     QTimer m_timer;                         ///< how long a simulated participant takes
     std::size_t m_shown = 0;
-    std::size_t m_run = 0; ///< tells the answers of the desk to this round from those to an earlier one
+    std::size_t m_run = 0; ///< distinguishes callbacks for this questionnaire from earlier ones
     bool m_keeping = false;
     bool m_skipping = false;
     QString m_problem;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/running/simulated_person.h"
 
-#include "backend/study/protocol/trial_order.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,8 +13,6 @@ namespace {
 
 constexpr double kBetweenTrials_s = 0.6;
 constexpr double kReadsFeedback_s = 1.0;
-/// Parts 0 and 1 of a session's seed are its orders.
-constexpr std::uint64_t kAnswersOfSession = 2;
 
 } // namespace
 
@@ -31,8 +27,8 @@ SimulatedPerson::SimulatedPerson(StudyRunner& runner, StudyRunner::Clock clock, 
     connect(&m_runner, &StudyRunner::changed, this, &SimulatedPerson::look);
 }
 
-void SimulatedPerson::begin(const study::SimulatedParticipant& mind, std::uint64_t sessionSeed) {
-    m_mind = mind;
+void SimulatedPerson::begin(const study::SimulatedParticipant& participant, std::uint64_t sessionSeed) {
+    m_participant = participant;
     m_seed = sessionSeed;
     m_present = true;
     m_answer.reset();
@@ -44,29 +40,26 @@ void SimulatedPerson::leave() {
     m_timer.stop();
 }
 
-/// Decides when to do something next.
+/// Decides what to do next, and when.
 void SimulatedPerson::look() {
-    const study::Session* session = m_runner.session();
-    if (!m_present || session == nullptr || m_runner.waitsForExperimenter() || m_timer.isActive())
+    const study::SessionFlow* flow = m_runner.flow();
+    if (!m_present || flow == nullptr || flow->waitsForExperimenter() || m_timer.isActive())
         return;
+    const study::Session& session = flow->session();
     double wait_s = kBetweenTrials_s;
-    if (m_runner.hold() == StudyRunner::Hold::rest) {
+    if (flow->hold() == study::Hold::rest) {
         wait_s += m_runner.restLeft_s();
         m_answer.reset();
-    } else if (session->stage() == Stage::feedback) {
+    } else if (session.stage() == Stage::feedback) {
         wait_s = kReadsFeedback_s;
         m_answer.reset();
-    } else if (session->stage() == Stage::ready) {
+    } else if (session.stage() == Stage::ready) {
         m_answer.reset();
-    } else if (session->stage() == Stage::stimulus || session->stage() == Stage::answering) {
-        const study::PlannedTrial* current = session->current();
+    } else if (session.stage() == Stage::stimulus || session.stage() == Stage::answering) {
+        const study::PlannedTrial* current = session.current();
         if (m_answer || current == nullptr)
             return;
-        const study::PlannedTrial& trial = *current;
-        const std::uint64_t part =
-            (trial.trial << 16U) + (trial.attempt << 1U) + (trial.phase == study::Phase::test ? 1 : 0);
-        m_answer = m_mind.answer(trial.stimulus,
-                                 study::derivedSeed(study::derivedSeed(m_seed, kAnswersOfSession), part));
+        m_answer = m_participant.answer(current->stimulus, study::answerSeed(m_seed, *current));
         if (!m_answer->response)
             return;
         wait_s = m_answer->time_s;
@@ -77,11 +70,11 @@ void SimulatedPerson::look() {
 }
 
 void SimulatedPerson::act() {
-    const study::Session* session = m_runner.session();
-    if (!m_present || session == nullptr || m_runner.waitsForExperimenter())
+    const study::SessionFlow* flow = m_runner.flow();
+    if (!m_present || flow == nullptr || flow->waitsForExperimenter())
         return;
-    if (m_runner.hold() == StudyRunner::Hold::rest || session->stage() == Stage::ready ||
-        session->stage() == Stage::feedback) {
+    const Stage stage = flow->session().stage();
+    if (flow->hold() == study::Hold::rest || stage == Stage::ready || stage == Stage::feedback) {
         m_runner.next(m_clock());
     } else if (m_answer && m_answer->response) {
         const study::KeyPress press{m_answer->response, "simulated", std::to_string(*m_answer->response + 1),

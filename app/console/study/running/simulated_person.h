@@ -11,8 +11,8 @@
 
 namespace teleta::console {
 
-/// Sits in front of a session in place of a participant: asks for trials, waits, answers, by the same calls
-/// as a person's keys. Its answers depend on the seed of the session and the trial alone. Thread: GUI.
+/// Takes a participant's place: asks for trials, waits and answers, by the same calls as a person's keys.
+/// The answers depend on the session's seed and the trial alone. Thread: GUI.
 class SimulatedPerson : public QObject {
     Q_OBJECT
 
@@ -20,8 +20,8 @@ public:
     /// speed: how much faster the clock runs than the steady clock, > 0.
     SimulatedPerson(StudyRunner& runner, StudyRunner::Clock clock, double speed, QObject* parent = nullptr);
 
-    /// For the session that the runner has.
-    void begin(const study::SimulatedParticipant& mind, std::uint64_t sessionSeed);
+    /// For the runner's session.
+    void begin(const study::SimulatedParticipant& participant, std::uint64_t sessionSeed);
     void setSpeed(double speed) { m_speed = speed; }
     void leave();
 
@@ -33,7 +33,7 @@ private:
     StudyRunner::Clock m_clock;
     double m_speed;
     QTimer m_timer;
-    study::SimulatedParticipant m_mind;
+    study::SimulatedParticipant m_participant;
     std::uint64_t m_seed = 0;
     bool m_present = false;
     std::optional<study::SimulatedParticipant::Answer> m_answer; ///< to the trial that runs

@@ -11,15 +11,15 @@
 
 namespace teleta::console {
 
-/// How far a stimulus is. Times are on the steady clock.
+/// Progress of a stimulus. Times are on the steady clock.
 struct StimulusState {
-    /// First frame other than zero; 0: not yet, or the device has not confirmed any frame yet.
+    /// First nonzero frame; 0: not yet, or not yet confirmed by the device.
     std::int64_t onset_ns = 0;
     std::int64_t due_ns = 0;                      ///< when it ends by itself; 0: unknown
-    std::int64_t end_ns = 0;                      ///< it came to its end; 0: not yet
+    std::int64_t end_ns = 0;                      ///< when it ended; 0: not yet
     std::optional<double> frameWrite_ms = {};     ///< longest write of a frame; empty: nothing was written
     std::optional<std::size_t> framesMissed = {}; ///< deadlines without a frame, and frames that were lost
-    QString failure = {}; ///< why it was not shown as it should; empty: nothing is wrong
+    QString failure = {};                         ///< why it was not shown properly; empty: no problem
 };
 
 /// Shows one stimulus at a time to a participant. Thread: GUI; no call waits for a device.
@@ -30,16 +30,16 @@ public:
     StimulusOutput(const StimulusOutput&) = delete;
     StimulusOutput& operator=(const StimulusOutput&) = delete;
 
-    /// Why no stimulus could be shown now; empty when one could.
+    /// Why no stimulus can be shown now; empty: one can.
     [[nodiscard]] virtual QString obstacle() const = 0;
-    /// One line on the device: its name and state.
+    /// Name and state of the device, in one line.
     [[nodiscard]] virtual QString description() const = 0;
     [[nodiscard]] virtual bool isSimulated() const = 0;
 
-    /// now_ns: of the request. The pattern is cut off at atMost_s.
+    /// now_ns: time of the request. The pattern is cut off at atMost_s.
     virtual void begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) = 0;
     virtual void stop() = 0;
-    /// Of the stimulus begun last.
+    /// Of the last stimulus.
     [[nodiscard]] virtual StimulusState state(std::int64_t now_ns) const = 0;
 };
 

@@ -15,7 +15,7 @@ StudyDesk::StudyDesk(QObject* parent)
 }
 
 StudyDesk::~StudyDesk() {
-    // The connection belongs to its thread, and what was asked before comes before it.
+    // The connection belongs to its thread; earlier requests are done first.
     QMetaObject::invokeMethod(
         m_worker, [store = m_store] { store->reset(); }, Qt::BlockingQueuedConnection);
     m_thread.quit();

@@ -13,9 +13,8 @@
 
 namespace teleta::console {
 
-/// A thread of its own for the store of the open study, so that nobody waits for a disk. What is asked is
-/// done in the order in which it was asked. Thread: GUI; only the destructor waits, until all that was asked
-/// is done.
+/// The thread of the open study's store, so that the GUI never waits for a disk. Requests are done in order.
+/// Thread: GUI; only the destructor waits, until all requests are done.
 class StudyDesk : public QObject {
     Q_OBJECT
 
@@ -25,7 +24,8 @@ public:
     explicit StudyDesk(QObject* parent = nullptr);
     ~StudyDesk() override;
 
-    /// work(Store&) runs on the store's thread; done(result) follows on the GUI's, unless the desk is gone.
+    /// work(Store&) runs on the store's thread; done(result) follows on the GUI's, unless this object is
+    /// gone.
     template <typename Work, typename Done>
     void ask(Work work, Done done) {
         QMetaObject::invokeMethod(
@@ -48,7 +48,7 @@ private:
     QThread m_thread;
     QObject* m_worker;                  ///< lives on m_thread
     std::shared_ptr<Store> m_store;     ///< used on m_thread only
-    std::shared_ptr<QObject> m_context; ///< on the GUI's thread; outlives what is still on its way
+    std::shared_ptr<QObject> m_context; ///< on the GUI's thread; outlives pending results
 };
 
 } // namespace teleta::console

@@ -2,27 +2,21 @@
 #include "app/console/study/running/study_runner.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace teleta::console {
 
-using study::Outcome;
-using study::Phase;
+using study::Hold;
 using study::Stage;
 
 namespace {
 
-/// How often a running trial looks at its device and its limit. Times do not depend on it: stimuli and
-/// presses carry their own.
+/// How often the device and the time limit of a running trial are checked. Recorded times do not depend on
+/// it: stimuli and presses carry their own.
 constexpr int kPoll_ms = 4;
-/// How often it looks once more after the limit before the limit counts: a press that was made in time may
-/// wait behind whatever kept the event loop.
+/// Checks after the limit before the trial times out: a press that was made in time may still be queued in a
+/// busy event loop.
 constexpr int kTurnsForInput = 3;
-
-bool isRunning(Stage stage) {
-    return stage == Stage::starting || stage == Stage::stimulus || stage == Stage::answering;
-}
 
 } // namespace
 
@@ -49,24 +43,20 @@ core::Expected<void> StudyRunner::begin(StimulusOutput& output, const study::Pro
         if (stimuli.back() == nullptr)
             return core::Unexpected(core::Error{
                 core::ErrorKind::notFound,
-                tr("there is no pattern \"%1\" to be felt").arg(QString::fromStdString(id)).toStdString(),
-                tr("a protocol that names a file for each pattern that does not come with the program")
-                    .toStdString(),
+                tr("there is no tactile pattern \"%1\"").arg(QString::fromStdString(id)).toStdString(),
+                tr("a protocol that names a file for each pattern that is not built in").toStdString(),
                 {}});
     }
-    core::Expected<study::Session> session = study::Session::create(protocol, plan, kept, began_ns);
-    if (!session)
-        return core::Unexpected(session.error());
+    core::Expected<study::SessionFlow> flow = study::SessionFlow::create(protocol, plan, kept, began_ns);
+    if (!flow)
+        return core::Unexpected(flow.error());
     clear();
     m_output = &output;
-    m_session = std::move(*session);
+    m_flow = std::move(*flow);
     m_set = set;
     m_stimuli = std::move(stimuli);
     m_stimulus_s = protocol.stimulus_s;
-    m_rest = protocol.rest;
-    m_results.assign(kept.begin(), kept.end());
-    // Whoever was interrupted has rested.
-    m_rested = progress();
+    m_flow->countAsRest();
     settle();
     emit changed();
     return {};
@@ -75,123 +65,118 @@ core::Expected<void> StudyRunner::begin(StimulusOutput& output, const study::Pro
 void StudyRunner::clear() {
     ++m_run;
     m_timer.stop();
-    if (m_session && m_output != nullptr && isRunning(m_session->stage()))
+    if (m_flow && m_flow->session().isRunning())
         m_output->stop();
-    m_session.reset();
+    m_flow.reset();
     m_output = nullptr;
-    m_results.clear();
-    m_hold = Hold::none;
-    m_reason.clear();
-    m_pauseWanted = m_nextWanted = m_keeping = m_concluded = m_testBegun = false;
+    m_concluded = false;
     emit changed();
+}
+
+QString StudyRunner::reason() const {
+    return m_flow ? QString::fromStdString(m_flow->reason()) : QString();
+}
+
+double StudyRunner::restLeft_s() const {
+    return hold() == Hold::rest
+               ? std::max(0.0, 1e-9 * static_cast<double>(m_flow->restUntil_ns() - m_clock()))
+               : 0.0;
 }
 
 void StudyRunner::next(std::int64_t time_ns) {
+    if (!m_flow)
+        return;
     poll();
-    if (!m_session)
-        return;
     letPass(time_ns);
-    if (m_hold == Hold::rest && time_ns >= m_restUntil_ns) {
-        m_hold = Hold::none;
-        m_session->goOn();
-    }
-    if (m_hold != Hold::none)
-        return;
-    if (m_session->stage() == Stage::feedback) {
-        m_session->feedbackSeen();
+    if (m_flow) {
+        m_flow->next(time_ns);
+        if (m_flow->isTrialDue())
+            beginTrial(time_ns);
         settle();
-    }
-    if (m_hold == Hold::none && m_session->stage() == Stage::ready) {
-        if (m_keeping)
-            m_nextWanted = true;
-        else
-            beginStimulus(time_ns);
     }
     emit changed();
 }
 
-void StudyRunner::beginStimulus(std::int64_t time_ns) {
-    m_nextWanted = false;
+void StudyRunner::beginTrial(std::int64_t time_ns) {
     if (const QString obstacle = m_output->obstacle(); !obstacle.isEmpty()) {
-        hold(m_stop.engaged() ? Hold::stopped : Hold::deviceLost, obstacle);
-        return;
+        m_flow->holdBack(m_stop.engaged() ? Hold::stopped : Hold::deviceLost, obstacle.toStdString());
+    } else if (m_flow->startTrial(time_ns)) {
+        showStimulus(time_ns);
+        m_timer.start();
     }
-    if (!m_session->startTrial(time_ns))
-        return;
-    showStimulus(time_ns);
-    m_timer.start();
 }
 
 void StudyRunner::showStimulus(std::int64_t time_ns) {
-    if (const study::PlannedTrial* trial = m_session->current())
+    if (const study::PlannedTrial* trial = m_flow->session().current())
         m_output->begin(*m_stimuli[trial->stimulus], m_stimulus_s, time_ns);
 }
 
 void StudyRunner::replay(std::int64_t time_ns) {
-    if (!m_session)
+    if (!m_flow)
         return;
     poll();
-    if (m_hold == Hold::none && m_session->replay(time_ns))
+    if (hold() == Hold::none && m_flow->session().replay(time_ns))
         showStimulus(time_ns);
     emit changed();
 }
 
 void StudyRunner::press(const study::KeyPress& press) {
-    if (!m_session)
+    if (!m_flow)
         return;
-    // What happened to the stimulus before the press belongs before it, and what happened after it behind.
+    // The session hears of the stimulus and the press in the order in which they happened.
     follow(press.time_ns);
-    m_session->press(press);
+    m_flow->session().press(press);
     settle();
     emit changed();
 }
 
 void StudyRunner::release(const std::string& device, const std::string& key) {
-    if (m_session)
-        m_session->release(device, key);
+    if (m_flow)
+        m_flow->session().release(device, key);
 }
 
 void StudyRunner::follow(std::int64_t until_ns) {
-    if (m_session->stage() != Stage::starting && m_session->stage() != Stage::stimulus)
+    study::Session& session = m_flow->session();
+    if (session.stage() != Stage::starting && session.stage() != Stage::stimulus)
         return;
     const StimulusState state = m_output->state(until_ns);
-    if (m_session->stage() == Stage::starting && state.onset_ns != 0 && state.onset_ns <= until_ns)
-        m_session->stimulusStarted(state.onset_ns,
-                                   state.due_ns != 0 ? std::optional(state.due_ns) : std::nullopt);
+    if (session.stage() == Stage::starting && state.onset_ns != 0 && state.onset_ns <= until_ns)
+        session.stimulusStarted(state.onset_ns,
+                                state.due_ns != 0 ? std::optional(state.due_ns) : std::nullopt);
     if (!state.failure.isEmpty())
         fail(state.failure, m_stop.engaged() ? Hold::stopped : Hold::deviceLost, until_ns);
-    else if (m_session->stage() == Stage::stimulus && state.end_ns != 0 && state.end_ns <= until_ns)
-        m_session->stimulusEnded(state.end_ns);
+    else if (session.stage() == Stage::stimulus && state.end_ns != 0 && state.end_ns <= until_ns)
+        session.stimulusEnded(state.end_ns);
 }
 
 void StudyRunner::fail(const QString& reason, Hold why, std::int64_t time_ns) {
     m_output->stop();
-    m_session->deviceFailed(time_ns);
-    hold(why, reason);
+    m_flow->session().deviceFailed(time_ns);
+    m_flow->holdBack(why, reason.toStdString());
     settle();
 }
 
 void StudyRunner::poll() {
-    if (!m_session)
+    if (!m_flow)
         return;
-    const Stage stage = m_session->stage();
-    const Hold held = m_hold;
+    const Stage stage = m_flow->session().stage();
+    const Hold held = hold();
     const std::int64_t now_ns = m_clock();
-    if (isRunning(stage)) {
+    if (m_flow->session().isRunning()) {
         follow(now_ns);
-        if (m_stop.engaged() && isRunning(m_session->stage()))
+        if (m_stop.engaged() && m_flow->session().isRunning())
             fail(tr("STOP was pressed"), Hold::stopped, now_ns);
         settle();
-    } else if (m_stop.engaged() && !waitsForExperimenter() && !m_concluded) {
-        hold(Hold::stopped, tr("STOP was pressed"));
+    } else if (m_stop.engaged() && !m_flow->waitsForExperimenter() && !m_flow->isOver()) {
+        m_flow->holdBack(Hold::stopped, tr("STOP was pressed").toStdString());
     }
-    if (m_session && (stage != m_session->stage() || held != m_hold))
+    if (m_flow && (stage != m_flow->session().stage() || held != hold()))
         emit changed();
 }
 
 void StudyRunner::turn() {
     poll();
-    const std::optional<std::int64_t> deadline = m_session ? m_session->deadline_ns() : std::nullopt;
+    const std::optional<std::int64_t> deadline = m_flow ? m_flow->session().deadline_ns() : std::nullopt;
     const std::int64_t now_ns = m_clock();
     if (!deadline || now_ns <= *deadline)
         m_turnsLate = 0;
@@ -199,159 +184,94 @@ void StudyRunner::turn() {
         letPass(now_ns);
 }
 
-/// Everything that was done before this time must have been handled.
+/// All input up to this time must have been handled.
 void StudyRunner::letPass(std::int64_t time_ns) {
-    const Stage stage = m_session->stage();
-    m_session->advance(time_ns);
+    if (!m_flow)
+        return;
+    const Stage stage = m_flow->session().stage();
+    m_flow->session().advance(time_ns);
     settle();
-    if (m_session && stage != m_session->stage())
+    if (m_flow && stage != m_flow->session().stage())
         emit changed();
 }
 
-bool StudyRunner::isPracticeOver() const {
-    const study::PlannedTrial* current = m_session->current();
-    return current != nullptr && current->phase == Phase::test && !m_results.empty() &&
-           m_results.back().planned.phase == Phase::practice;
-}
-
-/// Of the phase that goes on: its completed trials.
-std::pair<Phase, std::size_t> StudyRunner::progress() const {
-    const study::PlannedTrial* current = m_session->current();
-    const Phase phase = current == nullptr ? Phase::test : current->phase;
-    return {phase, static_cast<std::size_t>(
-                       std::count_if(m_results.begin(), m_results.end(), [phase](const auto& result) {
-                           return result.planned.phase == phase && result.isComplete();
-                       }))};
-}
-
-bool StudyRunner::isRestDue() const {
-    const auto now = progress();
-    return m_rest.isDueAfter(now.second) && now != m_rested;
-}
-
-double StudyRunner::restLeft_s() const {
-    return m_hold == Hold::rest ? std::max(0.0, 1e-9 * static_cast<double>(m_restUntil_ns - m_clock())) : 0.0;
-}
-
-void StudyRunner::hold(Hold why, const QString& reason) {
-    m_nextWanted = false;
-    m_hold = why;
-    m_reason = reason;
-    // The session itself knows pauses between trials only; while feedback is shown nothing runs anyway.
-    (void)m_session->pause();
-}
-
+/// After anything has happened in the session: passes on what follows from it. Whoever hears of the end may
+/// clear the session.
 void StudyRunner::settle() {
-    if (!m_session)
+    if (!m_flow)
         return;
-    if (!isRunning(m_session->stage()))
+    if (!m_flow->session().isRunning())
         m_timer.stop();
-    if (std::optional<study::TrialResult> result = m_session->takeResult()) {
+    std::optional<study::TrialResult> result = m_flow->takeResult();
+    if (result) {
         const StimulusState shown = m_output->state(m_clock());
         result->frameWrite_ms = shown.frameWrite_ms;
         result->framesMissed = shown.framesMissed;
         // The answer ends the stimulus.
         m_output->stop();
-        m_results.push_back(*result);
+        m_last = std::move(*result);
         m_ended = m_utcNow();
-        keep(*result);
-        emit trialEnded(*result);
+        m_flow->keeping(m_last);
     }
-    if (m_session->stage() == Stage::ready && m_hold == Hold::none) {
-        if (isPracticeOver() && !m_testBegun)
-            hold(Hold::blockEnd);
-        else if (std::exchange(m_pauseWanted, false))
-            hold(Hold::paused);
-        else if (isRestDue()) {
-            m_rested = progress();
-            m_restUntil_ns = m_clock() + std::llround(1e9 * m_rest.atLeast_s);
-            hold(Hold::rest);
+    m_flow->settle(m_clock());
+    if (m_flow->isOver() && !std::exchange(m_concluded, true)) {
+        if (m_flow->session().stage() == Stage::aborted) {
+            emit aborted();
+        } else {
+            emit blockKept();
+            emit finished();
         }
     }
-    if (m_keeping || m_hold == Hold::notKept || m_concluded)
-        return;
-    if (m_session->stage() == Stage::finished) {
-        m_concluded = true;
-        emit blockKept(Phase::test);
-        emit finished();
-    } else if (m_session->stage() == Stage::aborted) {
-        m_concluded = true;
-        emit aborted();
-    }
+    // Comes last: the store may call back at once.
+    if (result)
+        keep();
 }
 
-void StudyRunner::keep(const study::TrialResult& result) {
-    m_keeping = true;
-    m_keep(result, m_ended, [this, run = m_run](const core::Expected<void>& kept) {
+void StudyRunner::keep() {
+    m_keep(m_last, m_ended, [this, run = m_run](const core::Expected<void>& outcome) {
         if (run != m_run)
             return;
-        m_keeping = false;
-        if (!kept) {
-            m_waitsForServer = kept.error().kind == core::ErrorKind::unavailable;
-            hold(Hold::notKept, QString::fromStdString(core::describe(kept.error())));
-            emit changed();
-            return;
-        }
-        const study::PlannedTrial* current = m_session->current();
-        if (m_results.back().planned.phase == Phase::practice && m_results.back().isComplete() &&
-            (current == nullptr || current->phase == Phase::test))
-            emit blockKept(Phase::practice);
+        m_flow->kept(outcome);
+        if (m_flow->isPracticeKept())
+            emit blockKept();
         settle();
-        if (m_nextWanted && m_hold == Hold::none && m_session->stage() == Stage::ready)
-            beginStimulus(m_clock());
+        if (m_flow && m_flow->isTrialDue())
+            beginTrial(m_clock());
         emit changed();
     });
 }
 
 void StudyRunner::pause() {
-    if (!m_session || waitsForExperimenter() || m_concluded)
+    if (!m_flow)
         return;
-    if (m_session->stage() == Stage::ready || m_hold == Hold::rest)
-        hold(Hold::paused);
-    else
-        m_pauseWanted = true;
+    m_flow->pause();
     emit changed();
 }
 
 void StudyRunner::goOn() {
-    if (!m_session || m_hold == Hold::notKept)
+    if (!m_flow || hold() == Hold::notKept || m_stop.engaged())
         return;
-    m_pauseWanted = false;
-    if (m_stop.engaged() || m_hold == Hold::none)
-        return;
-    if (const QString obstacle = m_output->obstacle(); !obstacle.isEmpty()) {
-        hold(Hold::deviceLost, obstacle);
-        emit changed();
-        return;
-    }
-    m_hold = Hold::none;
-    m_reason.clear();
-    m_session->goOn();
-    // Whoever had to wait has rested.
-    m_rested = progress();
-    // Whatever held it there, the experimenter has let the test begin.
-    m_testBegun = m_session->stage() == Stage::ready && isPracticeOver();
+    if (const QString obstacle = m_output->obstacle(); hold() != Hold::none && !obstacle.isEmpty())
+        m_flow->holdBack(Hold::deviceLost, obstacle.toStdString());
+    else
+        m_flow->goOn();
     emit changed();
 }
 
 void StudyRunner::abort() {
-    if (!m_session || m_concluded)
+    if (!m_flow || m_flow->isOver())
         return;
     m_output->stop();
-    m_session->abort(m_clock());
-    if (m_hold != Hold::notKept)
-        m_hold = Hold::none;
+    m_flow->abort(m_clock());
     settle();
     emit changed();
 }
 
 void StudyRunner::retry() {
-    if (!m_session || m_hold != Hold::notKept || m_results.empty())
+    if (!m_flow || hold() != Hold::notKept)
         return;
-    const Stage stage = m_session->stage();
-    m_hold = stage == Stage::finished || stage == Stage::aborted ? Hold::none : Hold::paused;
-    m_reason.clear();
-    keep(m_results.back());
+    m_flow->retry();
+    keep();
     emit changed();
 }
 

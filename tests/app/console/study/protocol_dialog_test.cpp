@@ -179,7 +179,7 @@ private slots:
                  qPrintable(verdict->text()));
         QTest::keyClick(files, Qt::Key_Return);
         QTest::keyClicks(files, "Z dynamic zigzag.json");
-        QVERIFY2(verdict->text().contains("whole path"), qPrintable(verdict->text()));
+        QVERIFY2(verdict->text().contains("full path"), qPrintable(verdict->text()));
         files->setPlainText("Z static /z.json\nZ dynamic /patterns/z.json");
         QVERIFY(make->isEnabled());
         QCOMPARE(dialog.protocol()->tasks[0].patterns[1].files.at("dynamic"),

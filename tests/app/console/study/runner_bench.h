@@ -23,7 +23,7 @@ using study::Outcome;
 using study::Phase;
 using study::Stage;
 using studyview::ParticipantWindow;
-using Hold = StudyRunner::Hold;
+using study::Hold;
 
 inline constexpr std::int64_t kMs = 1'000'000;
 inline constexpr std::int64_t kS = 1'000'000'000;

@@ -8,6 +8,8 @@
 #include "tests/app/console/bracelet/patient_station.h"
 #include "tests/app/console/study/running_session.h"
 #include "widgets/study/participant/participant_window.h"
+#include "widgets/study/results/result_table.h"
+#include "widgets/study/results/results_view.h"
 #include "widgets/study/session_panel.h"
 
 #include <QCheckBox>
@@ -55,7 +57,7 @@ pattern = [{ letter = "A", name = "circle" }, { letter = "B", name = "rectangle"
 class StudyBench {
 protected:
     using Stage = study::Stage;
-    using Hold = console::StudyRunner::Hold;
+    using Hold = study::Hold;
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<core::StopSwitch> m_stop;
@@ -126,7 +128,16 @@ protected:
     const study::Session& session() { return sessionOf(runner()); }
     const study::PlannedTrial& current() { return trialOf(runner()); }
     [[nodiscard]] Stage stage() { return session().stage(); }
-    [[nodiscard]] QPushButton* nextButton() { return m_page->sessionPanel().nextButton(); }
+    [[nodiscard]] QPushButton* nextButton() { return m_page->findChild<QPushButton*>("nextStep"); }
+    [[nodiscard]] studyview::SessionPanel& sessionPanel() {
+        return *m_page->findChild<studyview::SessionPanel*>();
+    }
+    [[nodiscard]] studyview::ResultsView& resultsView() {
+        return *m_page->findChild<studyview::ResultsView*>();
+    }
+    [[nodiscard]] studyview::ResultTable* resultTable(const QString& name) {
+        return m_page->findChild<studyview::ResultTable*>(name);
+    }
     [[nodiscard]] studyview::ParticipantWindow* window() { return &m_page->participantWindow(); }
     [[nodiscard]] simulated::SimulatedBracelet& bracelet() {
         auto& tapped = dynamic_cast<console::TappedBracelet&>(

@@ -48,17 +48,17 @@ private slots:
             answer(current().stimulus);
         }
         QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::notKept, kPatience_ms);
-        const std::size_t answered = runner().results().size();
+        const std::size_t answered = runner().flow()->results().size();
         QVERIFY2(runner().reason().contains(studyFolder()), qPrintable(runner().reason()));
-        QVERIFY(m_page->sessionPanel().scene().state.contains(runner().reason()));
-        QCOMPARE(m_page->sessionPanel().scene().tone, studyview::Tone::alarm);
+        QVERIFY(sessionPanel().scene().state.contains(runner().reason()));
+        QCOMPARE(sessionPanel().scene().tone, studyview::Tone::alarm);
         QCOMPARE(window()->scene().state, studyview::ParticipantScene::State::paused);
         QTest::keyClick(window(), Qt::Key_Space);
         QCOMPARE(runner().hold(), Hold::notKept);
         // There is still no room.
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping() && runner().hold() == Hold::notKept, kPatience_ms);
-        QCOMPARE(runner().results().size(), answered);
+        QCOMPARE(runner().flow()->results().size(), answered);
 
         m_disk->empty();
         QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
@@ -78,9 +78,9 @@ private slots:
         QVERIFY(m_disk->fill());
         controller().setNoiseConfirmed(true);
         const auto isRefused = [this] {
-            const auto& checks = m_page->sessionPanel().scene().checks;
+            const auto& checks = sessionPanel().scene().checks;
             return std::any_of(checks.begin(), checks.end(), [](const auto& check) {
-                return !check.passed && check.remedy.contains(QStringLiteral("Free space"));
+                return !check.passed && check.remedy.contains(QStringLiteral("Free up space"));
             });
         };
         QTRY_VERIFY_WITH_TIMEOUT(isRefused(), kPatience_ms);

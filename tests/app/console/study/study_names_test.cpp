@@ -80,8 +80,8 @@ private slots:
         QTRY_VERIFY2_WITH_TIMEOUT(first().endsWith(QStringLiteral(": <circle>")), qPrintable(first()),
                                   kPatience_ms);
         QCOMPARE(window()->scene().title, QStringLiteral("<Object shape>"));
-        QVERIFY2(m_page->sessionPanel().scene().title.contains(QStringLiteral("<Object shape>, <")),
-                 qPrintable(m_page->sessionPanel().scene().title));
+        QVERIFY2(sessionPanel().scene().title.contains(QStringLiteral("<Object shape>, <")),
+                 qPrintable(sessionPanel().scene().title));
         doTrial();
         QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(1), kPatience_ms);
         const auto store = study::StudyStore::open(studyFolder().toStdString());

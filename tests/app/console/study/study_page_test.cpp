@@ -55,7 +55,7 @@ private slots:
             doTrial();
         QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(!controller().savedText().isEmpty(), kPatience_ms);
-        QCOMPARE(m_page->matrixView().content().matrix.correct(), 4);
+        QCOMPARE(m_page->findChild<studyview::ConfusionView*>("liveMatrix")->content().matrix.correct(), 4);
         QCOMPARE(window()->scene().state, studyview::ParticipantScene::State::finished);
 
         const auto trials = kept();
@@ -73,25 +73,25 @@ private slots:
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QVERIFY(!runner().isActive());
         QCOMPARE(controller().chosen(), std::optional(std::pair(0, 1)));
-        QCOMPARE(m_page->matrixView().content().matrix.total(), 0);
+        QCOMPARE(m_page->findChild<studyview::ConfusionView*>("liveMatrix")->content().matrix.total(), 0);
         controller().choose(0, 0);
-        QCOMPARE(m_page->matrixView().content().matrix.correct(), 4);
-        QCOMPARE(m_page->sessionPanel().findChild<QTableWidget*>()->rowCount(), 6);
+        QCOMPARE(m_page->findChild<studyview::ConfusionView*>("liveMatrix")->content().matrix.correct(), 4);
+        QCOMPARE(sessionPanel().findChild<QTableWidget*>()->rowCount(), 6);
         m_page->bringForward(QStringLiteral("results"));
-        QTRY_COMPARE_WITH_TIMEOUT(m_page->resultsView().matrices().size(), std::size_t(1), kPatience_ms);
-        QCOMPARE(m_page->resultsView().matrices()[0]->content().matrix.correct(), 4);
-        QCOMPARE(m_page->resultsView().peopleTable()->item(0, 3)->text(), QStringLiteral("4"));
+        QTRY_COMPARE_WITH_TIMEOUT(resultsView().matrices().size(), std::size_t(1), kPatience_ms);
+        QCOMPARE(resultsView().matrices()[0]->content().matrix.correct(), 4);
+        QCOMPARE(resultTable("peopleTable")->item(0, 3)->text(), QStringLiteral("4"));
     }
 
     void doesNotBeginWithoutTheNoiseAndSaysWhatToDo() {
         openStudy();
-        QTRY_VERIFY_WITH_TIMEOUT(!m_page->sessionPanel().scene().checks.empty(), kPatience_ms);
-        QTRY_COMPARE_WITH_TIMEOUT(std::count_if(m_page->sessionPanel().scene().checks.begin(),
-                                                m_page->sessionPanel().scene().checks.end(),
+        QTRY_VERIFY_WITH_TIMEOUT(!sessionPanel().scene().checks.empty(), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(std::count_if(sessionPanel().scene().checks.begin(),
+                                                sessionPanel().scene().checks.end(),
                                                 [](const auto& check) { return !check.passed; }),
                                   std::ptrdiff_t(1), kPatience_ms);
         QVERIFY(!nextButton()->isEnabled());
-        const auto& checks = m_page->sessionPanel().scene().checks;
+        const auto& checks = sessionPanel().scene().checks;
         QVERIFY(std::any_of(checks.begin(), checks.end(), [](const auto& check) {
             return check.remedy.contains(QStringLiteral("65 dBA"));
         }));
@@ -112,7 +112,7 @@ private slots:
     void aRealRunNeedsARealBracelet() {
         openStudy(Mode::run);
         controller().setNoiseConfirmed(true);
-        QTRY_VERIFY_WITH_TIMEOUT(!m_page->sessionPanel().scene().checks.empty(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!sessionPanel().scene().checks.empty(), kPatience_ms);
         controller().begin();
         QTest::qWait(0);
         QVERIFY(!runner().isActive());
@@ -161,7 +161,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
         bracelet().setFaults({.mute = dropShare == 0.0, .dropShare = dropShare});
         QTRY_VERIFY_WITH_TIMEOUT(!nextButton()->isEnabled(), kPatience_ms);
-        const auto& checks = m_page->sessionPanel().scene().checks;
+        const auto& checks = sessionPanel().scene().checks;
         QVERIFY(std::any_of(checks.begin(), checks.end(), [](const auto& check) {
             return !check.passed && check.finding.contains(QStringLiteral("does not answer"));
         }));
@@ -241,8 +241,8 @@ private slots:
         m_stop->engage();
         QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::stopped, kPatience_ms);
         QVERIFY(window()->instruction().contains(QStringLiteral("Stopped")));
-        QVERIFY(m_page->sessionPanel().scene().state.contains(QStringLiteral("STOPPED")));
-        QCOMPARE(m_page->sessionPanel().scene().tone, studyview::Tone::alarm);
+        QVERIFY(sessionPanel().scene().state.contains(QStringLiteral("STOPPED")));
+        QCOMPARE(sessionPanel().scene().tone, studyview::Tone::alarm);
         QVERIFY(!nextButton()->isEnabled());
         QTest::keyClick(window(), Qt::Key_Space);
         QCOMPARE(runner().hold(), Hold::stopped);
@@ -374,8 +374,8 @@ private slots:
         m_page->open(studyFolder());
         QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
         controller().setNoiseConfirmed(true);
-        QTRY_VERIFY_WITH_TIMEOUT(!m_page->sessionPanel().scene().checks.empty(), kPatience_ms);
-        const auto& checks = m_page->sessionPanel().scene().checks;
+        QTRY_VERIFY_WITH_TIMEOUT(!sessionPanel().scene().checks.empty(), kPatience_ms);
+        const auto& checks = sessionPanel().scene().checks;
         QVERIFY(std::any_of(checks.begin(), checks.end(), [](const auto& check) {
             return !check.passed && check.remedy.contains(QStringLiteral("0.7.1"));
         }));
@@ -497,8 +497,8 @@ private slots:
         const QString text = play->text();
         QTest::mouseClick(play, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
-        QVERIFY(m_page->sessionPanel().scene().noiseText.contains(QStringLiteral("no sound output")));
-        QVERIFY(!m_page->sessionPanel().scene().noisePlaying);
+        QVERIFY(sessionPanel().scene().noiseText.contains(QStringLiteral("no sound output")));
+        QVERIFY(!sessionPanel().scene().noisePlaying);
         QCOMPARE(play->text(), text);
         beginSession();
         QVERIFY(runner().isActive());
@@ -517,15 +517,14 @@ private slots:
     void simulatedParticipantsGoThroughTheWholeStudyAndTheResultsFollow() {
         openStudy(Mode::simulated);
         controller().setSpeed(200.0);
-        controller().rehearse();
-        QTRY_VERIFY_WITH_TIMEOUT(!m_page->resultsView().matrices().empty() && !controller().isRehearsing(),
-                                 60'000);
+        controller().startRehearsal();
+        QTRY_VERIFY_WITH_TIMEOUT(!resultsView().matrices().empty() && !controller().isRehearsing(), 60'000);
         QCOMPARE(controller().overview()->participants.size(), std::size_t(2));
         for (const console::ParticipantOverview& person : controller().overview()->participants)
             QVERIFY(!person.nextSession());
-        QTRY_VERIFY_WITH_TIMEOUT(m_page->resultsView().anovaTable()->rowCount() >= 3, kPatience_ms);
-        QCOMPARE(m_page->resultsView().matrices().size(), std::size_t(2));
-        for (const studyview::ConfusionView* view : m_page->resultsView().matrices()) {
+        QTRY_VERIFY_WITH_TIMEOUT(resultTable("anovaTable")->rowCount() >= 3, kPatience_ms);
+        QCOMPARE(resultsView().matrices().size(), std::size_t(2));
+        for (const studyview::ConfusionView* view : resultsView().matrices()) {
             QCOMPARE(view->content().matrix.total(), 8);
             QCOMPARE(view->content().mode, Mode::simulated);
         }

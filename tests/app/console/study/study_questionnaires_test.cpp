@@ -85,7 +85,7 @@ class StudyQuestionnairesTest : public QObject, protected test::StudyBench {
         window()->activateWindow(); // the participant's hand; a dialog may have had the keyboard
         QVERIFY(QTest::qWaitForWindowActive(window()));
         QTest::keyClick(window()->focusWidget(), key);
-        QTest::mouseClick(form().doneButton(), Qt::LeftButton);
+        QTest::mouseClick(form().findChild<QPushButton*>("questionnaireDone"), Qt::LeftButton);
     }
     /// Whatever was asked of the store before is answered when this returns.
     void waitForTheStore() {
@@ -237,9 +237,9 @@ private slots:
         execute("ALTER TABLE note RENAME TO hidden");
         confirm(*askToSkip());
         QTRY_VERIFY_WITH_TIMEOUT(!controller().round().problem().isEmpty(), kPatience_ms);
-        const auto& scene = m_page->sessionPanel().scene();
-        QVERIFY2(scene.state.contains(QStringLiteral("could not be left out")), qPrintable(scene.state));
-        QCOMPARE(nextButton()->text(), QStringLiteral("Try again to leave it out"));
+        const auto& scene = sessionPanel().scene();
+        QVERIFY2(scene.state.contains(QStringLiteral("could not be skipped")), qPrintable(scene.state));
+        QCOMPARE(nextButton()->text(), QStringLiteral("Try again to skip it"));
         QVERIFY2(window()->scene().questionnaireProblem.isEmpty(), "the participant's answers are not lost");
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!controller().round().problem().isEmpty(), kPatience_ms);
@@ -259,10 +259,10 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!window()->scene().questionnaireProblem.isEmpty(), kPatience_ms);
         // Other answers than those that are tried again cannot be shown.
         QVERIFY(window()->scene().questionnaireLocked);
-        QVERIFY(!form().doneButton()->isEnabled());
+        QVERIFY(!form().findChild<QPushButton*>("questionnaireDone")->isEnabled());
         QCOMPARE(form().answers().front().value, std::optional<std::string>("9"));
         execute("ALTER TABLE hidden RENAME TO answer");
-        QCOMPARE(nextButton()->text(), QStringLiteral("Try again to keep the answers"));
+        QCOMPARE(nextButton()->text(), QStringLiteral("Try again to save the answers"));
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
         QCOMPARE(answers().size(), std::size_t(1));
@@ -279,7 +279,7 @@ private slots:
         fillIn(Qt::Key_9);
         QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("mood"), kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(box.isNull(), kPatience_ms);
-        emit m_page->sessionPanel().skipRequested(controller().round().shown() - 1);
+        emit sessionPanel().skipRequested(controller().round().shown() - 1);
         waitForTheStore();
         QCOMPARE(asked(), std::string("mood"));
         fillIn(Qt::Key_2);
@@ -287,7 +287,7 @@ private slots:
         doTrials();
         QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("effort"), kPatience_ms);
         box = askToSkip();
-        QVERIFY2(box->informativeText().contains(QStringLiteral("finished without it")),
+        QVERIFY2(box->informativeText().contains(QStringLiteral("finishes without it")),
                  qPrintable(box->informativeText()));
         confirm(*box);
         QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
@@ -296,7 +296,7 @@ private slots:
     void simulatedParticipantsAnswerAsInARehearsalWithoutAScreen() {
         openStudy(Mode::simulated);
         controller().setSpeed(200.0);
-        controller().rehearse();
+        controller().startRehearsal();
         QTRY_VERIFY_WITH_TIMEOUT(!controller().isRehearsing(), 60'000);
         const auto store = study::StudyStore::open(studyFolder().toStdString());
         const study::StudyHead& head = store->head();

@@ -46,7 +46,7 @@ class StudyRPageTest : public QObject, protected test::StudyBench {
         return std::abs(shown.toDouble() - expected) <= 1e-6 * std::max(1e-3, std::abs(expected));
     }
     void choose(const QString& words) {
-        auto* button = m_page->resultsView().findChild<QPushButton*>(QStringLiteral("resultExport"));
+        auto* button = resultsView().findChild<QPushButton*>(QStringLiteral("resultExport"));
         QVERIFY(button != nullptr);
         for (QAction* action : button->menu()->actions()) {
             if (action->text().contains(words)) {
@@ -77,16 +77,17 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value() && !controller().isBusy(), kPatience_ms);
         controller().setSpeed(200.0);
         bool practised = false;
-        connect(&runner(), &console::StudyRunner::trialEnded, this, [&](const study::TrialResult& result) {
-            practised = practised || result.planned.phase == study::Phase::practice;
+        connect(&runner(), &console::StudyRunner::blockKept, this, [&] {
+            practised =
+                practised || runner().flow()->results().back().planned.phase == study::Phase::practice;
         });
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(controller().isRehearsing(), kPatience_ms);
-        studyview::ResultsView& results = m_page->resultsView();
-        QTRY_VERIFY_WITH_TIMEOUT(!controller().isRehearsing() && results.anovaTable()->rowCount() >= 3,
+        studyview::ResultsView& results = resultsView();
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().isRehearsing() && resultTable("anovaTable")->rowCount() >= 3,
                                  120'000);
         QVERIFY(practised);
-        QTRY_COMPARE_WITH_TIMEOUT(results.groupTable()->rowCount(), 2, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(resultTable("groupTable")->rowCount(), 2, kPatience_ms);
 
         QSignalSpy written(&controller(), &console::StudyController::written);
         choose(QStringLiteral("Psych-DS"));
@@ -98,7 +99,7 @@ private slots:
         QVERIFY2(inR.exitCode() == 0, inR.readAllStandardError().constData());
 
         const auto groupsInR = writtenByR(QStringLiteral("group_r.csv"));
-        const auto groups = rowsOf(results.groupTable()->csv());
+        const auto groups = rowsOf(resultTable("groupTable")->csv());
         QCOMPARE(groupsInR.size(), std::size_t(2));
         QCOMPARE(groups.size(), std::size_t(2));
         for (const Row& shown : groups) {
@@ -115,7 +116,7 @@ private slots:
         }
         const auto anovaInR = writtenByR(QStringLiteral("anova_r.csv"));
         int compared = 0;
-        for (const Row& shown : rowsOf(results.anovaTable()->csv())) {
+        for (const Row& shown : rowsOf(resultTable("anovaTable")->csv())) {
             if (shown.at("F") == QLatin1String("NA"))
                 continue;
             const auto found = std::find_if(anovaInR.begin(), anovaInR.end(), [&](const Row& row) {

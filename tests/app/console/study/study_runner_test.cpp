@@ -38,7 +38,7 @@ private slots:
             QCOMPARE(result.responseKey, QStringLiteral("Digit%1").arg(*result.response + 1).toStdString());
             QCOMPARE(result.earlyPresses, std::size_t(0));
         }
-        QCOMPARE(console::confusionOf(m_runner->results(), Phase::test, 2).correct(), 4);
+        QCOMPARE(console::confusionOf(m_runner->flow()->results(), Phase::test, 2).correct(), 4);
         QCOMPARE(m_device->m_begun.size(), std::size_t(6));
         QVERIFY(m_device->m_begun[0].starts_with("shape."));
     }
@@ -263,7 +263,7 @@ private slots:
         digit(1);
         QCOMPARE(m_runner->hold(), Hold::notKept);
         QVERIFY(m_runner->reason().contains(QStringLiteral("disk full")));
-        QVERIFY(!m_runner->waitsForServer());
+        QVERIFY(!m_runner->flow()->waitsForServer());
         space();
         m_runner->goOn();
         QCOMPARE(m_runner->hold(), Hold::notKept);
@@ -289,11 +289,11 @@ private slots:
         m_failure = core::ErrorKind::unavailable;
         digit(1);
         QCOMPARE(m_runner->hold(), Hold::notKept);
-        QVERIFY(m_runner->waitsForServer());
+        QVERIFY(m_runner->flow()->waitsForServer());
         m_fullDisk = false;
         m_runner->retry();
         QCOMPARE(m_runner->hold(), Hold::paused);
-        QVERIFY(!m_runner->waitsForServer());
+        QVERIFY(!m_runner->flow()->waitsForServer());
     }
 
     void aSessionThatEndedWhileItsLastTrialCouldNotBeKeptIsOverOnceItIs() {

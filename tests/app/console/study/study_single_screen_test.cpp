@@ -15,7 +15,7 @@ class SingleScreenTest : public QObject, protected test::StudyBench {
 
     [[nodiscard]] static QRect room() { return QGuiApplication::primaryScreen()->availableGeometry(); }
     [[nodiscard]] QRect controls() {
-        QWidget& panel = m_page->sessionPanel();
+        QWidget& panel = sessionPanel();
         return {panel.mapToGlobal(QPoint()), panel.size()};
     }
 

@@ -139,7 +139,7 @@ private slots:
         QCOMPARE(m_runner->hold(), Hold::none);
         doTrial();
         QCOMPARE(m_runner->hold(), Hold::rest);
-        QVERIFY(!m_runner->waitsForExperimenter());
+        QVERIFY(!m_runner->flow()->waitsForExperimenter());
         QCOMPARE(m_runner->restLeft_s(), 30.0);
         pass(30 * kS - 1);
         space();

@@ -134,7 +134,7 @@ private slots:
         QTest::keyClicks(note, "too loud");
         QTest::keyClick(note, Qt::Key_Return);
         QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
-        QVERIFY(isSaid("The note could not be kept."));
+        QVERIFY(isSaid("The note could not be saved."));
         QCOMPARE(note->text(), QStringLiteral("too loud"));
         execute("ALTER TABLE hidden RENAME TO note");
         QTest::keyClick(note, Qt::Key_Return);
