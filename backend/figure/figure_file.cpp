@@ -85,15 +85,12 @@ core::Expected<void> draw(const Drawing& drawing, cairo_surface_t* surface, doub
 } // namespace
 
 core::Expected<std::string> pdfOf(const std::string& svg) {
-    const core::Expected<Drawing> drawing = read(svg);
-    if (!drawing)
-        return core::Unexpected(drawing.error());
+    TELETA_TRY(const Drawing drawing, read(svg));
     std::string pdf;
     {
-        const Surface surface(cairo_pdf_surface_create_for_stream(append, &pdf, drawing->width * kPointsPerPx,
-                                                                  drawing->height * kPointsPerPx));
-        if (const core::Expected<void> drawn = draw(*drawing, surface.get(), kPointsPerPx); !drawn)
-            return core::Unexpected(drawn.error());
+        const Surface surface(cairo_pdf_surface_create_for_stream(append, &pdf, drawing.width * kPointsPerPx,
+                                                                  drawing.height * kPointsPerPx));
+        TELETA_CHECK(draw(drawing, surface.get(), kPointsPerPx));
         cairo_surface_finish(surface.get());
         if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
             return failed(core::ErrorKind::ioFailed,
@@ -103,17 +100,14 @@ core::Expected<std::string> pdfOf(const std::string& svg) {
 }
 
 core::Expected<std::string> pngOf(const std::string& svg, double scale) {
-    const core::Expected<Drawing> drawing = read(svg);
-    if (!drawing)
-        return core::Unexpected(drawing.error());
-    const double width = std::ceil(drawing->width * scale);
-    const double height = std::ceil(drawing->height * scale);
+    TELETA_TRY(const Drawing drawing, read(svg));
+    const double width = std::ceil(drawing.width * scale);
+    const double height = std::ceil(drawing.height * scale);
     if (!(width >= 1.0 && height >= 1.0 && width <= kMostPixels && height <= kMostPixels))
         return failed(core::ErrorKind::badInput, FigureText::tr("the picture would have too many pixels"));
     const Surface surface(
         cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height)));
-    if (const core::Expected<void> drawn = draw(*drawing, surface.get(), scale); !drawn)
-        return core::Unexpected(drawn.error());
+    TELETA_CHECK(draw(drawing, surface.get(), scale));
     std::string png;
     const cairo_status_t written = cairo_surface_write_to_png_stream(surface.get(), append, &png);
     if (written != CAIRO_STATUS_SUCCESS)

@@ -46,9 +46,8 @@ core::Expected<StudyStore> openedOrShown(const study::StoreLocation& location) {
 }
 
 /// Replaces the store only if all of the other study could be read.
-core::Expected<StudyOverview> replaced(StudyDesk::Store& store, core::Expected<StudyStore> another) {
-    if (!another)
-        return core::Unexpected(another.error());
+core::Expected<StudyOverview> replaced(StudyStoreThread::Store& store, core::Expected<StudyStore> another) {
+    TELETA_CHECK(another);
     core::Expected<StudyOverview> overview = overviewOf(*another);
     if (overview)
         store = std::move(*another);
@@ -65,17 +64,19 @@ StudyController::StudyController(BraceletStation& station, core::StopSwitch& sto
     , m_clock(std::move(clock))
     , m_utcNow(std::move(utcNow))
     , m_bracelet(station, stop)
-    , m_round(m_desk)
+    , m_questionnaires(m_store)
     , m_runner(
           stop, [this] { return now_ns(); }, [this] { return m_utcNow(); },
           [this](const study::TrialResult& result, const QDateTime& ended, StudyRunner::Kept kept) {
-              m_desk.ask([record = m_running->record, result,
-                          ended](StudyDesk::Store& store) { return store->keepTrial(record, result, ended); },
-                         std::move(kept));
+              m_store.ask(
+                  [record = m_running->record, result, ended](StudyStoreThread::Store& store) {
+                      return store->keepTrial(record, result, ended);
+                  },
+                  std::move(kept));
           })
     , m_person(
           m_runner, [this] { return now_ns(); }, m_speed) {
-    connect(&m_round, &QuestionnaireRound::changed, this, &StudyController::changed);
+    connect(&m_questionnaires, &QuestionnaireSequence::changed, this, &StudyController::changed);
     connect(&m_runner, &StudyRunner::changed, this, &StudyController::followSimulated);
     connect(&m_runner, &StudyRunner::changed, this, &StudyController::changed);
     // During a session nothing else may play on the bracelet.
@@ -140,18 +141,19 @@ const study::StudyTask* StudyController::task() const {
 template <typename Work>
 void StudyController::askForOverview(const QString& what, Work work, std::function<void()> done) {
     ++m_busy;
-    m_desk.ask(std::move(work), [this, what, done = std::move(done)](core::Expected<StudyOverview> overview) {
-        --m_busy;
-        if (overview) {
-            if (done)
-                done();
-            take(std::move(*overview));
-        } else {
-            stopRehearsal();
-            emit failed(what, overview.error());
-        }
-        emit changed();
-    });
+    m_store.ask(std::move(work),
+                [this, what, done = std::move(done)](core::Expected<StudyOverview> overview) {
+                    --m_busy;
+                    if (overview) {
+                        if (done)
+                            done();
+                        take(std::move(*overview));
+                    } else {
+                        stopRehearsal();
+                        emit failed(what, overview.error());
+                    }
+                    emit changed();
+                });
     emit changed();
 }
 
@@ -179,14 +181,15 @@ void StudyController::open(const study::StoreLocation& location) {
                              : QString::fromStdString(study::shownServer(location.server));
     const QString what = tr("%1 could not be opened.", "a folder").arg(name);
     if (mayChange(what))
-        askForOverview(
-            what, [location](StudyDesk::Store& store) { return replaced(store, openedOrShown(location)); });
+        askForOverview(what, [location](StudyStoreThread::Store& store) {
+            return replaced(store, openedOrShown(location));
+        });
 }
 
 void StudyController::create(const study::StoreLocation& location, const study::StudyHead& head) {
     const QString what = tr("The study could not be created.");
     if (mayChange(what))
-        askForOverview(what, [location, head](StudyDesk::Store& store) {
+        askForOverview(what, [location, head](StudyStoreThread::Store& store) {
             return replaced(store, StudyStore::create(location, head));
         });
 }
@@ -194,7 +197,7 @@ void StudyController::create(const study::StoreLocation& location, const study::
 void StudyController::openOrCreate(const study::StoreLocation& location, const study::StudyHead& head) {
     const QString what = tr("The rehearsal could not be opened.");
     if (mayChange(what))
-        askForOverview(what, [location, head](StudyDesk::Store& store) {
+        askForOverview(what, [location, head](StudyStoreThread::Store& store) {
             const QDir folder(QString::fromStdString(location.folder));
             return replaced(store, folder.exists(QStringLiteral("study.sqlite"))
                                        ? StudyStore::open(location)
@@ -207,7 +210,7 @@ void StudyController::enrol(const QString& id) {
         return;
     askForOverview(
         tr("%1 could not be enrolled.", "a participant").arg(id),
-        [id = id.toStdString()](StudyDesk::Store& store) {
+        [id = id.toStdString()](StudyStoreThread::Store& store) {
             return store->enrol(id).and_then([&](const study::Participant&) { return overviewOf(*store); });
         },
         [this, id] {
@@ -220,7 +223,7 @@ void StudyController::enrol(const QString& id) {
 
 void StudyController::refresh() {
     askForOverview(tr("The study could not be read."),
-                   [](StudyDesk::Store& store) { return overviewOf(*store); });
+                   [](StudyStoreThread::Store& store) { return overviewOf(*store); });
 }
 
 void StudyController::take(StudyOverview overview) {
@@ -287,8 +290,8 @@ void StudyController::lookAround(bool thenBegin) {
         core::Expected<std::optional<std::string>> runner;
     };
     m_lookingAround = true;
-    m_desk.ask(
-        [who = participant->participant](StudyDesk::Store& store) {
+    m_store.ask(
+        [who = participant->participant](StudyStoreThread::Store& store) {
             return Findings{study::lookAtFolder(store->folder()), store->runner(who)};
         },
         [this, thenBegin, isOwn = m_running.has_value()](Findings findings) {
@@ -354,9 +357,9 @@ void StudyController::begin() {
     m_saved.clear();
     m_foundInterrupted = false;
     const auto planIndex = static_cast<std::size_t>(m_chosen->second);
-    m_desk.ask(
+    m_store.ask(
         [who = participant->participant, planIndex, plan = session->plan, now = m_utcNow()](
-            StudyDesk::Store& store) { return openSession(*store, who, planIndex, plan, now); },
+            StudyStoreThread::Store& store) { return openSession(*store, who, planIndex, plan, now); },
         [this, who = participant->participant, plan = session->plan](core::Expected<OpenedSession> opened) {
             --m_busy;
             if (!opened) {
@@ -366,8 +369,8 @@ void StudyController::begin() {
                 return;
             }
             m_running = {opened->record, who, plan, opened->after, opened->claim};
-            m_round.begin({m_overview->head, who, plan, opened->record}, opened->before,
-                          [this, session = *opened] { beginTrials(session); });
+            m_questionnaires.begin({m_overview->head, who, plan, opened->record}, opened->before,
+                                   [this, session = *opened] { beginTrials(session); });
             emit changed();
         });
     emit changed();
@@ -400,8 +403,8 @@ void StudyController::beginTrials(const OpenedSession& opened) {
 void StudyController::exportSession() {
     if (!m_running)
         return;
-    m_desk.ask(
-        [who = m_running->participant, record = m_running->record](StudyDesk::Store& store) {
+    m_store.ask(
+        [who = m_running->participant, record = m_running->record](StudyStoreThread::Store& store) {
             return study::exportSession(*store, who, record, study::ExportFormat::psychds);
         },
         [this](const core::Expected<void>& written) {
@@ -418,21 +421,22 @@ void StudyController::exportSession() {
 
 void StudyController::conclude() {
     m_person.leave();
-    m_round.begin({m_overview->head, m_running->participant, m_running->plan, m_running->record},
-                  m_running->after,
-                  [this, answered = !m_running->after.empty()] { closeSession(answered); });
+    m_questionnaires.begin({m_overview->head, m_running->participant, m_running->plan, m_running->record},
+                           m_running->after,
+                           [this, answered = !m_running->after.empty()] { closeSession(answered); });
 }
 
 void StudyController::closeSession(bool answered) {
     if (answered)
         exportSession();
-    askForOverview(tr("The session could not be closed."), [record = m_running->record](StudyDesk::Store& store) {
-        return store->finishSession(record).and_then([&] { return overviewOf(*store); });
-    });
+    askForOverview(tr("The session could not be closed."),
+                   [record = m_running->record](StudyStoreThread::Store& store) {
+                       return store->finishSession(record).and_then([&] { return overviewOf(*store); });
+                   });
 }
 
 void StudyController::abort() {
-    if (m_round.current() == nullptr) {
+    if (m_questionnaires.current() == nullptr) {
         m_runner.abort();
         return;
     }
@@ -443,14 +447,14 @@ void StudyController::abort() {
 }
 
 void StudyController::forgetSession() {
-    m_round.leave();
+    m_questionnaires.leave();
     m_person.leave();
     m_runner.clear();
     if (!m_running)
         return;
     // A claim may hold the server's connection, which belongs to the store's thread.
-    m_desk.ask(
-        [claim = std::move(m_running->claim)](StudyDesk::Store&) mutable {
+    m_store.ask(
+        [claim = std::move(m_running->claim)](StudyStoreThread::Store&) mutable {
             claim.reset();
             return true;
         },
@@ -459,7 +463,7 @@ void StudyController::forgetSession() {
 }
 
 void StudyController::leaveSession() {
-    if (isBusy() || m_round.current() != nullptr)
+    if (isBusy() || m_questionnaires.current() != nullptr)
         return;
     forgetSession();
     m_saved.clear();
@@ -477,9 +481,9 @@ void StudyController::keepNote(const QString& text) {
         core::Expected<void> kept;
         core::Expected<void> exported;
     };
-    m_desk.ask(
+    m_store.ask(
         [who = m_running->participant, record = m_running->record, text = text.toStdString(),
-         now = m_utcNow()](StudyDesk::Store& store) {
+         now = m_utcNow()](StudyStoreThread::Store& store) {
             Written written{store->keepNote(record, text, now), {}};
             if (written.kept)
                 written.exported = study::exportNotes(*store, who, study::ExportFormat::psychds);
@@ -507,7 +511,7 @@ void StudyController::write(const QString& format) {
     };
     // Figures take long; a running session must not wait for them.
     if (format == QLatin1String("psychds"))
-        m_desk.ask([format](StudyDesk::Store& store) { return writeStudy(*store, format); }, done);
+        m_store.ask([format](StudyStoreThread::Store& store) { return writeStudy(*store, format); }, done);
     else
         runInBackground(
             this, [location = m_overview->location, format] { return writeStudy(location, format); }, done);

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/console/study/running/bracelet_stimulus.h"
-#include "app/console/study/running/questionnaire_round.h"
+#include "app/console/study/running/questionnaire_sequence.h"
 #include "app/console/study/running/simulated_person.h"
-#include "app/console/study/running/study_desk.h"
 #include "app/console/study/running/study_runner.h"
+#include "app/console/study/running/study_store_thread.h"
 #include "app/console/study/study_overview.h"
 #include "backend/core/steady_time.h"
 #include "backend/study/session/run_checks.h"
@@ -87,9 +87,11 @@ public:
     [[nodiscard]] bool noiseConfirmed() const { return m_noiseConfirmed; }
     [[nodiscard]] bool isBusy() const { return m_busy > 0; }
     /// A session is under way, or a questionnaire before or after it.
-    [[nodiscard]] bool isActive() const { return m_runner.isActive() || m_round.current() != nullptr; }
-    [[nodiscard]] QuestionnaireRound& round() { return m_round; }
-    [[nodiscard]] const QuestionnaireRound& round() const { return m_round; }
+    [[nodiscard]] bool isActive() const {
+        return m_runner.isActive() || m_questionnaires.current() != nullptr;
+    }
+    [[nodiscard]] QuestionnaireSequence& questionnaires() { return m_questionnaires; }
+    [[nodiscard]] const QuestionnaireSequence& questionnaires() const { return m_questionnaires; }
     [[nodiscard]] StudyRunner& runner() { return m_runner; }
     [[nodiscard]] const StudyRunner& runner() const { return m_runner; }
     [[nodiscard]] const StimulusOutput& output() const;
@@ -149,8 +151,8 @@ private:
 
     BraceletStimulus m_bracelet;
     UnplayedStimulus m_unplayed;
-    StudyDesk m_desk;
-    QuestionnaireRound m_round;
+    StudyStoreThread m_store;
+    QuestionnaireSequence m_questionnaires;
     StudyRunner m_runner;
     SimulatedPerson m_person;
 

@@ -22,18 +22,18 @@ QString StudyLeaving::notKept() const {
     const StudyRunner& runner = m_controller.runner();
     if (runner.hold() == study::Hold::notKept && !runner.flow()->waitsForServer())
         return runner.reason();
-    return m_controller.round().problem();
+    return m_controller.questionnaires().problem();
 }
 
 bool StudyLeaving::isKeeping() const {
-    return m_controller.runner().isKeeping() || m_controller.round().isKeeping();
+    return m_controller.runner().isKeeping() || m_controller.questionnaires().isKeeping();
 }
 
 bool StudyLeaving::isUnderWay() const {
     if (!m_controller.isActive())
         return false;
     const study::Session* session = m_controller.runner().session();
-    return m_controller.round().current() != nullptr ||
+    return m_controller.questionnaires().current() != nullptr ||
            (session != nullptr && session->stage() != study::Stage::finished &&
             session->stage() != study::Stage::aborted);
 }
@@ -98,10 +98,10 @@ void StudyLeaving::askAboutLoss(const QString& reason) {
             finish();
         } else if (role == QMessageBox::AcceptRole) {
             m_waits = m_isDecided = true;
-            if (m_controller.round().problem().isEmpty())
+            if (m_controller.questionnaires().problem().isEmpty())
                 m_controller.runner().retry();
             else
-                m_controller.round().retry();
+                m_controller.questionnaires().retry();
         }
     });
     box->open();

@@ -15,19 +15,15 @@ core::Expected<void> findDue(const study::StudyStore& store, const study::Partic
     const study::Protocol& protocol = store.head().protocol;
     if (protocol.questionnaires.empty())
         return {};
-    const auto answers = store.answers(participant);
-    if (!answers)
-        return core::Unexpected(answers.error());
-    const auto sessions = store.sessions(participant);
-    if (!sessions)
-        return core::Unexpected(sessions.error());
-    const auto finished = std::count_if(sessions->begin(), sessions->end(), [&](const auto& session) {
+    TELETA_TRY(const auto answers, store.answers(participant));
+    TELETA_TRY(const auto sessions, store.sessions(participant));
+    const auto finished = std::count_if(sessions.begin(), sessions.end(), [&](const auto& session) {
         return session.finished || session.key == record.key;
     });
     const bool isLast = static_cast<std::size_t>(finished) ==
                         planSessions(protocol, store.head().seed, participant.enrolment).size();
     const auto add = [&](std::vector<study::DueQuestionnaire>& list, study::QuestionnaireTime when) {
-        for (study::DueQuestionnaire& due : dueQuestionnaires(protocol, when, record, *answers))
+        for (study::DueQuestionnaire& due : dueQuestionnaires(protocol, when, record, answers))
             list.push_back(std::move(due));
     };
     add(opened.before, study::QuestionnaireTime::beforeStudy);
@@ -50,24 +46,20 @@ std::optional<std::size_t> ParticipantOverview::nextSession() const {
 core::Expected<StudyOverview> overviewOf(const study::StudyStore& store) {
     StudyOverview overview{store.location(), store.shownName(), store.head(), {}, store.isReadOnly()};
     const auto participants = store.participants();
-    if (!participants)
-        return core::Unexpected(participants.error());
+    TELETA_CHECK(participants);
     for (const study::Participant& participant : *participants) {
         ParticipantOverview one{participant, {}};
         for (study::PlannedSession& plan :
              planSessions(overview.head.protocol, overview.head.seed, participant.enrolment))
             one.sessions.push_back({std::move(plan), std::nullopt, {}, 0});
         const auto sessions = store.sessions(participant);
-        if (!sessions)
-            return core::Unexpected(sessions.error());
+        TELETA_CHECK(sessions);
         for (const study::SessionRecord& record : *sessions) {
             SessionOverview& session = one.sessions.at(record.planIndex);
             session.record = record;
-            const auto trials = store.trials(record);
-            if (!trials)
-                return core::Unexpected(trials.error());
-            session.results.reserve(trials->size());
-            for (const study::StoredTrial& trial : *trials)
+            TELETA_TRY(const auto trials, store.trials(record));
+            session.results.reserve(trials.size());
+            for (const study::StoredTrial& trial : trials)
                 session.results.push_back(trial.result);
             session.kept = static_cast<std::size_t>(
                 std::count_if(session.results.begin(), session.results.end(),
@@ -82,19 +74,14 @@ core::Expected<OpenedSession> openSession(study::StudyStore& store, const study:
                                           std::size_t planIndex, const study::PlannedSession& plan,
                                           const QDateTime& now) {
     auto claim = store.claim(participant);
-    if (!claim)
-        return core::Unexpected(claim.error());
+    TELETA_CHECK(claim);
     auto record = store.beginSession(participant, planIndex, plan, now);
-    if (!record)
-        return core::Unexpected(record.error());
-    const auto trials = store.trials(*record);
-    if (!trials)
-        return core::Unexpected(trials.error());
+    TELETA_CHECK(record);
+    TELETA_TRY(const auto trials, store.trials(*record));
     OpenedSession opened;
-    for (const study::StoredTrial& trial : *trials)
+    for (const study::StoredTrial& trial : trials)
         opened.kept.push_back(trial.result);
-    if (const core::Expected<void> asked = findDue(store, participant, *record, opened); !asked)
-        return core::Unexpected(asked.error());
+    TELETA_CHECK(findDue(store, participant, *record, opened));
     opened.record = std::move(*record);
     opened.claim = std::make_shared<study::ParticipantClaim>(std::move(*claim));
     return opened;

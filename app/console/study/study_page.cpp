@@ -152,8 +152,8 @@ void StudyPage::connectViews() {
             [&runner](const QString& device, const QString& key) {
                 runner.release(device.toStdString(), key.toStdString());
             });
-    connect(m_participant.get(), &ParticipantWindow::questionnaireAnswered, &m_controller.round(),
-            &QuestionnaireRound::submit);
+    connect(m_participant.get(), &ParticipantWindow::questionnaireAnswered, &m_controller.questionnaires(),
+            &QuestionnaireSequence::submit);
     connect(m_participant.get(), &ParticipantWindow::left, &runner, &StudyRunner::pause);
 
     connect(&m_placement, &ParticipantPlacement::screenLost, this, [this] {
@@ -177,7 +177,8 @@ void StudyPage::connectViews() {
     connect(m_session, &SessionPanel::nextRequested, this, &StudyPage::doNextStep);
     connect(m_session, &SessionPanel::pauseRequested, &runner, &StudyRunner::pause);
     connect(m_session, &SessionPanel::abortRequested, &m_controller, &StudyController::abort);
-    connect(m_session, &SessionPanel::skipRequested, &m_controller.round(), &QuestionnaireRound::skip);
+    connect(m_session, &SessionPanel::skipRequested, &m_controller.questionnaires(),
+            &QuestionnaireSequence::skip);
     connect(m_session, &SessionPanel::noteWritten, &m_controller, &StudyController::keepNote);
     connect(&m_controller, &StudyController::noteNotKept, m_session, &SessionPanel::restoreNote);
     connect(m_session, &SessionPanel::noiseConfirmed, &m_controller, &StudyController::setNoiseConfirmed);
@@ -408,8 +409,8 @@ void StudyPage::doNextStep() {
             m_participant->activateWindow();
         return;
     case NextStep::retry:
-        if (m_controller.round().current() != nullptr)
-            m_controller.round().retry();
+        if (m_controller.questionnaires().current() != nullptr)
+            m_controller.questionnaires().retry();
         else
             m_controller.runner().retry();
         return;
@@ -452,10 +453,10 @@ void StudyPage::showParticipant() {
         m_choicesOf = session;
         m_participant->setChoices(StudyScenes::choices(m_controller));
     }
-    const QuestionnaireRound& round = m_controller.round();
-    if (round.current() != nullptr && m_asked != round.shown()) {
-        m_asked = round.shown();
-        m_participant->setQuestionnaire(*round.current(), round.filledIn());
+    const QuestionnaireSequence& questionnaires = m_controller.questionnaires();
+    if (questionnaires.current() != nullptr && m_asked != questionnaires.shown()) {
+        m_asked = questionnaires.shown();
+        m_participant->setQuestionnaire(*questionnaires.current(), questionnaires.filledIn());
     }
     m_participant->setScene(StudyScenes::participant(m_controller));
     m_participant->paintNow();

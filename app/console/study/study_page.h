@@ -114,7 +114,7 @@ private:
     bool m_outdated = true;   ///< the results lack the latest trials
     bool m_analysing = false; ///< on a pool thread
     QString m_choicesOf;      ///< session whose answers the participant's window shows
-    std::size_t m_asked = 0;  ///< QuestionnaireRound::shown() of the one in the participant's window
+    std::size_t m_asked = 0;  ///< QuestionnaireSequence::shown() of the one in the participant's window
     bool m_rehearseWhenOpened = false;
     QString m_noiseProblem; ///< why the noise could not be played the last time
 };

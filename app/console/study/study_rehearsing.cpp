@@ -13,7 +13,7 @@ void StudyController::setSpeed(double speed) {
         return;
     m_anchor_ns = m_clock();
     m_speed = speed;
-    m_round.setSpeed(speed);
+    m_questionnaires.setSpeed(speed);
     m_person.setSpeed(speed);
     emit changed();
 }
@@ -51,7 +51,7 @@ void StudyController::stopRehearsal() {
 
 /// Starts the next unfinished session of any participant; if there is none, enrols the next participant.
 void StudyController::goOnRehearsing() {
-    if (!m_rehearsing || isBusy() || m_round.current() != nullptr)
+    if (!m_rehearsing || isBusy() || m_questionnaires.current() != nullptr)
         return;
     forgetSession();
     const std::vector<ParticipantOverview>& people = m_overview->participants;

@@ -126,8 +126,8 @@ NextStep StudyScenes::nextStep(const StudyController& controller) {
     if (!controller.overview())
         return NextStep::none;
     const bool simulated = controller.overview()->head.mode == study::Mode::simulated;
-    if (controller.round().current() != nullptr) {
-        if (!controller.round().problem().isEmpty())
+    if (controller.questionnaires().current() != nullptr) {
+        if (!controller.questionnaires().problem().isEmpty())
             return NextStep::retry;
         return controller.isRehearsing() ? NextStep::stopRehearsal : NextStep::fillIn;
     }
@@ -182,7 +182,7 @@ studyview::SessionScene StudyScenes::session(const StudyController& controller) 
     }
     if (controller.runner().isActive())
         describeRunning(controller, scene);
-    if (controller.round().current() != nullptr)
+    if (controller.questionnaires().current() != nullptr)
         describeQuestionnaire(controller, scene);
     else if (!controller.runner().isActive())
         describeIdle(controller, scene);
@@ -268,35 +268,36 @@ QString StudyScenes::skipConsequence(study::QuestionnaireTime when) {
 }
 
 void StudyScenes::describeQuestionnaire(const StudyController& controller, studyview::SessionScene& scene) {
-    const QuestionnaireRound& round = controller.round();
-    const QString title = text(round.current()->title);
+    const QuestionnaireSequence& questionnaires = controller.questionnaires();
+    const QString title = text(questionnaires.current()->title);
     scene.canAbort = true;
     scene.canNote = true;
     scene.canPause = false;
-    scene.canSkip = !round.isKeeping() && !round.isSimulated();
-    scene.questionnaire = round.shown();
-    scene.skipConsequence = skipConsequence(round.current()->when);
-    scene.nextEnabled = !round.isKeeping();
+    scene.canSkip = !questionnaires.isKeeping() && !questionnaires.isSimulated();
+    scene.questionnaire = questionnaires.shown();
+    scene.skipConsequence = skipConsequence(questionnaires.current()->when);
+    scene.nextEnabled = !questionnaires.isKeeping();
     scene.tone = Tone::calm;
-    scene.state = round.isSimulated() ? tr("The simulated participant fills in \u201c%1\u201d.").arg(title)
-                  : round.isSkipping() && round.isKeeping()
+    scene.state = questionnaires.isSimulated()
+                      ? tr("The simulated participant fills in \u201c%1\u201d.").arg(title)
+                  : questionnaires.isSkipping() && questionnaires.isKeeping()
                       ? tr("Recording that \u201c%1\u201d is skipped \u2026").arg(title)
-                  : round.isKeeping() ? tr("Saving the answers \u2026")
-                                      : tr("The participant fills in \u201c%1\u201d.").arg(title);
+                  : questionnaires.isKeeping() ? tr("Saving the answers \u2026")
+                                               : tr("The participant fills in \u201c%1\u201d.").arg(title);
     switch (nextStep(controller)) {
     case NextStep::retry:
         scene.tone = Tone::alarm;
-        if (round.isSkipping()) {
+        if (questionnaires.isSkipping()) {
             scene.next = tr("Try again to skip it");
             scene.state =
                 tr("\u201c%1\u201d could not be skipped, because the note about it could not be saved. %2")
-                    .arg(title, round.problem());
+                    .arg(title, questionnaires.problem());
             return;
         }
         scene.next = tr("Try again to save the answers");
         scene.state = tr("The answers to \u201c%1\u201d could not be saved; they are still in the "
                          "participant's window. %2")
-                          .arg(title, round.problem());
+                          .arg(title, questionnaires.problem());
         return;
     case NextStep::stopRehearsal:
         scene.next = tr("Halt the rehearsal");
@@ -403,13 +404,14 @@ studyview::ParticipantScene StudyScenes::participant(const StudyController& cont
     studyview::ParticipantScene scene;
     if (!controller.overview())
         return scene;
-    if (const QuestionnaireRound& round = controller.round(); round.current() != nullptr) {
+    if (const QuestionnaireSequence& questionnaires = controller.questionnaires();
+        questionnaires.current() != nullptr) {
         scene.state = State::questionnaire;
         scene.mode = controller.overview()->head.mode;
         scene.title = text(controller.overview()->head.protocol.name);
-        const bool areNotKept = !round.problem().isEmpty() && !round.isSkipping();
+        const bool areNotKept = !questionnaires.problem().isEmpty() && !questionnaires.isSkipping();
         // retry() stores the submitted answers: the form must stay unchanged.
-        scene.questionnaireLocked = round.isKeeping() || round.isSimulated() || areNotKept;
+        scene.questionnaireLocked = questionnaires.isKeeping() || questionnaires.isSimulated() || areNotKept;
         if (areNotKept)
             scene.questionnaireProblem =
                 tr("Your answers could not be saved yet. Please tell the experimenter.");

@@ -23,17 +23,14 @@ struct WritingText {
 core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStore& store,
                                                           study::TrialTally& tally) {
     study::ModeFilter modes;
-    if (const core::Expected<void> counted = study::tallyStore(store, modes, tally); !counted)
-        return core::Unexpected(counted.error());
+    TELETA_CHECK(study::tallyStore(store, modes, tally));
     return study::studyResults(tally);
 }
 
 /// Writes tables, figures and report into the study's folder "results", which is returned.
 core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir& study) {
     study::TrialTally tally;
-    const core::Expected<std::vector<study::TaskResults>> tasks = resultsOf(store, tally);
-    if (!tasks)
-        return core::Unexpected(tasks.error());
+    TELETA_TRY(const std::vector<study::TaskResults> tasks, resultsOf(store, tally));
     const QString results = study.filePath(QStringLiteral("results"));
     const std::string folder = results.toStdString();
     const study::Mode mode = store.head().mode;
@@ -47,20 +44,18 @@ core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir
                                        {onServer ? store.shownName() : study.path().toStdString()},
                                        QCoreApplication::applicationVersion().toStdString(),
                                        tally.frames()};
-    return study::writeResults(*tasks, folder)
-        .and_then([&] { return study::writeFigures(*tasks, folder, mode, formats); })
-        .and_then([&] { return study::writeReport(*tasks, heading, folder); })
+    return study::writeResults(tasks, folder)
+        .and_then([&] { return study::writeFigures(tasks, folder, mode, formats); })
+        .and_then([&] { return study::writeReport(tasks, heading, folder); })
         .map([&] { return results; });
 }
 
 } // namespace
 
 core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StoreLocation& location) {
-    const core::Expected<study::StudyStore> store = study::StudyStore::openForReading(location);
-    if (!store)
-        return core::Unexpected(store.error());
+    TELETA_TRY(const study::StudyStore store, study::StudyStore::openForReading(location));
     study::TrialTally tally;
-    return resultsOf(*store, tally);
+    return resultsOf(store, tally);
 }
 
 core::Expected<QString> writeStudy(const study::StudyStore& store, const QString& format) {
@@ -80,10 +75,8 @@ core::Expected<QString> writeStudy(const study::StudyStore& store, const QString
 }
 
 core::Expected<QString> writeStudy(const study::StoreLocation& location, const QString& format) {
-    const core::Expected<study::StudyStore> store = study::StudyStore::openForReading(location);
-    if (!store)
-        return core::Unexpected(store.error());
-    return writeStudy(*store, format);
+    TELETA_TRY(const study::StudyStore store, study::StudyStore::openForReading(location));
+    return writeStudy(store, format);
 }
 
 } // namespace teleta::console

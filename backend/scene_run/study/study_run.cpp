@@ -3,6 +3,7 @@
 
 #include "backend/core/steady_time.h"
 #include "backend/scene_run/study/stimulus_bracelet.h"
+#include "backend/study/analysis/proportion.h"
 #include "backend/study/session/rehearsal.h"
 
 #include <QCoreApplication>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,34 +32,23 @@ QDateTime beginning() {
     return {QDate(2026, 1, 1), QTime(8, 0), Qt::UTC};
 }
 
-ordered_json median(std::vector<double> values) {
-    if (values.empty())
-        return nullptr;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1)
-        return *middle;
-    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+ordered_json median(const std::vector<double>& values) {
+    const std::optional<double> middle = study::median(values);
+    return middle ? ordered_json(*middle) : ordered_json();
 }
 
 /// Measures of the stored trials.
 core::Expected<ordered_json> measuresOf(const study::StudyStore& store) {
-    const auto participants = store.participants();
-    if (!participants)
-        return core::Unexpected(participants.error());
+    TELETA_TRY(const auto participants, store.participants());
     int trials = 0;
     int right = 0;
     int timeouts = 0;
     std::vector<double> times_s;
-    for (const study::Participant& participant : *participants) {
-        const auto sessions = store.sessions(participant);
-        if (!sessions)
-            return core::Unexpected(sessions.error());
-        for (const study::SessionRecord& session : *sessions) {
-            const auto kept = store.trials(session);
-            if (!kept)
-                return core::Unexpected(kept.error());
-            for (const study::StoredTrial& trial : *kept) {
+    for (const study::Participant& participant : participants) {
+        TELETA_TRY(const auto sessions, store.sessions(participant));
+        for (const study::SessionRecord& session : sessions) {
+            TELETA_TRY(const auto kept, store.trials(session));
+            for (const study::StoredTrial& trial : kept) {
                 if (trial.result.planned.phase != study::Phase::test)
                     continue;
                 ++trials;
@@ -72,30 +63,30 @@ core::Expected<ordered_json> measuresOf(const study::StudyStore& store) {
     return ordered_json{{"trials", trials},
                         {"accuracy", trials == 0 ? ordered_json() : ordered_json(double(right) / trials)},
                         {"timeouts", timeouts},
-                        {"response_time_median_s", median(std::move(times_s))}};
+                        {"response_time_median_s", median(times_s)}};
 }
 
 /// The simulated participants, with the computing time of each effect.
-class Minds {
+class TimedParticipants {
 public:
-    explicit Minds(const study::StudyScene& scene)
+    explicit TimedParticipants(const study::StudyScene& scene)
         : m_scene(scene) {}
 
     study::SimulatedParticipant::Answer answer(const study::StudyTask& task, const std::string& condition,
                                                std::size_t stimulus, std::uint64_t seed) {
         const std::pair key(task.id, condition);
-        auto known = m_minds.find(key);
-        if (known == m_minds.end())
-            known = m_minds.emplace(key, m_scene.participantFor(task, condition)).first;
-        const study::SimulatedParticipant& mind = known->second;
+        auto known = m_participants.find(key);
+        if (known == m_participants.end())
+            known = m_participants.emplace(key, m_scene.participantFor(task, condition)).first;
+        const study::SimulatedParticipant& participant = known->second;
         study::SimulatedParticipant::Answer answer;
         const std::int64_t start_ns = core::steadyNow_ns();
-        answer.time_s = mind.time_s(seed);
+        answer.time_s = participant.time_s(seed);
         const std::int64_t timed_ns = core::steadyNow_ns();
-        const bool isLapse = mind.isLapse(seed);
+        const bool isLapse = participant.isLapse(seed);
         const std::int64_t lapsed_ns = core::steadyNow_ns();
         if (!isLapse)
-            answer.response = mind.response(stimulus, seed);
+            answer.response = participant.response(stimulus, seed);
         m_times_ns["reaction_time"] += timed_ns - start_ns;
         m_times_ns["lapses"] += lapsed_ns - timed_ns;
         m_times_ns["confusion"] += core::steadyNow_ns() - lapsed_ns;
@@ -108,7 +99,7 @@ public:
 
 private:
     const study::StudyScene& m_scene;
-    std::map<std::pair<std::string, std::string>, study::SimulatedParticipant> m_minds;
+    std::map<std::pair<std::string, std::string>, study::SimulatedParticipant> m_participants;
     std::map<std::string, std::int64_t> m_times_ns;
 };
 
@@ -125,12 +116,11 @@ core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const
     head.lapses = scene.lapses.value_or(0.0);
     head.created = beginning();
     head.appVersion = QCoreApplication::applicationVersion().toStdString();
-    core::Expected<study::StudyStore> store = study::StudyStore::create(
-        options.outFolder.empty() ? nowhere.path().toStdString() : options.outFolder, head);
-    if (!store)
-        return core::Unexpected(store.error());
+    TELETA_TRY(study::StudyStore store,
+               study::StudyStore::create(
+                   options.outFolder.empty() ? nowhere.path().toStdString() : options.outFolder, head));
 
-    Minds minds(scene);
+    TimedParticipants participants(scene);
     StimulusBracelet bracelet(scene);
     std::size_t stimuli = 0;
     std::size_t frames = 0;
@@ -138,10 +128,10 @@ core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const
     bool unknown = false;
     study::RehearsalCast cast;
     cast.answer = [&](const study::StudyTask& task, const std::string& condition, std::size_t stimulus,
-                      std::uint64_t seed) { return minds.answer(task, condition, stimulus, seed); };
+                      std::uint64_t seed) { return participants.answer(task, condition, stimulus, seed); };
     cast.show = [&](const std::string& id, std::uint64_t seed) {
         study::RehearsalCast::Shown shown;
-        const pattern::Pattern* pattern = store->head().stimuli.find(id);
+        const pattern::Pattern* pattern = store.head().stimuli.find(id);
         unknown = unknown || pattern == nullptr;
         if (pattern == nullptr)
             return shown;
@@ -159,26 +149,23 @@ core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const
         stopped = options.goOn && !options.goOn(now.simulated_s, duration_s);
         return !stopped && now.simulated_s < duration_s;
     };
-    const auto progress = study::rehearse(*store, cast);
-    if (!progress)
-        return core::Unexpected(progress.error());
+    TELETA_TRY(const auto progress, study::rehearse(store, cast));
     if (unknown)
         return core::Unexpected(core::Error{
             core::ErrorKind::badInput,
             StudyRunText::tr("the protocol has a stimulus that is not built in").toStdString(),
             StudyRunText::tr("tasks, letters and conditions whose patterns are built in").toStdString(),
             {}});
-    core::Expected<ordered_json> measures = measuresOf(*store);
-    if (!measures)
-        return core::Unexpected(measures.error());
+    TELETA_TRY(ordered_json measures, measuresOf(store));
     SceneSummary summary;
     summary.scene = options.name;
     summary.seed = options.seed;
-    summary.simulated_s = progress->simulated_s;
+    summary.simulated_s = progress.simulated_s;
     summary.interrupted = stopped;
     for (const study::StudyScene::Effect& effect : scene.effects)
-        summary.effects.push_back({effect.name, minds.time_s(effect.name) + bracelet.time_s(effect.name)});
-    summary.measures = std::move(*measures);
+        summary.effects.push_back(
+            {effect.name, participants.time_s(effect.name) + bracelet.time_s(effect.name)});
+    summary.measures = std::move(measures);
     summary.measures["patterns_sent"] = stimuli;
     summary.measures["frames"] = frames;
     summary.measures["frames_lost"] = lost;
@@ -187,9 +174,7 @@ core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const
     summary.measures["felt_rms_error"] = rms ? ordered_json(*rms) : ordered_json();
     summary.wall_s = static_cast<double>(core::steadyNow_ns() - start_ns) * 1e-9;
     if (!options.outFolder.empty()) {
-        const core::Expected<void> written = writeJson(options.outFolder + "/summary.json", summary.toJson());
-        if (!written)
-            return core::Unexpected(written.error());
+        TELETA_CHECK(writeJson(options.outFolder + "/summary.json", summary.toJson()));
     }
     return summary;
 }

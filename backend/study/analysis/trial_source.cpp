@@ -198,16 +198,12 @@ core::Expected<void> RowReader::take(const std::vector<std::string_view>& fields
     if (!m_session || !m_trial || !m_attempt || isMissing(fields[*m_session]) ||
         isMissing(fields[*m_trial]) || isMissing(fields[*m_attempt]))
         return {};
-    const core::Expected<std::size_t> shownTrial = number(*m_trial, fields[*m_trial]);
-    if (!shownTrial)
-        return core::Unexpected(shownTrial.error());
-    const core::Expected<std::size_t> attempt = number(*m_attempt, fields[*m_attempt]);
-    if (!attempt)
-        return core::Unexpected(attempt.error());
-    if (!origins.addTrial({trial.participant, fields[*m_session], trial.phase, *shownTrial, *attempt}))
+    TELETA_TRY(const std::size_t shownTrial, number(*m_trial, fields[*m_trial]));
+    TELETA_TRY(const std::size_t attempt, number(*m_attempt, fields[*m_attempt]));
+    if (!origins.addTrial({trial.participant, fields[*m_session], trial.phase, shownTrial, attempt}))
         return core::Unexpected(core::Error{core::ErrorKind::refused,
                                             SourceText::tr("trial %1 of session %2 of %3 was already counted")
-                                                .arg(*shownTrial)
+                                                .arg(shownTrial)
                                                 .arg(shown(fields[*m_session]), shown(trial.participant))
                                                 .toStdString(),
                                             SourceText::tr("each trial once").toStdString(),
@@ -219,41 +215,31 @@ core::Expected<void> RowReader::take(const std::vector<std::string_view>& fields
 
 core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialTally& tally,
                               const std::function<bool(std::uint64_t)>& goOn) {
-    core::Expected<core::CsvReader> csv = core::CsvReader::open(path);
-    if (!csv)
-        return core::Unexpected(csv.error());
-    const core::Expected<std::vector<std::size_t>> needed = csv->columns(kNeeded);
-    if (!needed)
-        return core::Unexpected(needed.error());
-    const RowReader reader(*csv, *needed);
+    TELETA_TRY(core::CsvReader csv, core::CsvReader::open(path));
+    TELETA_TRY(const std::vector<std::size_t> needed, csv.columns(kNeeded));
+    const RowReader reader(csv, needed);
     std::vector<std::string_view> fields;
     TalliedTrial trial;
     for (long long row = 0;; ++row) {
-        const core::Expected<bool> more = csv->nextText(fields);
+        TELETA_TRY(const bool more, csv.nextText(fields));
         if (!more)
-            return core::Unexpected(more.error());
-        if (!*more)
             return {};
-        if (row % kRowsBetweenQuestions == 0 && !goOn(csv->bytesRead()))
+        if (row % kRowsBetweenQuestions == 0 && !goOn(csv.bytesRead()))
             return core::Unexpected(core::Error{
                 core::ErrorKind::cancelled, SourceText::tr("interrupted").toStdString(), {}, {path}});
-        const core::Expected<bool> counts = reader.read(fields, modes, trial);
+        TELETA_TRY(const bool counts, reader.read(fields, modes, trial));
         if (!counts)
-            return core::Unexpected(counts.error());
-        if (!*counts)
             continue;
         if (const core::Expected<void> taken = reader.take(fields, trial, tally.origins()); !taken)
             return taken;
-        const core::Expected<std::size_t> alternatives = reader.alternatives(fields);
-        if (!alternatives)
-            return core::Unexpected(alternatives.error());
-        tally.expectCount(trial.task, *alternatives);
+        TELETA_TRY(const std::size_t alternatives, reader.alternatives(fields));
+        tally.expectCount(trial.task, alternatives);
         if (!tally.add(trial))
             return core::Unexpected(
                 core::Error{core::ErrorKind::badInput,
                             SourceText::tr("there are too many different patterns").toStdString(),
                             SourceText::tr("%1 at most").arg(TrialTally::kMostNames).toStdString(),
-                            csv->place((*needed)[4])});
+                            csv.place(needed[4])});
     }
 }
 
@@ -264,28 +250,22 @@ core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, Tria
     if (!modes.wanted && modes.seen && *modes.seen != head.mode)
         return mixedModes({store.folder()}, *modes.seen, head.mode);
     modes.seen = head.mode;
-    const core::Expected<std::vector<Participant>> participants = store.participants();
-    if (!participants)
-        return core::Unexpected(participants.error());
-    for (const Participant& participant : *participants) {
+    TELETA_TRY(const std::vector<Participant> participants, store.participants());
+    for (const Participant& participant : participants) {
         bool isTaken = false;
         const std::vector<PlannedSession> plan =
             planSessions(head.protocol, head.seed, participant.enrolment);
-        const core::Expected<std::vector<SessionRecord>> sessions = store.sessions(participant);
-        if (!sessions)
-            return core::Unexpected(sessions.error());
-        for (const SessionRecord& session : *sessions) {
-            const core::Expected<std::vector<StoredTrial>> trials = store.trials(session);
-            if (!trials)
-                return core::Unexpected(trials.error());
+        TELETA_TRY(const std::vector<SessionRecord> sessions, store.sessions(participant));
+        for (const SessionRecord& session : sessions) {
+            TELETA_TRY(const std::vector<StoredTrial> trials, store.trials(session));
             const PlannedSession& planned = plan.at(session.planIndex);
             const StudyTask& task = head.protocol.tasks[planned.task];
             const auto counts = [](const StoredTrial& stored) { return stored.result.isComplete(); };
-            if (std::any_of(trials->begin(), trials->end(), counts)) {
+            if (std::any_of(trials.begin(), trials.end(), counts)) {
                 for (const StudyPattern& pattern : task.patterns)
                     tally.expectPattern(task.id, pattern.letter);
             }
-            for (const StoredTrial& stored : *trials) {
+            for (const StoredTrial& stored : trials) {
                 const TrialResult& result = stored.result;
                 if (!result.isComplete())
                     continue;

@@ -128,10 +128,8 @@ std::size_t Protocol::testTrials() const {
 }
 
 core::Expected<Protocol> parseProtocol(std::string_view text, const std::string& file) {
-    const core::Expected<core::TomlDocument> document = core::TomlDocument::parse(text, file);
-    if (!document)
-        return core::Unexpected(document.error());
-    core::Expected<Protocol> protocol = readDocument(*document);
+    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::parse(text, file));
+    core::Expected<Protocol> protocol = readDocument(document);
     if (protocol)
         protocol->source = text;
     return protocol;
@@ -176,10 +174,8 @@ core::Expected<std::vector<Protocol>> builtInProtocols() {
     files.prepend(QLatin1String(kPaper));
     std::vector<Protocol> protocols;
     for (const QString& file : files) {
-        core::Expected<Protocol> protocol = readProtocol(std::string(kBuiltIn) + '/' + file.toStdString());
-        if (!protocol)
-            return core::Unexpected(protocol.error());
-        protocols.push_back(std::move(*protocol));
+        TELETA_TRY(Protocol protocol, readProtocol(std::string(kBuiltIn) + '/' + file.toStdString()));
+        protocols.push_back(std::move(protocol));
     }
     return protocols;
 }

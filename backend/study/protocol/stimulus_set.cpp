@@ -103,10 +103,8 @@ core::Expected<StimulusSet> StimulusSet::of(const Protocol& protocol, std::vecto
                                             const std::string& place) {
     StimulusSet set;
     for (const OwnStimulus& one : own) {
-        core::Expected<pattern::Pattern> read = pattern::patternFromJson(one.json, place + ": " + one.file);
-        if (!read)
-            return core::Unexpected(read.error());
-        set.m_patterns[one.id] = std::make_shared<const pattern::Pattern>(std::move(*read));
+        TELETA_TRY(pattern::Pattern read, pattern::patternFromJson(one.json, place + ": " + one.file));
+        set.m_patterns[one.id] = std::make_shared<const pattern::Pattern>(std::move(read));
     }
     forEachStimulus(protocol, [&](const std::string& id, const std::string& file) {
         if (set.m_patterns.contains(id))

@@ -40,11 +40,9 @@ core::Expected<void> writeChecked(const std::string& path, const std::string& co
     const QString name = QString::fromStdString(path);
     if (!QDir().mkpath(QFileInfo(name).path()))
         return failed(ExportText::tr("cannot make the folder"), path);
-    core::Expected<core::OutputFile> output = core::OutputFile::create(path);
-    if (!output)
-        return core::Unexpected(output.error());
-    output->write(content);
-    if (const core::Expected<void> finished = output->finish(); !finished)
+    TELETA_TRY(core::OutputFile output, core::OutputFile::create(path));
+    output.write(content);
+    if (const core::Expected<void> finished = output.finish(); !finished)
         return finished;
     QFile file(name);
     if (!file.open(QIODevice::ReadOnly) || file.readAll().toStdString() != content)
@@ -190,20 +188,18 @@ core::Expected<void> writeSession(const StudyStore& store, const Participant& pa
     const StudyHead& head = store.head();
     const PlannedSession plan =
         planSessions(head.protocol, head.seed, participant.enrolment).at(session.planIndex);
-    const core::Expected<std::vector<StoredTrial>> trials = store.trials(session);
-    if (!trials)
-        return core::Unexpected(trials.error());
+    TELETA_TRY(const std::vector<StoredTrial> trials, store.trials(session));
     const std::string path =
         QDir(QString::fromStdString(store.folder()))
             .filePath(QString::fromStdString(
                 sessionPath(format, label, session.id, alphanumeric(head.protocol.tasks[plan.task].id))))
             .toStdString();
-    const std::vector<TrialRow> rows = trialRows(head, participant, session, plan, *trials);
+    const std::vector<TrialRow> rows = trialRows(head, participant, session, plan, trials);
     const std::string extension = format == ExportFormat::bids ? ".tsv" : ".csv";
     const core::Expected<void> written = writeChecked(path + extension, tableText(rows, tableFormat(format)));
     if (!written || format == ExportFormat::excel)
         return written;
-    return writeChecked(path + ".json", sidecarText(head, plan, *trials, format));
+    return writeChecked(path + ".json", sidecarText(head, plan, trials, format));
 }
 
 /// Path of a participant's table next to those of the sessions, without its extension. name: alphanumeric.
@@ -242,17 +238,13 @@ core::Expected<void> writeAnswers(const StudyStore& store, const Participant& pa
                                   const std::string& label, ExportFormat format) {
     if (store.head().protocol.questionnaires.empty())
         return {};
-    const core::Expected<std::vector<StoredAnswer>> answers = store.answers(participant);
-    if (!answers)
-        return core::Unexpected(answers.error());
-    const core::Expected<std::vector<SessionRecord>> sessions = store.sessions(participant);
-    if (!sessions)
-        return core::Unexpected(sessions.error());
-    if (answers->empty())
+    TELETA_TRY(const std::vector<StoredAnswer> answers, store.answers(participant));
+    TELETA_TRY(const std::vector<SessionRecord> sessions, store.sessions(participant));
+    if (answers.empty())
         return {};
     return writeBeside(
         store, besidePath(format, label, "questionnaire"),
-        answerRows(store.head(), participant, *sessions, *answers), kAnswerColumns,
+        answerRows(store.head(), participant, sessions, answers), kAnswerColumns,
         {{"MeasurementToolMetadata", {{"Description", "Questionnaires of " + store.head().protocol.name}}},
          {"answer", {{"Description", "The text, the point of the scale, or the choice"}}}},
         format);
@@ -261,17 +253,12 @@ core::Expected<void> writeAnswers(const StudyStore& store, const Participant& pa
 core::Expected<void> writeNotes(const StudyStore& store, const Participant& participant,
                                 const std::string& label, ExportFormat format) {
     const StudyHead& head = store.head();
-    const core::Expected<std::vector<SessionRecord>> sessions = store.sessions(participant);
-    if (!sessions)
-        return core::Unexpected(sessions.error());
+    TELETA_TRY(const std::vector<SessionRecord> sessions, store.sessions(participant));
     const std::vector<PlannedSession> plans = planSessions(head.protocol, head.seed, participant.enrolment);
     std::vector<TrialRow> rows;
-    for (const SessionRecord& session : *sessions) {
-        const core::Expected<std::vector<StoredNote>> notes = store.notes(session);
-        if (!notes)
-            return core::Unexpected(notes.error());
-        std::vector<TrialRow> more =
-            noteRows(head, participant, session, plans.at(session.planIndex), *notes);
+    for (const SessionRecord& session : sessions) {
+        TELETA_TRY(const std::vector<StoredNote> notes, store.notes(session));
+        std::vector<TrialRow> more = noteRows(head, participant, session, plans.at(session.planIndex), notes);
         std::move(more.begin(), more.end(), std::back_inserter(rows));
     }
     if (rows.empty())
@@ -286,10 +273,8 @@ core::Expected<void> writeDescription(const StudyStore& store, ExportFormat form
     const QDir folder(QString::fromStdString(store.folder()));
     switch (format) {
     case ExportFormat::psychds: {
-        const core::Expected<std::string> script = analysisScript();
-        if (!script)
-            return core::Unexpected(script.error());
-        return writeChecked(folder.filePath(QStringLiteral("analysis.R")).toStdString(), *script)
+        TELETA_TRY(const std::string script, analysisScript());
+        return writeChecked(folder.filePath(QStringLiteral("analysis.R")).toStdString(), script)
             .and_then([&] {
                 return writeChecked(folder.filePath(QStringLiteral("dataset_description.json")).toStdString(),
                                     psychDsDescription(store.head()));
@@ -305,19 +290,17 @@ core::Expected<void> writeDescription(const StudyStore& store, ExportFormat form
 }
 
 core::Expected<std::string> labelOf(const StudyStore& store, const Participant& participant) {
-    const core::Expected<std::vector<Participant>> participants = store.participants();
-    if (!participants)
-        return core::Unexpected(participants.error());
-    const auto found = std::find_if(participants->begin(), participants->end(),
+    TELETA_TRY(const std::vector<Participant> participants, store.participants());
+    const auto found = std::find_if(participants.begin(), participants.end(),
                                     [&](const Participant& one) { return one.key == participant.key; });
-    if (found == participants->end())
+    if (found == participants.end())
         return core::Unexpected(core::Error{core::ErrorKind::notFound,
                                             ExportText::tr("the study has no participant \"%1\"")
                                                 .arg(QString::fromStdString(participant.id))
                                                 .toStdString(),
                                             {},
                                             {store.shownName()}});
-    return fileLabels(*participants)[static_cast<std::size_t>(found - participants->begin())];
+    return fileLabels(participants)[static_cast<std::size_t>(found - participants.begin())];
 }
 
 } // namespace
@@ -339,30 +322,23 @@ std::vector<std::string> fileLabels(const std::vector<Participant>& participants
 }
 
 core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat format) {
-    if (const core::Expected<void> described = writeDescription(store, format); !described)
-        return core::Unexpected(described.error());
-    const core::Expected<std::vector<Participant>> participants = store.participants();
-    if (!participants)
-        return core::Unexpected(participants.error());
-    const std::vector<std::string> labels = fileLabels(*participants);
+    TELETA_CHECK(writeDescription(store, format));
+    TELETA_TRY(const std::vector<Participant> participants, store.participants());
+    const std::vector<std::string> labels = fileLabels(participants);
     std::size_t written = 0;
-    for (std::size_t i = 0; i < participants->size(); ++i) {
-        const core::Expected<std::vector<SessionRecord>> sessions = store.sessions((*participants)[i]);
-        if (!sessions)
-            return core::Unexpected(sessions.error());
-        for (const SessionRecord& session : *sessions) {
+    for (std::size_t i = 0; i < participants.size(); ++i) {
+        TELETA_TRY(const std::vector<SessionRecord> sessions, store.sessions(participants[i]));
+        for (const SessionRecord& session : sessions) {
             const core::Expected<void> done =
-                writeSession(store, (*participants)[i], labels[i], session, format);
-            if (!done)
-                return core::Unexpected(done.error());
+                writeSession(store, participants[i], labels[i], session, format);
+            TELETA_CHECK(done);
             ++written;
         }
         const core::Expected<void> beside =
-            writeAnswers(store, (*participants)[i], labels[i], format).and_then([&] {
-                return writeNotes(store, (*participants)[i], labels[i], format);
+            writeAnswers(store, participants[i], labels[i], format).and_then([&] {
+                return writeNotes(store, participants[i], labels[i], format);
             });
-        if (!beside)
-            return core::Unexpected(beside.error());
+        TELETA_CHECK(beside);
     }
     return written;
 }

@@ -310,15 +310,13 @@ core::Expected<void> writeFigures(const std::vector<TaskResults>& results, const
         for (const FigureFormat& format : formats) {
             const core::Expected<std::string> content =
                 format.convert ? format.convert(svg) : core::Expected<std::string>(svg);
-            if (!content)
-                return core::Unexpected(content.error());
-            core::Expected<core::OutputFile> file = core::OutputFile::create(
-                directory.filePath(QString::fromStdString(figure.name + '.' + format.extension))
-                    .toStdString());
-            if (!file)
-                return core::Unexpected(file.error());
-            file->write(*content);
-            if (const core::Expected<void> finished = file->finish(); !finished)
+            TELETA_CHECK(content);
+            TELETA_TRY(core::OutputFile file,
+                       core::OutputFile::create(
+                           directory.filePath(QString::fromStdString(figure.name + '.' + format.extension))
+                               .toStdString()));
+            file.write(*content);
+            if (const core::Expected<void> finished = file.finish(); !finished)
                 return finished;
         }
     }

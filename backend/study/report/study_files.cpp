@@ -147,12 +147,10 @@ template <std::size_t Columns>
 core::Expected<void> writeFile(const Results& results, const std::string& path,
                                const std::array<std::string_view, Columns>& columns,
                                void (*write)(const TaskResults&, core::CsvWriter&)) {
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, columns);
-    if (!csv)
-        return core::Unexpected(csv.error());
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, columns));
     for (const TaskResults& task : results)
-        write(task, *csv);
-    return csv->finish();
+        write(task, csv);
+    return csv.finish();
 }
 
 } // namespace
@@ -163,18 +161,14 @@ core::Expected<void> writeResults(const Results& results, const std::string& fol
         return core::Unexpected(core::Error{
             core::ErrorKind::ioFailed, FilesText::tr("cannot make the folder").toStdString(), {}, {folder}});
     const auto path = [&](const char* name) { return directory.filePath(QLatin1String(name)).toStdString(); };
-    const core::Expected<std::string> script = analysisScript();
-    if (!script)
-        return core::Unexpected(script.error());
-    core::Expected<core::OutputFile> scriptFile = core::OutputFile::create(path("analysis.R"));
-    if (!scriptFile)
-        return core::Unexpected(scriptFile.error());
-    scriptFile->write(*script);
+    TELETA_TRY(const std::string script, analysisScript());
+    TELETA_TRY(core::OutputFile scriptFile, core::OutputFile::create(path("analysis.R")));
+    scriptFile.write(script);
     return writeFile(results, path("confusion_long.csv"), kConfusionColumns, writeConfusions)
         .and_then([&] { return writeFile(results, path("summary.csv"), kSummaryColumns, writeSummary); })
         .and_then([&] { return writeFile(results, path("group.csv"), kGroupColumns, writeGroups); })
         .and_then([&] { return writeFile(results, path("anova.csv"), kAnovaColumns, writeAnova); })
-        .and_then([&] { return scriptFile->finish(); });
+        .and_then([&] { return scriptFile.finish(); });
 }
 
 } // namespace teleta::study

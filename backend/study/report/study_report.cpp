@@ -397,8 +397,7 @@ core::Expected<void> writeReport(const std::vector<TaskResults>& results, const 
             core::ErrorKind::ioFailed, ReportText::tr("cannot make the folder").toStdString(), {}, {folder}});
     core::Expected<core::OutputFile> file =
         core::OutputFile::create(directory.filePath(QStringLiteral("report.html")).toStdString());
-    if (!file)
-        return core::Unexpected(file.error());
+    TELETA_CHECK(file);
     file->write(reportHtml(results, heading));
     return file->finish();
 }

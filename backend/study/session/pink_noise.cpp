@@ -106,19 +106,17 @@ core::Expected<void> writeMonoWav(const std::vector<float>& samples, double rate
     if (samples.size() > (std::numeric_limits<std::uint32_t>::max() - kHeaderBytes) / 2)
         return outOfRange(NoiseText::tr("the sound is too long for a WAV file"),
                           NoiseText::tr("at most 4 GiB of samples"));
-    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
-    if (!file)
-        return core::Unexpected(file.error());
-    file->write(wavHeader(static_cast<std::uint32_t>(2 * samples.size()),
-                          static_cast<std::uint32_t>(std::lround(rate_Hz))));
+    TELETA_TRY(core::OutputFile file, core::OutputFile::create(path));
+    file.write(wavHeader(static_cast<std::uint32_t>(2 * samples.size()),
+                         static_cast<std::uint32_t>(std::lround(rate_Hz))));
     std::string bytes;
     for (const float sample : samples) {
         bytes.clear();
         put(bytes, static_cast<std::uint64_t>(std::lround(32767.0 * std::clamp<double>(sample, -1.0, 1.0))),
             2);
-        file->write(bytes);
+        file.write(bytes);
     }
-    return file->finish();
+    return file.finish();
 }
 
 } // namespace teleta::study

@@ -93,23 +93,18 @@ core::Expected<RehearsalProgress> Rehearsal::run() {
                         RehearsalText::tr("this study has real participants").toStdString(),
                         RehearsalText::tr("a study created as a rehearsal").toStdString(),
                         {m_store.folder()}});
-    core::Expected<std::vector<Participant>> enrolled = m_store.participants();
-    if (!enrolled)
-        return core::Unexpected(enrolled.error());
+    TELETA_TRY(std::vector<Participant> enrolled, m_store.participants());
     for (std::size_t i = 0; i < head.plannedParticipants && !m_progress.interrupted; ++i) {
-        if (i == enrolled->size()) {
+        if (i == enrolled.size()) {
             const core::Expected<Participant> participant =
                 m_store.enrol(QStringLiteral("P%1").arg(i + 1, 2, 10, QLatin1Char('0')).toStdString());
-            if (!participant)
-                return core::Unexpected(participant.error());
-            enrolled->push_back(*participant);
+            TELETA_CHECK(participant);
+            enrolled.push_back(*participant);
         }
         const std::vector<PlannedSession> plan =
-            planSessions(head.protocol, head.seed, (*enrolled)[i].enrolment);
-        const Participant& participant = (*enrolled)[i];
-        const core::Expected<ParticipantClaim> claim = m_store.claim(participant);
-        if (!claim)
-            return core::Unexpected(claim.error());
+            planSessions(head.protocol, head.seed, enrolled[i].enrolment);
+        const Participant& participant = enrolled[i];
+        TELETA_CHECK(m_store.claim(participant));
         const auto beginOf = [&](std::size_t session) {
             return head.created.addSecs(static_cast<qint64>(participant.enrolment * plan.size() + session) *
                                         kBetweenSessions_s);
@@ -122,8 +117,7 @@ core::Expected<RehearsalProgress> Rehearsal::run() {
             done =
                 answerQuestionnaires(QuestionnaireTime::afterStudy, participant, {}, {}, beginOf(plan.size()))
                     .and_then([&] { return exportAnswers(m_store, participant, ExportFormat::psychds); });
-        if (!done)
-            return core::Unexpected(done.error());
+        TELETA_CHECK(done);
         m_progress.participants += m_progress.interrupted ? 0 : 1;
     }
     return m_progress;
@@ -135,10 +129,8 @@ core::Expected<void> Rehearsal::answerQuestionnaires(QuestionnaireTime when, con
     const StudyHead& head = m_store.head();
     if (head.protocol.questionnaires.empty())
         return {};
-    const core::Expected<std::vector<StoredAnswer>> kept = m_store.answers(participant);
-    if (!kept)
-        return core::Unexpected(kept.error());
-    for (const DueQuestionnaire& due : dueQuestionnaires(head.protocol, when, session, *kept)) {
+    TELETA_TRY(const std::vector<StoredAnswer> kept, m_store.answers(participant));
+    for (const DueQuestionnaire& due : dueQuestionnaires(head.protocol, when, session, kept)) {
         const core::Expected<void> safe =
             m_store.keepAnswers(participant, due.session, head.protocol.questionnaires[due.index],
                                 simulatedAnswers(head, participant, plan, due.index), now);
@@ -151,16 +143,13 @@ core::Expected<void> Rehearsal::answerQuestionnaires(QuestionnaireTime when, con
 core::Expected<void> Rehearsal::runSession(const Participant& participant, std::size_t planIndex,
                                            const PlannedSession& plan, const QDateTime& begin) {
     const StudyHead& head = m_store.head();
-    const core::Expected<SessionRecord> record = m_store.beginSession(participant, planIndex, plan, begin);
-    if (!record)
-        return core::Unexpected(record.error());
+    TELETA_TRY(const SessionRecord record, m_store.beginSession(participant, planIndex, plan, begin));
     if (const auto answered =
-            answerQuestionnaires(QuestionnaireTime::beforeSession, participant, *record, plan, begin);
+            answerQuestionnaires(QuestionnaireTime::beforeSession, participant, record, plan, begin);
         !answered)
         return answered;
-    const core::Expected<std::vector<StoredTrial>> kept = m_store.trials(*record);
-    if (!kept)
-        return core::Unexpected(kept.error());
+    const core::Expected<std::vector<StoredTrial>> kept = m_store.trials(record);
+    TELETA_CHECK(kept);
     std::vector<TrialResult> done;
     std::int64_t now_ns = 0;
     for (const StoredTrial& trial : *kept) {
@@ -168,9 +157,7 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         now_ns = begin.msecsTo(trial.time) * 1'000'000;
     }
     m_progress.trialsBefore += done.size();
-    core::Expected<SessionFlow> flow = SessionFlow::create(head.protocol, plan, done, 0);
-    if (!flow)
-        return core::Unexpected(flow.error());
+    TELETA_TRY(SessionFlow flow, SessionFlow::create(head.protocol, plan, done, 0));
 
     const StudyTask& task = head.protocol.tasks[plan.task];
     const std::string& condition = task.conditions[plan.condition];
@@ -178,8 +165,8 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
     const std::int64_t start_ns = now_ns;
     const double before_s = m_progress.simulated_s;
     // An interruption is no rest: a resumed rehearsal rests where an uninterrupted one does.
-    flow->settle(now_ns);
-    while (const PlannedTrial* current = flow->session().current()) {
+    flow.settle(now_ns);
+    while (const PlannedTrial* current = flow.session().current()) {
         if (m_cast.goOn && !m_cast.goOn(m_progress)) {
             m_progress.interrupted = true;
             return {};
@@ -191,39 +178,39 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
                                                         : simulated.answer(trial.stimulus, seed);
         const std::string stimulus = stimulusId(task, task.patterns[trial.stimulus], condition);
         const RehearsalCast::Shown shown = m_cast.show ? m_cast.show(stimulus, seed) : RehearsalCast::Shown{};
-        if (flow->hold() == Hold::rest)
-            now_ns = flow->restUntil_ns();
+        if (flow.hold() == Hold::rest)
+            now_ns = flow.restUntil_ns();
         else
-            flow->goOn(); // nobody has to be asked whether the test may begin
-        showTrial(*flow, answer, shown, lengthOf_s(stimulus, head), now_ns);
+            flow.goOn(); // nobody has to be asked whether the test may begin
+        showTrial(flow, answer, shown, lengthOf_s(stimulus, head), now_ns);
         // The store keeps milliseconds; the next trial starts at the stored time, so that a resumed rehearsal
         // is the same.
         now_ns = (now_ns + 999'999) / 1'000'000 * 1'000'000;
         m_progress.simulated_s = before_s + static_cast<double>(now_ns - start_ns) * 1e-9;
-        TrialResult result = flow->takeResult().value();
+        TrialResult result = flow.takeResult().value();
         result.framesMissed = shown.framesMissed;
-        flow->keeping(result);
+        flow.keeping(result);
         const core::Expected<void> safe =
-            m_store.keepTrial(*record, result, begin.addMSecs(now_ns / 1'000'000));
+            m_store.keepTrial(record, result, begin.addMSecs(now_ns / 1'000'000));
         if (!safe)
             return safe;
-        flow->kept({});
+        flow.kept({});
         ++m_progress.trials;
-        flow->settle(now_ns);
-        flow->next(now_ns);
+        flow.settle(now_ns);
+        flow.next(now_ns);
     }
-    if (const auto answered = answerQuestionnaires(QuestionnaireTime::afterSession, participant, *record,
-                                                   plan, begin.addMSecs(now_ns / 1'000'000));
+    if (const auto answered = answerQuestionnaires(QuestionnaireTime::afterSession, participant, record, plan,
+                                                   begin.addMSecs(now_ns / 1'000'000));
         !answered)
         return answered;
-    if (record->finished)
+    if (record.finished)
         return {};
     // Before it counts as finished, so that a resumed rehearsal exports what an interrupted one did not.
     if (const core::Expected<void> written =
-            exportSession(m_store, participant, *record, ExportFormat::psychds);
+            exportSession(m_store, participant, record, ExportFormat::psychds);
         !written)
         return written;
-    return m_store.finishSession(*record);
+    return m_store.finishSession(record);
 }
 
 } // namespace

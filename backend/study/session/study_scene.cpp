@@ -72,10 +72,8 @@ bool isStudyScene(std::string_view text) {
 }
 
 core::Expected<StudyScene> parseStudyScene(std::string_view text, const std::string& file) {
-    const core::Expected<core::TomlDocument> document = core::TomlDocument::parse(text, file);
-    if (!document)
-        return core::Unexpected(document.error());
-    TomlTable root = document->root();
+    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::parse(text, file));
+    TomlTable root = document.root();
     StudyScene scene;
     scene.name = root.text("name");
     scene.description = root.text("description");
@@ -90,17 +88,15 @@ core::Expected<StudyScene> parseStudyScene(std::string_view text, const std::str
     std::set<std::size_t> listed;
     for (const TomlTable& table : effects)
         readEffect(table, scene, listed);
-    if (document->firstError())
-        return core::Unexpected(*document->firstError());
-    core::Expected<Protocol> read = protocol == "paper"
-                                        ? paperProtocol()
-                                        : readProtocol(QFileInfo(QString::fromStdString(file))
-                                                           .dir()
-                                                           .filePath(QString::fromStdString(protocol))
-                                                           .toStdString());
-    if (!read)
-        return core::Unexpected(read.error());
-    scene.protocol = std::move(*read);
+    if (document.firstError())
+        return core::Unexpected(document.firstError());
+    TELETA_TRY(Protocol read, protocol == "paper"
+                                  ? paperProtocol()
+                                  : readProtocol(QFileInfo(QString::fromStdString(file))
+                                                     .dir()
+                                                     .filePath(QString::fromStdString(protocol))
+                                                     .toStdString()));
+    scene.protocol = std::move(read);
     return scene;
 }
 

@@ -75,11 +75,9 @@ core::Expected<void> ownFolder(const std::string& folder, const StudyHead& head,
     const ordered_json mark{{"server", shownName},
                             {"created_utc", timeText(head.created).toStdString()},
                             {"seed", std::to_string(head.seed)}};
-    core::Expected<core::OutputFile> file = core::OutputFile::create(markOf(folder).toStdString());
-    if (!file)
-        return core::Unexpected(file.error());
-    file->write(mark.dump(2) + '\n');
-    return file->finish();
+    TELETA_TRY(core::OutputFile file, core::OutputFile::create(markOf(folder).toStdString()));
+    file.write(mark.dump(2) + '\n');
+    return file.finish();
 }
 
 } // namespace teleta::study

@@ -265,8 +265,7 @@ core::Expected<void> StudyConnection::chooseSchema(Purpose purpose) {
     if (!isServer())
         return {};
     auto found = execute(QStringLiteral("SELECT 1 FROM pg_namespace WHERE nspname = ?"), {m_schema});
-    if (!found)
-        return core::Unexpected(found.error());
+    TELETA_CHECK(found);
     if (!found->next()) {
         if (purpose != Purpose::create)
             return core::Unexpected(
@@ -280,8 +279,7 @@ core::Expected<void> StudyConnection::chooseSchema(Purpose purpose) {
             return core::Unexpected(made.error());
     }
     const auto chosen = execute(QStringLiteral("SET search_path = %1").arg(m_schema), {});
-    if (!chosen)
-        return core::Unexpected(chosen.error());
+    TELETA_CHECK(chosen);
     return {};
 }
 
@@ -316,14 +314,12 @@ core::Expected<bool> StudyConnection::endOrphans() {
 
 core::Expected<void> StudyConnection::lockAgain() {
     core::Expected<bool> orphaned = endOrphans();
-    if (!orphaned)
-        return core::Unexpected(orphaned.error());
+    TELETA_CHECK(orphaned);
     int tries = 0;
     for (const long long key : m_locks) {
         while (true) {
             auto query = execute(kTryLock, {m_schema, key});
-            if (!query)
-                return core::Unexpected(query.error());
+            TELETA_CHECK(query);
             query->next();
             if (query->value(0).toBool())
                 break;
@@ -340,11 +336,9 @@ core::Expected<void> StudyConnection::lockAgain() {
                         .toStdString(),
                     ConnectionText::tr("another try in a moment").toStdString(),
                     {m_shownName}});
-            if (const auto waited = execute(QStringLiteral("SELECT pg_sleep(0.1)"), {}); !waited)
-                return core::Unexpected(waited.error());
+            TELETA_CHECK(execute(QStringLiteral("SELECT pg_sleep(0.1)"), {}));
             orphaned = endOrphans();
-            if (!orphaned)
-                return core::Unexpected(orphaned.error());
+            TELETA_CHECK(orphaned);
         }
     }
     return {};
@@ -354,8 +348,7 @@ core::Expected<QSqlQuery> StudyConnection::run(const QString& sql, const QVarian
     core::Expected<QSqlQuery> done = execute(sql, values);
     if (done || m_inTransaction || done.error().kind != core::ErrorKind::unavailable)
         return done;
-    if (const core::Expected<void> back = reconnect(); !back)
-        return core::Unexpected(back.error());
+    TELETA_CHECK(reconnect());
     return execute(sql, values);
 }
 
@@ -375,9 +368,7 @@ core::Expected<QSqlQuery> StudyConnection::execute(const QString& sql, const QVa
 }
 
 core::Expected<void> StudyConnection::inTransaction(const std::function<core::Expected<void>()>& work) {
-    const auto begun = run(QStringLiteral("BEGIN"));
-    if (!begun)
-        return core::Unexpected(begun.error());
+    TELETA_CHECK(run(QStringLiteral("BEGIN")));
     m_inTransaction = true;
     core::Expected<void> done = work();
     if (done) {
@@ -394,8 +385,7 @@ core::Expected<bool> StudyConnection::lock(long long key) {
     if (m_locks.contains(key))
         return false;
     auto query = run(kTryLock, {m_schema, key});
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     query->next();
     const bool taken = query->value(0).toBool();
     if (taken)
@@ -418,8 +408,7 @@ core::Expected<std::string> StudyConnection::lockedBy(long long key) {
                        "AND objid::bigint = ? AND objsubid = 2 AND granted AND pid <> pg_backend_pid() "
                        "AND datname = current_database()"),
         {m_schema, key});
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     if (!query->next())
         return std::string();
     const std::string name = query->value(0).toString().toStdString();

@@ -84,9 +84,7 @@ const std::string& StudyStore::shownName() const {
 
 core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, const StudyHead& head) {
     // A study needs a pattern for every stimulus.
-    const core::Expected<std::vector<OwnStimulus>> own = readOwnStimuli(head.protocol);
-    if (!own)
-        return core::Unexpected(own.error());
+    TELETA_TRY(const std::vector<OwnStimulus> own, readOwnStimuli(head.protocol));
     // A bad server address fails before anything is created here.
     const bool isOnServer = !location.server.empty();
     if (const core::Expected<void> free =
@@ -101,8 +99,7 @@ core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, con
                         {location.folder}});
     StudyStore store(std::make_shared<StudyConnection>(location));
     StudyConnection& connection = *store.m_connection;
-    if (const core::Expected<void> opened = connection.open(StudyConnection::Purpose::create); !opened)
-        return core::Unexpected(opened.error());
+    TELETA_CHECK(connection.open(StudyConnection::Purpose::create));
     // The row is unique: of two programs that create the same study only one succeeds.
     const core::Expected<void> made = connection.inTransaction([&]() -> core::Expected<void> {
         const auto row =
@@ -110,16 +107,14 @@ core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, con
                            {QString::fromStdString(head.protocol.source), QString::number(head.seed),
                             QString::fromLatin1(toString(head.mode)), number(head.plannedParticipants),
                             head.lapses, timeText(head.created), QString::fromStdString(head.appVersion),
-                            QString::fromStdString(stimulusSetSha256(head.protocol, *own))});
-        if (!row)
-            return core::Unexpected(row.error());
-        for (const OwnStimulus& one : *own) {
+                            QString::fromStdString(stimulusSetSha256(head.protocol, own))});
+        TELETA_CHECK(row);
+        for (const OwnStimulus& one : own) {
             const auto copied =
                 connection.run(QStringLiteral("INSERT INTO stimulus (id, file, pattern) VALUES (?, ?, ?)"),
                                {QString::fromStdString(one.id), QString::fromStdString(one.file),
                                 QString::fromStdString(one.json)});
-            if (!copied)
-                return core::Unexpected(copied.error());
+            TELETA_CHECK(copied);
         }
         return {};
     });
@@ -129,10 +124,8 @@ core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, con
                                         StoreText::tr("a new name, or to continue the study"))
                    : connection.refused(StoreText::tr("this folder already contains a study"),
                                         StoreText::tr("a new folder, or to continue the study"));
-    if (!made)
-        return core::Unexpected(made.error());
-    if (const core::Expected<void> read = store.readHead().and_then([&] { return store.ownFolder(); }); !read)
-        return core::Unexpected(read.error());
+    TELETA_CHECK(made);
+    TELETA_CHECK(store.readHead().and_then([&] { return store.ownFolder(); }));
     return store;
 }
 
@@ -164,11 +157,9 @@ core::Expected<StudyStore> StudyStore::open(const StoreLocation& location) {
     if (store && !store->m_connection->isServer())
         FileClaim::removeUnheld(location.folder, "running-*.lock");
     if (store && store->m_connection->isServer()) {
-        if (const core::Expected<void> owned = store->ownFolder(); !owned)
-            return core::Unexpected(owned.error());
+        TELETA_CHECK(store->ownFolder());
         for (const long long session : TrialJournal::sessionsIn(location.folder)) {
-            if (const core::Expected<void> sent = store->sendPending(session); !sent)
-                return core::Unexpected(sent.error());
+            TELETA_CHECK(store->sendPending(session));
         }
     }
     return store;
@@ -178,8 +169,7 @@ core::Expected<void> StudyStore::readHead() {
     auto query =
         m_connection->run(QStringLiteral("SELECT protocol, seed, mode, planned_participants, lapses, "
                                          "created_utc, app_version, stimulus_set_sha256 FROM study"));
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     if (!query->next())
         return core::Unexpected(
             core::Error{core::ErrorKind::badInput,
@@ -188,8 +178,7 @@ core::Expected<void> StudyStore::readHead() {
                         {m_connection->shownName()}});
     core::Expected<Protocol> protocol =
         parseProtocol(query->value(0).toString().toStdString(), m_connection->shownName());
-    if (!protocol)
-        return core::Unexpected(protocol.error());
+    TELETA_CHECK(protocol);
     m_head.protocol = std::move(*protocol);
     m_head.seed = query->value(1).toString().toULongLong();
     m_head.mode = modeOf(query->value(2).toString().toStdString()).value_or(Mode::run);
@@ -198,17 +187,15 @@ core::Expected<void> StudyStore::readHead() {
     m_head.created = timeOf(query->value(5).toString());
     m_head.appVersion = query->value(6).toString().toStdString();
     m_head.stimulusSetSha256 = query->value(7).toString().toStdString();
-    auto copies = m_connection->run(QStringLiteral("SELECT id, file, pattern FROM stimulus ORDER BY id"));
-    if (!copies)
-        return core::Unexpected(copies.error());
+    TELETA_TRY(auto copies,
+               m_connection->run(QStringLiteral("SELECT id, file, pattern FROM stimulus ORDER BY id")));
     std::vector<OwnStimulus> own;
-    while (copies->next())
-        own.push_back({copies->value(0).toString().toStdString(), copies->value(1).toString().toStdString(),
-                       copies->value(2).toString().toStdString()});
+    while (copies.next())
+        own.push_back({copies.value(0).toString().toStdString(), copies.value(1).toString().toStdString(),
+                       copies.value(2).toString().toStdString()});
     core::Expected<StimulusSet> stimuli =
         StimulusSet::of(m_head.protocol, std::move(own), m_connection->shownName());
-    if (!stimuli)
-        return core::Unexpected(stimuli.error());
+    TELETA_CHECK(stimuli);
     m_head.stimuli = std::move(*stimuli);
     return {};
 }
@@ -235,8 +222,7 @@ core::Expected<Participant> StudyStore::enrol(const std::string& id) {
             return core::Unexpected(made.error());
         auto query =
             m_connection->run(QStringLiteral("SELECT key, enrolment FROM participant WHERE id = ?"), {text});
-        if (!query)
-            return core::Unexpected(query.error());
+        TELETA_CHECK(query);
         const bool isThere = query->next();
         if (isThere && made)
             return Participant{query->value(0).toLongLong(), id, count(query->value(1))};
@@ -252,8 +238,7 @@ core::Expected<Participant> StudyStore::enrol(const std::string& id) {
 core::Expected<std::vector<Participant>> StudyStore::participants() const {
     auto query =
         m_connection->run(QStringLiteral("SELECT key, id, enrolment FROM participant ORDER BY enrolment"));
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     std::vector<Participant> all;
     while (query->next())
         all.push_back(
@@ -270,22 +255,17 @@ core::Expected<ParticipantClaim> StudyStore::claim(const Participant& participan
             StoreText::tr("one session of a participant at a time"));
     };
     if (m_connection->isServer()) {
-        const core::Expected<std::optional<std::string>> who = runner(participant);
-        if (!who)
-            return core::Unexpected(who.error());
-        const core::Expected<bool> locked = *who ? false : m_connection->lock(participant.key);
+        TELETA_TRY(const std::optional<std::string> who, runner(participant));
+        TELETA_TRY(const bool locked, who ? false : m_connection->lock(participant.key));
         if (!locked)
-            return core::Unexpected(locked.error());
-        if (!*locked)
-            return taken(who->value_or(StoreText::tr("another station").toStdString()));
+            return taken(who.value_or(StoreText::tr("another station").toStdString()));
         hold->server = m_connection;
         hold->key = participant.key;
         return ParticipantClaim(std::move(hold));
     }
     const std::string path = claimFile(folder(), participant.enrolment);
     core::Expected<std::unique_ptr<FileClaim>> file = FileClaim::take(path, thisStation());
-    if (!file)
-        return core::Unexpected(file.error());
+    TELETA_CHECK(file);
     if (*file == nullptr)
         return taken(FileClaim::holderOf(path).value_or(StoreText::tr("another station").toStdString()));
     hold->file = std::move(*file);
@@ -294,10 +274,8 @@ core::Expected<ParticipantClaim> StudyStore::claim(const Participant& participan
 
 core::Expected<std::optional<std::string>> StudyStore::runner(const Participant& participant) const {
     if (m_connection->isServer()) {
-        core::Expected<std::string> who = m_connection->lockedBy(participant.key);
-        if (!who)
-            return core::Unexpected(who.error());
-        return who->empty() ? std::optional<std::string>() : std::optional(std::move(*who));
+        TELETA_TRY(std::string who, m_connection->lockedBy(participant.key));
+        return who.empty() ? std::optional<std::string>() : std::optional(std::move(who));
     }
     return FileClaim::holderOf(claimFile(folder(), participant.enrolment));
 }
@@ -316,12 +294,10 @@ core::Expected<SessionRecord> StudyStore::beginSession(const Participant& partic
     constexpr int kMostRefusals = 10;
     int refusals = 0;
     for (int sameSecond = 1;; ++sameSecond) {
-        core::Expected<std::vector<SessionRecord>> known = sessions(participant);
-        if (!known)
-            return core::Unexpected(known.error());
+        TELETA_TRY(std::vector<SessionRecord> known, sessions(participant));
         bool taken = false;
         const QString id = sameSecond == 1 ? second : QStringLiteral("%1x%2").arg(second).arg(sameSecond);
-        for (SessionRecord& session : *known) {
+        for (SessionRecord& session : known) {
             if (session.planIndex == planIndex)
                 return std::move(session);
             taken = taken || session.id == id.toStdString();
@@ -343,8 +319,7 @@ core::Expected<SessionRecord> StudyStore::beginSession(const Participant& partic
 core::Expected<void> StudyStore::finishSession(const SessionRecord& session) {
     const auto done =
         m_connection->run(QStringLiteral("UPDATE session SET finished = 1 WHERE key = ?"), {session.key});
-    if (!done)
-        return core::Unexpected(done.error());
+    TELETA_CHECK(done);
     return {};
 }
 
@@ -353,8 +328,7 @@ core::Expected<std::vector<SessionRecord>> StudyStore::sessions(const Participan
         QStringLiteral(
             "SELECT key, id, plan_index, finished FROM session WHERE participant = ? ORDER BY plan_index"),
         {participant.key});
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     const std::size_t planned = planSessions(m_head.protocol, m_head.seed, participant.enrolment).size();
     std::vector<SessionRecord> all;
     while (query->next()) {

@@ -79,8 +79,7 @@ core::Expected<void> StudyStore::insertTrial(long long session, const StoredTria
     if (!kept && kept.error().kind == core::ErrorKind::refused)
         return m_connection->refused(TrialsText::tr("this trial is already stored"),
                                      TrialsText::tr("each attempt of a trial once"));
-    if (!kept)
-        return core::Unexpected(kept.error());
+    TELETA_CHECK(kept);
     return {};
 }
 
@@ -102,8 +101,7 @@ core::Expected<void> StudyStore::insertUnlessKept(long long session, const Store
                        "WHERE session = ? AND phase = ? AND trial = ? AND attempt = ?"),
         {session, QString::fromLatin1(toString(result.planned.phase)), number(result.planned.trial),
          number(result.planned.attempt)});
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     const bool isSame =
         query->next() && query->value(0).toString() == QLatin1String(toString(result.outcome)) &&
         query->value(1).isNull() == !result.response &&
@@ -116,16 +114,13 @@ core::Expected<void> StudyStore::insertUnlessKept(long long session, const Store
 
 core::Expected<void> StudyStore::sendPending(long long session) {
     const TrialJournal journal(folder(), session);
-    const core::Expected<std::vector<PendingTrial>> pending = journal.read();
-    if (!pending)
-        return core::Unexpected(pending.error());
-    if (pending->empty())
+    TELETA_TRY(const std::vector<PendingTrial> pending, journal.read());
+    if (pending.empty())
         return journal.remove();
     auto query = m_connection->run(QStringLiteral("SELECT id FROM session WHERE key = ?"), {session});
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     const std::string id = query->next() ? query->value(0).toString().toStdString() : std::string();
-    for (const PendingTrial& trial : *pending) {
+    for (const PendingTrial& trial : pending) {
         if (trial.sessionKey != session || trial.sessionId != id)
             return core::Unexpected(
                 core::Error{core::ErrorKind::badInput,
@@ -154,10 +149,8 @@ core::Expected<void> StudyStore::keepOnServer(const SessionRecord& session, cons
     if (!isAway)
         return kept;
     const TrialJournal journal(folder(), session.key);
-    const core::Expected<std::vector<PendingTrial>> pending = journal.read();
-    if (!pending)
-        return core::Unexpected(pending.error());
-    const bool isPending = std::any_of(pending->begin(), pending->end(), [&](const PendingTrial& other) {
+    TELETA_TRY(const std::vector<PendingTrial> pending, journal.read());
+    const bool isPending = std::any_of(pending.begin(), pending.end(), [&](const PendingTrial& other) {
         return isSameTrial(other.result.planned, trial.result.planned);
     });
     if (!isPending) {
@@ -181,8 +174,7 @@ core::Expected<std::vector<StoredTrial>> StudyStore::trials(const SessionRecord&
             "frame_write_ms, frames_missed FROM trial "
             "WHERE session = ? ORDER BY key"),
         {session.key});
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     // The tasks come in the same order for everybody.
     const std::vector<PlannedSession> plan = planSessions(m_head.protocol, m_head.seed, 0);
     if (session.planIndex >= plan.size())
@@ -225,16 +217,14 @@ core::Expected<void> StudyStore::keepNote(const SessionRecord& session, const st
     const auto kept =
         m_connection->run(QStringLiteral("INSERT INTO note (session, text, time_utc) VALUES (?, ?, ?)"),
                           {session.key, QString::fromStdString(text), timeText(now)});
-    if (!kept)
-        return core::Unexpected(kept.error());
+    TELETA_CHECK(kept);
     return {};
 }
 
 core::Expected<std::vector<StoredNote>> StudyStore::notes(const SessionRecord& session) const {
     auto query = m_connection->run(
         QStringLiteral("SELECT text, time_utc FROM note WHERE session = ? ORDER BY key"), {session.key});
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     std::vector<StoredNote> all;
     while (query->next())
         all.push_back({query->value(0).toString().toStdString(), timeOf(query->value(1).toString())});
@@ -259,18 +249,15 @@ core::Expected<void> StudyStore::keepAnswers(const Participant& participant,
                 {participant.key, key, QString::fromStdString(questionnaire.id),
                  QString::fromStdString(answer.item), orNull(answer.value.value_or(std::string())),
                  timeText(now)});
-            if (!done)
-                return core::Unexpected(done.error());
+            TELETA_CHECK(done);
         }
         return {};
     });
     if (kept || kept.error().kind != core::ErrorKind::refused)
         return kept;
     // A server that is lost during a commit does not tell whether it has them.
-    const auto stored = this->answers(participant);
-    if (!stored)
-        return core::Unexpected(stored.error());
-    switch (compare(*stored, session, questionnaire.id, answers)) {
+    TELETA_TRY(const auto stored, this->answers(participant));
+    switch (compare(stored, session, questionnaire.id, answers)) {
     case KeptAnswers::same:
         return {};
     case KeptAnswers::none:
@@ -288,8 +275,7 @@ core::Expected<std::vector<StoredAnswer>> StudyStore::answers(const Participant&
             "SELECT session, questionnaire, item, value, time_utc FROM answer WHERE participant = ? "
             "ORDER BY key"),
         {participant.key});
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     std::vector<StoredAnswer> all;
     while (query->next()) {
         StoredAnswer answer;

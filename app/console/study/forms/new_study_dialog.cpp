@@ -34,8 +34,7 @@ constexpr int kMostParticipants = 1000;
 core::Expected<study::Protocol> usableProtocol(const std::string& path) {
     core::Expected<study::Protocol> protocol = study::readProtocol(path);
     if (protocol) {
-        if (const auto own = study::readOwnStimuli(*protocol); !own)
-            return core::Unexpected(own.error());
+        TELETA_CHECK(study::readOwnStimuli(*protocol));
     }
     return protocol;
 }

@@ -374,10 +374,8 @@ core::Expected<study::Protocol> ProtocolDialog::protocol() const {
     for (const QuestionnaireEditor* editor : m_questionnaires)
         protocol.questionnaires.push_back(editor->questionnaire());
     for (const TaskRow& row : m_tasks) {
-        core::Expected<study::StudyTask> task = taskOf(row);
-        if (!task)
-            return core::Unexpected(task.error());
-        protocol.tasks.push_back(std::move(*task));
+        TELETA_TRY(study::StudyTask task, taskOf(row));
+        protocol.tasks.push_back(std::move(task));
     }
     return study::parseProtocol(study::protocolText(protocol), tr("this form").toStdString());
 }

@@ -47,12 +47,10 @@ core::Expected<void> StudyRunner::begin(StimulusOutput& output, const study::Pro
                 tr("a protocol that names a file for each pattern that is not built in").toStdString(),
                 {}});
     }
-    core::Expected<study::SessionFlow> flow = study::SessionFlow::create(protocol, plan, kept, began_ns);
-    if (!flow)
-        return core::Unexpected(flow.error());
+    TELETA_TRY(study::SessionFlow flow, study::SessionFlow::create(protocol, plan, kept, began_ns));
     clear();
     m_output = &output;
-    m_flow = std::move(*flow);
+    m_flow = std::move(flow);
     m_set = set;
     m_stimuli = std::move(stimuli);
     m_stimulus_s = protocol.stimulus_s;

@@ -77,7 +77,7 @@ class StudyQuestionnairesTest : public QObject, protected test::StudyBench {
         QTRY_VERIFY_WITH_TIMEOUT(controller().isActive(), kPatience_ms);
     }
     [[nodiscard]] std::string asked() {
-        const study::Questionnaire* current = controller().round().current();
+        const study::Questionnaire* current = controller().questionnaires().current();
         return current == nullptr ? std::string() : current->id;
     }
     void fillIn(Qt::Key key) {
@@ -217,10 +217,10 @@ private slots:
         begin();
         QCOMPARE(asked(), std::string("person"));
         confirm(*askToSkip());
-        QVERIFY2(controller().round().isKeeping(), "the note is on its way");
+        QVERIFY2(controller().questionnaires().isKeeping(), "the note is on its way");
         // The participant is done at the same moment, and somebody confirms once more.
         emit window()->questionnaireAnswered({{"age", "9"}});
-        controller().round().skip(controller().round().shown());
+        controller().questionnaires().skip(controller().questionnaires().shown());
         QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("mood"), kPatience_ms);
         waitForTheStore();
         QCOMPARE(asked(), std::string("mood"));
@@ -236,13 +236,13 @@ private slots:
         begin();
         execute("ALTER TABLE note RENAME TO hidden");
         confirm(*askToSkip());
-        QTRY_VERIFY_WITH_TIMEOUT(!controller().round().problem().isEmpty(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().questionnaires().problem().isEmpty(), kPatience_ms);
         const auto& scene = sessionPanel().scene();
         QVERIFY2(scene.state.contains(QStringLiteral("could not be skipped")), qPrintable(scene.state));
         QCOMPARE(nextButton()->text(), QStringLiteral("Try again to skip it"));
         QVERIFY2(window()->scene().questionnaireProblem.isEmpty(), "the participant's answers are not lost");
         QTest::mouseClick(nextButton(), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(!controller().round().problem().isEmpty(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().questionnaires().problem().isEmpty(), kPatience_ms);
         execute("ALTER TABLE hidden RENAME TO note");
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
@@ -279,7 +279,7 @@ private slots:
         fillIn(Qt::Key_9);
         QTRY_COMPARE_WITH_TIMEOUT(asked(), std::string("mood"), kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(box.isNull(), kPatience_ms);
-        emit sessionPanel().skipRequested(controller().round().shown() - 1);
+        emit sessionPanel().skipRequested(controller().questionnaires().shown() - 1);
         waitForTheStore();
         QCOMPARE(asked(), std::string("mood"));
         fillIn(Qt::Key_2);

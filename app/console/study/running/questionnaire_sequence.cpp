@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/study/running/questionnaire_round.h"
+#include "app/console/study/running/questionnaire_sequence.h"
 
 #include <QDateTime>
 
@@ -14,15 +14,15 @@ constexpr double kSimulatedTakes_ms = 2000.0;
 
 } // namespace
 
-QuestionnaireRound::QuestionnaireRound(StudyDesk& desk, QObject* parent)
+QuestionnaireSequence::QuestionnaireSequence(StudyStoreThread& store, QObject* parent)
     : QObject(parent)
-    , m_desk(desk) {
+    , m_store(store) {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] { submit(m_filledIn); });
 }
 
-void QuestionnaireRound::begin(Subject subject, std::vector<study::DueQuestionnaire> due,
-                               std::function<void()> done) {
+void QuestionnaireSequence::begin(Subject subject, std::vector<study::DueQuestionnaire> due,
+                                  std::function<void()> done) {
     leave();
     m_subject = std::move(subject);
     m_due = std::move(due);
@@ -30,7 +30,7 @@ void QuestionnaireRound::begin(Subject subject, std::vector<study::DueQuestionna
     showNext();
 }
 
-void QuestionnaireRound::leave() {
+void QuestionnaireSequence::leave() {
     ++m_run;
     m_timer.stop();
     m_due.clear();
@@ -41,15 +41,15 @@ void QuestionnaireRound::leave() {
     m_problem.clear();
 }
 
-bool QuestionnaireRound::isSimulated() const {
+bool QuestionnaireSequence::isSimulated() const {
     return m_subject.head.mode == study::Mode::simulated;
 }
 
-const study::Questionnaire* QuestionnaireRound::current() const {
+const study::Questionnaire* QuestionnaireSequence::current() const {
     return m_due.empty() ? nullptr : &m_subject.head.protocol.questionnaires.at(m_due.front().index);
 }
 
-void QuestionnaireRound::showNext() {
+void QuestionnaireSequence::showNext() {
     if (m_due.empty()) {
         if (const std::function<void()> done = std::exchange(m_done, {}))
             done();
@@ -65,7 +65,7 @@ void QuestionnaireRound::showNext() {
     emit changed();
 }
 
-void QuestionnaireRound::submit(std::vector<study::ItemAnswer> answers) {
+void QuestionnaireSequence::submit(std::vector<study::ItemAnswer> answers) {
     if (current() == nullptr || m_keeping)
         return;
     m_given = std::move(answers);
@@ -73,7 +73,7 @@ void QuestionnaireRound::submit(std::vector<study::ItemAnswer> answers) {
     keep();
 }
 
-void QuestionnaireRound::skip(std::size_t shown) {
+void QuestionnaireSequence::skip(std::size_t shown) {
     if (current() == nullptr || m_keeping || shown != m_shown)
         return;
     m_timer.stop();
@@ -81,30 +81,30 @@ void QuestionnaireRound::skip(std::size_t shown) {
     keep();
 }
 
-void QuestionnaireRound::retry() {
+void QuestionnaireSequence::retry() {
     if (current() != nullptr && !m_keeping && !m_problem.isEmpty())
         keep();
 }
 
-void QuestionnaireRound::keep() {
+void QuestionnaireSequence::keep() {
     const QDateTime now = QDateTime::currentDateTimeUtc();
     if (m_skipping) {
         // Part of the data: not translated.
         askToKeep([session = m_subject.session, text = "questionnaire skipped: " + current()->id,
-                   now](StudyDesk::Store& store) { return store->keepNote(session, text, now); });
+                   now](StudyStoreThread::Store& store) { return store->keepNote(session, text, now); });
         return;
     }
     askToKeep([participant = m_subject.participant, session = m_due.front().session,
-               questionnaire = *current(), answers = m_given, now](StudyDesk::Store& store) {
+               questionnaire = *current(), answers = m_given, now](StudyStoreThread::Store& store) {
         return store->keepAnswers(participant, session, questionnaire, answers, now);
     });
 }
 
 template <typename Work>
-void QuestionnaireRound::askToKeep(Work work) {
+void QuestionnaireSequence::askToKeep(Work work) {
     m_keeping = true;
     m_problem.clear();
-    m_desk.ask(std::move(work), [this, run = m_run](const core::Expected<void>& kept) {
+    m_store.ask(std::move(work), [this, run = m_run](const core::Expected<void>& kept) {
         if (run != m_run)
             return;
         m_keeping = false;
@@ -118,7 +118,7 @@ void QuestionnaireRound::askToKeep(Work work) {
     emit changed();
 }
 
-void QuestionnaireRound::next() {
+void QuestionnaireSequence::next() {
     ++m_run;
     m_skipping = false;
     m_problem.clear();

@@ -15,14 +15,14 @@ namespace teleta::console {
 
 /// The thread of the open study's store, so that the GUI never waits for a disk. Requests are done in order.
 /// Thread: GUI; only the destructor waits, until all requests are done.
-class StudyDesk : public QObject {
+class StudyStoreThread : public QObject {
     Q_OBJECT
 
 public:
     using Store = std::optional<study::StudyStore>;
 
-    explicit StudyDesk(QObject* parent = nullptr);
-    ~StudyDesk() override;
+    explicit StudyStoreThread(QObject* parent = nullptr);
+    ~StudyStoreThread() override;
 
     /// work(Store&) runs on the store's thread; done(result) follows on the GUI's, unless this object is
     /// gone.
@@ -30,8 +30,8 @@ public:
     void ask(Work work, Done done) {
         QMetaObject::invokeMethod(
             m_worker,
-            [store = m_store, guard = QPointer<StudyDesk>(this), context = m_context, work = std::move(work),
-             done = std::move(done)]() mutable {
+            [store = m_store, guard = QPointer<StudyStoreThread>(this), context = m_context,
+             work = std::move(work), done = std::move(done)]() mutable {
                 auto result = std::make_shared<decltype(work(*store))>(work(*store));
                 QMetaObject::invokeMethod(
                     context.get(),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/study/running/study_desk.h"
+#include "app/console/study/running/study_store_thread.h"
 
 namespace teleta::console {
 
-StudyDesk::StudyDesk(QObject* parent)
+StudyStoreThread::StudyStoreThread(QObject* parent)
     : QObject(parent)
     , m_worker(new QObject)
     , m_store(std::make_shared<Store>())
@@ -14,7 +14,7 @@ StudyDesk::StudyDesk(QObject* parent)
     m_thread.start();
 }
 
-StudyDesk::~StudyDesk() {
+StudyStoreThread::~StudyStoreThread() {
     // The connection belongs to its thread; earlier requests are done first.
     QMetaObject::invokeMethod(
         m_worker, [store = m_store] { store->reset(); }, Qt::BlockingQueuedConnection);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/study/running/study_desk.h"
+#include "app/console/study/running/study_store_thread.h"
 #include "backend/study/session/due_questionnaires.h"
 
 #include <QObject>
@@ -17,11 +17,11 @@ namespace teleta::console {
 
 /// Goes through the questionnaires that are due: each is shown once the answers to the previous one are safe.
 /// Those of simulated participants are filled in, shown for a moment, and stored. Thread: GUI.
-class QuestionnaireRound : public QObject {
+class QuestionnaireSequence : public QObject {
     Q_OBJECT
 
 public:
-    explicit QuestionnaireRound(StudyDesk& desk, QObject* parent = nullptr);
+    explicit QuestionnaireSequence(StudyStoreThread& store, QObject* parent = nullptr);
 
     struct Subject {
         study::StudyHead head;
@@ -69,7 +69,7 @@ private:
     void askToKeep(Work work);
     void next();
 
-    StudyDesk& m_desk;
+    StudyStoreThread& m_store;
     double m_speed = 1.0;
     Subject m_subject;
     std::vector<study::DueQuestionnaire> m_due; ///< the first is shown
