@@ -7,7 +7,7 @@ namespace teleta::base {
 
 QThreadPool& backgroundPool() {
     static QThreadPool pool;
-    // As Qt waits for its own: what runs may not outlive what it was told of.
+    // Qt waits for its global pool in the same way: running work must not outlive the objects it uses.
     static const bool waits = [] {
         qAddPostRoutine([] { backgroundPool().waitForDone(); });
         return true;

@@ -9,14 +9,14 @@
 
 namespace teleta::base {
 
-/// Where work runs that nobody has a pool of its own for. Not the pool of Qt: its painter fills large areas
-/// there and waits for that, so that a window whose pool is full of long computations is not painted.
+/// The pool for work without a pool of its own. It is not Qt's global pool: Qt's painter fills large areas
+/// there and waits for them, so a pool full of long computations would stop windows from being painted.
 /// Thread: any.
 [[nodiscard]] QThreadPool& backgroundPool();
 
-/// Runs work on a thread of a pool and hands its result to done on the receiver's thread; when the receiver
-/// is gone by then, the result is dropped. For files and long computations that the GUI asks for: its own
-/// thread never waits for one. A pool of one thread keeps the order.
+/// Runs work on a thread of a pool and passes its result to done on the receiver's thread; the result is
+/// dropped if the receiver is gone by then. For files and long computations that the GUI thread must not wait
+/// for. A pool with one thread keeps the order.
 template <typename Work, typename Done>
 void runInBackground(QThreadPool& pool, QObject* receiver, Work work, Done done) {
     pool.start([guard = QPointer<QObject>(receiver), context = receiver->thread(), work = std::move(work),

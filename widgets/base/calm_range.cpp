@@ -32,7 +32,7 @@ CalmRange::Ends CalmRange::rounded() const {
     double low = m_low;
     double high = m_high;
     if (high - low < m_minimumSpan) {
-        // One-sided data keep their zero line; others are centred.
+        // One-sided data keep zero at one end; others are centred.
         const double centre = 0.5 * (low + high);
         if (low >= 0.0 && low < m_minimumSpan)
             low = 0.0, high = std::max(high, m_minimumSpan);

@@ -6,11 +6,11 @@ namespace teleta::base {
 /// Smallest of 1, 2, 2.5, 5 times a power of ten that is at least value; > 0.
 [[nodiscard]] double niceStep(double value);
 
-/// Range of an axis or a colour map that follows its data calmly: it opens at once to round numbers, and
-/// closes only after the data have needed clearly less for a while. Thread: one.
+/// Range of an axis or a colour map that follows its data calmly: it widens at once, to round numbers, and
+/// narrows only after the data have stayed well inside it for a while. Thread: one.
 class CalmRange {
 public:
-    /// minimumSpan: smallest difference of the ends, > 0, so that noise does not fill the picture.
+    /// minimumSpan: smallest difference of the ends, > 0, so that noise is not magnified.
     /// memory_s: time constant with which an extreme is forgotten.
     explicit CalmRange(double minimumSpan, double memory_s = 4.0);
 

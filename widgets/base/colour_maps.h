@@ -21,12 +21,12 @@ using ColourMap = std::array<QRgb, kMapEntries>;
 /// Colour of a share 0..1 of a map's range; clamped; NaN gives the lowest colour.
 [[nodiscard]] QRgb colourAt(const ColourMap& map, double share);
 
-/// How many identities can be told apart by colour; further ones start again and are told apart by their
-/// label.
+/// Number of identities with a colour of their own; further ones reuse the colours and are told apart by
+/// their labels.
 inline constexpr int kIdentityColours = 8;
 
-/// Colour of an identity (contact, tactor, series), from 1. Any two of the eight keep apart under protanopia,
-/// deuteranopia and tritanopia. onDark: for a dark background.
+/// Colour of an identity (contact, tactor, series), from 1. Any two of the eight can be told apart with
+/// protanopia, deuteranopia and tritanopia. onDark: for a dark background.
 [[nodiscard]] QColor identityColour(int identity, bool onDark);
 
 } // namespace teleta::base

@@ -5,8 +5,8 @@
 
 namespace teleta::base {
 
-/// Fusion, with check boxes and radio buttons whose edge can be seen on dark grounds too: Fusion draws it
-/// darker than the ground. Thread: GUI.
+/// Fusion with check boxes and radio buttons whose edges are visible on dark backgrounds too: plain Fusion
+/// draws them darker than the background. Thread: GUI.
 class ConsoleStyle : public QProxyStyle {
     Q_OBJECT
 

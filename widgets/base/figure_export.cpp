@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/base/figure_export.h"
 
+#include "widgets/base/file_dialog.h"
+
 #include <QBuffer>
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImage>
@@ -77,7 +78,7 @@ QImage imageOf(const Figure& figure) {
     return image;
 }
 
-/// Calls write(device) on a file that takes its name only when all of it has been written.
+/// Calls write(device) on a temporary file, which is renamed once everything is written.
 template <typename Write>
 core::Expected<void> writeWhole(const QString& path, Write&& write) {
     QSaveFile file(path);
@@ -164,33 +165,24 @@ void FigureExport::addDataActions(QMenu& menu) {
 }
 
 void FigureExport::askAndSave(bool picture) {
-    // Made now: what is saved is what was on the screen when the user asked.
+    // Made before the dialog: what is saved is what was on the screen when the user asked.
     const Figure figure = m_make();
-    auto* dialog = new QFileDialog(m_view, picture ? tr("Save picture") : tr("Save data"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
     const QStringList filters = picture ? QStringList{tr("SVG picture (*.svg)"), tr("PDF document (*.pdf)"),
                                                       tr("PNG picture (*.png)")}
                                         : QStringList{tr("Comma-separated values (*.csv)")};
-    const QStringList suffixes =
-        picture ? QStringList{QStringLiteral("svg"), QStringLiteral("pdf"), QStringLiteral("png")}
-                : QStringList{QStringLiteral("csv")};
-    dialog->setNameFilters(filters);
-    dialog->setDefaultSuffix(suffixes.first());
-    dialog->setDirectory(QStandardPaths::writableLocation(picture ? QStandardPaths::PicturesLocation
-                                                                  : QStandardPaths::DocumentsLocation));
-    dialog->selectFile(figure.name);
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, filters, suffixes](const QString& filter) {
-        dialog->setDefaultSuffix(suffixes.value(filters.indexOf(filter)));
-    });
-    connect(dialog, &QFileDialog::fileSelected, this, [this, figure](const QString& path) {
-        const auto result = saveFigure(figure, path);
-        if (result)
-            emit saved(QDir::toNativeSeparators(path));
-        else
-            emit failed(QString::fromStdString(core::describe(result.error())));
-    });
-    dialog->open();
+    askToSave(m_view,
+              {.title = picture ? tr("Save picture") : tr("Save data"),
+               .filters = filters,
+               .folder = QStandardPaths::writableLocation(picture ? QStandardPaths::PicturesLocation
+                                                                  : QStandardPaths::DocumentsLocation),
+               .suffix = picture ? QStringLiteral("svg") : QStringLiteral("csv"),
+               .name = figure.name},
+              [this, figure](const QString& path) {
+                  if (const auto result = saveFigure(figure, path))
+                      emit saved(QDir::toNativeSeparators(path));
+                  else
+                      emit failed(QString::fromStdString(core::describe(result.error())));
+              });
 }
 
 } // namespace teleta::base

@@ -16,17 +16,17 @@ class QWidget;
 
 namespace teleta::base {
 
-/// A picture with the data behind it; it owns both, so the view may change while the figure is kept. paint
-/// draws on white, for paper, into a rectangle of size_px at the origin.
+/// A picture with the data behind it; it owns both, so the view may change meanwhile. paint draws on white,
+/// for paper, into a rectangle of size_px at the origin.
 struct Figure {
     QString name;                         ///< file name without extension
     QSizeF size_px;                       ///< at 96 dots per inch
-    std::function<void(QPainter&)> paint; ///< vector drawing as far as it goes
+    std::function<void(QPainter&)> paint; ///< vectors wherever possible
     std::function<QString()> csv;         ///< header line and rows, C locale; empty when there are no data
-    QByteArray svg = {};                  ///< a whole SVG of the same picture; empty: what paint draws
+    QByteArray svg = {};                  ///< complete SVG of the same picture; empty: made by paint
 };
 
-/// Writes a figure. The file is complete or it is not there (written beside and renamed).
+/// Writes a figure. The file is written under another name and then renamed, so it is never incomplete.
 /// Error: ioFailed with the path.
 [[nodiscard]] core::Expected<void> saveSvg(const Figure& figure, const QString& path);
 [[nodiscard]] core::Expected<void> savePdf(const Figure& figure, const QString& path);
@@ -40,17 +40,17 @@ struct Figure {
 void copyPicture(const Figure& figure);
 void copyData(const Figure& figure);
 
-/// The actions that every chart and matrix has in its context menu.
-/// Thread: GUI. No call blocks on a dialog; what became of a save comes as a signal.
+/// The actions in the context menu of every chart and matrix. They return at once: the result of saving is a
+/// signal. Thread: GUI.
 class FigureExport : public QObject {
     Q_OBJECT
 public:
-    /// make: called when an action is triggered.
+    /// make: called whenever an action is triggered.
     FigureExport(QWidget* view, std::function<Figure()> make);
 
     /// Appends Copy Picture, Copy Data, Save Picture, Save Data.
     void addActions(QMenu& menu);
-    /// Only Copy Data and Save Data, for what is no picture.
+    /// Only Copy Data and Save Data, for tables.
     void addDataActions(QMenu& menu);
 
 signals:

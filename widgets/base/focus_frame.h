@@ -6,8 +6,8 @@ class QWidget;
 
 namespace teleta::base {
 
-/// Frames a view that draws itself while it has the keyboard. Changes the painter's pen and brush. Thread:
-/// GUI.
+/// Draws a frame around a self-painted view while it has the keyboard focus. Changes the painter's pen and
+/// brush. Thread: GUI.
 void paintFocusFrame(QPainter& painter, const QWidget& view);
 
 } // namespace teleta::base

@@ -15,23 +15,10 @@ namespace teleta::base {
 
 namespace {
 
-/// An icon on a grid of 24 units: lines to stroke and areas to fill.
-struct Drawing {
-    QPainterPath strokes;
-    QPainterPath fills;
-};
-
-void polyline(QPainterPath& path, std::initializer_list<QPointF> points, bool closed = false) {
-    const auto* it = points.begin();
-    path.moveTo(*it);
-    for (++it; it != points.end(); ++it)
-        path.lineTo(*it);
-    if (closed)
-        path.closeSubpath();
-}
+using Drawing = IconDrawing;
 
 void playTriangle(QPainterPath& path, double left, double right) {
-    polyline(path, {{left, 5.0}, {right, 12.0}, {left, 19.0}}, true);
+    addLine(path, {{left, 5.0}, {right, 12.0}, {left, 19.0}}, true);
 }
 
 Drawing operateIcon() { // a taxel array under a fingertip
@@ -48,10 +35,10 @@ Drawing operateIcon() { // a taxel array under a fingertip
 
 Drawing patternsIcon() { // breakpoints of a lane
     Drawing d;
-    polyline(d.strokes, {{3.0, 18.0}, {8.0, 7.0}, {14.0, 14.0}, {21.0, 5.0}});
+    addLine(d.strokes, {{3.0, 18.0}, {8.0, 7.0}, {14.0, 14.0}, {21.0, 5.0}});
     for (const QPointF& p : {QPointF(8.0, 7.0), QPointF(14.0, 14.0)})
         d.fills.addEllipse(p, 2.2, 2.2);
-    polyline(d.strokes, {{3.0, 21.0}, {21.0, 21.0}});
+    addLine(d.strokes, {{3.0, 21.0}, {21.0, 21.0}});
     return d;
 }
 
@@ -73,14 +60,14 @@ Drawing calibrateIcon() { // cross hair on a ring
     for (const auto& [from, to] :
          {std::pair(QPointF(12, 2.5), QPointF(12, 8.5)), std::pair(QPointF(12, 15.5), QPointF(12, 21.5)),
           std::pair(QPointF(2.5, 12), QPointF(8.5, 12)), std::pair(QPointF(15.5, 12), QPointF(21.5, 12))})
-        polyline(d.strokes, {from, to});
+        addLine(d.strokes, {from, to});
     d.fills.addEllipse(QPointF(12.0, 12.0), 1.4, 1.4);
     return d;
 }
 
 Drawing costIcon() { // error falls with time
     Drawing d;
-    polyline(d.strokes, {{3.5, 3.0}, {3.5, 20.5}, {21.0, 20.5}});
+    addLine(d.strokes, {{3.5, 3.0}, {3.5, 20.5}, {21.0, 20.5}});
     d.strokes.moveTo(6.5, 5.0);
     d.strokes.cubicTo(8.0, 14.0, 12.0, 16.5, 20.5, 17.0);
     d.fills.addEllipse(QPointF(10.0, 13.2), 2.2, 2.2);
@@ -90,7 +77,7 @@ Drawing costIcon() { // error falls with time
 Drawing settingsIcon() { // sliders
     Drawing d;
     for (const auto& [y, x] : {std::pair(6.0, 15.0), std::pair(12.0, 8.0), std::pair(18.0, 13.0)}) {
-        polyline(d.strokes, {{3.0, y}, {21.0, y}});
+        addLine(d.strokes, {{3.0, y}, {21.0, y}});
         d.fills.addEllipse(QPointF(x, y), 2.6, 2.6);
     }
     return d;
@@ -101,89 +88,88 @@ Drawing loopIcon() {
     d.strokes.moveTo(5.0, 11.0);
     d.strokes.cubicTo(5.0, 7.0, 8.0, 6.0, 10.0, 6.0);
     d.strokes.lineTo(18.0, 6.0);
-    polyline(d.strokes, {{15.0, 3.0}, {18.5, 6.0}, {15.0, 9.0}});
+    addLine(d.strokes, {{15.0, 3.0}, {18.5, 6.0}, {15.0, 9.0}});
     d.strokes.moveTo(19.0, 13.0);
     d.strokes.cubicTo(19.0, 17.0, 16.0, 18.0, 14.0, 18.0);
     d.strokes.lineTo(6.0, 18.0);
-    polyline(d.strokes, {{9.0, 15.0}, {5.5, 18.0}, {9.0, 21.0}});
+    addLine(d.strokes, {{9.0, 15.0}, {5.5, 18.0}, {9.0, 21.0}});
     return d;
 }
 
 Drawing infoIcon() {
     Drawing d;
     d.strokes.addEllipse(QPointF(12.0, 12.0), 9.0, 9.0);
-    polyline(d.strokes, {{12.0, 11.0}, {12.0, 17.0}});
+    addLine(d.strokes, {{12.0, 11.0}, {12.0, 17.0}});
     d.fills.addEllipse(QPointF(12.0, 7.3), 1.3, 1.3);
     return d;
 }
 
 Drawing warningIcon() {
     Drawing d;
-    polyline(d.strokes, {{12.0, 3.5}, {21.5, 20.5}, {2.5, 20.5}}, true);
-    polyline(d.strokes, {{12.0, 9.5}, {12.0, 14.5}});
+    addLine(d.strokes, {{12.0, 3.5}, {21.5, 20.5}, {2.5, 20.5}}, true);
+    addLine(d.strokes, {{12.0, 9.5}, {12.0, 14.5}});
     d.fills.addEllipse(QPointF(12.0, 17.5), 1.2, 1.2);
     return d;
 }
 
 Drawing errorIcon() {
     Drawing d;
-    polyline(d.strokes,
-             {{8.3, 3.0},
-              {15.7, 3.0},
-              {21.0, 8.3},
-              {21.0, 15.7},
-              {15.7, 21.0},
-              {8.3, 21.0},
-              {3.0, 15.7},
-              {3.0, 8.3}},
-             true);
-    polyline(d.strokes, {{8.8, 8.8}, {15.2, 15.2}});
-    polyline(d.strokes, {{15.2, 8.8}, {8.8, 15.2}});
+    addLine(d.strokes,
+            {{8.3, 3.0},
+             {15.7, 3.0},
+             {21.0, 8.3},
+             {21.0, 15.7},
+             {15.7, 21.0},
+             {8.3, 21.0},
+             {3.0, 15.7},
+             {3.0, 8.3}},
+            true);
+    addLine(d.strokes, {{8.8, 8.8}, {15.2, 15.2}});
+    addLine(d.strokes, {{15.2, 8.8}, {8.8, 15.2}});
     return d;
 }
 
 Drawing sceneIcon() { // a box in space
     Drawing d;
-    polyline(d.strokes, {{12.0, 3.0}, {20.0, 7.5}, {20.0, 16.5}, {12.0, 21.0}, {4.0, 16.5}, {4.0, 7.5}},
-             true);
-    polyline(d.strokes, {{4.0, 7.5}, {12.0, 12.0}, {20.0, 7.5}});
-    polyline(d.strokes, {{12.0, 12.0}, {12.0, 21.0}});
+    addLine(d.strokes, {{12.0, 3.0}, {20.0, 7.5}, {20.0, 16.5}, {12.0, 21.0}, {4.0, 16.5}, {4.0, 7.5}}, true);
+    addLine(d.strokes, {{4.0, 7.5}, {12.0, 12.0}, {20.0, 7.5}});
+    addLine(d.strokes, {{12.0, 12.0}, {12.0, 21.0}});
     return d;
 }
 
 Drawing recordingIcon() { // a page with a trace
     Drawing d;
-    polyline(d.strokes, {{5.0, 3.0}, {14.5, 3.0}, {19.0, 7.5}, {19.0, 21.0}, {5.0, 21.0}}, true);
-    polyline(d.strokes, {{14.5, 3.0}, {14.5, 7.5}, {19.0, 7.5}});
-    polyline(d.strokes, {{7.5, 15.0}, {9.5, 15.0}, {11.0, 11.0}, {13.0, 18.0}, {14.5, 15.0}, {16.5, 15.0}});
+    addLine(d.strokes, {{5.0, 3.0}, {14.5, 3.0}, {19.0, 7.5}, {19.0, 21.0}, {5.0, 21.0}}, true);
+    addLine(d.strokes, {{14.5, 3.0}, {14.5, 7.5}, {19.0, 7.5}});
+    addLine(d.strokes, {{7.5, 15.0}, {9.5, 15.0}, {11.0, 11.0}, {13.0, 18.0}, {14.5, 15.0}, {16.5, 15.0}});
     return d;
 }
 
 Drawing sensorIcon() { // plug
     Drawing d;
-    polyline(d.strokes, {{9.0, 3.0}, {9.0, 8.0}});
-    polyline(d.strokes, {{15.0, 3.0}, {15.0, 8.0}});
-    polyline(d.strokes, {{6.0, 8.0}, {18.0, 8.0}});
+    addLine(d.strokes, {{9.0, 3.0}, {9.0, 8.0}});
+    addLine(d.strokes, {{15.0, 3.0}, {15.0, 8.0}});
+    addLine(d.strokes, {{6.0, 8.0}, {18.0, 8.0}});
     d.strokes.moveTo(7.0, 8.0);
     d.strokes.lineTo(7.0, 11.0);
     d.strokes.cubicTo(7.0, 18.0, 17.0, 18.0, 17.0, 11.0);
     d.strokes.lineTo(17.0, 8.0);
-    polyline(d.strokes, {{12.0, 16.5}, {12.0, 21.0}});
+    addLine(d.strokes, {{12.0, 16.5}, {12.0, 21.0}});
     return d;
 }
 
 Drawing markIcon() { // flag
     Drawing d;
-    polyline(d.strokes, {{6.0, 21.0}, {6.0, 4.0}});
-    polyline(d.fills, {{6.0, 4.0}, {18.5, 8.0}, {6.0, 12.0}}, true);
+    addLine(d.strokes, {{6.0, 21.0}, {6.0, 4.0}});
+    addLine(d.fills, {{6.0, 4.0}, {18.5, 8.0}, {6.0, 12.0}}, true);
     return d;
 }
 
 Drawing stripsIcon() {
     Drawing d;
     for (const double y : {6.0, 12.0, 18.0})
-        polyline(d.strokes,
-                 {{3.0, y + 1.5}, {8.0, y + 1.5}, {11.0, y - 1.5}, {15.0, y + 1.0}, {21.0, y - 1.0}});
+        addLine(d.strokes,
+                {{3.0, y + 1.5}, {8.0, y + 1.5}, {11.0, y - 1.5}, {15.0, y + 1.0}, {21.0, y - 1.0}});
     return d;
 }
 
@@ -234,8 +220,8 @@ Drawing drawingOf(Icon icon) {
     case Icon::error:
         return errorIcon();
     case Icon::close:
-        polyline(d.strokes, {{6.0, 6.0}, {18.0, 18.0}});
-        polyline(d.strokes, {{18.0, 6.0}, {6.0, 18.0}});
+        addLine(d.strokes, {{6.0, 6.0}, {18.0, 18.0}});
+        addLine(d.strokes, {{18.0, 6.0}, {6.0, 18.0}});
         return d;
     case Icon::scene:
         return sceneIcon();
@@ -257,14 +243,14 @@ Drawing drawingOf(Icon icon) {
 
 class ThemeIconEngine final : public QIconEngine {
 public:
-    explicit ThemeIconEngine(Icon icon)
-        : m_icon(icon) {}
+    explicit ThemeIconEngine(const IconDrawing& drawing)
+        : m_drawing(drawing) {}
 
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
         const QPalette palette = QGuiApplication::palette();
         const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
         const auto role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText;
-        paintIcon(*painter, rect, m_icon, palette.color(group, role));
+        paintIcon(*painter, rect, m_drawing, palette.color(group, role));
     }
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
@@ -275,24 +261,31 @@ public:
         return result;
     }
 
-    QIconEngine* clone() const override { return new ThemeIconEngine(m_icon); }
+    QIconEngine* clone() const override { return new ThemeIconEngine(m_drawing); }
 
 private:
-    Icon m_icon;
+    IconDrawing m_drawing;
 };
 
 } // namespace
 
-void paintIcon(QPainter& painter, const QRectF& square, Icon icon, const QColor& colour) {
+void addLine(QPainterPath& path, std::initializer_list<QPointF> points, bool closed) {
+    const auto* it = points.begin();
+    path.moveTo(*it);
+    for (++it; it != points.end(); ++it)
+        path.lineTo(*it);
+    if (closed)
+        path.closeSubpath();
+}
+
+void paintIcon(QPainter& painter, const QRectF& square, const IconDrawing& drawing, const QColor& colour) {
     constexpr double kGrid = 24.0;
     const double side = std::min(square.width(), square.height());
-    const Drawing drawing = drawingOf(icon);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(square.center() - QPointF(0.5 * side, 0.5 * side));
     painter.scale(side / kGrid, side / kGrid);
-    constexpr double kStroke = 1.8;
-    painter.setPen(QPen(colour, kStroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(colour, drawing.stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(drawing.strokes);
     painter.setPen(Qt::NoPen);
@@ -301,8 +294,16 @@ void paintIcon(QPainter& painter, const QRectF& square, Icon icon, const QColor&
     painter.restore();
 }
 
+void paintIcon(QPainter& painter, const QRectF& square, Icon icon, const QColor& colour) {
+    paintIcon(painter, square, drawingOf(icon), colour);
+}
+
+QIcon themeIcon(const IconDrawing& drawing) {
+    return QIcon(new ThemeIconEngine(drawing));
+}
+
 QIcon themeIcon(Icon icon) {
-    return QIcon(new ThemeIconEngine(icon));
+    return themeIcon(drawingOf(icon));
 }
 
 } // namespace teleta::base

@@ -5,11 +5,13 @@
 #include <QPainterPath>
 #include <QRectF>
 
+#include <initializer_list>
+
 class QPainter;
 
 namespace teleta::base {
 
-/// Line icons of the console. They are drawn, not loaded, so they follow the palette and stay sharp at any
+/// The console's line icons. They are drawn at run time, so they follow the palette and are sharp at any
 /// scale.
 enum class Icon {
     operate,
@@ -37,10 +39,21 @@ enum class Icon {
     more,
 };
 
+/// The parts of an icon, on a grid of 24 units.
+struct IconDrawing {
+    QPainterPath strokes;
+    QPainterPath fills;
+    double stroke = 1.8; ///< width of the lines
+};
+/// Adds a line through points to a path.
+void addLine(QPainterPath& path, std::initializer_list<QPointF> points, bool closed = false);
+
 /// Draws an icon into a square with the given colour.
+void paintIcon(QPainter& painter, const QRectF& square, const IconDrawing& drawing, const QColor& colour);
 void paintIcon(QPainter& painter, const QRectF& square, Icon icon, const QColor& colour);
 
-/// The same as a QIcon, in the application palette's button text colour (disabled: that group's).
+/// A drawing as a QIcon, in the application palette's button text colour (disabled: that group's).
+[[nodiscard]] QIcon themeIcon(const IconDrawing& drawing);
 [[nodiscard]] QIcon themeIcon(Icon icon);
 
 } // namespace teleta::base

@@ -7,12 +7,12 @@
 
 namespace teleta::base {
 
-/// A part of a widget that is dear to paint and seldom changes: painted into a pixmap, once for each place,
+/// A part of a widget that is slow to paint and seldom changes: painted once into a pixmap for each place,
 /// scale, palette and font. Thread: GUI.
 class KeptPicture {
 public:
-    /// paint(QPainter&, const QRectF&) is called when the picture that is kept is not of this rect. What else
-    /// it depends on: forget().
+    /// paint(QPainter&, const QRectF&) is called if the kept picture is not that of this rect. Call forget()
+    /// when anything else changes.
     template <typename Paint>
     void draw(QPainter& painter, const QRectF& rect, const QWidget& widget, const Paint& paint) {
         const QRect whole = rect.toAlignedRect();

@@ -8,8 +8,8 @@ class QKeyEvent;
 
 namespace teleta::base {
 
-/// The desktop's keys for Redo and Ctrl+Y, which many know and most desktops leave out. The first one is that
-/// of the desktop, which a menu shows. Thread: GUI.
+/// The desktop's keys for Redo, and Ctrl+Y, which many users know and most desktops leave out. The first key
+/// is the desktop's; menus show it. Thread: GUI.
 [[nodiscard]] QList<QKeySequence> redoKeys();
 [[nodiscard]] bool isRedo(const QKeyEvent& key);
 

@@ -12,7 +12,7 @@ class QPainter;
 
 namespace teleta::base {
 
-/// Shape of a device's state; no two that mean different things share shape and colour.
+/// Symbol of a device's state; states differ in shape as well as in colour.
 /// live: green disc. stale: amber triangle. lost: red disc, crossed. reconnecting: red ring, crossed.
 /// connecting: grey ring with a gap. paused: two bars. finished: square. closed: empty ring.
 void paintStatusGlyph(QPainter& painter, const QRectF& square, core::DeviceState state,
@@ -20,10 +20,10 @@ void paintStatusGlyph(QPainter& painter, const QRectF& square, core::DeviceState
 
 [[nodiscard]] QColor statusColour(core::DeviceState state, const QPalette& palette);
 
-/// The word beside the shape, translated: "live", "stale", ...
+/// The word for the state, translated: "live", "stale", ...
 [[nodiscard]] QString statusWord(core::DeviceState state);
 
-/// An age in words that stay short: "0.3 s", "12 s", "5 min", "3 h".
+/// An age in a short form: "0.3 s", "12 s", "5 min", "3 h".
 [[nodiscard]] QString ageText(double age_s);
 
 } // namespace teleta::base

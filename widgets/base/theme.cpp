@@ -119,7 +119,7 @@ void applyTheme(ThemeChoice choice) {
         QApplication::setStyle(new ConsoleStyle);
     bool dark = choice == ThemeChoice::dark;
     if (choice == ThemeChoice::system) {
-        QApplication::setPalette(QPalette()); // back to the desktop's palette, to look at it
+        QApplication::setPalette(QPalette()); // restores the desktop's palette, to inspect it
         dark = isDark(QApplication::palette());
     }
     QApplication::setPalette(designedPalette(dark));

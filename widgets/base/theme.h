@@ -12,25 +12,25 @@ namespace teleta::base {
 enum class ThemeChoice {
     light,
     dark,
-    system, ///< light or dark as the desktop's own palette is
+    system, ///< follows the desktop's palette
 };
 
 /// Sets the Fusion style and the designed palette for the whole application.
 /// Thread: GUI.
 void applyTheme(ThemeChoice choice);
 
-/// The two palettes, each designed on its own; views take every colour from here or from a data map.
+/// The light and the dark palette. Views take every colour from here or from a data map.
 [[nodiscard]] QPalette designedPalette(bool dark);
 /// Whether text on this palette is lighter than its background.
 [[nodiscard]] bool isDark(const QPalette& palette);
 
-/// Colours with a meaning. Each reaches a contrast of 4.5:1 on Window and on Base, so it can carry text.
-/// Never the only sign of a state: a word and a shape go with it.
+/// Colours with a meaning. Each has a contrast of at least 4.5:1 on Window and on Base, so it can be used for
+/// text. Colour is never the only sign of a state: a word and a shape go with it.
 struct StatusColours {
     QColor live;
     QColor stale;
     QColor lost;
-    QColor simulated; ///< violet: the data is not real
+    QColor simulated; ///< violet: the data are not real
     QColor neutral;   ///< paused, closed, connecting
     QColor stop;      ///< background of STOP, under white text
 };
@@ -49,7 +49,7 @@ inline constexpr double kLargeText = 1.4;
 inline constexpr double kHugeText = 2.2;
 [[nodiscard]] QFont sized(const QFont& font, double factor);
 
-/// a where share is 0, b where it is 1; component-wise in sRGB.
+/// Mixes two colours, component-wise in sRGB: a at share 0, b at share 1.
 [[nodiscard]] QColor mixed(const QColor& a, const QColor& b, double share);
 /// Contrast ratio 1..21 of two opaque colours, WCAG 2.1 section 1.4.3.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kDegreesApart = 360.0 / static_cast<double>(core::kTactors);
 
-/// A change below this is not seen.
+/// Smaller changes are not visible.
 constexpr double kVisibleStep = 0.004;
 
 double shown(double intensity) {
@@ -69,11 +69,10 @@ BraceletView::BraceletView(QWidget* parent)
 
 void BraceletView::retranslate() {
     setAccessibleName(tr("Bracelet"));
-    setWhatsThis(
-        tr("<p>What the six motors of the bracelet do now, on the unrolled forearm: from left to right "
-           "once around the arm. The fuller a disc, the stronger the motor vibrates.</p>"
-           "<p>Where a bracelet is connected, hold a disc with the mouse, or one of the keys 1 to 6, to "
-           "feel that motor alone.</p>"));
+    setWhatsThis(tr(
+        "<p>What the six motors of the bracelet are doing, on the unrolled forearm: from left to right once "
+        "around the arm. The fuller a disc, the stronger the motor vibrates.</p><p>With a bracelet "
+        "connected, hold a disc with the mouse, or one of the keys 1 to 6, to feel that motor alone.</p>"));
     describe();
 }
 
@@ -168,8 +167,8 @@ void BraceletView::paintEvent(QPaintEvent*) {
     }
     painter.setPen(m_title.isEmpty() ? faint : text);
     painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
-                     metrics.elidedText(m_title.isEmpty() ? tr("Nothing is played") : m_title, Qt::ElideRight,
-                                        title.width()));
+                     metrics.elidedText(m_title.isEmpty() ? tr("Nothing is playing") : m_title,
+                                        Qt::ElideRight, title.width()));
 
     painter.setPen(Qt::NoPen);
     painter.setBrush(base::mixed(ground, text, 0.05));

@@ -15,7 +15,7 @@
 
 namespace teleta::bracelet {
 
-/// Where the parts of the view lie. Thread: any (pure).
+/// Layout of the view. Thread: any (pure).
 struct BraceletLayout {
     BraceletLayout(const QRectF& rect, const QFont& font);
 
@@ -27,24 +27,24 @@ struct BraceletLayout {
     [[nodiscard]] std::optional<std::size_t> tactorAt(const QPointF& point) const;
 };
 
-/// The six tactors on the forearm, unrolled: from left to right around the arm (0 to 300 degrees), every
-/// other one shifted along it. Each is filled as much as it vibrates. Where holding is allowed, a tactor
-/// vibrates while the mouse or its key 1..6 is held on it; losing the focus or the window ends it. Thread:
-/// GUI.
+/// The six tactors on the unrolled forearm, left to right once around it (0 to 300 degrees), every other one
+/// shifted along the arm. The fuller a disc, the stronger the tactor vibrates. Where holding is allowed, a
+/// tactor vibrates while the mouse or its key 1..6 is held; losing the focus or hiding the window ends that.
+/// Thread: GUI.
 class BraceletView : public QWidget {
     Q_OBJECT
 public:
     explicit BraceletView(QWidget* parent = nullptr);
 
-    /// What each tactor does now; clamped to 0..1, NaN is off.
+    /// Current intensity of each tactor; clamped to 0..1, NaN is off.
     void setIntensities(const core::Intensities& intensities);
     [[nodiscard]] const core::Intensities& intensities() const { return m_intensities; }
-    /// What is played, in a line.
+    /// What is playing, in one line.
     void setTitle(const QString& title);
-    /// What there is to know of the bracelet: that there is none, that STOP is engaged.
+    /// State of the bracelet: for example that none is connected, or that STOP is engaged.
     void setNote(const QString& note);
     void setProvenance(base::Provenance provenance);
-    /// Whether a person may feel single tactors by holding them; off at first.
+    /// Whether single tactors can be felt by holding them; off by default.
     void setHoldable(bool holdable);
 
     [[nodiscard]] BraceletLayout layoutNow() const;
@@ -52,7 +52,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
-    /// A tactor, 0..5, is held from now on; empty: none is.
+    /// The held tactor, 0..5, changed; empty: none.
     void held(std::optional<std::size_t> tactor);
 
 protected:

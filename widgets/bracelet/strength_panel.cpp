@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/bracelet/strength_panel.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -38,6 +38,8 @@ StrengthPanel::StrengthPanel(QWidget* parent)
     , m_all(makeRow(this))
     , m_eachButton(new QToolButton(this))
     , m_eachPart(new QWidget(this)) {
+    m_all.slider->setObjectName(QStringLiteral("all"));
+    m_eachButton->setObjectName(QStringLiteral("each"));
     m_eachButton->setCheckable(true);
     m_eachButton->setArrowType(Qt::RightArrow);
     m_eachButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -47,12 +49,13 @@ StrengthPanel::StrengthPanel(QWidget* parent)
     top->addWidget(m_all.slider, 1);
     top->addWidget(m_all.value);
     top->addWidget(m_eachButton);
-    // Two columns: the panel lies beside other things and has to be flat.
+    // Two columns, to keep the panel flat.
     auto* grid = new QGridLayout(m_eachPart);
     grid->setContentsMargins(0, 0, 0, 0);
     constexpr int kRows = static_cast<int>(core::kTactors) / 2;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
         m_each[i] = makeRow(m_eachPart);
+        m_each[i].slider->setObjectName(QStringLiteral("motor%1").arg(i + 1));
         const int row = static_cast<int>(i) % kRows;
         const int column = 3 * (static_cast<int>(i) / kRows);
         grid->addWidget(m_each[i].label, row, column);
@@ -81,7 +84,7 @@ StrengthPanel::StrengthPanel(QWidget* parent)
         m_eachButton->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
         m_eachPart->setVisible(shown);
     });
-    retranslate();
+    base::keepTranslated(this, &StrengthPanel::retranslate);
 }
 
 StrengthPanel::Row StrengthPanel::makeRow(QWidget* parent) {
@@ -117,8 +120,8 @@ void StrengthPanel::retranslate() {
     m_all.label->setText(tr("Stron&gest"));
     m_all.slider->setAccessibleName(tr("Strongest, all motors"));
     m_eachButton->setText(tr("Each motor"));
-    const QString help = tr("How strong the motors may be at most, whatever is played, held or felt on this "
-                            "bracelet. It is kept for the bracelet.");
+    const QString help =
+        tr("The most that the motors may vibrate, whatever is played. Saved for this bracelet.");
     m_all.slider->setToolTip(help);
     m_eachButton->setToolTip(tr("A limit for each motor"));
     for (std::size_t i = 0; i < core::kTactors; ++i) {
@@ -127,12 +130,6 @@ void StrengthPanel::retranslate() {
         m_each[i].slider->setToolTip(help);
     }
     showValues();
-}
-
-void StrengthPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace teleta::bracelet

@@ -14,8 +14,8 @@ class QToolButton;
 
 namespace teleta::bracelet {
 
-/// How strong the motors may be at most, in whole percents: one slider for all of them, and one for each that
-/// can be shown. Thread: GUI.
+/// Limit of the motors' intensity in whole percent: one slider for all, or, unfolded by a button, one per
+/// motor. Thread: GUI.
 class StrengthPanel : public QWidget {
     Q_OBJECT
 public:
@@ -24,18 +24,10 @@ public:
     /// Clamped to 0 .. 1; NaN is 0. Emits nothing.
     void setStrongest(const core::Intensities& strongest);
     [[nodiscard]] const core::Intensities& strongest() const { return m_strongest; }
-    /// Of all motors; and of one.
-    [[nodiscard]] QSlider* allSlider() const { return m_all.slider; }
-    [[nodiscard]] QSlider* slider(std::size_t motor) const { return m_each[motor].slider; }
-    /// Shows the sliders of the single motors.
-    [[nodiscard]] QToolButton* eachButton() const { return m_eachButton; }
 
 signals:
-    /// By a person, while a slider moves.
+    /// The user has moved a slider.
     void strongestChanged(const teleta::core::Intensities& strongest);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     struct Row {

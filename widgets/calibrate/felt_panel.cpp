@@ -2,9 +2,9 @@
 #include "widgets/calibrate/felt_panel.h"
 
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -27,6 +27,12 @@ FeltPanel::FeltPanel(QWidget* parent)
     , m_no(new QPushButton(this))
     , m_undo(new QPushButton(this))
     , m_cancel(new QPushButton(this)) {
+    m_play->setObjectName(QStringLiteral("play"));
+    m_yes->setObjectName(QStringLiteral("yes"));
+    m_no->setObjectName(QStringLiteral("no"));
+    m_undo->setObjectName(QStringLiteral("undoAnswer"));
+    m_cancel->setObjectName(QStringLiteral("giveUp"));
+    m_question->setObjectName(QStringLiteral("question"));
     setFocusPolicy(Qt::StrongFocus);
     m_title->setFont(base::sized(font(), base::kLargeText));
     m_question->setFont(base::sized(font(), base::kLargeText));
@@ -46,7 +52,7 @@ FeltPanel::FeltPanel(QWidget* parent)
     below->addStretch(1);
     below->addWidget(m_cancel);
     for (QPushButton* button : {m_play, m_yes, m_no, m_undo, m_cancel}) {
-        // The keys are the panel's.
+        // The panel handles the keys.
         button->setFocusPolicy(Qt::NoFocus);
         button->setAutoDefault(false);
     }
@@ -68,7 +74,7 @@ FeltPanel::FeltPanel(QWidget* parent)
         end();
         emit cancelled();
     });
-    retranslate();
+    base::keepTranslated(this, &FeltPanel::retranslate);
 }
 
 void FeltPanel::begin(FeltTask task) {
@@ -82,14 +88,10 @@ void FeltPanel::setReady(bool ready) {
     if (ready == m_ready)
         return;
     m_ready = ready;
-    // What STOP or a loss has cut off was not presented.
+    // A burst cut off by STOP or by the loss of the bracelet does not count as presented.
     if (!ready)
         m_presented = false;
     refresh();
-}
-
-QString FeltPanel::question() const {
-    return m_question->text();
 }
 
 void FeltPanel::present() {
@@ -142,10 +144,10 @@ void FeltPanel::refresh() {
     const bool start = m_task->kind() == FeltTask::Kind::start;
     const bool done = m_task->done();
     m_title->setText(start ? tr("Start of motor %1").arg(m_task->motor() + 1)
-                           : tr("Strength of motor %1, beside motor 1").arg(m_task->motor() + 1));
+                           : tr("Strength of motor %1, compared with motor 1").arg(m_task->motor() + 1));
     m_progress->setValue(static_cast<int>(100.0 * m_task->progress()));
     m_progress->setToolTip(tr("%1 answers so far").arg(m_task->answers()));
-    m_question->setText(done           ? tr("The answers do not fit together.")
+    m_question->setText(done           ? tr("The answers contradict each other.")
                         : !m_presented ? tr("Play the next burst.")
                         : start        ? tr("Did you feel it?")
                                        : tr("Was the second burst stronger?"));
@@ -185,16 +187,10 @@ void FeltPanel::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void FeltPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-}
-
 void FeltPanel::retranslate() {
     setAccessibleName(tr("Questions about what is felt"));
     m_play->setText(tr("Play (Space)"));
-    m_play->setToolTip(tr("Let the burst be felt, as often as you like"));
+    m_play->setToolTip(tr("Play the burst, as often as you like"));
     m_yes->setText(tr("Yes (Y)"));
     m_no->setText(tr("No (N)"));
     m_undo->setText(tr("Take back the last answer (Backspace)"));

@@ -13,45 +13,37 @@ class QPushButton;
 
 namespace teleta::calibrate {
 
-/// Asks a person, presentation by presentation. Keys: Space presents again, Y and the right arrow are yes, N
-/// and the left arrow no, Backspace takes the last answer back. An answer counts only after something was
-/// presented. Thread: GUI.
+/// Presents bursts one by one and asks the wearer what was felt. Keys: Space presents again, Y and Right
+/// answer yes, N and Left no, Backspace undoes the last answer. An answer needs a presentation first. Thread:
+/// GUI.
 class FeltPanel : public QWidget {
     Q_OBJECT
 public:
     explicit FeltPanel(QWidget* parent = nullptr);
 
     void begin(FeltTask task);
-    /// Leaves the questions, answered or not.
+    /// Discards all questions and answers.
     void end() { m_task.reset(); }
     [[nodiscard]] const FeltTask* task() const { return m_task ? &*m_task : nullptr; }
-    /// A recording may be fitted while somebody answers: its motor stays as it was measured.
+    /// Motors may be fitted meanwhile: their values are kept when the answers are applied.
     void setCalibration(const motors::MotorCalibration& calibration) {
         if (m_task)
             m_task->setCalibration(calibration);
     }
-    /// Whether the bracelet can play; without it nothing can be presented or answered.
+    /// Whether the bracelet can play; if not, nothing can be presented or answered.
     void setReady(bool ready);
-    /// Takes the last answer back.
+    /// Undoes the last answer.
     void undoAnswer();
-
-    [[nodiscard]] QPushButton* playButton() const { return m_play; }
-    [[nodiscard]] QPushButton* yesButton() const { return m_yes; }
-    [[nodiscard]] QPushButton* noButton() const { return m_no; }
-    [[nodiscard]] QPushButton* undoButton() const { return m_undo; }
-    [[nodiscard]] QPushButton* cancelButton() const { return m_cancel; }
-    [[nodiscard]] QString question() const;
 
 signals:
     void playRequested(const teleta::playback::Program& program);
-    /// The answers tell this.
+    /// All questions are answered: the resulting calibration, and a sentence about it.
     void finished(const teleta::motors::MotorCalibration& calibration, const QString& verdict);
-    /// The person gave up, or the bracelet is to be left alone.
+    /// The user has given up.
     void cancelled();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void present();

@@ -18,7 +18,7 @@ struct FeltText {
 
 constexpr double kBurst_s = 0.6;
 constexpr double kPause_s = 0.4;
-/// How strong the reference of a balance is, so that motors that are weaker can still be as strong.
+/// Strength of the reference in a balance, low enough that weaker motors can match it.
 constexpr double kReferenceShare = 0.6;
 
 } // namespace
@@ -137,7 +137,7 @@ core::Expected<motors::MotorCalibration> FeltTask::result() const {
         for (std::size_t i = 0; i < core::kTactors; ++i) {
             motors::CalibratedMotor& motor = calibration.motors[i];
             motor.profile = balanced[i];
-            // The start that it was measured from stays what it is.
+            // The start from which it was measured does not change.
             if (motor.startFrom == motors::CalibratedMotor::Origin::assumed)
                 motor.startFrom = motors::CalibratedMotor::Origin::answers;
         }

@@ -12,37 +12,37 @@
 
 namespace teleta::calibrate {
 
-/// What a person is asked, presentation by presentation, and what follows for the motors.
+/// The questions of a calibration by feel, presentation by presentation, and what the answers say about the
+/// motors.
 ///   start    one motor: was it felt?
-///   balance  motors 2 to 6 one after another: was the second burst (that motor) stronger than the first
-///   (motor 1)?
+///   balance  motors 2 to 6 in turn: was the second burst (that motor) stronger than the first (motor 1)?
 /// Thread: one.
 class FeltTask {
 public:
     enum class Kind { start, balance };
 
-    /// motor: the one that is asked about; of a balance, the reference is motor 0.
+    /// motor: the one asked about; in a balance the reference is motor 0.
     [[nodiscard]] static FeltTask start(const motors::MotorCalibration& calibration, std::size_t motor);
     [[nodiscard]] static FeltTask balance(const motors::MotorCalibration& calibration);
 
     [[nodiscard]] Kind kind() const { return m_kind; }
-    /// The motor that is asked about now.
+    /// The motor asked about now.
     [[nodiscard]] std::size_t motor() const;
     [[nodiscard]] int answers() const;
     [[nodiscard]] double progress() const;
     [[nodiscard]] bool done() const;
 
-    /// Bursts of raw drives; of a catch trial silence of the same length.
+    /// Bursts of raw drives; for a catch trial, silence of the same length.
     [[nodiscard]] playback::Program presentation() const;
     void answer(bool yes);
-    /// Takes the last answer back, over motors too. False: there is none.
+    /// Undoes the last answer, also that of a previous motor. Returns false if there is none.
     bool undo();
 
-    /// What was learnt of the motors meanwhile: the answers change only what they tell.
+    /// Updates the motors: the answers will change only what they determine.
     void setCalibration(const motors::MotorCalibration& calibration) { m_calibration = calibration; }
-    /// The calibration with what the answers tell. Error: what is wrong with the answers; the motor is named.
+    /// The calibration updated by the answers. Error: the problem with the answers, naming the motor.
     [[nodiscard]] core::Expected<motors::MotorCalibration> result() const;
-    /// Of a start that is done.
+    /// Result of a finished start.
     [[nodiscard]] core::Expected<motors::FeltThreshold> threshold() const;
 
 private:
@@ -52,7 +52,7 @@ private:
     Kind m_kind;
     motors::MotorCalibration m_calibration;
     std::size_t m_first;                      ///< motor of the first trials
-    std::vector<motors::FeltTrials> m_trials; ///< one a motor that is asked about
+    std::vector<motors::FeltTrials> m_trials; ///< one per motor asked about
     double m_reference = 0.0;                 ///< drive of motor 0 in a balance
 };
 

@@ -11,7 +11,6 @@
 #include <QFontMetricsF>
 #include <QHelpEvent>
 #include <QKeyEvent>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -28,7 +27,7 @@ using equilibration::TaxelGain;
 using equilibration::TaxelGains;
 using equilibration::TaxelState;
 
-/// Gains that differ by less are not spread over all colours.
+/// Smaller differences of gains do not use the full range of colours.
 constexpr double kLeastRange = 0.1;
 
 struct MapText {
@@ -51,7 +50,7 @@ QString stateText(TaxelState state) {
     return {};
 }
 
-/// Where the parts of the picture lie.
+/// Layout of the picture.
 struct MapLayout {
     QRectF array;
     QRectF bar;
@@ -77,7 +76,7 @@ struct MapLayout {
     }
 };
 
-/// Largest |ln gain|, so that 1 is in the middle of the colours.
+/// Largest |ln gain|: the colours are symmetric about a gain of 1.
 double rangeOf(const TaxelGains& gains) {
     double range = kLeastRange;
     for (const TaxelGain& taxel : gains.taxels) {
@@ -176,11 +175,9 @@ QString gainsCsv(const TaxelGains& gains) {
 } // namespace
 
 GainMap::GainMap(QWidget* parent)
-    : QWidget(parent)
-    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
-    setFocusPolicy(Qt::StrongFocus);
+    : FigureView(parent) {
+    setAutoFillBackground(false);
     setMouseTracking(true);
-    connect(m_export, &base::FigureExport::failed, this, &GainMap::exportFailed);
 }
 
 void GainMap::setGains(std::shared_ptr<const TaxelGains> gains) {
@@ -214,7 +211,7 @@ QRectF GainMap::taxelRect(std::size_t taxel) const {
     return MapLayout(m_gains->layout, size(), QFontMetricsF(font())).taxel(m_gains->layout, taxel);
 }
 
-base::Figure GainMap::figure() const {
+base::Figure GainMap::figure() {
     base::Figure figure;
     figure.name = QStringLiteral("taxel-gains");
     figure.size_px = size();
@@ -287,7 +284,7 @@ void GainMap::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Escape:
         return setCursorTaxel(std::nullopt);
     default:
-        return QWidget::keyPressEvent(event);
+        return FigureView::keyPressEvent(event);
     }
     row = std::clamp(row, 0, layout.rows - 1);
     column = std::clamp(column, 0, layout.columns - 1);
@@ -295,12 +292,8 @@ void GainMap::keyPressEvent(QKeyEvent* event) {
 }
 
 void GainMap::contextMenuEvent(QContextMenuEvent* event) {
-    if (!m_gains)
-        return;
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    m_export->addActions(*menu);
-    menu->popup(event->globalPos());
+    if (m_gains)
+        FigureView::contextMenuEvent(event);
 }
 
 void GainMap::setCursorTaxel(std::optional<std::size_t> taxel) {

@@ -2,12 +2,11 @@
 #pragma once
 
 #include "backend/equilibration/taxel_gains.h"
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure_view.h"
 
 #include <QPointF>
 #include <QRectF>
 #include <QString>
-#include <QWidget>
 
 #include <cstddef>
 #include <memory>
@@ -15,29 +14,28 @@
 
 namespace teleta::calibrate {
 
-/// The gains of an array's taxels as a picture, as it is seen from outside the skin: x to the right, y up.
-/// Blue taxels are lowered, red ones raised, hatched ones not used; numbers where there is room.
-/// Mouse and arrow keys read a taxel. Thread: GUI.
-class GainMap : public QWidget {
+/// The gains of an array's taxels as a picture, seen from outside the skin: x to the right, y up. Blue taxels
+/// are lowered, red ones raised, hatched ones not used; numbers where they fit. Mouse and arrow keys read a
+/// taxel. Thread: GUI.
+class GainMap : public base::FigureView {
     Q_OBJECT
 public:
     explicit GainMap(QWidget* parent = nullptr);
 
-    /// Null: every taxel counts as it is.
+    /// Null: all gains are 1.
     void setGains(std::shared_ptr<const equilibration::TaxelGains> gains);
-    /// What is said of the taxel that is read; empty without one.
+    /// Text for the taxel being read; empty without one.
     [[nodiscard]] QString readout() const;
-    /// Where a taxel is drawn.
+    /// Place of a taxel.
     [[nodiscard]] QRectF taxelRect(std::size_t taxel) const;
-    /// The picture on white, with the table of gains.
-    [[nodiscard]] base::Figure figure() const;
+    /// With the table of gains.
+    [[nodiscard]] base::Figure figure() override;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     void readoutChanged(const QString& text);
-    void exportFailed(const QString& message);
 
 protected:
     bool event(QEvent* event) override;
@@ -53,7 +51,6 @@ private:
 
     std::shared_ptr<const equilibration::TaxelGains> m_gains;
     std::optional<std::size_t> m_cursor;
-    base::FigureExport* m_export;
 };
 
 } // namespace teleta::calibrate

@@ -3,18 +3,16 @@
 
 #include "widgets/base/controls/elided_label.h"
 #include "widgets/base/numbers/quantity_text.h"
-#include "widgets/base/redo_keys.h"
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/gain_map.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QShortcut>
 #include <QStringList>
-#include <QUndoCommand>
 #include <QUndoStack>
 #include <QVBoxLayout>
 
@@ -41,48 +39,21 @@ int countOf(const TaxelGains& gains, TaxelState state) {
 
 } // namespace
 
-class GainsView::Edit : public QUndoCommand {
-public:
-    Edit(GainsView* view, const GainCalibration& after, const QString& text)
-        : QUndoCommand(text)
-        , m_view(view)
-        , m_before(view->m_calibration)
-        , m_after(after) {}
-    void undo() override { m_view->apply(m_before); }
-    void redo() override { m_view->apply(m_after); }
-
-private:
-    GainsView* m_view;
-    GainCalibration m_before;
-    GainCalibration m_after;
-};
-
 GainsView::GainsView(QWidget* parent)
-    : QWidget(parent)
-    , m_undo(new QUndoStack(this))
-    , m_title(new base::ElidedLabel(this))
-    , m_state(new base::ElidedLabel(this))
+    : CalibrationView({"undo", "redo", "load", "reset", "save"}, parent)
     , m_tareText(new QLabel(this))
     , m_pressText(new QLabel(this))
     , m_loadText(new QLabel(this))
     , m_progress(new QProgressBar(this))
-    , m_verdict(new QLabel(this))
     , m_map(new GainMap(this))
     , m_readout(new base::ElidedLabel(this))
     , m_none(new QLabel(this)) {
-    m_title->setFont(base::sized(font(), base::kLargeText));
     m_progress->setRange(0, kProgressSteps);
     m_progress->setTextVisible(false);
-    m_verdict->setWordWrap(true);
-    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_none->setWordWrap(true);
     m_none->setAlignment(Qt::AlignCenter);
-    // Also without words, so that the map does not move under the mouse.
+    // Keeps its height without text, so that the map does not move under the mouse.
     m_readout->setFixedHeight(base::em(this, 1.4));
-    auto* top = new QHBoxLayout;
-    top->addWidget(m_title, 1);
-    for (const char* name : {"undo", "redo", "load", "reset", "save"})
-        top->addWidget(addButton(name, this));
     auto* picture = new QVBoxLayout;
     picture->addWidget(m_none, 1);
     picture->addWidget(m_map, 1);
@@ -91,53 +62,21 @@ GainsView::GainsView(QWidget* parent)
     body->setSpacing(base::grid(this, 2.0));
     body->addWidget(makeSteps(), 2);
     body->addLayout(picture, 3);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(base::grid(this), base::grid(this), base::grid(this), base::grid(this));
-    layout->addLayout(top);
-    layout->addWidget(m_state);
-    layout->addLayout(body, 1);
+    page().addLayout(body, 1);
 
     connect(m_map, &GainMap::readoutChanged, this, &GainsView::showReadout);
     connect(m_map, &GainMap::exportFailed, this, &GainsView::exportFailed);
-    connect(m_undo, &QUndoStack::indexChanged, this, &GainsView::refresh);
     const auto act = [this](const char* name, auto slot) {
         connect(button(name), &QPushButton::clicked, this, slot);
     };
-    act("undo", &GainsView::undo);
-    act("redo", &GainsView::redo);
-    act("load", &GainsView::loadRequested);
-    act("save", &GainsView::saveRequested);
-    act("reset", [this] { take({}, tr("no gains")); });
+    act("reset", [this] { take({}); });
     act("tare", &GainsView::tareRequested);
     act("collect", &GainsView::collectRequested);
     act("end", &GainsView::endRequested);
     act("files", &GainsView::pressFilesRequested);
     act("demo", &GainsView::demoRequested);
-    for (const auto& [keys, slot] :
-         {std::pair(QKeySequence::keyBindings(QKeySequence::Undo), &GainsView::undo),
-          std::pair(base::redoKeys(), &GainsView::redo)}) {
-        auto* shortcut = new QShortcut(this);
-        shortcut->setKeys(keys);
-        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
-        connect(shortcut, &QShortcut::activated, this, slot);
-    }
-    retranslate();
-}
-
-GainsView::~GainsView() {
-    // A stack that ends empties itself, and says so.
-    disconnect(m_undo, nullptr, this, nullptr);
-}
-
-QPushButton* GainsView::addButton(const char* name, QWidget* parent) {
-    auto* made = new QPushButton(parent);
-    made->setObjectName(QLatin1String(name));
-    made->setAutoDefault(false);
-    return made;
-}
-
-QPushButton* GainsView::button(const char* name) const {
-    return findChild<QPushButton*>(QLatin1String(name));
+    base::keepTranslated(this, &GainsView::retranslate);
+    base::onChange(this, &GainsView::refresh, {QEvent::PaletteChange});
 }
 
 QWidget* GainsView::makeSteps() {
@@ -164,7 +103,7 @@ QWidget* GainsView::makeSteps() {
     layout->addWidget(m_loadText);
     layout->addWidget(m_progress);
     layout->addSpacing(base::grid(this));
-    layout->addWidget(m_verdict);
+    layout->addWidget(verdict());
     layout->addStretch(1);
     return page;
 }
@@ -179,18 +118,13 @@ void GainsView::setFacts(const ArrayFacts& facts) {
 void GainsView::setCalibration(const GainCalibration& calibration, bool isSaved) {
     m_trouble.clear();
     m_calibration = calibration;
-    m_undo->clear();
-    // Clearing an empty stack leaves it as it is.
-    if (isSaved)
-        m_undo->setClean();
-    else
-        m_undo->resetClean();
+    forgetChanges(isSaved);
     refresh();
 }
 
-void GainsView::take(const GainCalibration& calibration, const QString& text) {
+void GainsView::take(const GainCalibration& calibration) {
     m_trouble.clear();
-    m_undo->push(new Edit(this, calibration, text));
+    change([this, calibration] { apply(calibration); }, [this, before = m_calibration] { apply(before); });
 }
 
 void GainsView::apply(const GainCalibration& calibration) {
@@ -200,23 +134,14 @@ void GainsView::apply(const GainCalibration& calibration) {
     emit calibrationChanged(calibration);
 }
 
-bool GainsView::isSaved() const {
-    return m_undo->isClean();
-}
-
-void GainsView::markSaved() {
-    m_undo->setClean();
-    refresh();
-}
-
 void GainsView::undo() {
     if (!m_pressing && !m_busy)
-        m_undo->undo();
+        changes().undo();
 }
 
 void GainsView::redo() {
     if (!m_pressing && !m_busy)
-        m_undo->redo();
+        changes().redo();
 }
 
 void GainsView::setProgress(const std::optional<PressProgress>& progress) {
@@ -242,14 +167,6 @@ void GainsView::showTrouble(const QString& text) {
     refresh();
 }
 
-QString GainsView::verdict() const {
-    return m_verdict->text();
-}
-
-QString GainsView::state() const {
-    return m_state->text();
-}
-
 QString GainsView::describeGains() const {
     if (!m_calibration.gains)
         return {};
@@ -262,7 +179,7 @@ QString GainsView::describeGains() const {
                      .arg(gains.taxels.size())
                      .arg(base::fixedDigits(range->least, 2), base::fixedDigits(range->greatest, 2));
     if (range && range->largestError > 0.0)
-        lines << tr("The least certain one is known to %1 % (standard error).")
+        lines << tr("The least certain gain has a standard error of %1 %.")
                      .arg(percent(range->largestError, 2));
     QStringList left;
     if (const int dead = countOf(gains, TaxelState::dead))
@@ -276,10 +193,11 @@ QString GainsView::describeGains() const {
     if (!left.isEmpty())
         lines << tr("Not used: %1.", "kinds of taxels").arg(left.join(QStringLiteral(", ")));
     if (gains.presses > 1)
-        lines << tr("Gains differ by %1 % from press to press.").arg(percent(gains.repeatability, 2));
+        lines << tr("Gains vary by %1 % from press to press.").arg(percent(gains.repeatability, 2));
     if (gains.isTilted)
         lines << tr("The response changes by %1 % along x and %2 % along y: the load may have been uneven. "
-                    "Turn what presses round by half and collect another press; the difference cancels.")
+                    "Turn the bladder or plate by 180\u00b0 and collect another press: the difference "
+                    "cancels out.")
                      .arg(percent(gains.tilt_x, 0), percent(gains.tilt_y, 0));
     return lines.join(QLatin1Char('\n'));
 }
@@ -291,26 +209,23 @@ void GainsView::showReadout() {
 void GainsView::refresh() {
     const bool open = !m_facts.name.isEmpty();
     const bool hasGains = m_calibration.gains != nullptr;
-    m_title->setText(open ? m_facts.name : tr("No array"));
-    QString state = !open
-                        ? tr("Open an array, a recording or a scene: on the page Operate, or the demo here.")
-                    : m_busy    ? tr("finding the gains\u2026")
-                    : !hasGains ? tr("no gains: every taxel counts as it is")
-                    : isSaved() ? tr("gains in use, saved")
-                                : tr("gains in use, not saved");
-    if (m_facts.simulated)
-        state = tr("SIMULATED") + QStringLiteral(" \u00b7 ") + state;
-    else if (m_facts.recorded)
-        state = tr("RECORDED") + QStringLiteral(" \u00b7 ") + state;
-    m_state->setText(state);
-    QPalette colours = palette();
+    showTitle(open ? m_facts.name : tr("No array"));
+    const QString state = !open
+                              ? tr("Open an array, a recording or a scene on the page Operate, or the demo.")
+                          : m_busy    ? tr("computing the gains\u2026")
+                          : !hasGains ? tr("no gains: every taxel counts as it is")
+                          : isSaved() ? tr("gains in use, saved")
+                                      : tr("gains in use, not saved");
     const base::StatusColours& status = base::statusColours(palette());
-    colours.setColor(QPalette::WindowText, m_facts.simulated  ? status.simulated
-                                           : open && hasGains ? status.live
-                                                              : status.stale);
-    m_state->setPalette(colours);
+    showState(state,
+              m_facts.simulated  ? base::Provenance::simulated
+              : m_facts.recorded ? base::Provenance::recorded
+                                 : base::Provenance::live,
+              m_facts.simulated  ? status.simulated
+              : open && hasGains ? status.live
+                                 : status.stale);
     m_tareText->setText(m_facts.tared ? tr("1. The array is tared.")
-                                      : tr("1. Let nothing touch the array, and tare it."));
+                                      : tr("1. Tare the array with nothing touching it."));
     const int presses = static_cast<int>(m_calibration.presses.size());
     QString text =
         tr("2. Press evenly on the whole array, with a bladder or with a plate on foam. The load may "
@@ -330,18 +245,15 @@ void GainsView::refresh() {
                                          .arg(m_facts.usable);
     m_loadText->setText(load);
     m_progress->setVisible(m_pressing.has_value());
-    m_verdict->setText(m_trouble.isEmpty() ? describeGains() : m_trouble);
-    QPalette verdict = palette();
-    if (!m_trouble.isEmpty())
-        verdict.setColor(QPalette::WindowText, status.lost);
-    else if (hasGains && m_calibration.gains->isTilted)
-        verdict.setColor(QPalette::WindowText, status.stale);
-    m_verdict->setPalette(verdict);
+    verdict()->setText(m_trouble.isEmpty() ? describeGains() : m_trouble);
+    base::setTextColour(verdict(), !m_trouble.isEmpty() ? status.lost
+                                   : hasGains && m_calibration.gains->isTilted
+                                       ? status.stale
+                                       : palette().color(QPalette::WindowText));
 
     const bool idle = !m_pressing && !m_busy;
-    const auto enable = [this](const char* name, bool on) { button(name)->setEnabled(on); };
-    enable("undo", idle && m_undo->canUndo());
-    enable("redo", idle && m_undo->canRedo());
+    enable("undo", idle && changes().canUndo());
+    enable("redo", idle && changes().canRedo());
     enable("load", idle && open);
     enable("reset", idle && (hasGains || presses > 0));
     enable("save", idle && hasGains);
@@ -359,41 +271,28 @@ void GainsView::refresh() {
 }
 
 void GainsView::retranslate() {
-    const auto name = [this](const char* which, const QString& text, const QString& tip) {
-        button(which)->setText(text);
-        button(which)->setToolTip(tip);
-    };
-    name("undo", tr("Undo"), tr("Take back the last change (Ctrl+Z)"));
-    name("redo", tr("Redo"), tr("Bring it back"));
-    name("load", tr("&Load\u2026"), tr("Read gains of an array of this size from a file (CSV)"));
+    name("undo", tr("Undo"), tr("Undo the last change (Ctrl+Z)"));
+    name("redo", tr("Redo"), tr("Redo the change undone last"));
+    name("load", tr("&Load\u2026"), tr("Load gains for an array of this size from a file (CSV)"));
     name("reset", tr("&Reset"), tr("Use no gains and forget all presses"));
     name("save", tr("&Save\u2026"),
-         tr("Write the gains to a file (CSV): \u201cOpen recording\u201d, source lists and the command line "
-            "read it"));
+         tr("Save the gains to a file (CSV) for \u201cOpen recording\u201d, source lists and the command "
+            "line"));
     name("tare", tr("&Tare now"),
          tr("Takes the mean of the next half second as the unloaded state. Nothing may touch the array."));
-    name("collect", tr("&Collect a press"), tr("Waits for a load and takes its frames; it ends by itself"));
+    name("collect", tr("&Collect a press"), tr("Wait for a load and collect its frames; stops by itself"));
     name("end", tr("&End"), tr("Use what has been collected"));
     name("files", tr("&Open recorded presses\u2026"),
-         tr("Frames as CSV, a file a press: time_s,t0,t1,\u2026"));
+         tr("Frames as CSV, one file per press: time_s,t0,t1,\u2026"));
     name("demo", tr("Open the &demo"),
          tr("A simulated plate presses evenly on an array whose taxels differ"));
-    m_none->setText(tr("Every taxel counts as it is. What each one is multiplied with will be seen here."));
+    m_none->setText(tr("Every taxel counts as it is. Its gain will be shown here."));
     m_map->setAccessibleName(tr("Gains of the taxels"));
-    m_map->setWhatsThis(
-        tr("Red taxels feel too little and are raised, blue ones are lowered, hatched ones are "
-           "not used. Arrow keys or the mouse read a taxel."));
+    m_map->setWhatsThis(tr("Red taxels read too low and are raised, blue ones are lowered, hatched ones are "
+                           "not used. Point at a taxel, or use the arrow keys, to read its gain."));
     m_progress->setAccessibleName(tr("Share of the press that has been collected"));
     setAccessibleName(tr("Calibration of an array's taxels"));
     refresh();
-}
-
-void GainsView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::PaletteChange)
-        refresh();
 }
 
 } // namespace teleta::calibrate

@@ -2,11 +2,11 @@
 #include "widgets/calibrate/motor_chart.h"
 
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/plot/plot_style.h"
 
 #include <qcustomplot.h>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QMenu>
 
@@ -89,6 +89,8 @@ MotorChart::MotorChart(QWidget* parent)
     addMenu(m_curve, &MotorChart::curveFigure);
     addMenu(m_recording, &MotorChart::recordingFigure);
     restyle(palette());
+    base::onChange(this, &MotorChart::draw, {QEvent::LanguageChange});
+    base::onChange(this, [this] { restyle(palette()); }, {QEvent::PaletteChange, QEvent::FontChange});
 }
 
 QSize MotorChart::sizeHint() const {
@@ -114,7 +116,7 @@ void MotorChart::draw() {
     m_recording->setAccessibleName(tr("Recording of motor %1, and the model").arg(m_number + 1));
 }
 
-/// In front of the lines of the grid.
+/// Above the grid lines.
 QCPItemText* MotorChart::addText(QCustomPlot* chart, const QColor& colour) const {
     auto* text = new QCPItemText(chart);
     text->position->setType(QCPItemPosition::ptAxisRectRatio);
@@ -226,7 +228,7 @@ void MotorChart::drawRecording() {
     QVector<double> residuals_Hz;
     for (std::size_t i = 0; i < recording.size(); ++i) {
         times_s.push_back(recording.time_s[i]);
-        // What the sensor does not tell is a gap.
+        // Missing sensor values are gaps.
         const double speed_Hz = recording.isKnown(i) ? recording.speed_Hz[i] : qQNaN();
         speeds_Hz.push_back(speed_Hz);
         models_Hz.push_back(predicted_Hz[i]);
@@ -282,14 +284,6 @@ base::Figure MotorChart::curveFigure() {
 base::Figure MotorChart::recordingFigure() {
     return figure(m_recording, QStringLiteral("motor-%1-recording").arg(m_number + 1),
                   [evidence = m_evidence] { return evidence ? recordingCsv(*evidence) : QString(); });
-}
-
-void MotorChart::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        draw();
-    else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        restyle(palette());
 }
 
 } // namespace teleta::calibrate

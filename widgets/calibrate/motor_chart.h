@@ -17,9 +17,9 @@ class QCustomPlot;
 
 namespace teleta::calibrate {
 
-/// What is known of one motor as two charts: speed over drive (measured levels with their 95 % intervals, the
-/// curve, the interval of the start), and the recording that it comes from beside what the model says, with
-/// the residuals. Wheel and drag zoom and move the recording; a double click shows all of it. Thread: GUI.
+/// Two charts of one motor: speed over drive (measured levels with their 95 % intervals, the curve, the
+/// interval of the start), and the recording behind it next to the model's prediction, with the residuals.
+/// Wheel and drag zoom and move the recording; a double click shows all of it. Thread: GUI.
 class MotorChart : public QWidget {
     Q_OBJECT
 public:
@@ -40,9 +40,6 @@ public:
 
 signals:
     void exportFailed(const QString& message);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void restyle(const QPalette& colours);

@@ -2,9 +2,9 @@
 #include "widgets/calibrate/motor_table.h"
 
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QEvent>
 #include <QHeaderView>
 
 #include <array>
@@ -36,9 +36,10 @@ MotorTable::MotorTable(QWidget* parent)
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setStretchLastSection(true);
     setTabKeyNavigation(false);
-    retranslate();
+    base::keepTranslated(this, &MotorTable::retranslate);
     selectRow(0);
     connect(this, &QTableWidget::itemSelectionChanged, this, [this] { emit motorSelected(selectedMotor()); });
+    base::onChange(this, &MotorTable::fill, {QEvent::PaletteChange});
 }
 
 void MotorTable::setCalibration(const motors::MotorCalibration& calibration) {
@@ -67,7 +68,7 @@ void MotorTable::fill() {
         }
         return QString();
     };
-    // Those of the table in use: it is filled while a measurement has it disabled, too.
+    // Colours of the enabled table: it is also filled while a measurement disables it.
     const QColor faint = palette().color(QPalette::Active, QPalette::PlaceholderText);
     const QColor ink = palette().color(QPalette::Active, QPalette::Text);
     const std::string assumedName = pattern::MotorProfile::assumedCoinMotor().name;
@@ -87,7 +88,7 @@ void MotorTable::fill() {
         };
         const bool range = motor.startFrom == Origin::assumed;
         const bool lag = motor.lagFrom == Origin::assumed;
-        // Profiles that were saved by an earlier console have the name of the assumed motor.
+        // Profiles saved by earlier versions contain the name of the assumed motor.
         set(kMotor,
             profile.name.empty() || profile.name == assumedName ? tr("Motor %1").arg(row + 1)
                                                                 : QString::fromStdString(profile.name),
@@ -107,7 +108,7 @@ void MotorTable::fill() {
 void MotorTable::retranslate() {
     setAccessibleName(tr("Motors of the bracelet"));
     setHorizontalHeaderLabels({tr("Motor"), tr("Start (%)"), tr("Full (%)"), tr("Rise (ms)"), tr("Fall (ms)"),
-                               tr("Speed (Hz)"), tr("Known from")});
+                               tr("Speed (Hz)"), tr("Source")});
     const std::array<QString, kColumns> tips{
         QString(),
         tr("Drive at which the motor begins to turn, with its standard error"),
@@ -119,14 +120,6 @@ void MotorTable::retranslate() {
     for (int column = 0; column < kColumns; ++column)
         horizontalHeaderItem(column)->setToolTip(tips[static_cast<std::size_t>(column)]);
     fill();
-}
-
-void MotorTable::changeEvent(QEvent* event) {
-    QTableWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::PaletteChange)
-        fill();
 }
 
 } // namespace teleta::calibrate

@@ -9,8 +9,8 @@
 
 namespace teleta::calibrate {
 
-/// The six motors of a bracelet with what is known of them, standard errors behind the values, assumed values
-/// grey and in words. One is selected. Thread: GUI.
+/// The six motors of a bracelet with their known values and standard errors; assumed values are grey and
+/// marked by a word. One motor is selected. Thread: GUI.
 class MotorTable : public QTableWidget {
     Q_OBJECT
 public:
@@ -22,9 +22,6 @@ public:
 
 signals:
     void motorSelected(std::size_t motor);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void fill();

@@ -2,26 +2,22 @@
 #include "widgets/calibrate/motors_view.h"
 
 #include "backend/motors/strength_balance.h"
-#include "widgets/base/controls/elided_label.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
-#include "widgets/base/redo_keys.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/felt_panel.h"
 #include "widgets/calibrate/motor_table.h"
 
 #include <QCoreApplication>
-#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QUndoCommand>
 #include <QUndoStack>
 #include <QVBoxLayout>
 
@@ -38,7 +34,7 @@ enum Page { kSteps, kFelt, kMeasuring };
 
 using Origin = motors::CalibratedMotor::Origin;
 
-/// Which motors may not be as strong as they can, in the words of the panel that sets it; empty: none.
+/// The motors whose strength is limited, in the words of the panel that sets it; empty: none.
 QString limitsText(const core::Intensities& strongest) {
     const auto say = [](const char* words) {
         return QCoreApplication::translate("teleta::bracelet::StrengthPanel", words);
@@ -61,43 +57,17 @@ QString limitsText(const core::Intensities& strongest) {
 
 } // namespace
 
-class MotorsView::Edit : public QUndoCommand {
-public:
-    Edit(MotorsView* view, const motors::MotorCalibration& after, const QString& text)
-        : QUndoCommand(text)
-        , m_view(view)
-        , m_before(view->m_calibration)
-        , m_after(after) {}
-    void undo() override { m_view->take(m_before); }
-    void redo() override { m_view->take(m_after); }
-
-private:
-    MotorsView* m_view;
-    motors::MotorCalibration m_before;
-    motors::MotorCalibration m_after;
-};
-
 MotorsView::MotorsView(QWidget* parent)
-    : QWidget(parent)
-    , m_undo(new QUndoStack(this))
-    , m_title(new base::ElidedLabel(this))
-    , m_state(new base::ElidedLabel(this))
+    : CalibrationView({"undo", "redo", "load", "copy", "reset", "save"}, parent)
     , m_table(new MotorTable(this))
     , m_steps(new QStackedWidget(this))
     , m_heading(new QLabel(this))
     , m_speed(new QLabel(this))
-    , m_verdict(new QLabel(this))
     , m_measureText(new QLabel(this))
     , m_progress(new QProgressBar(this))
     , m_felt(new FeltPanel(this))
     , m_chart(new MotorChart(this)) {
-    m_title->setFont(base::sized(font(), base::kLargeText));
     m_heading->setFont(base::sized(font(), base::kLargeText));
-    auto* top = new QHBoxLayout;
-    top->addWidget(m_title, 1);
-    for (const char* name : {"undo", "redo", "load", "copy", "reset", "save"})
-        top->addWidget(addButton(name, this));
-
     m_steps->addWidget(makeSteps());
     m_steps->addWidget(m_felt);
     m_steps->addWidget(makeMeasuring());
@@ -113,11 +83,7 @@ MotorsView::MotorsView(QWidget* parent)
     all->addWidget(m_chart);
     all->setStretchFactor(0, 1);
     all->setStretchFactor(1, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(base::grid(this), base::grid(this), base::grid(this), base::grid(this));
-    layout->addLayout(top);
-    layout->addWidget(m_state);
-    layout->addWidget(all, 1);
+    page().addWidget(all, 1);
 
     connect(m_table, &MotorTable::motorSelected, this, &MotorsView::refresh);
     connect(m_chart, &MotorChart::exportFailed, this, &MotorsView::exportFailed);
@@ -127,19 +93,14 @@ MotorsView::MotorsView(QWidget* parent)
         refresh();
     });
     connect(m_felt, &FeltPanel::finished, this,
-            [this](const motors::MotorCalibration& calibration, const QString& verdict) {
-                edit(calibration, tr("answers"));
-                m_verdict->setText(verdict);
+            [this](const motors::MotorCalibration& calibration, const QString& text) {
+                edit(calibration);
+                verdict()->setText(text);
             });
-    connect(m_undo, &QUndoStack::indexChanged, this, &MotorsView::refresh);
     const auto act = [this](const char* name, auto slot) {
         connect(button(name), &QPushButton::clicked, this, slot);
     };
-    act("undo", &MotorsView::undo);
-    act("redo", &MotorsView::redo);
-    act("load", &MotorsView::loadRequested);
     act("copy", &MotorsView::copyRequested);
-    act("save", &MotorsView::saveRequested);
     act("reset", &MotorsView::reset);
     act("curves", &MotorsView::balanceByCurves);
     act("excitation", &MotorsView::excitationFileRequested);
@@ -151,41 +112,16 @@ MotorsView::MotorsView(QWidget* parent)
         emit measureRequested(motors);
     });
     act("cancel", &MotorsView::cancelMeasureRequested);
-    act("feel", [this] {
-        m_felt->begin(FeltTask::start(m_calibration, m_table->selectedMotor()));
-        refresh();
-        m_felt->setFocus();
-    });
-    act("balance", [this] {
-        m_felt->begin(FeltTask::balance(m_calibration));
-        refresh();
-        m_felt->setFocus();
-    });
-    for (const auto& [keys, slot] :
-         {std::pair(QKeySequence::keyBindings(QKeySequence::Undo), &MotorsView::undo),
-          std::pair(base::redoKeys(), &MotorsView::redo)}) {
-        auto* shortcut = new QShortcut(this);
-        shortcut->setKeys(keys);
-        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
-        connect(shortcut, &QShortcut::activated, this, slot);
-    }
-    retranslate();
+    act("feel", [this] { ask(FeltTask::start(m_calibration, m_table->selectedMotor())); });
+    act("balance", [this] { ask(FeltTask::balance(m_calibration)); });
+    base::keepTranslated(this, &MotorsView::retranslate);
+    base::onChange(this, &MotorsView::refresh, {QEvent::PaletteChange});
 }
 
-MotorsView::~MotorsView() {
-    // A stack that ends empties itself, and says so.
-    disconnect(m_undo, nullptr, this, nullptr);
-}
-
-QPushButton* MotorsView::addButton(const char* name, QWidget* parent) {
-    auto* made = new QPushButton(parent);
-    made->setObjectName(QLatin1String(name));
-    made->setAutoDefault(false);
-    return made;
-}
-
-QPushButton* MotorsView::button(const char* name) const {
-    return findChild<QPushButton*>(QLatin1String(name));
+void MotorsView::ask(FeltTask task) {
+    m_felt->begin(std::move(task));
+    refresh();
+    m_felt->setFocus();
 }
 
 QWidget* MotorsView::makeSteps() {
@@ -203,13 +139,11 @@ QWidget* MotorsView::makeSteps() {
     add("feel", 2, 0, 2);
     add("balance", 3, 0, 1);
     add("curves", 3, 1, 1);
-    m_verdict->setWordWrap(true);
-    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* layout = new QVBoxLayout(page);
     layout->addWidget(m_heading);
     layout->addWidget(m_speed);
     layout->addLayout(grid);
-    layout->addWidget(m_verdict);
+    layout->addWidget(verdict());
     layout->addStretch(1);
     return page;
 }
@@ -236,9 +170,9 @@ void MotorsView::setFacts(const BraceletFacts& facts) {
     m_facts = facts;
     m_felt->setReady(facts.ready);
     const std::size_t motor = m_table->selectedMotor();
-    // Fewer words change than numbers come: the line is what moves.
+    // The text changes less often than the numbers: the progress bar shows the movement.
     m_speed->setText(facts.speeds_Hz
-                         ? tr("It turns at %1 Hz now, says the bracelet's sensor.")
+                         ? tr("Turning at %1 Hz, measured by the bracelet's sensor.")
                                .arg(base::wholeNumber(std::max((*facts.speeds_Hz)[motor], 0.0)).trimmed())
                          : QString());
     if (!onlySpeedsChanged)
@@ -247,10 +181,9 @@ void MotorsView::setFacts(const BraceletFacts& facts) {
 
 void MotorsView::setCalibration(const motors::MotorCalibration& calibration) {
     m_evidence = {};
-    m_verdict->clear();
-    m_felt->end(); // its answers are of the motors before
-    m_undo->clear();
-    m_undo->setClean(); // clearing an empty stack leaves it as it is
+    verdict()->clear();
+    m_felt->end(); // its answers concern the previous motors
+    forgetChanges();
     m_calibration = calibration;
     m_table->setCalibration(calibration);
     refresh();
@@ -258,24 +191,14 @@ void MotorsView::setCalibration(const motors::MotorCalibration& calibration) {
 
 void MotorsView::takeProfile(const motors::MotorCalibration& profile) {
     m_felt->end();
-    m_verdict->clear();
-    edit(profile, tr("loading"));
+    verdict()->clear();
+    edit(profile);
     refresh();
 }
 
-bool MotorsView::isSaved() const {
-    return m_undo->isClean();
-}
-
-void MotorsView::markSaved() {
-    m_undo->setClean();
-    refresh();
-}
-
-void MotorsView::edit(const motors::MotorCalibration& after, const QString& text) {
-    if (after == m_calibration)
-        return;
-    m_undo->push(new Edit(this, after, text));
+void MotorsView::edit(const motors::MotorCalibration& after) {
+    if (after != m_calibration)
+        change([this, after] { take(after); }, [this, before = m_calibration] { take(before); });
 }
 
 void MotorsView::take(const motors::MotorCalibration& calibration) {
@@ -290,19 +213,19 @@ void MotorsView::undo() {
     if (m_felt->task() != nullptr)
         m_felt->undoAnswer();
     else if (!m_measuring && !m_facts.reserved)
-        m_undo->undo();
+        changes().undo();
 }
 
 void MotorsView::redo() {
     if (m_felt->task() == nullptr && !m_measuring && !m_facts.reserved)
-        m_undo->redo();
+        changes().redo();
 }
 
 void MotorsView::reset() {
     motors::MotorCalibration assumed;
     assumed.bracelet = m_calibration.bracelet;
-    edit(assumed, tr("reset"));
-    m_verdict->setText(tr("All motors are assumed again. Undo brings back what was measured."));
+    edit(assumed);
+    verdict()->setText(tr("All motors use assumed values again. Undo brings the measurements back."));
 }
 
 void MotorsView::balanceByCurves() {
@@ -310,8 +233,8 @@ void MotorsView::balanceByCurves() {
     const pattern::MotorProfiles balanced = motors::balancedBySpeed(after.profiles());
     for (std::size_t i = 0; i < core::kTactors; ++i)
         after.motors[i].profile = balanced[i];
-    edit(after, tr("balance"));
-    m_verdict->setText(tr("Every measured motor now ends at the speed of the slowest one."));
+    edit(after);
+    verdict()->setText(tr("Every measured motor is now limited to the top speed of the slowest one."));
 }
 
 void MotorsView::setMeasuring(std::optional<std::size_t> motor, double progress) {
@@ -321,7 +244,7 @@ void MotorsView::setMeasuring(std::optional<std::size_t> motor, double progress)
     m_measuring = motor;
     if (motor) {
         m_measureText->setText(
-            tr("Measuring motor %1: stairs up to the full drive, then pulses.").arg(*motor + 1));
+            tr("Measuring motor %1: steps up to full drive, then pulses.").arg(*motor + 1));
         m_table->selectMotor(*motor);
     }
     refresh();
@@ -331,7 +254,7 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
                          const core::Expected<motors::MotorFit>& fit) {
     m_table->selectMotor(motor);
     if (!fit) {
-        m_verdict->setText(tr("Motor %1 was not calibrated. %2", "a motor, and why not")
+        verdict()->setText(tr("Motor %1 was not calibrated. %2", "a motor, and why not")
                                .arg(motor + 1)
                                .arg(QString::fromStdString(core::describe(fit.error()))));
         return;
@@ -340,7 +263,7 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
     motors::MotorCalibration after = m_calibration;
     motors::CalibratedMotor& known = after.motors[motor];
     std::string name = known.profile.name;
-    // That of the assumed motor is nobody's name for this one.
+    // The name of the assumed motor is not a name given by the user.
     if (name == pattern::MotorProfile::assumedCoinMotor().name)
         name.clear();
     known.profile = fit->profile;
@@ -349,8 +272,8 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
     known.startError = fit->startError;
     known.riseError_s = fit->riseError_s;
     known.fallError_s = fit->fallError_s;
-    edit(after, tr("measurement"));
-    m_verdict->setText(
+    edit(after);
+    verdict()->setText(
         tr("Motor %1: starts at %2 to %3 % of the drive, rises in %4 \u00b1 %5 ms, falls in %6 \u00b1 "
            "%7 ms, reaches %8 Hz.")
             .arg(motor + 1)
@@ -363,45 +286,31 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
             .arg(base::fixedDigits(fit->profile.curve.back().speed_Hz, 0)));
 }
 
-void MotorsView::showTrouble(const QString& text) {
-    m_verdict->setText(text);
-}
-
-QString MotorsView::verdict() const {
-    return m_verdict->text();
-}
-
 void MotorsView::refresh() {
     const std::size_t motor = m_table->selectedMotor();
     m_steps->setCurrentIndex(m_measuring ? kMeasuring : m_felt->task() != nullptr ? kFelt : kSteps);
-    m_title->setText(m_facts.name.isEmpty() ? tr("No bracelet") : m_facts.name);
+    showTitle(m_facts.name.isEmpty() ? tr("No bracelet") : m_facts.name);
     const bool measured = m_calibration.measured();
     QString state = m_facts.serial.isEmpty() ? tr("Choose a bracelet in the menu Bracelet.")
-                    : !measured              ? tr("not calibrated: motors are assumed")
+                    : !measured              ? tr("not calibrated: the motors use assumed values")
                     : isSaved()              ? tr("calibrated, saved")
                                              : tr("calibrated, not saved");
     if (m_facts.reserved)
-        state += QStringLiteral(" \u00b7 ") + tr("a study uses the bracelet: its motors stay as they are");
+        state += QStringLiteral(" \u00b7 ") + tr("a study uses the bracelet: its motors cannot be changed");
     if (const QString limits = limitsText(m_facts.strongest); !limits.isEmpty())
         state += QStringLiteral(" \u00b7 ") + limits;
-    if (m_facts.simulated)
-        state = tr("SIMULATED") + QStringLiteral(" \u00b7 ") + state;
-    m_state->setText(state);
-    QPalette colours = palette();
     const base::StatusColours& status = base::statusColours(palette());
-    colours.setColor(QPalette::WindowText, m_facts.simulated ? status.simulated
-                                           : measured && std::ranges::min(m_facts.strongest) >= 1.0
-                                               ? status.live
-                                               : status.stale);
-    m_state->setPalette(colours);
+    showState(state, m_facts.simulated ? base::Provenance::simulated : base::Provenance::live,
+              m_facts.simulated                                        ? status.simulated
+              : measured && std::ranges::min(m_facts.strongest) >= 1.0 ? status.live
+                                                                       : status.stale);
     m_heading->setText(tr("Motor %1").arg(motor + 1));
     const bool idle = !m_measuring && m_felt->task() == nullptr;
     m_table->setEnabled(idle);
-    const auto enable = [this](const char* name, bool on) { button(name)->setEnabled(on); };
     const bool known = !m_facts.serial.isEmpty();
     const bool editable = idle && !m_facts.reserved;
-    enable("undo", m_felt->task() != nullptr || (editable && m_undo->canUndo()));
-    enable("redo", editable && m_undo->canRedo());
+    enable("undo", m_felt->task() != nullptr || (editable && changes().canUndo()));
+    enable("redo", editable && changes().canRedo());
     enable("load", editable && known);
     enable("copy", idle && measured);
     enable("reset", editable && measured);
@@ -426,7 +335,7 @@ void MotorsView::showChart() {
     const std::size_t motor = m_table->selectedMotor();
     const motors::CalibratedMotor& known = m_calibration.motors[motor];
     auto evidence = m_evidence[motor];
-    // What was undone is not what the recording says.
+    // After an undo the recording no longer belongs to the curve.
     if (evidence && evidence->fit.profile.curve != known.profile.curve)
         evidence = nullptr;
     m_chart->setMotor(motor, known, evidence,
@@ -434,39 +343,27 @@ void MotorsView::showChart() {
 }
 
 void MotorsView::retranslate() {
-    const auto name = [this](const char* which, const QString& text, const QString& tip) {
-        button(which)->setText(text);
-        button(which)->setToolTip(tip);
-    };
-    name("undo", tr("Undo"), tr("Take back the last change, or the last answer (Ctrl+Z)"));
-    name("redo", tr("Redo"), tr("Bring it back"));
-    name("load", tr("&Load\u2026"), tr("Read a profile of this bracelet from a file"));
-    name("copy", tr("Save a &copy\u2026"), tr("Write the profile to another file"));
-    name("reset", tr("&Reset"), tr("Forget what was measured"));
-    name("save", tr("&Save"), tr("Keep the profile for this bracelet: it is used whenever it is connected"));
+    name("undo", tr("Undo"), tr("Undo the last change or answer (Ctrl+Z)"));
+    name("redo", tr("Redo"), tr("Redo the change undone last"));
+    name("load", tr("&Load\u2026"), tr("Load a profile of this bracelet from a file"));
+    name("copy", tr("Save a &copy\u2026"), tr("Save the profile to another file"));
+    name("reset", tr("&Reset"), tr("Discard the measurements"));
+    name("save", tr("&Save"),
+         tr("Save the profile for this bracelet: it is used whenever the bracelet is connected"));
     name("measure", tr("&Measure this motor"), QString());
     name("measureAll", tr("Measure &all six"), tr("One after another, with the bracelet's sensor"));
     name("recording", tr("&Open a recording\u2026"),
-         tr("CSV with time_s,commanded and speed_hz of a tachometer or signal of an accelerometer or "
-            "microphone"));
-    name("excitation", tr("Write the &excitation\u2026"),
-         tr("What the motor is told during a measurement, as CSV: for a sensor of your own"));
-    name("feel", tr("Find its start by &feel"),
-         tr("Bursts that get weaker and stronger; you say what you felt"));
+         tr("CSV with time_s, commanded, and speed_hz (tachometer) or signal (accelerometer, microphone)"));
+    name("excitation", tr("Save the &excitation\u2026"),
+         tr("Save the drive signal of a measurement as CSV, to record with a sensor of your own"));
+    name("feel", tr("Find the start by &feel"),
+         tr("Plays weaker and stronger bursts; you say what you felt"));
     name("balance", tr("&Balance by feel"), tr("Compare the strength of each motor with that of motor 1"));
     name("curves", tr("Balance by the cur&ves"),
-         tr("Let all measured motors end at the speed of the slowest"));
+         tr("Limit all measured motors to the top speed of the slowest"));
     name("cancel", tr("Stop measuring"), QString());
     setAccessibleName(tr("Calibration of the bracelet's motors"));
     refresh();
-}
-
-void MotorsView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::PaletteChange)
-        refresh();
 }
 
 } // namespace teleta::calibrate

@@ -4,9 +4,8 @@
 #include "backend/core/error.h"
 #include "backend/motors/motor_file.h"
 #include "backend/playback/player_types.h"
+#include "widgets/calibrate/calibration_view.h"
 #include "widgets/calibrate/motor_chart.h"
-
-#include <QWidget>
 
 #include <array>
 #include <cstddef>
@@ -14,110 +13,87 @@
 #include <optional>
 #include <vector>
 
-class QAction;
 class QLabel;
 class QProgressBar;
-class QPushButton;
 class QStackedWidget;
-class QUndoStack;
 
 namespace teleta::calibrate {
 
 class FeltPanel;
+class FeltTask;
 class MotorTable;
 
-/// What the calibration has to know of the bracelet.
+/// State of the bracelet.
 struct BraceletFacts {
     QString name;
-    QString serial; ///< empty: there is none, and nothing can be saved
+    QString serial; ///< empty: no bracelet, nothing can be saved
     bool ready = false;
-    bool reserved = false; ///< by a study: its motors stay as they are
+    bool reserved = false; ///< by a study: the motors cannot be changed
     bool simulated = false;
     bool hasSensor = false;
-    std::optional<core::Intensities> speeds_Hz; ///< by its sensor, now
-    /// How strong each motor may be at most: less than 1 weakens what it is measured with.
+    std::optional<core::Intensities> speeds_Hz; ///< measured by its sensor
+    /// Limit of each motor's intensity; it also applies to measurements.
     core::Intensities strongest{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
 
     bool operator==(const BraceletFacts&) const = default;
 };
 
-/// The calibration of a bracelet's motors: what is known of the six, the steps that find it, and the
-/// evidence. Steps for the selected motor: measure with the bracelet's sensor, open a recording, find the
-/// start by feel; for all: balance by feel or by the curves. Every change can be undone, an answer too. It
-/// plays nothing and does no file I/O: it asks for both. Thread: GUI.
-class MotorsView : public QWidget {
+/// Calibrates a bracelet's motors: a table of their known values, the steps that determine them, and charts
+/// of the measurements. Steps for the selected motor: measure it with the bracelet's sensor, open a
+/// recording, find its start by feel. For all motors: balance them by feel or by their curves. Every change
+/// and every answer can be undone. The view plays nothing itself: it emits requests. Thread: GUI.
+class MotorsView : public CalibrationView {
     Q_OBJECT
 public:
     explicit MotorsView(QWidget* parent = nullptr);
-    ~MotorsView() override;
 
     void setFacts(const BraceletFacts& facts);
-    /// Of another bracelet, as its file has it: nothing is left to undo or to answer.
+    /// Shows another bracelet, as described by its file; clears the undo history and all questions.
     void setCalibration(const motors::MotorCalibration& calibration);
-    /// A profile of this bracelet from a file, in place of what was known; can be undone.
+    /// Replaces the present calibration with a profile of the same bracelet; can be undone.
     void takeProfile(const motors::MotorCalibration& profile);
     [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
-    [[nodiscard]] bool isSaved() const;
-    void markSaved();
 
-    /// A measurement runs: which motor, and how far it is; empty: none does.
+    /// The motor being measured; empty: none. progress: 0 .. 1.
     void setMeasuring(std::optional<std::size_t> motor, double progress = 0.0);
-    /// What became of a recording.
+    /// Applies the fit of a recording, or shows why there is none.
     void takeFit(std::size_t motor, const motors::MotorRecording& recording,
                  const core::Expected<motors::MotorFit>& fit);
-    void showTrouble(const QString& text);
-
-    [[nodiscard]] MotorTable* table() const { return m_table; }
-    [[nodiscard]] FeltPanel* feltPanel() const { return m_felt; }
-    [[nodiscard]] QPushButton* button(const char* name) const;
-    [[nodiscard]] QString verdict() const;
-    void undo();
-    void redo();
 
 signals:
     void playRequested(const teleta::playback::Program& program);
     void stopRequested();
-    /// With the bracelet's sensor, one after another.
+    /// Measure these motors with the bracelet's sensor, one after another.
     void measureRequested(const std::vector<std::size_t>& motors);
     void cancelMeasureRequested();
     void recordingRequested(std::size_t motor);
     void excitationFileRequested();
-    void saveRequested();
     void copyRequested();
-    void loadRequested();
-    /// By a person: is to take effect at once.
+    /// The calibration has changed and takes effect at once.
     void calibrationChanged(const teleta::motors::MotorCalibration& calibration);
-    void exportFailed(const QString& message);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
-    class Edit;
-
     QWidget* makeSteps();
     QWidget* makeMeasuring();
-    void edit(const motors::MotorCalibration& after, const QString& text);
+    void edit(const motors::MotorCalibration& after);
     void take(const motors::MotorCalibration& calibration);
+    void ask(FeltTask task);
     void reset();
     void balanceByCurves();
-    void refresh();
+    void undo() override;
+    void redo() override;
+    void refresh() override;
     void showChart();
     void retranslate();
-    QPushButton* addButton(const char* name, QWidget* parent);
 
     BraceletFacts m_facts;
     motors::MotorCalibration m_calibration;
     std::array<std::shared_ptr<const MotorChart::Evidence>, core::kTactors> m_evidence;
     std::optional<std::size_t> m_measuring;
-    QUndoStack* m_undo;
-    QLabel* m_title;
-    QLabel* m_state;
     MotorTable* m_table;
     QStackedWidget* m_steps;
     QLabel* m_heading;
     QLabel* m_speed;
-    QLabel* m_verdict;
     QLabel* m_measureText;
     QProgressBar* m_progress;
     FeltPanel* m_felt;

@@ -3,13 +3,14 @@
 
 #include "backend/vision/finders/contact_ladder.h"
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/camera_view.h"
 #include "widgets/camera/stage_bar.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -23,21 +24,15 @@ namespace {
 
 using Doing = pipeline::CarrierReport::Doing;
 
-void colour(QLabel* label, const QColor& colour) {
-    QPalette changed = label->palette();
-    changed.setColor(QPalette::WindowText, colour);
-    label->setPalette(changed);
-}
-
 QString nameOf(std::string_view rung) {
     return QString::fromLatin1(rung.data(), static_cast<qsizetype>(rung.size()));
 }
 
-/// What a rung does, in a sentence or two.
+/// Explains a rung in a sentence or two.
 QString explanationOf(const vision::ContactRung& rung) {
     if (rung.paper)
         return CameraPanel::tr("As in the published work: dense flow in a picture of 512 \u00d7 288, and the "
-                               "mean of what has moved there");
+                               "mean of the points that moved");
     QString preset;
     switch (rung.method) {
     case vision::FlowMethod::dots:
@@ -58,9 +53,9 @@ QString explanationOf(const vision::ContactRung& rung) {
                   .arg(preset, base::significantDigits(1.0 / rung.scale, 2))
             : CameraPanel::tr("Dense flow by a preset of OpenCV (%1), in the whole picture").arg(preset);
     if (rung.changedOnly)
-        text += QLatin1Char('\n') + CameraPanel::tr("Only around what differs from the reference");
+        text += QLatin1Char('\n') + CameraPanel::tr("Only where the picture differs from the reference");
     if (rung.warmStart)
-        text += QLatin1Char('\n') + CameraPanel::tr("Begun with the flow of the picture before");
+        text += QLatin1Char('\n') + CameraPanel::tr("Starts from the flow of the previous picture");
     return text;
 }
 
@@ -83,6 +78,8 @@ CameraPanel::CameraPanel(QWidget* parent)
     m_arrows->setObjectName(QStringLiteral("cameraArrows"));
     m_reference->setObjectName(QStringLiteral("cameraReference"));
     m_mayReact->setObjectName(QStringLiteral("cameraMayReact"));
+    m_problem->setObjectName(QStringLiteral("problem"));
+    m_armLine->setObjectName(QStringLiteral("arm"));
     m_pause->setCheckable(true);
     m_arrows->setChecked(true);
     m_problem->setWordWrap(true);
@@ -123,8 +120,9 @@ CameraPanel::CameraPanel(QWidget* parent)
     connect(m_arrows, &QCheckBox::toggled, m_view, &CameraView::setArrowsShown);
     connect(m_reference, &QPushButton::clicked, this, &CameraPanel::referenceRequested);
     connect(m_mayReact, &QCheckBox::clicked, this, &CameraPanel::mayReactChanged);
-    retranslate();
+    base::keepTranslated(this, &CameraPanel::retranslate);
     setSnapshot(nullptr);
+    base::onChange(this, &CameraPanel::showTexts, {QEvent::PaletteChange});
 }
 
 void CameraPanel::setSnapshot(const pipeline::CameraSnapshot* snapshot, double nominalRate_Hz) {
@@ -149,7 +147,7 @@ void CameraPanel::setSnapshot(const pipeline::CameraSnapshot* snapshot, double n
         const QString rung = nameOf(snapshot->rung);
         m_whyRefused = QString::fromStdString(snapshot->whyRefused);
         m_nextRung = nameOf(snapshot->nextRung);
-        // A wish that was refused shows as what is in use again.
+        // After a refusal the box shows the rung in use again.
         if (m_wish == rung || m_wish == nameOf(snapshot->refusedRung))
             m_wish.clear();
         if (m_wish.isEmpty() && m_rungs->currentText() != rung)
@@ -162,14 +160,6 @@ void CameraPanel::setProvenance(base::Provenance provenance) {
     m_view->setProvenance(provenance);
 }
 
-QString CameraPanel::problemText() const {
-    return m_problem->isVisibleTo(this) ? m_problem->text() : QString();
-}
-
-QString CameraPanel::armText() const {
-    return m_armLine->text();
-}
-
 bool CameraPanel::isPaused() const {
     return m_pause->isChecked();
 }
@@ -177,7 +167,7 @@ bool CameraPanel::isPaused() const {
 void CameraPanel::setPaused(bool paused) {
     const QSignalBlocker blocked(m_pause);
     m_pause->setChecked(paused);
-    m_pause->setText(paused ? tr("Go on") : tr("Pause"));
+    m_pause->setText(paused ? tr("Resume") : tr("Pause"));
     m_view->setPaused(paused);
 }
 
@@ -188,17 +178,17 @@ void CameraPanel::showTexts() {
         problem = m_why.isEmpty() ? tr("Waiting for a picture of the tube with nothing touching it.")
                                   : tr("No reference yet: %1").arg(m_why);
     else if (m_hasCamera && !m_why.isEmpty())
-        problem = tr("Not used: %1").arg(m_why);
+        problem = tr("Picture not used: %1").arg(m_why);
     bool isLost = !problem.isEmpty();
     if (m_hasCamera && problem.isEmpty() && !m_whyRefused.isEmpty()) {
         problem = tr("This finder cannot be used: %1").arg(m_whyRefused);
         isLost = true;
     } else if (m_hasCamera && problem.isEmpty() && !m_nextRung.isEmpty()) {
-        problem = tr("The finder %1 is being made ready.").arg(m_nextRung);
+        problem = tr("Preparing the finder %1.").arg(m_nextRung);
     }
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());
-    colour(m_problem, isLost ? colours.lost : palette().color(QPalette::WindowText));
+    base::setTextColour(m_problem, isLost ? colours.lost : palette().color(QPalette::WindowText));
     if (!m_carrier) {
         m_armLine->clear();
         return;
@@ -206,11 +196,11 @@ void CameraPanel::showTexts() {
     switch (m_carrier->doing) {
     case Doing::stands:
         m_armLine->setText(m_carrier->contact != 0
-                               ? tr("The arm has drawn back from contact %1.").arg(m_carrier->contact)
-                               : tr("The arm stands."));
+                               ? tr("The arm has retreated from contact %1.").arg(m_carrier->contact)
+                               : tr("The arm is at rest."));
         break;
     case Doing::retreats:
-        m_armLine->setText(tr("The arm draws back from contact %1.").arg(m_carrier->contact));
+        m_armLine->setText(tr("The arm is retreating from contact %1.").arg(m_carrier->contact));
         break;
     case Doing::follows:
         m_armLine->setText(tr("The arm follows contact %1.").arg(m_carrier->contact));
@@ -221,25 +211,18 @@ void CameraPanel::showTexts() {
                                : tr("The arm is held. Tick the box to let it react again."));
         break;
     }
-    colour(m_armLine, m_carrier->doing == Doing::held       ? colours.stale
-                      : m_carrier->doing == Doing::retreats ? colours.lost
-                      : m_carrier->doing == Doing::follows  ? colours.live
-                                                            : palette().color(QPalette::WindowText));
-}
-
-void CameraPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::PaletteChange)
-        showTexts();
+    base::setTextColour(m_armLine, m_carrier->doing == Doing::held       ? colours.stale
+                                   : m_carrier->doing == Doing::retreats ? colours.lost
+                                   : m_carrier->doing == Doing::follows
+                                       ? colours.live
+                                       : palette().color(QPalette::WindowText));
 }
 
 void CameraPanel::retranslate() {
     m_rungName->setText(tr("&Finder"));
     m_rungs->setAccessibleName(tr("Finder"));
-    m_rungs->setToolTip(tr("How contacts are found: the printed dots alone, or dense flow by one of OpenCV's "
-                           "presets; the number divides the image's size"));
+    m_rungs->setToolTip(tr("How contacts are found: from the printed dots alone, or with dense flow by one "
+                           "of OpenCV's presets; the number is how many times the image is reduced"));
     QString all;
     for (const vision::ContactRung& rung : vision::contactLadder()) {
         const QString text = explanationOf(rung);
@@ -251,12 +234,12 @@ void CameraPanel::retranslate() {
     m_arrows->setText(tr("&Displacement"));
     m_arrows->setToolTip(tr("Show how far the pattern on the skin has moved"));
     m_reference->setText(tr("New &reference"));
-    m_reference->setToolTip(tr("Take the next picture as that of the untouched tube"));
-    m_pause->setText(m_pause->isChecked() ? tr("Go on") : tr("Pause"));
-    m_pause->setToolTip(tr("Keep this picture; contacts are followed on (Space)"));
+    m_reference->setToolTip(tr("Take the next picture as the reference: nothing may touch the tube"));
+    m_pause->setText(m_pause->isChecked() ? tr("Resume") : tr("Pause"));
+    m_pause->setToolTip(tr("Freeze the picture; contacts are still tracked (Space)"));
     m_mayReact->setText(tr("The arm may r&eact"));
     m_mayReact->setToolTip(
-        tr("Off: the arm stands, whatever touches it. STOP takes this away until you give it again."));
+        tr("Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react."));
     showTexts();
 }
 

@@ -19,9 +19,9 @@ namespace teleta::camera {
 class CameraView;
 class StageBar;
 
-/// The camera in the soft tube: its picture, what the arm does about contacts, which rung of the ladder finds
-/// them and what that costs. Knows no source: wishes go out as signals, what is in use comes back with the
-/// snapshot. Thread: GUI.
+/// The camera in the soft tube: its picture, the arm's reaction to contacts, the rung of the ladder that
+/// finds them, and the time it takes. Requests are signals; the state in use comes back with the snapshot.
+/// Thread: GUI.
 class CameraPanel : public QWidget {
     Q_OBJECT
 public:
@@ -33,9 +33,6 @@ public:
 
     [[nodiscard]] CameraView& view() const { return *m_view; }
     [[nodiscard]] StageBar& stages() const { return *m_stages; }
-    /// The lines of text, for tests.
-    [[nodiscard]] QString problemText() const;
-    [[nodiscard]] QString armText() const;
     [[nodiscard]] bool isPaused() const;
 
 public slots:
@@ -46,9 +43,6 @@ signals:
     void referenceRequested();
     void mayReactChanged(bool mayReact);
     void exportFailed(const QString& message);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void retranslate();
@@ -65,14 +59,14 @@ private:
     CameraView* m_view;
     StageBar* m_stages;
 
-    // Of the newest snapshot.
+    // From the newest snapshot.
     bool m_hasCamera = false;
     QString m_why;
-    QString m_whyRefused; ///< the finder that was asked for
-    QString m_nextRung;   ///< that is being made ready
+    QString m_whyRefused; ///< why the requested finder cannot be used
+    QString m_nextRung;   ///< being prepared
     bool m_hasReference = false;
     std::optional<pipeline::CarrierReport> m_carrier;
-    QString m_wish; ///< rung that was asked for, and not yet in use
+    QString m_wish; ///< requested rung that is not in use yet
 };
 
 } // namespace teleta::camera

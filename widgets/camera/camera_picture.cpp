@@ -23,12 +23,12 @@ using vision::FollowedContact;
 
 constexpr int kArrowColours = 32;
 
-/// The pixels themselves: no copy.
+/// Refers to the pixels without copying them.
 QImage imageOf(const core::GreyImage& image) {
     return {image.pixels.get(), image.width_px, image.height_px, image.width_px, QImage::Format_Grayscale8};
 }
 
-/// The picture is grey whatever the theme, and what is drawn over it is light with a dark rim.
+/// The picture is grey in both themes; everything drawn over it is light with a dark outline.
 constexpr QColor kRim(0, 0, 0, 150);
 
 void paintHalo(QPainter& painter, const QPointF& at, const QString& text, const QColor& colour) {
@@ -129,7 +129,7 @@ void CameraPicture::paint(QPainter& painter, const QSizeF& size, const QPalette&
 
 void CameraPicture::paintImage(QPainter& painter, const QSizeF& size) const {
     const QRectF target = imageRect(size);
-    // The preview has been made small with care; enlarged, it would be blurred.
+    // The preview was reduced with smoothing; smoothing again when enlarging would blur it.
     const bool close = scale(size) * shown.image.width_px > 1.5 * shown.preview.width_px;
     const QImage image = imageOf(close ? shown.image : shown.preview);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale(size) < 3.0);
@@ -163,7 +163,7 @@ void CameraPicture::paintArrows(QPainter& painter, const QSizeF& size) const {
     painter.setPen(QPen(QColor(255, 255, 255, 130), 2.0, Qt::SolidLine, Qt::RoundCap));
     painter.drawPoints(still.constData(), static_cast<int>(still.size()));
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        // The lower half of the map is too dark for a picture that is dark itself.
+        // The lower half of the map is too dark for a dark picture.
         const double share = 0.45 + 0.55 * static_cast<double>(i) / (kArrowColours - 1);
         painter.setPen(QPen(QColor(kRim), 3.2, Qt::SolidLine, Qt::RoundCap));
         painter.drawLines(lines[i]);
@@ -202,10 +202,10 @@ void CameraPicture::paintContacts(QPainter& painter, const QSizeF& size) const {
         else if (shown.carrier && shown.carrier->doing == pipeline::CarrierReport::Doing::follows &&
                  shown.carrier->contact == contact.id)
             text += QLatin1Char(' ') + tr("followed");
-        // A label of its own: bare digits are lost among the light and dark of the skin.
+        // A labelled box: bare digits are hard to read on the patterned skin.
         QRectF label(QPointF(box.right() + 0.3 * metrics.height(), box.top() - 0.3 * metrics.height()),
                      base::badgeSize(large, text));
-        if (box.intersects(QRectF(QPointF(), size))) { // as much as is seen of it
+        if (box.intersects(QRectF(QPointF(), size))) { // if any of it is visible
             label.moveRight(std::min(label.right(), size.width() - 2.0));
             label.moveTop(std::clamp(label.top(), 2.0, std::max(2.0, size.height() - label.height() - 2.0)));
         }

@@ -15,14 +15,14 @@ class QPainter;
 
 namespace teleta::camera {
 
-/// What the camera in the soft tube sees, with what was found in it: how the pattern has moved, outlines and
-/// identities of contacts, bumps, and why a frame cannot be used. What the view and its exported figure draw.
-/// Thread: GUI (fonts).
+/// The image of the camera in the soft tube with what was found in it: displacements of the pattern, outlines
+/// and identities of contacts, bumps, and why a frame cannot be used. Drawn by the view and its exported
+/// figure. Thread: GUI (fonts).
 class CameraPicture {
     Q_DECLARE_TR_FUNCTIONS(CameraPicture)
 
 public:
-    /// Displacements of less than this many pixels are noise and not drawn as arrows.
+    /// Smaller displacements (pixels) are noise and have no arrow.
     static constexpr double kLeastArrow_px = 0.5;
     static constexpr double kLargestZoom = 12.0;
 
@@ -32,27 +32,27 @@ public:
     bool paused = false;
     QFont font;
     double zoom = 1.0;        ///< 1: the whole image
-    QPointF centre{0.5, 0.5}; ///< of what is shown, as shares of the image
+    QPointF centre{0.5, 0.5}; ///< of the visible part, as shares of the image
     double enlargement = 4.0; ///< of the arrows
-    double bumpFade = 0.0;    ///< 1: a bump has just been seen, 0: long ago
+    double bumpFade = 0.0;    ///< 1: a bump was just detected, 0: long ago
     int bumped = 0;           ///< identity of the contact that bumped
 
     [[nodiscard]] bool isEmpty() const { return shown.preview.isEmpty(); }
-    /// Where the image is in a picture of this size.
+    /// Place of the image in a picture of this size.
     [[nodiscard]] QRectF imageRect(const QSizeF& size) const;
     [[nodiscard]] QPointF toPicture(const QPointF& pixel, const QSizeF& size) const;
     [[nodiscard]] QPointF toPixel(const QPointF& point, const QSizeF& size) const;
-    /// Zooms so that the pixel under a point stays there.
+    /// Zooms about the pixel at a point.
     void zoomAt(const QPointF& point, const QSizeF& size, double factor);
-    /// Moves what is shown by so much of the picture.
+    /// Moves the visible part.
     void moveBy(const QPointF& way, const QSizeF& size);
-    /// Index of the contact around a point; -1: none.
+    /// Index of the contact at a point; -1: none.
     [[nodiscard]] int contactAt(const QPointF& point, const QSizeF& size) const;
-    /// A contact in words.
+    /// Describes a contact.
     [[nodiscard]] QString wordsFor(const vision::FollowedContact& followed) const;
 
     void paint(QPainter& painter, const QSizeF& size, const QPalette& palette) const;
-    /// One row a contact: kContactColumns without event, and sd_m. C locale, NA where unknown.
+    /// One row per contact: kContactColumns without event, and sd_m. C locale, NA where unknown.
     [[nodiscard]] QString csv() const;
 
 private:

@@ -2,9 +2,9 @@
 #include "widgets/camera/camera_view.h"
 
 #include "widgets/base/focus_frame.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -24,14 +24,8 @@ constexpr double kCameraZoomStep = 1.25;
 } // namespace
 
 CameraView::CameraView(QWidget* parent)
-    : QWidget(parent)
-    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
-    setFocusPolicy(Qt::StrongFocus);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
-    connect(m_export, &base::FigureExport::saved, this, &CameraView::exported);
-    connect(m_export, &base::FigureExport::failed, this, &CameraView::exportFailed);
-    retranslate();
+    : FigureView(parent) {
+    base::keepTranslated(this, &CameraView::retranslate);
 }
 
 void CameraView::setSnapshot(const pipeline::CameraSnapshot* snapshot) {
@@ -69,7 +63,7 @@ void CameraView::setPaused(bool paused) {
     update();
 }
 
-base::Figure CameraView::figure() const {
+base::Figure CameraView::figure() {
     base::Figure figure;
     figure.name = tr("camera");
     CameraPicture picture = m_picture;
@@ -150,9 +144,7 @@ void CameraView::mouseDoubleClickEvent(QMouseEvent*) {
 
 void CameraView::keyPressEvent(QKeyEvent* event) {
     const QPointF middle(0.5 * width(), 0.5 * height());
-    if (event->matches(QKeySequence::Copy)) {
-        base::copyPicture(figure());
-    } else if (event->key() == Qt::Key_Space) {
+    if (event->key() == Qt::Key_Space) {
         emit pauseRequested(!m_picture.paused);
     } else if (event->key() == Qt::Key_Home) {
         showAll();
@@ -163,30 +155,19 @@ void CameraView::keyPressEvent(QKeyEvent* event) {
         m_picture.zoomAt(middle, QSizeF(size()), 1.0 / kCameraZoomStep);
         update();
     } else {
-        QWidget::keyPressEvent(event);
+        FigureView::keyPressEvent(event);
     }
 }
 
-void CameraView::contextMenuEvent(QContextMenuEvent* event) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(m_picture.paused ? tr("&Go on") : tr("&Pause the picture"), this,
-                    [this] { emit pauseRequested(!m_picture.paused); });
-    menu->addAction(tr("Show &all"), this, &CameraView::showAll);
-    menu->addSeparator();
-    m_export->addActions(*menu);
-    menu->popup(event->globalPos());
+void CameraView::addOwnActions(QMenu& menu, const QPoint& /*position*/) {
+    menu.addAction(m_picture.paused ? tr("&Resume") : tr("&Pause the picture"), this,
+                   [this] { emit pauseRequested(!m_picture.paused); });
+    menu.addAction(tr("Show &all"), this, &CameraView::showAll);
 }
 
 void CameraView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     m_picture.moveBy({}, QSizeF(size()));
-}
-
-void CameraView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 void CameraView::retranslate() {

@@ -128,13 +128,13 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
         case Kind::bumps:
             return tr("BUMP");
         case Kind::ends:
-            return tr("let go");
+            return tr("released");
         case Kind::follows:
             return tr("arm follows");
         case Kind::reference:
             return tr("reference taken");
         case Kind::restart:
-            return tr("begins anew");
+            return tr("restarted");
         }
         return {};
     case contact:
@@ -170,7 +170,7 @@ QVariant EventModel::headerData(int section, Qt::Orientation orientation, int ro
     case along:
         return tr("Along the tube");
     case around:
-        return tr("Around it");
+        return tr("Around the tube");
     case depth:
         return tr("Depth");
     default:

@@ -10,7 +10,7 @@
 
 namespace teleta::camera {
 
-/// What happened to the tube, the newest first; older events than fit are forgotten. Thread: GUI.
+/// Events of the tube, newest first; the oldest are dropped. Thread: GUI.
 class EventModel : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -24,12 +24,12 @@ public:
     void clear();
     void retranslate();
 
-    /// The events, the newest first; leaves none.
+    /// Moves out the events, newest first.
     [[nodiscard]] std::deque<pipeline::CameraEvent> takeEvents();
-    /// Shows these instead. events: those that takeEvents gave.
+    /// Restores events returned by takeEvents().
     void setEvents(std::deque<pipeline::CameraEvent> events);
 
-    /// One event a line: time_s,event,contact_id,x_m,y_m,z_m,depth_m; C locale, NA where unknown.
+    /// One line per event: time_s,event,contact_id,x_m,y_m,z_m,depth_m; C locale, NA where unknown.
     [[nodiscard]] QString csv() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -38,7 +38,7 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    std::deque<pipeline::CameraEvent> m_events; ///< the newest first
+    std::deque<pipeline::CameraEvent> m_events; ///< newest first
 };
 
 } // namespace teleta::camera

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/event_table.h"
 
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/event_model.h"
 
@@ -44,6 +46,7 @@ EventTable::EventTable(QWidget* parent)
     connect(m_export, &base::FigureExport::saved, this, &EventTable::exported);
     connect(m_export, &base::FigureExport::failed, this, &EventTable::exportFailed);
     retranslate();
+    base::onChange(this, &EventTable::retranslate, {QEvent::LanguageChange, QEvent::PaletteChange});
 }
 
 void EventTable::append(const pipeline::CameraEvent& event) {
@@ -85,21 +88,13 @@ bool EventTable::eventFilter(QObject* watched, QEvent* event) {
     return false;
 }
 
-void EventTable::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
-        retranslate();
-}
-
 void EventTable::retranslate() {
     m_table->setAccessibleName(tr("Events"));
     m_table->setWhatsThis(
-        tr("What happened to the tube, the newest first. The context menu copies and saves the list."));
+        tr("What happened to the tube, newest first. The context menu copies and saves the list."));
     m_provenance->setText(base::provenanceText(m_shownProvenance));
     m_provenance->setVisible(m_shownProvenance != base::Provenance::live);
-    QPalette changed = m_provenance->palette();
-    changed.setColor(QPalette::WindowText, base::statusColours(palette()).simulated);
-    m_provenance->setPalette(changed);
+    base::setTextColour(m_provenance, base::statusColours(palette()).simulated);
     m_model->retranslate();
 }
 

@@ -14,7 +14,7 @@ namespace teleta::camera {
 
 class EventModel;
 
-/// List of what happened to the tube, the newest first. Ctrl+C copies it as CSV. Thread: GUI.
+/// List of the tube's events, newest first. Ctrl+C copies it as CSV. Thread: GUI.
 class EventTable : public QWidget {
     Q_OBJECT
 public:
@@ -31,7 +31,6 @@ signals:
     void exportFailed(const QString& message);
 
 protected:
-    void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

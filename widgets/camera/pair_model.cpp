@@ -8,7 +8,7 @@ namespace teleta::camera {
 
 namespace {
 
-/// Neighbouring pairs are told apart, and the numbers of a column stand below each other.
+/// Decimals that distinguish neighbouring pairs; the same for a whole column.
 QString pixelText(double value_px) {
     return base::fixedDigits(value_px, 1);
 }
@@ -24,7 +24,8 @@ PairModel::PairModel(QObject* parent)
 }
 
 void PairModel::setPairs(const CalibratedPairs& pairs) {
-    // Rows come and go at the end, so that a table keeps its place while pairs are collected.
+    // Rows are added and removed at the end, so that a table keeps its scroll position while pairs are
+    // collected.
     const int before = rowCount();
     const int after = static_cast<int>(pairs.pairs.size());
     if (after > before) {

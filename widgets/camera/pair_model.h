@@ -7,14 +7,14 @@
 
 namespace teleta::camera {
 
-/// Pairs of a calibration as a table; the tick of the first column says whether a pair is used. Ticking is an
-/// intent: it changes nothing here. Thread: GUI.
+/// Pairs of a calibration as a table; the check box in the first column says whether a pair is used. Checking
+/// it emits a request and changes nothing here. Thread: GUI.
 class PairModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum Column { number, pixel, point, imageError, surfaceError, condition };
     static constexpr int kColumns = 6;
-    /// Value of a cell to sort by.
+    /// Sort key of a cell.
     static constexpr int kSortRole = Qt::UserRole;
 
     explicit PairModel(QObject* parent = nullptr);

@@ -23,7 +23,7 @@ double emOf(const QFont& font) {
     return QFontMetricsF(font).height();
 }
 
-/// 1, 2 or 5 times a power of ten, not above the value.
+/// Largest 1, 2 or 5 times a power of ten up to the value.
 double roundDown(double value) {
     const double power = std::pow(10.0, std::floor(std::log10(value)));
     for (const double factor : {5.0, 2.0}) {
@@ -82,7 +82,7 @@ QPointF ResidualPicture::toPlot(const QPointF& value, const QSizeF& size) const 
     const QRectF from = extent();
     const double x = (value.x() - from.left()) / from.width();
     const double y = (value.y() - from.top()) / from.height();
-    // v grows downwards in an image, z upwards along the cylinder.
+    // v increases downwards in an image, z upwards along the cylinder.
     return {plot.left() + x * plot.width(),
             surface == Surface::image ? plot.top() + y * plot.height() : plot.bottom() - y * plot.height()};
 }
@@ -217,7 +217,7 @@ void ResidualPicture::paintAxes(QPainter& painter, const QSizeF& size, const QPa
                          Qt::AlignRight | Qt::AlignVCenter, label(y));
     }
     const QString axes = image ? tr("u to the right, v down, px") : tr("angle, degrees; z upwards, mm");
-    // In all of the picture's width: the plot itself may be narrower than its words.
+    // Uses the full width of the picture: the plot may be narrower than its text.
     painter.drawText(QRectF(0.5 * em, plot.bottom() + 1.2 * em, plot.right() - 0.5 * em, 1.1 * em),
                      Qt::AlignRight, axes);
     if (!image || !shown.camera)
@@ -304,7 +304,7 @@ void ResidualPicture::paintScale(QPainter& painter, const QSizeF& size, const QP
     const double em = emOf(font);
     painter.setFont(base::sized(font, base::kSmallText));
     painter.setPen(palette.color(QPalette::Text));
-    QString text = tr("arrows %1 times").arg(base::wholeNumber(enlargement(size)).trimmed());
+    QString text = tr("arrows enlarged %1 times").arg(base::wholeNumber(enlargement(size)).trimmed());
     const QFontMetricsF metrics(painter.font());
     const double right = size.width() - 0.5 * em;
     QRectF line(plot.left(), plot.bottom() + 2.2 * em, plot.width(), 1.1 * em);
@@ -320,7 +320,7 @@ void ResidualPicture::paintScale(QPainter& painter, const QSizeF& size, const QP
     const QString high = tr("+%1 mm").arg(limit);
     const double low_px = metrics.horizontalAdvance(low) + 0.5 * em;
     const double high_px = metrics.horizontalAdvance(high) + 0.5 * em;
-    // The scale keeps clear of the words on its left.
+    // Keeps the scale clear of the text on its left.
     const double room_px = right - line.left() - metrics.horizontalAdvance(text) - em;
     const double width = std::clamp(room_px - low_px - high_px, 2.0 * em, 8.0 * em);
     const QRectF bar(right - high_px - width, line.top() + 0.2 * em, width, 0.7 * em);

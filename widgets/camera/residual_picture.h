@@ -17,26 +17,26 @@ class QPainter;
 
 namespace teleta::camera {
 
-/// Pairs of a camera calibration with what one camera makes of them.
+/// Pairs of a camera calibration, with the result of one camera for them.
 struct CalibratedPairs {
     std::vector<vision::CalibrationPair> pairs;
-    std::vector<bool> used; ///< false: the user has excluded the pair; one a pair
-    /// One a pair; empty without a camera. Of a pair that is not used, `kept` is false.
+    std::vector<bool> used; ///< false: excluded by the user; one per pair
+    /// One per pair; empty without a camera. `kept` is false for unused pairs.
     std::vector<vision::PairResidual> residuals;
     std::optional<vision::CameraModel> camera;
     vision::CylinderSurface surface;
     int width_px = 1640;
     int height_px = 1232;
-    std::optional<Eigen::Vector3d> next_m; ///< that is to be probed next
+    std::optional<Eigen::Vector3d> next_m; ///< point to be probed next
 
     enum class State { unknown, kept, outlier, excluded };
     [[nodiscard]] State state(std::size_t pair) const;
 };
 
-/// Residuals of a calibration on the image or on the unrolled cylinder: what the view and its exported
-/// figures draw. A dot a pair and an arrow, enlarged, to where the camera projects (image) or locates
+/// Residuals of a calibration on the image or on the unrolled cylinder, as drawn by the view and its exported
+/// figures. Each pair is a dot with an enlarged arrow to where the camera projects (image) or locates
 /// (cylinder) it; wrong pairs are crosses, excluded ones rings. The image has the circle of the valid radius;
-/// the cylinder's dots are coloured by the error along the axis. A large ring shows what is to be probed
+/// the cylinder's dots are coloured by the error along the axis. A large ring marks the point to be probed
 /// next. Thread: GUI (fonts).
 class ResidualPicture {
     Q_DECLARE_TR_FUNCTIONS(ResidualPicture)
@@ -49,14 +49,14 @@ public:
     QFont font;
 
     [[nodiscard]] QString headline() const;
-    /// Where a pair is in a picture of this size.
+    /// Place of a pair in a picture of this size.
     [[nodiscard]] QPointF position(std::size_t pair, const QSizeF& size) const;
-    /// Where the place to be probed next is; with the camera as it is designed while no other one is known.
+    /// Place of the point to be probed next, computed with the nominal camera until one is calibrated.
     [[nodiscard]] std::optional<QPointF> nextPosition(const QSizeF& size) const;
     /// The pair nearest to a point, within an em.
     [[nodiscard]] std::optional<std::size_t> pairAt(const QPointF& point, const QSizeF& size) const;
     void paint(QPainter& painter, const QSizeF& size, const QPalette& palette) const;
-    /// How many times the arrows are enlarged.
+    /// Enlargement of the arrows.
     [[nodiscard]] double enlargement(const QSizeF& size) const;
 
 private:

@@ -4,9 +4,9 @@
 #include "widgets/base/focus_frame.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -17,7 +17,7 @@ namespace teleta::camera {
 
 namespace {
 
-/// Rows of what the picture shows, C locale.
+/// The data of the picture as CSV, C locale.
 QString csvOf(const CalibratedPairs& shown) {
     QString text = QStringLiteral("u_px,v_px,x_m,y_m,z_m,used,kept,du_px,dv_px,error_m\n");
     const auto put = [&](std::optional<double> value, QChar separator) {
@@ -42,15 +42,9 @@ QString csvOf(const CalibratedPairs& shown) {
 } // namespace
 
 ResidualView::ResidualView(ResidualPicture::Surface surface, QWidget* parent)
-    : QWidget(parent)
-    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
+    : FigureView(parent) {
     m_picture.surface = surface;
-    setFocusPolicy(Qt::StrongFocus);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
-    connect(m_export, &base::FigureExport::saved, this, &ResidualView::exported);
-    connect(m_export, &base::FigureExport::failed, this, &ResidualView::exportFailed);
-    retranslate();
+    base::keepTranslated(this, &ResidualView::retranslate);
 }
 
 void ResidualView::retranslate() {
@@ -59,8 +53,8 @@ void ResidualView::retranslate() {
     setWhatsThis(
         image
             ? tr("<p>Each pair at its pixel, with an enlarged arrow to where the camera projects its point. "
-                 "Arrows without a pattern are noise; arrows that flow are something that the "
-                 "camera does not describe.</p><p>A pixel outside the dashed circle has no ray.</p>")
+                 "Random arrows are noise; a pattern shows something that the camera model "
+                 "misses.</p><p>Pixels outside the dashed circle have no ray.</p>")
             : tr("<p>Each pair at its point on the cylinder, cut open at the back, with an enlarged arrow to "
                  "where "
                  "its pixel is located. The colour is the error along the axis.</p>"));
@@ -110,7 +104,7 @@ QString ResidualView::wordsFor(std::size_t pair) const {
     return text;
 }
 
-base::Figure ResidualView::figure() const {
+base::Figure ResidualView::figure() {
     base::Figure figure;
     figure.name = m_picture.surface == ResidualPicture::Surface::image ? tr("residuals-image")
                                                                        : tr("residuals-cylinder");
@@ -173,30 +167,16 @@ void ResidualView::keyPressEvent(QKeyEvent* event) {
         emit selected(*m_picture.selected);
     } else if (event->key() == Qt::Key_Delete && m_picture.selected) {
         emit toggleRequested(*m_picture.selected);
-    } else if (event->matches(QKeySequence::Copy)) {
-        base::copyPicture(figure());
     } else {
-        QWidget::keyPressEvent(event);
+        FigureView::keyPressEvent(event);
     }
 }
 
-void ResidualView::contextMenuEvent(QContextMenuEvent* event) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    if (const auto pair = m_picture.pairAt(event->pos(), QSizeF(size()))) {
-        menu->addAction(m_picture.shown.used[*pair] ? tr("&Exclude pair %1").arg(*pair + 1)
-                                                    : tr("&Use pair %1 again").arg(*pair + 1),
-                        this, [this, pair] { emit toggleRequested(*pair); });
-        menu->addSeparator();
-    }
-    m_export->addActions(*menu);
-    menu->popup(event->globalPos());
-}
-
-void ResidualView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
+void ResidualView::addOwnActions(QMenu& menu, const QPoint& position) {
+    if (const auto pair = m_picture.pairAt(position, QSizeF(size())))
+        menu.addAction(m_picture.shown.used[*pair] ? tr("&Exclude pair %1").arg(*pair + 1)
+                                                   : tr("&Use pair %1 again").arg(*pair + 1),
+                       this, [this, pair] { emit toggleRequested(*pair); });
 }
 
 } // namespace teleta::camera

@@ -39,7 +39,7 @@ void StageBar::setSnapshot(const pipeline::CameraSnapshot* snapshot, double nomi
         const double time_ms = 1e-6 * static_cast<double>(time_ns);
         average_ms = first ? time_ms : average_ms + kAveraging * (time_ms - average_ms);
     };
-    // Taking a reference is no finding of contacts.
+    // Taking a reference does not find contacts.
     if (snapshot->usable && snapshot->whole_ns > 0) {
         m_rung = std::string(snapshot->rung);
         for (std::size_t i = 0; i < m_stage_ms.size(); ++i)
@@ -74,8 +74,8 @@ QString StageBar::text() const {
     if (!m_rung)
         return {};
     QString text =
-        tr("%1 ms a frame, %2 frames/s").arg(m_wholeShown.text().trimmed(), m_rateShown.text().trimmed());
-    text += QStringLiteral(" \u00b7 ") + tr("%n passed over", nullptr, static_cast<int>(m_passedOver));
+        tr("%1 ms per frame, %2 frames/s").arg(m_wholeShown.text().trimmed(), m_rateShown.text().trimmed());
+    text += QStringLiteral(" \u00b7 ") + tr("%n skipped", nullptr, static_cast<int>(m_passedOver));
     if (m_unusable > 0)
         text += QStringLiteral(" \u00b7 ") + tr("%n unusable", nullptr, static_cast<int>(m_unusable));
     return text;
@@ -114,7 +114,7 @@ void StageBar::paintEvent(QPaintEvent*) {
     double legendLeft = 0.0;
     painter.setFont(small);
     const double line = base::em(this, kHeight_em) - bar;
-    // The text that matters keeps its place at the right end.
+    // The important text keeps its place at the right end.
     const QString summary = text();
     const double summaryWidth = base::tabularWidth(metrics, summary);
     const QRectF summaryRect(width() - summaryWidth - 2.0, bar, summaryWidth + 2.0, line);

@@ -11,8 +11,8 @@
 
 namespace teleta::camera {
 
-/// What a camera frame's time goes into, as parts of a bar that is as long as the time between two frames,
-/// with the rates beneath. Times are averaged over about a second. Thread: GUI.
+/// The stages of a camera frame's processing time, as parts of a bar whose length is the time between two
+/// frames, with the rates below. Times are averaged over about a second. Thread: GUI.
 class StageBar : public QWidget {
     Q_OBJECT
 public:
@@ -37,7 +37,7 @@ private:
     std::array<double, vision::kFinderStages> m_stage_ms{};
     double m_whole_ms = 0.0;
     double m_period_ms = 0.0;
-    std::optional<std::string> m_rung; ///< that the averages are of
+    std::optional<std::string> m_rung; ///< to which the averages belong
     std::uint64_t m_passedOver = 0;
     std::uint64_t m_unusable = 0;
     base::SteadyNumber m_wholeShown{0.1};

@@ -112,7 +112,7 @@ void Shades::draw(QCPPainter* painter) {
         for (const QCPAxisRect* rect : m_rects) {
             const bool times = m_kind == Kind::times;
             const QCPAxis* axis = rect->axis(times ? QCPAxis::atBottom : QCPAxis::atLeft);
-            // Cut here and not by the painter: pictures in SVG know no clipping.
+            // Clipped here and not by the painter, because SVG pictures have no clipping.
             const double from = std::max(shade.from, axis->range().lower);
             const double to = std::min(shade.to, axis->range().upper);
             if (!(from < to))

@@ -11,7 +11,7 @@
 
 namespace teleta::charts {
 
-/// Beside a strip: its title and the value of each of its series, which is its legend too.
+/// Text beside a strip: its title and the value of each series; also the legend.
 class ValuePanel : public QCPLayoutElement {
     Q_OBJECT
 public:
@@ -41,7 +41,7 @@ private:
     QColor m_text, m_faint;
 };
 
-/// The line above the strips: what the view shows, and whether the data are not live.
+/// Heading above the strips: the subject of the view, and a badge if the data are not live.
 class HeaderElement : public QCPLayoutElement {
     Q_OBJECT
 public:
@@ -68,7 +68,7 @@ struct TimeLine {
     QString label; ///< at the top of the first strip
 };
 
-/// Draws time lines over a stack of axis rects that share their time axis.
+/// Draws vertical time lines across stacked axis rects with a common time axis.
 class TimeLines : public QCPLayerable {
     Q_OBJECT
 public:
@@ -91,13 +91,13 @@ private:
     QFont m_font;
 };
 
-/// A stretch of time, relative to the right edge, or a range of values.
+/// An interval of time, relative to the right edge, or a range of values.
 struct Shade {
     double from = 0.0, to = 0.0;
     QString label; ///< in its upper left corner; times only
 };
 
-/// Shades behind the curves: stretches of time over all axis rects, or ranges of values within them.
+/// Shading behind the curves: time intervals across all axis rects, or value ranges within each.
 class Shades : public QCPLayerable {
     Q_OBJECT
 public:
@@ -108,7 +108,7 @@ public:
     void setRects(std::vector<QCPAxisRect*> rects) { m_rects = std::move(rects); }
     void setShades(std::vector<Shade> shades) { m_shades = std::move(shades); }
     [[nodiscard]] const std::vector<Shade>& shades() const { return m_shades; }
-    /// edge: of both ends.
+    /// edge: pen of both ends.
     void setInk(const QFont& font, const QColor& fill, const QPen& edge, const QColor& text);
 
 protected:
@@ -124,14 +124,14 @@ private:
     QPen m_edge;
 };
 
-/// Gives the left and the bottom axis of a strip the look of all strips. font: that of the view.
+/// Styles the left and the bottom axis of a strip. font: that of the view.
 void styleAxes(QCPAxisRect* rect, const QFont& font, const QPalette& palette);
 
 /// Ticks at round numbers, with a true minus sign and without rounding noise around zero.
 class RoundTicker : public QCPAxisTicker {
 public:
-    /// fixedStep: distance of the ticks; 0 chooses a round one for about tickCount() ticks. suffix: behind
-    /// each label.
+    /// fixedStep: distance of the ticks; 0 chooses a round one for about tickCount() ticks. suffix: appended
+    /// to each label.
     explicit RoundTicker(double fixedStep = 0.0, const QString& suffix = {})
         : m_fixedStep(fixedStep)
         , m_suffix(suffix) {}

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/feature_history.h"
 
+#include "backend/core/number_text.h"
+
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -19,9 +20,7 @@ void appendNumber(std::string& text, double value) {
         text += "NA";
         return;
     }
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    text.append(digits.data(), end);
+    text += core::NumberText(value).view();
 }
 
 } // namespace

@@ -28,8 +28,8 @@ enum class Channel {
 };
 inline constexpr std::size_t kChannels = 13;
 
-/// The newest feature samples of one stream. Undefined values are NaN. Thread: one. append() allocates
-/// nothing.
+/// The newest feature samples of one stream. Undefined values are NaN. append() does not allocate. Thread:
+/// one.
 class FeatureHistory : public SampleHistory {
 public:
     explicit FeatureHistory(std::size_t capacity = 65536);

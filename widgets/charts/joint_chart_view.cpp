@@ -24,12 +24,12 @@ JointChartView::JointChartView(JointPlot* plot, QWidget* parent)
     , m_history(kJointColumns)
     , m_joints(plot)
     , m_angles(new QAction(base::themeIcon(base::Icon::strips), {}, this)) {
+    m_angles->setObjectName(QStringLiteral("angles"));
     m_angles->setCheckable(true);
     connect(m_angles, &QAction::toggled, this, [this](bool shown) {
         m_joints->setAnglesShown(shown);
         invalidate();
         refresh();
-        emit anglesChanged(shown);
     });
     addTool(m_angles);
     addTimeTools();
@@ -42,11 +42,10 @@ void JointChartView::retranslate() {
     TimeChartView::retranslate();
     setAccessibleName(tr("Joint torques and angles of the arm"));
     setWhatsThis(
-        tr("<p>Torque of each joint over time. The coloured band is the torque window: between its "
-           "ends a touch is evaluated. Grey stretches are touches with their numbers, from the first "
-           "torque above the noise to the estimate.</p>"
-           "<p>Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back "
-           "to live. Double-click an axis to type its ends.</p>"));
+        tr("<p>Torque of each joint over time. The coloured band is the torque window in which a touch is "
+           "evaluated. Grey stretches are touches with their numbers, from the first torque above the noise "
+           "to the estimate.</p><p>Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, "
+           "End goes back to live. Double-click an axis to type its range.</p>"));
     setDefaultEmptyText(tr("No arm. Open a scene or a device with an arm."));
     m_angles->setText(tr("Angles"));
     m_angles->setToolTip(tr("Show the joint angles too"));
@@ -142,14 +141,10 @@ QString JointChartView::csv(std::size_t first, std::size_t last) const {
     return QString::fromStdString(text);
 }
 
-void JointChartView::populateMenu(QMenu& menu, std::optional<JointPlot::Row> row) {
-    fillMenu(menu, row ? std::optional(static_cast<int>(*row)) : std::nullopt);
-}
-
-void JointChartView::fillMenu(QMenu& menu, std::optional<int> lane) {
+void JointChartView::addOwnActions(QMenu& menu, const QPoint& position) {
     menu.addAction(m_angles);
     addTimeActions(menu);
-    addPlotActions(menu, lane);
+    addRangeActions(menu, position);
 }
 
 } // namespace teleta::charts

@@ -14,12 +14,12 @@
 
 namespace teleta::charts {
 
-/// Torques and, if wanted, angles of the arm's joints over time. The torques between which a touch is
-/// evaluated are marked as a band, each touch is shaded from its first torque to its estimate. Thread: GUI.
+/// Torques and optionally angles of the arm's joints over time. A band marks the torque window in which a
+/// touch is evaluated; each touch is shaded from its first torque to its estimate. Thread: GUI.
 class JointChartView : public TimeChartView {
     Q_OBJECT
 public:
-    static constexpr double kShortestSpan_s = 0.05; ///< a quick touch fills the picture
+    static constexpr double kShortestSpan_s = 0.05; ///< enlarges even a quick touch
 
     struct Touch {
         std::uint64_t number = 0;
@@ -33,33 +33,28 @@ public:
 
     explicit JointChartView(QWidget* parent = nullptr);
 
-    /// Keeps samples; nothing is drawn before refresh().
+    /// Stores samples; refresh() draws them.
     void append(std::span<const core::JointSample> samples);
-    /// Shades a touch. False when its start is no longer kept.
+    /// Shades a touch. Returns false if its start is no longer stored.
     bool addTouch(const pipeline::TouchRecord& touch);
-    /// Forgets samples and touches, and goes live.
+    /// Clears samples and touches, and goes live.
     void clear();
-    /// Gives away what is shown, to be shown again another time, and goes live.
+    /// Moves out the content, to restore it later with setContent(), and goes live.
     [[nodiscard]] Content takeContent();
-    /// Goes on with what takeContent() gave.
+    /// Restores what takeContent() returned.
     void setContent(Content content);
 
     void setWindow(const stiffness::TorqueWindow& window);
-    [[nodiscard]] QAction* anglesAction() const { return m_angles; }
-    /// Pauses so that a touch lies in the middle. False when it is no longer kept.
+    /// Pauses with a touch in the middle of the chart. Returns false if it is no longer stored.
     bool showTouch(std::uint64_t number);
 
-    void populateMenu(QMenu& menu, std::optional<JointPlot::Row> row = std::nullopt);
     [[nodiscard]] const SampleHistory& history() const override { return m_history; }
     [[nodiscard]] JointPlot* plot() const { return m_joints; }
-
-signals:
-    void anglesChanged(bool shown);
 
 protected:
     void retranslate() override;
     void prepareExtras() override;
-    void fillMenu(QMenu& menu, std::optional<int> lane) override;
+    void addOwnActions(QMenu& menu, const QPoint& position) override;
     [[nodiscard]] QString cursorText(const QString& time, const QString& sourceTime) const override;
     [[nodiscard]] QString figureName() const override { return tr("joints"); }
     [[nodiscard]] QString csv(std::size_t first, std::size_t last) const override;

@@ -14,10 +14,7 @@ constexpr double kMilli = 1e3;
 constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 constexpr double kLeastTorqueSpan_mNm = 20.0;
 constexpr double kLeastAngleSpan_deg = 5.0;
-
-constexpr int laneOfRow(JointPlot::Row row) {
-    return static_cast<int>(row);
-}
+constexpr auto kTorqueLane = static_cast<int>(JointPlot::Row::torque);
 
 } // namespace
 
@@ -40,7 +37,7 @@ void JointPlot::addRow(Row row, double scale, double minimumSpan) {
         curves.push_back({.column = static_cast<std::size_t>(row) * core::kArmJoints + joint,
                           .display = {.scale = scale},
                           .colour = static_cast<int>(joint) + 1});
-    addLane(laneOfRow(row), curves, minimumSpan);
+    addLane(row, curves, minimumSpan);
 }
 
 QString JointPlot::jointName(std::size_t joint) {
@@ -59,11 +56,11 @@ QString JointPlot::jointName(std::size_t joint) {
 }
 
 QString JointPlot::laneTitle(int lane) const {
-    return lane == laneOfRow(Row::torque) ? tr("Joint torque") : tr("Joint angle");
+    return lane == kTorqueLane ? tr("Joint torque") : tr("Joint angle");
 }
 
 QString JointPlot::laneUnit(int lane) const {
-    return lane == laneOfRow(Row::torque) ? QStringLiteral("mNm") : QStringLiteral("°");
+    return lane == kTorqueLane ? QStringLiteral("mNm") : QStringLiteral("°");
 }
 
 QString JointPlot::curveName(int, std::size_t curve) const {
@@ -71,7 +68,7 @@ QString JointPlot::curveName(int, std::size_t curve) const {
 }
 
 void JointPlot::setAnglesShown(bool shown) {
-    constexpr int kRow = laneOfRow(Row::angle);
+    constexpr auto kRow = static_cast<int>(Row::angle);
     Lane& angle = lanes()[kRow];
     angle.shown = shown;
     angle.rect->setVisible(shown);
@@ -99,7 +96,7 @@ void JointPlot::colourExtras(const QPalette& palette) {
     const QColor accent = palette.color(QPalette::Highlight);
     const QFont small = base::sized(font(), base::kSmallText);
     const bool dark = base::isDark(palette);
-    QColor window = accent; // see-through: a touch goes on behind it
+    QColor window = accent; // translucent: a touch stays visible behind it
     window.setAlphaF(dark ? 0.30F : 0.16F);
     m_window->setInk(small, window, QPen(base::mixed(ground, accent, 0.8), 1.0, Qt::DashLine), text);
     m_touches->setInk(small, base::mixed(ground, text, dark ? 0.12 : 0.08),
@@ -109,41 +106,13 @@ void JointPlot::colourExtras(const QPalette& palette) {
 ValueRange JointPlot::automaticRange(Lane& lane, std::optional<ValueRange> extent, const SampleHistory&,
                                      double end_s) {
     if (extent) {
-        if (lane.id == laneOfRow(Row::torque)) // the window stays in sight
+        if (lane.id == kTorqueLane) // the torque window stays visible
             for (const Shade& window : m_window->shades())
                 if (window.from >= 0.0)
                     extent = ValueRange{std::min(0.0, extent->low), std::max(window.to, extent->high)};
         lane.range.update(extent->low, extent->high, end_s);
     }
     return {lane.range.low(), lane.range.high()};
-}
-
-void JointPlot::setFixedRange(Row row, std::optional<ValueRange> range) {
-    setFixedLaneRange(laneOfRow(row), range);
-}
-
-std::optional<ValueRange> JointPlot::fixedRange(Row row) const {
-    return fixedLaneRange(laneOfRow(row));
-}
-
-ValueRange JointPlot::rangeOf(Row row) const {
-    return laneRange(laneOfRow(row));
-}
-
-QRect JointPlot::plotRect(Row row) const {
-    return laneRect(laneOfRow(row));
-}
-
-double JointPlot::yOfTorque(double torque_Nm) const {
-    return laneOf(laneOfRow(Row::torque))->rect->axis(QCPAxis::atLeft)->coordToPixel(kMilli * torque_Nm);
-}
-
-const ValuePanel* JointPlot::panelOf(Row row) const {
-    return lanePanel(laneOfRow(row));
-}
-
-QCPGraph* JointPlot::graphOf(Row row, std::size_t joint) const {
-    return laneGraph(laneOfRow(row), joint);
 }
 
 } // namespace teleta::charts

@@ -81,7 +81,7 @@ std::optional<ValueRange> makePolyline(const SampleHistory& history, std::size_t
                                        double to_s, double bucket_s, double period,
                                        std::vector<PolylinePoint>& line) {
     Builder builder(line, bucket_s);
-    // One sample more at both ends, so that the line reaches the borders of the picture.
+    // One more sample on each side, so that the line reaches the edges.
     std::size_t i = history.firstAt(from_s);
     i -= i > 0 ? 1 : 0;
     const double halfPeriod = 0.5 * period;
@@ -127,7 +127,7 @@ void cutPolyline(std::vector<PolylinePoint>& line, const ValueRange& range) {
                 first = std::max(first, std::min(atLow, atHigh));
                 last = std::min(last, std::max(atLow, atHigh));
             } else {
-                last = -1.0; // level and outside
+                last = -1.0; // horizontal and outside
             }
             const auto at = [&](double share) {
                 return PolylinePoint{std::lerp(from.time_s, to.time_s, share),

@@ -118,7 +118,7 @@ std::optional<std::size_t> SampleHistory::nearestSource(double source) const {
             best = i;
         }
         if (best && breakBefore(i) == Break::jump && distance <= longestStep_s())
-            break; // an older pass over the same stretch of a recording does not count
+            break; // an earlier pass over the same part of a recording does not count
     }
     return best;
 }

@@ -9,7 +9,7 @@
 
 namespace teleta::charts {
 
-/// Why no line leads to a sample from the one before it.
+/// Why a sample is not joined to the previous one.
 enum class Break : std::uint8_t {
     none,
     missing, ///< samples between them were lost
@@ -23,15 +23,15 @@ struct SampleTime {
     bool discontinuity = false;
 };
 
-/// The newest samples of one stream, each a row of values; older ones are overwritten.
+/// The newest samples of one stream, each a row of values; the oldest are overwritten.
 ///
-/// Chart time grows from sample to sample also where the stream's own time jumps, so that what happened later
-/// is always further right: a missing stretch takes its own length, a jump the time that passed for the
-/// viewer, 0.25 to 2 s. A stretch is missing when two samples are further apart than five sample periods and
-/// 0.1 s. Thread: one. append() allocates nothing.
+/// Chart time always increases, even where the stream's own time jumps, so that later samples are always
+/// further right: a gap takes its own length, a jump the time that passed for the viewer, 0.25 to 2 s. Two
+/// samples have a gap between them when they are more than five sample periods and 0.1 s apart. append() does
+/// not allocate. Thread: one.
 class SampleHistory {
 public:
-    /// columns: values a sample. capacity > 0: 65536 samples are 60 s at 1 kHz or 5 min at 200 Hz.
+    /// columns: values per sample. capacity > 0: 65536 samples are 60 s at 1 kHz or 5 min at 200 Hz.
     explicit SampleHistory(std::size_t columns, std::size_t capacity = 65536);
 
     /// values: one for each column, NaN where undefined.
@@ -40,13 +40,13 @@ public:
 
     [[nodiscard]] std::size_t size() const { return m_size; }
     [[nodiscard]] bool empty() const { return m_size == 0; }
-    /// Number of samples ever appended; tells whether something is new.
+    /// Number of samples ever appended, to detect new ones.
     [[nodiscard]] std::uint64_t appended() const { return m_appended; }
 
-    /// Samples count from 0, the oldest that is kept.
+    /// Samples are numbered from 0, the oldest stored one.
     [[nodiscard]] double time_s(std::size_t index) const { return m_time_s[slot(index)]; }
     [[nodiscard]] double sourceTime_s(std::size_t index) const { return m_sourceTime_s[slot(index)]; }
-    /// When it came, by the steady clock.
+    /// Arrival time on the steady clock.
     [[nodiscard]] std::int64_t time_ns(std::size_t index) const { return m_time_ns[slot(index)]; }
     [[nodiscard]] double value(std::size_t column, std::size_t index) const {
         return m_values[column][slot(index)];
@@ -58,14 +58,13 @@ public:
     [[nodiscard]] double oldestTime_s() const { return m_size == 0 ? 0.0 : time_s(0); }
     /// First sample at or after a chart time; size() when there is none.
     [[nodiscard]] std::size_t firstAt(double time_s) const;
-    /// The sample nearest to a chart time, unless it is further away than a gap is long: then nothing is
-    /// known there.
+    /// The sample nearest to a chart time, unless it is further away than the length of a gap.
     [[nodiscard]] std::optional<std::size_t> nearest(double time_s) const;
     /// The newest sample whose source time is nearest to this one.
     [[nodiscard]] std::optional<std::size_t> nearestSource(double sourceTime_s) const;
-    /// The sample that was the newest one at a time of the steady clock; empty: that is not kept any more.
+    /// The newest sample at a time of the steady clock; empty if it is no longer stored.
     [[nodiscard]] std::optional<std::size_t> newestAt(std::int64_t time_ns) const;
-    /// Distance of two samples from which on the stretch between them is missing.
+    /// Shortest time between two samples that is a gap.
     [[nodiscard]] double longestStep_s() const;
 
 protected:
@@ -76,10 +75,10 @@ protected:
     [[nodiscard]] std::size_t capacity() const { return m_capacity; }
 
 private:
-    /// How many samples from the oldest on this is true of. isBefore: false from some sample on.
+    /// Number of leading samples for which isBefore is true.
     template <typename IsBefore>
     [[nodiscard]] std::size_t countWhile(const IsBefore& isBefore) const;
-    /// Decides how the sample follows the newest one and returns its chart time.
+    /// Decides how a sample follows the newest one and returns its chart time.
     double follow(const SampleTime& sample, Break& before);
 
     std::size_t m_capacity;

@@ -48,10 +48,7 @@ void StripChartView::makeActions() {
         auto* action = m_stripsMenu->addAction(QString());
         action->setCheckable(true);
         action->setChecked(definitionOf(strip).shownAtFirst);
-        connect(action, &QAction::toggled, this, [this] {
-            takeStrips();
-            emit stripsChanged();
-        });
+        connect(action, &QAction::toggled, this, &StripChartView::takeStrips);
         m_stripActions[static_cast<std::size_t>(strip)] = action;
     }
     connect(m_mark, &QAction::triggered, this, &StripChartView::requestMark);
@@ -60,15 +57,12 @@ void StripChartView::makeActions() {
 void StripChartView::retranslate() {
     TimeChartView::retranslate();
     setAccessibleName(tr("Strip charts of the tactile features"));
-    setWhatsThis(tr(
-        "<p>Force, centres, moment deviation and orientation of the contact over time. The numbers beside "
-        "the strips "
-        "are the newest values, or those at the cursor.</p>"
-        "<p>A line that stops and goes on means that nothing is known in between: the contact was gone, "
-        "samples were "
-        "lost, or the recording jumped (dotted line).</p>"
-        "<p>Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. "
-        "Double-click an axis to type its ends.</p>"));
+    setWhatsThis(
+        tr("<p>Force, centres, moment deviation and orientation of the contact over time. The numbers beside "
+           "the strips are the newest values, or those at the cursor.</p><p>A gap in a line means that "
+           "nothing is known there: there was no contact, samples were lost, or the recording jumped (dotted "
+           "line).</p><p>Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes "
+           "back to live. Double-click an axis to type its range.</p>"));
     m_stripsButton->setText(tr("Strips"));
     m_stripsButton->setToolTip(tr("Choose which strips are shown"));
     m_stripsButton->setAccessibleName(tr("Choose strips"));
@@ -172,19 +166,15 @@ QString StripChartView::csv(std::size_t first, std::size_t last) const {
     return QString::fromStdString(featuresCsv(m_history, first, last));
 }
 
-void StripChartView::populateMenu(QMenu& menu, std::optional<Strip> strip) {
-    fillMenu(menu, strip ? std::optional(static_cast<int>(*strip)) : std::nullopt);
-}
-
-void StripChartView::fillMenu(QMenu& menu, std::optional<int> lane) {
+void StripChartView::addOwnActions(QMenu& menu, const QPoint& position) {
     menu.addMenu(m_stripsMenu);
     addTimeActions(menu);
     menu.addAction(m_mark);
-    addPlotActions(menu, lane);
+    addRangeActions(menu, position);
 }
 
 bool StripChartView::event(QEvent* event) {
-    // Else a shortcut of the window, which marks now, would take it before the cursor counts.
+    // Otherwise the window's shortcut, which marks the present, would take the key.
     if (event->type() == QEvent::ShortcutOverride && isMarkKey(*static_cast<QKeyEvent*>(event))) {
         event->accept();
         return true;

@@ -16,8 +16,8 @@ namespace teleta::charts {
 
 class StripPlot;
 
-/// Features over time: strips one below the other with one time axis. Beside what all charts over time can,
-/// it has marks: M asks for one. Thread: GUI.
+/// Features over time: strips below each other with one time axis. In addition to TimeChartView it has marks:
+/// M asks for one. Thread: GUI.
 class StripChartView : public TimeChartView {
     Q_OBJECT
 public:
@@ -25,14 +25,14 @@ public:
 
     explicit StripChartView(QWidget* parent = nullptr);
 
-    /// Keeps samples; nothing is drawn before refresh().
+    /// Stores samples; refresh() draws them.
     void append(const pipeline::FeatureSample& sample);
     void append(std::span<const pipeline::FeatureSample> samples);
-    /// Forgets samples and marks, and goes live.
+    /// Clears samples and marks, and goes live.
     void clear();
-    /// Gives away the samples, to be shown again another time. Forgets marks, and goes live.
+    /// Moves out the samples, to restore them later. Clears the marks, and goes live.
     [[nodiscard]] FeatureHistory takeHistory();
-    /// Goes on with samples that takeHistory() gave.
+    /// Restores samples that takeHistory() returned.
     void setHistory(FeatureHistory history);
 
     void setLoadUnit(const QString& unit);
@@ -41,28 +41,25 @@ public:
     [[nodiscard]] QAction* stripAction(Strip strip) const;
     [[nodiscard]] std::vector<Strip> shownStrips() const;
 
-    /// A vertical line with a label where the stream was at that time of its own. False when it is no longer
-    /// kept.
+    /// Draws a vertical line with a label at a time of the stream. Returns false if that time is no longer
+    /// stored.
     bool addMark(double sourceTime_s, const QString& label);
-    /// The same where the stream was at a time of the steady clock.
+    /// The same at a time of the steady clock.
     bool addMarkAt(std::int64_t time_ns, const QString& label);
     void clearMarks();
     [[nodiscard]] std::size_t marks() const { return m_marks.size(); }
-
-    void populateMenu(QMenu& menu, std::optional<Strip> strip = std::nullopt);
 
     [[nodiscard]] const FeatureHistory& history() const override { return m_history; }
     [[nodiscard]] StripPlot* plot() const { return m_strips; }
 
 signals:
-    /// The user wants a mark at a sample, which came at that time of the steady clock.
+    /// The user asks for a mark at a sample that arrived at this time of the steady clock.
     void markRequested(std::int64_t time_ns);
-    void stripsChanged();
 
 protected:
     void retranslate() override;
     void prepareExtras() override;
-    void fillMenu(QMenu& menu, std::optional<int> lane) override;
+    void addOwnActions(QMenu& menu, const QPoint& position) override;
     [[nodiscard]] QString cursorText(const QString& time, const QString& sourceTime) const override;
     [[nodiscard]] QString figureName() const override { return tr("charts"); }
     [[nodiscard]] QString csv(std::size_t first, std::size_t last) const override;

@@ -9,12 +9,8 @@ namespace teleta::charts {
 
 namespace {
 
-/// The force axis reaches to this multiple of a taxel's threshold at least, so that noise stays small.
+/// The force axis extends to at least this multiple of a taxel's threshold, so that noise is not magnified.
 constexpr double kForceOverThreshold = 5.0;
-
-constexpr int laneOfStrip(Strip strip) {
-    return static_cast<int>(strip);
-}
 
 constexpr Strip stripOfLane(int lane) {
     return static_cast<Strip>(lane);
@@ -35,11 +31,7 @@ void StripPlot::setStrips(const std::vector<Strip>& strips) {
     clearLanes();
     for (const Strip strip : strips) {
         const StripDefinition& definition = definitionOf(strip);
-        std::vector<CurveStyle> curves;
-        for (const Series& series : definition.series)
-            curves.push_back({static_cast<std::size_t>(series.channel), series.display, series.colour,
-                              series.dashed, series.period, series.whole});
-        addLane(laneOfStrip(strip), curves, definition.minimumSpan, definition.fixedStep);
+        addLane(strip, definition.curves, definition.minimumSpan, definition.fixedStep);
     }
     updateLanes();
 }
@@ -77,31 +69,7 @@ QString StripPlot::laneUnit(int lane) const {
 }
 
 QString StripPlot::curveName(int lane, std::size_t curve) const {
-    return StripTexts::name(definitionOf(stripOfLane(lane)).series[curve].channel);
-}
-
-void StripPlot::setFixedRange(Strip strip, std::optional<ValueRange> range) {
-    setFixedLaneRange(laneOfStrip(strip), range);
-}
-
-std::optional<ValueRange> StripPlot::fixedRange(Strip strip) const {
-    return fixedLaneRange(laneOfStrip(strip));
-}
-
-ValueRange StripPlot::rangeOf(Strip strip) const {
-    return laneRange(laneOfStrip(strip));
-}
-
-QRect StripPlot::plotRect(Strip strip) const {
-    return laneRect(laneOfStrip(strip));
-}
-
-QCPGraph* StripPlot::graphOf(Strip strip, std::size_t series) const {
-    return laneGraph(laneOfStrip(strip), series);
-}
-
-const ValuePanel* StripPlot::panelOf(Strip strip) const {
-    return lanePanel(laneOfStrip(strip));
+    return StripTexts::name(static_cast<Channel>(definitionOf(stripOfLane(lane)).curves[curve].column));
 }
 
 } // namespace teleta::charts

@@ -10,7 +10,7 @@
 
 namespace teleta::charts {
 
-/// The picture of a strip chart: each strip is a lane over the columns of a FeatureHistory. Thread: GUI.
+/// The strip chart: each strip is a lane with columns of a FeatureHistory. Thread: GUI.
 class StripPlot : public TimePlot {
     Q_OBJECT
 public:
@@ -19,17 +19,7 @@ public:
     /// The strips from top to bottom.
     void setStrips(const std::vector<Strip>& strips);
     void setLoadUnit(const QString& unit) { m_loadUnit = unit; }
-    /// Ends of a strip's axis in displayed units; empty: automatic.
-    void setFixedRange(Strip strip, std::optional<ValueRange> range);
-    [[nodiscard]] std::optional<ValueRange> fixedRange(Strip strip) const;
-    /// The ends in use; low = high = 0 for a strip that is not shown.
-    [[nodiscard]] ValueRange rangeOf(Strip strip) const;
     void setMarks(std::vector<TimeLine> marks) { m_marks->setLines(std::move(marks)); }
-
-    /// Where the curves of a strip are drawn; empty when it is not shown.
-    [[nodiscard]] QRect plotRect(Strip strip) const;
-    [[nodiscard]] QCPGraph* graphOf(Strip strip, std::size_t series) const;
-    [[nodiscard]] const ValuePanel* panelOf(Strip strip) const;
     [[nodiscard]] QString laneTitle(int lane) const override;
 
 protected:

@@ -13,26 +13,17 @@
 
 namespace teleta::charts {
 
-/// One chart of the stack.
+/// One chart in the stack.
 enum class Strip { force, positionX, positionY, dzmp, orientation, spread, ratio, active };
 inline constexpr std::size_t kStrips = 8;
 inline constexpr std::array<Strip, kStrips> kAllStrips{Strip::force, Strip::positionX,   Strip::positionY,
                                                        Strip::dzmp,  Strip::orientation, Strip::spread,
                                                        Strip::ratio, Strip::active};
 
-struct Series {
-    Channel channel = Channel::force;
-    Display display;
-    int colour = 1;      ///< identity colour; 0 the colour of faint text
-    bool dashed = false; ///< a reference, not a measurement
-    double period = 0.0; ///< of the SI value, for angles
-    bool whole = false;  ///< a count
-};
-
-/// What a strip shows; constant.
+/// Constant description of a strip.
 struct StripDefinition {
     Strip strip = Strip::force;
-    std::vector<Series> series;
+    std::vector<CurveStyle> curves;
     double minimumSpan = 1.0;               ///< of the automatic axis, in displayed units
     bool fromZero = false;                  ///< the automatic axis contains 0
     double fixedLow = 0.0, fixedHigh = 0.0; ///< the axis when fixedLow < fixedHigh
@@ -42,7 +33,7 @@ struct StripDefinition {
 
 [[nodiscard]] const StripDefinition& definitionOf(Strip strip);
 
-/// Texts of the strips, translated when they are asked for.
+/// Texts of the strips, translated on every call.
 class StripTexts {
     Q_DECLARE_TR_FUNCTIONS(StripTexts)
 
@@ -51,7 +42,7 @@ public:
     /// Unit on the axis; loadUnit: that of the forces.
     [[nodiscard]] static QString unit(Strip strip, const QString& loadUnit);
     [[nodiscard]] static QString name(Channel channel);
-    /// Stable word for settings.
+    /// Stable name for settings.
     [[nodiscard]] static QString key(Strip strip);
 };
 

@@ -4,11 +4,12 @@
 #include "widgets/base/controls/inline_edit.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/time_plot.h"
 
 #include <QActionGroup>
-#include <QContextMenuEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -35,22 +36,18 @@ constexpr double kCursorStep = 0.01;
 } // namespace
 
 TimeChartView::TimeChartView(TimePlot* plot, double shortestSpan_s, QWidget* parent)
-    : QWidget(parent)
+    : FigureView(parent)
     , m_plot(plot)
     , m_empty(new QLabel(plot))
     , m_spanGroup(new QActionGroup(this))
     , m_pause(new QAction(base::themeIcon(base::Icon::pause), {}, this))
-    , m_export(new base::FigureExport(this, [this] { return figure(); }))
     , m_shortestSpan_s(shortestSpan_s) {
-    setFocusPolicy(Qt::StrongFocus);
     m_plot->setParent(this);
     m_plot->installEventFilter(this);
     m_plot->setMouseTracking(true);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
     m_empty->setAttribute(Qt::WA_TransparentForMouseEvents);
-    connect(m_export, &base::FigureExport::saved, this, &TimeChartView::exported);
-    connect(m_export, &base::FigureExport::failed, this, &TimeChartView::exportFailed);
     makeActions();
 
     auto* bar = new QWidget(this);
@@ -63,6 +60,14 @@ TimeChartView::TimeChartView(TimePlot* plot, double shortestSpan_s, QWidget* par
     layout->setSpacing(0);
     layout->addWidget(bar);
     layout->addWidget(m_plot, 1);
+    base::onChange(this,
+                   [this] {
+                       retranslate();
+                       setProvenance(m_provenance); // translates its badge
+                       refresh();
+                   },
+                   {QEvent::LanguageChange});
+    base::onChange(this, &TimeChartView::restyle, {QEvent::PaletteChange, QEvent::FontChange});
 }
 
 void TimeChartView::makeActions() {
@@ -72,11 +77,12 @@ void TimeChartView::makeActions() {
         action->setCheckable(true);
         action->setChecked(kSpans_s[i] == m_span_s);
         connect(action, &QAction::triggered, this, [this, i] {
-            m_spanActions[i]->setChecked(true); // a second click does not leave it unchecked
+            m_spanActions[i]->setChecked(true); // a second click must not uncheck it
             setSpan(kSpans_s[i]);
         });
         m_spanActions[i] = action;
     }
+    m_pause->setObjectName(QStringLiteral("pause"));
     m_pause->setCheckable(true);
     connect(m_pause, &QAction::toggled, this, &TimeChartView::setPaused);
 }
@@ -104,18 +110,17 @@ void TimeChartView::addTimeActions(QMenu& menu) {
     menu.addAction(m_pause);
 }
 
-void TimeChartView::addPlotActions(QMenu& menu, std::optional<int> lane) {
-    if (lane) {
-        menu.addSeparator();
-        menu.addAction(tr("&Type range of %1…").arg(m_plot->laneTitle(*lane)), this,
-                       [this, lane] { editRange(*lane); });
-        QAction* automatic =
-            menu.addAction(tr("&Automatic range"), this, [this, lane] { applyRangeText(*lane, {}); });
-        automatic->setCheckable(true);
-        automatic->setChecked(!m_plot->fixedLaneRange(*lane));
-    }
+void TimeChartView::addRangeActions(QMenu& menu, const QPoint& position) {
+    const auto lane = m_plot->laneAt(m_plot->mapFromParent(position));
+    if (!lane)
+        return;
     menu.addSeparator();
-    m_export->addActions(menu);
+    menu.addAction(tr("&Type range of %1…").arg(m_plot->laneTitle(*lane)), this,
+                   [this, lane] { editRange(*lane); });
+    QAction* automatic =
+        menu.addAction(tr("&Automatic range"), this, [this, lane] { applyRangeText(*lane, {}); });
+    automatic->setCheckable(true);
+    automatic->setChecked(!m_plot->fixedLaneRange(*lane));
 }
 
 void TimeChartView::retranslate() {
@@ -123,7 +128,7 @@ void TimeChartView::retranslate() {
         m_spanActions[i]->setText(tr("%1 s").arg(kSpans_s[i]));
         m_spanActions[i]->setToolTip(tr("Show %1 s (Ctrl+wheel for other spans)").arg(kSpans_s[i]));
     }
-    m_pause->setToolTip(tr("Stop the picture; samples go on being kept (Space)"));
+    m_pause->setToolTip(tr("Freeze the chart; samples are still collected (Space)"));
     showPause();
     invalidate();
 }
@@ -136,9 +141,7 @@ void TimeChartView::showPause() {
 void TimeChartView::restyle() {
     m_plot->setFont(font());
     m_plot->setColours(palette());
-    QPalette faint = palette();
-    faint.setColor(QPalette::WindowText, palette().color(QPalette::PlaceholderText));
-    m_empty->setPalette(faint);
+    base::setTextColour(m_empty, palette().color(QPalette::PlaceholderText));
     invalidate();
     refresh();
 }
@@ -222,7 +225,6 @@ void TimeChartView::setPaused(bool paused) {
     showPause();
     invalidate();
     refresh();
-    emit pausedChanged(paused);
 }
 
 void TimeChartView::setSpan(double span) {
@@ -237,7 +239,6 @@ void TimeChartView::setSpan(double span) {
     m_plot->forgetRanges();
     invalidate();
     refresh();
-    emit spanChanged(m_span_s);
 }
 
 void TimeChartView::scrollBy(double seconds) {
@@ -249,7 +250,7 @@ void TimeChartView::scrollBy(double seconds) {
         return;
     }
     setPaused(true);
-    // The oldest sample may come to the left end, not further.
+    // The oldest sample can scroll to the left end at most.
     const double first_s = std::min(history().oldestTime_s() + m_span_s, history().newestTime_s());
     m_end_s = std::max(wanted_s, first_s);
     invalidate();
@@ -259,7 +260,7 @@ void TimeChartView::scrollBy(double seconds) {
 void TimeChartView::zoomBy(double factor, double anchor_s) {
     const double before_s = m_span_s;
     setSpan(before_s * factor);
-    // Live, the newest sample stays at the right; paused, the time under the mouse stays where it is.
+    // Live: the newest sample stays at the right end. Paused: the time under the mouse stays in place.
     if (isPaused() && before_s > 0.0)
         scrollBy(anchor_s * (1.0 - m_span_s / before_s));
 }
@@ -281,7 +282,7 @@ void TimeChartView::moveCursor(double seconds) {
 }
 
 base::Figure TimeChartView::figure() {
-    draw(); // also when it is not on the screen
+    draw(); // even if it is not on the screen
     base::Figure figure;
     figure.name = figureName();
     figure.size_px = QSizeF(m_plot->size());
@@ -304,7 +305,7 @@ void TimeChartView::editRange(int lane) {
     m_rangeEdit = new base::InlineEdit(this, place,
                                        QStringLiteral("%1 … %2").arg(locale.toString(range.low, 'g', 4),
                                                                      locale.toString(range.high, 'g', 4)));
-    m_rangeEdit->setAccessibleName(tr("Ends of the axis of %1").arg(m_plot->laneTitle(lane)));
+    m_rangeEdit->setAccessibleName(tr("Range of the axis of %1").arg(m_plot->laneTitle(lane)));
     m_rangeEdit->setToolTip(tr("Lower and upper end, for example -5 5. Empty: automatic."));
     m_rangeEdit->setPlaceholderText(tr("auto"));
     connect(m_rangeEdit, &base::InlineEdit::committed, this,
@@ -383,19 +384,11 @@ bool TimeChartView::eventFilter(QObject* watched, QEvent* event) {
         setCursorTime(m_keyboardCursor_s);
         return false;
     case QEvent::Wheel:
-        // Ignored, not passed on: QCustomPlot would take every wheel and a window around the view could not
+        // Ignored: QCustomPlot accepts every wheel event, so that a scroll area around the view could not
         // scroll.
         if (!onWheel(static_cast<QWheelEvent*>(event)))
             event->ignore();
         return true;
-    case QEvent::ContextMenu: {
-        const auto* request = static_cast<QContextMenuEvent*>(event);
-        auto* menu = new QMenu(this);
-        menu->setAttribute(Qt::WA_DeleteOnClose);
-        fillMenu(*menu, m_plot->laneAt(request->pos()));
-        menu->popup(request->globalPos());
-        return true;
-    }
     case QEvent::Resize:
         invalidate();
         m_empty->setGeometry(m_plot->rect());
@@ -413,10 +406,6 @@ void TimeChartView::keyPressEvent(QKeyEvent* event) {
         else
             moveCursor(direction * kCursorStep * m_span_s);
     };
-    if (event->matches(QKeySequence::Copy)) {
-        base::copyPicture(figure());
-        return;
-    }
     switch (event->key()) {
     case Qt::Key_Space:
         setPaused(!isPaused());
@@ -443,18 +432,7 @@ void TimeChartView::keyPressEvent(QKeyEvent* event) {
         setPaused(false);
         break;
     default:
-        QWidget::keyPressEvent(event);
-    }
-}
-
-void TimeChartView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        setProvenance(m_provenance); // the words of its badge
-        refresh();
-    } else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        restyle();
+        FigureView::keyPressEvent(event);
     }
 }
 

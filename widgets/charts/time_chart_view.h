@@ -2,12 +2,11 @@
 #pragma once
 
 #include "widgets/base/controls/badge.h"
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure_view.h"
 #include "widgets/charts/sample_history.h"
 
 #include <QAction>
 #include <QPointer>
-#include <QWidget>
 
 #include <array>
 #include <cstdint>
@@ -16,7 +15,6 @@
 class QActionGroup;
 class QHBoxLayout;
 class QLabel;
-class QMenu;
 class QToolButton;
 
 namespace teleta::base {
@@ -27,26 +25,24 @@ namespace teleta::charts {
 
 class TimePlot;
 
-/// What all charts over time have in common: one time axis, in seconds before the right end. Live it follows
-/// the newest sample; paused it stands still while samples go on being kept.
+/// Base of all charts over time: one time axis, in seconds before the right end. Live it follows the newest
+/// sample; paused it stands still while samples are still collected.
 ///
-/// Mouse: hover reads all curves at that time, drag and Shift+wheel scroll, Ctrl+wheel changes the span,
-/// double click on an axis types its ends. Keys: Space pauses, Left and Right move the cursor, Shift with
-/// them scrolls, + and - change the span, Home and End go to the oldest and to the newest sample, Ctrl+C
-/// copies. Thread: GUI.
-class TimeChartView : public QWidget {
+/// Mouse: hover reads all curves at that time, drag and Shift+wheel scroll, Ctrl+wheel changes the span, a
+/// double click on an axis edits its range. Keys: Space pauses, Left and Right move the cursor, with Shift
+/// they scroll, + and - change the span, Home and End go to the oldest and the newest sample. Thread: GUI.
+class TimeChartView : public base::FigureView {
     Q_OBJECT
 public:
     static constexpr std::array<double, 4> kSpans_s{5.0, 10.0, 30.0, 60.0};
     static constexpr double kLongestSpan_s = 600.0;
 
-    /// Repaints if there is something new to see. Cheap otherwise; call it from the display timer.
+    /// Repaints if anything has changed, at little cost otherwise. Call it from the display timer.
     void refresh();
 
     void setProvenance(base::Provenance provenance);
     void setEmptyText(const QString& text);
 
-    [[nodiscard]] QAction* pauseAction() const { return m_pause; }
     [[nodiscard]] bool isPaused() const { return m_end_s.has_value(); }
     void setPaused(bool paused);
 
@@ -55,59 +51,50 @@ public:
     [[nodiscard]] double span_s() const { return m_span_s; }
     /// Chart time of the right end.
     [[nodiscard]] double end_s() const { return m_end_s.value_or(history().newestTime_s()); }
-    /// Moves the stretch by so many seconds and pauses; beyond the newest sample it goes live again.
+    /// Scrolls by some seconds and pauses; scrolling beyond the newest sample goes live again.
     void scrollBy(double seconds);
 
     /// Cursor in seconds before the right end (0 .. -span); empty: none, and the newest values are shown.
     void setCursorTime(std::optional<double> time_s);
     [[nodiscard]] std::optional<double> cursorTime_s() const { return m_cursor_s; }
 
-    [[nodiscard]] base::Figure figure();
+    [[nodiscard]] base::Figure figure() override;
     [[nodiscard]] virtual const SampleHistory& history() const = 0;
 
-signals:
-    void spanChanged(double span_s);
-    void pausedChanged(bool paused);
-    void exported(const QString& path);
-    void exportFailed(const QString& message);
-
 protected:
-    /// plot: becomes a child. The tool bar is empty and nothing is drawn before the deriving class has called
-    /// addTimeTools(), retranslate() and restyle().
+    /// plot: becomes a child. The derived class must call addTimeTools(), retranslate() and restyle(); until
+    /// then the tool bar is empty and nothing is drawn.
     TimeChartView(TimePlot* plot, double shortestSpan_s, QWidget* parent);
 
     /// Appends a button to the tool bar.
     QToolButton* addTool(QAction* action = nullptr);
-    /// Appends the spans and Pause to the tool bar, at its right end.
+    /// Appends the spans and Pause to the right end of the tool bar.
     void addTimeTools();
     void addTimeActions(QMenu& menu);
-    /// Those of the lane's axis, if there is a lane, and those that export.
-    void addPlotActions(QMenu& menu, std::optional<int> lane);
+    /// Actions for the axis of the lane at that place, if any.
+    void addRangeActions(QMenu& menu, const QPoint& position);
 
-    /// After the samples were forgotten: goes live, without a cursor.
+    /// Call after clearing the samples: goes live, without a cursor.
     void reset();
-    /// The next refresh() draws even when there is no new sample.
+    /// The next refresh() draws even without a new sample.
     void invalidate() { m_dirty = true; }
     void setDefaultEmptyText(const QString& text);
     virtual void retranslate();
     void restyle();
-    /// The sample at the cursor, or the newest one in sight.
+    /// The sample at the cursor, or the newest visible one.
     [[nodiscard]] std::optional<std::size_t> shownSample() const;
 
-    /// Gives the plot what it draws besides the curves.
+    /// Passes the plot what it draws besides the curves.
     virtual void prepareExtras() = 0;
-    /// Fills the context menu of a lane.
-    virtual void fillMenu(QMenu& menu, std::optional<int> lane) = 0;
-    /// For the header; both already written for people. time: seconds before the right end.
+    /// Header texts. time: seconds before the right end.
     [[nodiscard]] virtual QString cursorText(const QString& time, const QString& sourceTime) const = 0;
-    /// Without extension.
+    /// File name without extension.
     [[nodiscard]] virtual QString figureName() const = 0;
     /// Samples first..last (exclusive) with a header line.
     [[nodiscard]] virtual QString csv(std::size_t first, std::size_t last) const = 0;
 
     bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
@@ -131,7 +118,6 @@ private:
     QActionGroup* m_spanGroup;
     std::array<QAction*, kSpans_s.size()> m_spanActions{};
     QAction* m_pause;
-    base::FigureExport* m_export;
     QPointer<base::InlineEdit> m_rangeEdit;
     double m_shortestSpan_s;
     double m_span_s = 10.0;

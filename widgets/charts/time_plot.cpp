@@ -2,6 +2,7 @@
 #include "widgets/charts/time_plot.h"
 
 #include "widgets/base/theme.h"
+#include "widgets/plot/plot_style.h"
 
 #include <QFontMetricsF>
 
@@ -35,7 +36,7 @@ TimePlot::TimePlot(const Shape& shape, QWidget* parent)
     plotLayout()->addElement(1, 0, m_grid);
     m_axisRoom = new QCPLayoutElement(this);
     plotLayout()->addElement(2, 0, m_axisRoom);
-    // The cursor and the numbers have a buffer of their own: moving the mouse redraws no curve.
+    // The cursor and the numbers have their own buffer: moving the mouse does not redraw the curves.
     addLayer(QString::fromLatin1(kOverlay));
     layer(QString::fromLatin1(kOverlay))->setMode(QCPLayer::lmBuffered);
     m_jumps = new TimeLines(this, QStringLiteral("grid"));
@@ -47,9 +48,10 @@ double TimePlot::em() const {
     return QFontMetricsF(font()).height();
 }
 
-void TimePlot::addLane(int id, const std::vector<CurveStyle>& curves, double minimumSpan, double tickStep) {
+void TimePlot::addLane(LaneId id, const std::vector<CurveStyle>& curves, double minimumSpan,
+                       double tickStep) {
     Lane lane;
-    lane.id = id;
+    lane.id = id.number;
     lane.rect = new QCPAxisRect(this, true);
     lane.rect->setAutoMargins(QCP::msNone);
     lane.rect->setMinimumSize(0, 0);
@@ -110,7 +112,7 @@ void TimePlot::arrange() {
     const int left = static_cast<int>(small.horizontalAdvance(m_shape.widestTick)) + px(1.0);
     m_grid->setColumnSpacing(px(0.6));
     m_grid->setRowSpacing(shownLanes() > 1 ? px(0.35) : 0);
-    // The time axis has a row of its own, so that all lanes get the same height.
+    // The time axis has its own row, so that all lanes are equally high.
     m_axisRoom->setMinimumSize(0, px(kAxisHeight_em));
     m_axisRoom->setMaximumSize(QWIDGETSIZE_MAX, px(kAxisHeight_em));
     const Lane* last = nullptr;
@@ -138,7 +140,7 @@ void TimePlot::colourLane(Lane& lane) {
     for (std::size_t i = 0; i < lane.curves.size(); ++i) {
         const CurveStyle& style = lane.curves[i].style;
         const QColor colour = curveColour(style.colour, m_colours);
-        // 1 px: any wider line goes through Qt's stroker, which costs five to ten times as much.
+        // 1 px: wider lines go through Qt's stroker, which is five to ten times slower.
         lane.curves[i].graph->setPen(QPen(colour, 1.0, style.dashed ? Qt::DotLine : Qt::SolidLine));
         if (i < lines.size())
             lines[i].colour = colour;
@@ -164,15 +166,15 @@ void TimePlot::setProvenance(base::Provenance provenance) {
     m_header->setBadge(base::provenanceText(provenance));
 }
 
-void TimePlot::setFixedLaneRange(int lane, std::optional<ValueRange> range) {
+void TimePlot::setFixedLaneRange(LaneId lane, std::optional<ValueRange> range) {
     if (range)
-        m_fixed[lane] = *range;
+        m_fixed[lane.number] = *range;
     else
-        m_fixed.erase(lane);
+        m_fixed.erase(lane.number);
 }
 
-std::optional<ValueRange> TimePlot::fixedLaneRange(int lane) const {
-    const auto found = m_fixed.find(lane);
+std::optional<ValueRange> TimePlot::fixedLaneRange(LaneId lane) const {
+    const auto found = m_fixed.find(lane.number);
     return found == m_fixed.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -204,7 +206,7 @@ void TimePlot::fillLane(Lane& lane, const SampleHistory& history, double end_s, 
     lane.rect->axis(QCPAxis::atBottom)->setRange(-m_span_s, 0.0);
     QVector<QCPGraphData> points;
     for (std::size_t i = 0; i < lane.curves.size(); ++i) {
-        // Cut here and not by the painter: pictures in SVG know no clipping.
+        // Clipped here and not by the painter, because SVG pictures have no clipping.
         cutPolyline(m_lines[i], axis);
         points.resize(static_cast<qsizetype>(m_lines[i].size()));
         std::ranges::transform(m_lines[i], points.begin(),
@@ -261,22 +263,17 @@ void TimePlot::repaintOverlay() {
 QPicture TimePlot::onPaper() {
     const QPalette screen = m_colours;
     setColours(base::designedPalette(false));
-    QPicture picture;
-    QCPPainter painter;
-    painter.begin(&picture);
-    painter.setMode(QCPPainter::pmVectorized);
-    toPainter(&painter, width(), height());
-    painter.end();
+    QPicture picture = plot::pictureOf(*this);
     setColours(screen);
     return picture;
 }
 
-const TimePlot::Lane* TimePlot::laneOf(int id) const {
-    const auto found = std::ranges::find(m_lanes, id, &Lane::id);
+const TimePlot::Lane* TimePlot::laneOf(LaneId id) const {
+    const auto found = std::ranges::find(m_lanes, id.number, &Lane::id);
     return found == m_lanes.end() ? nullptr : &*found;
 }
 
-ValueRange TimePlot::laneRange(int id) const {
+ValueRange TimePlot::laneRange(LaneId id) const {
     const Lane* lane = laneOf(id);
     if (!lane || !lane->shown)
         return {};
@@ -285,17 +282,17 @@ ValueRange TimePlot::laneRange(int id) const {
     return {range.lower + padding, range.upper - padding};
 }
 
-QRect TimePlot::laneRect(int id) const {
+QRect TimePlot::laneRect(LaneId id) const {
     const Lane* lane = laneOf(id);
     return lane && lane->shown ? lane->rect->rect() : QRect();
 }
 
-const ValuePanel* TimePlot::lanePanel(int id) const {
+const ValuePanel* TimePlot::lanePanel(LaneId id) const {
     const Lane* lane = laneOf(id);
     return lane ? lane->panel : nullptr;
 }
 
-QCPGraph* TimePlot::laneGraph(int id, std::size_t curve) const {
+QCPGraph* TimePlot::laneGraph(LaneId id, std::size_t curve) const {
     const Lane* lane = laneOf(id);
     return lane && curve < lane->curves.size() ? lane->curves[curve].graph : nullptr;
 }

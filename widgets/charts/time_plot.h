@@ -18,12 +18,20 @@
 
 namespace teleta::charts {
 
-/// The picture of a chart over time: lanes of one stretch of a history, one below the other, with one time
-/// axis in seconds before its right end. Knows nothing of what the user does with it. What the lanes show is
-/// said by the class that derives from it, which gives each lane a number of its own. Thread: GUI.
+/// A chart over time: lanes of one part of a history below each other, with one time axis in seconds before
+/// its right end. It handles no input. The derived class says what the lanes show and gives each a number.
+/// Thread: GUI.
 class TimePlot : public QCustomPlot {
     Q_OBJECT
 public:
+    /// A lane: its number, or an enumerator of the derived class.
+    struct LaneId {
+        template <typename Id>
+        LaneId(Id id)
+            : number(static_cast<int>(id)) {}
+        int number;
+    };
+
     void setProvenance(base::Provenance provenance);
     void setHeaderText(const QString& text) { m_header->setText(text); }
     [[nodiscard]] QString headerText() const { return m_header->text(); }
@@ -31,7 +39,7 @@ public:
     /// Draws the history from end - span to end into the lanes (without repainting).
     void showStretch(const SampleHistory& history, double end_s, double span_s);
     /// Writes the values of one sample beside the lanes; empty: undefined. steady: small changes are not
-    /// shown.
+    /// displayed.
     void showValues(const SampleHistory& history, std::optional<std::size_t> index, bool steady);
     /// A line through all lanes; empty: none.
     void setCursorLine(std::optional<double> time_s);
@@ -43,22 +51,25 @@ public:
     /// The picture as it is now, on white.
     [[nodiscard]] QPicture onPaper();
 
-    /// Ends of a lane's axis in displayed units; empty: automatic. They outlast the lane.
-    void setFixedLaneRange(int lane, std::optional<ValueRange> range);
-    [[nodiscard]] std::optional<ValueRange> fixedLaneRange(int lane) const;
-    /// The ends in use; low = high = 0 for a lane that is not shown.
-    [[nodiscard]] ValueRange laneRange(int lane) const;
-    /// Lets the automatic axes close at once, after the stretch was changed by hand.
+    /// Range of a lane's axis in displayed units; empty: automatic. Kept when lanes are replaced.
+    void setFixedLaneRange(LaneId lane, std::optional<ValueRange> range);
+    [[nodiscard]] std::optional<ValueRange> fixedLaneRange(LaneId lane) const;
+    /// The range in use; low = high = 0 for a lane that is not shown.
+    [[nodiscard]] ValueRange laneRange(LaneId lane) const;
+    /// Lets automatic axes narrow at once, after the user changed the time range.
     void forgetRanges();
 
-    /// Time of a point relative to the right end, clamped to the stretch.
+    /// Time of a point relative to the right end, clamped to the range shown.
     [[nodiscard]] double timeAt(double x) const;
     [[nodiscard]] double xOf(double time_s) const;
-    /// The lane whose curves or axis are at a point.
+    /// The lane with its curves or axis at a point.
     [[nodiscard]] std::optional<int> laneAt(const QPointF& point) const;
     [[nodiscard]] std::optional<int> laneAxisAt(const QPointF& point) const;
     /// Where the curves of a lane are drawn; empty when it is not shown.
-    [[nodiscard]] QRect laneRect(int lane) const;
+    [[nodiscard]] QRect laneRect(LaneId lane) const;
+    /// Null when there is no such lane or curve.
+    [[nodiscard]] const ValuePanel* lanePanel(LaneId lane) const;
+    [[nodiscard]] QCPGraph* laneGraph(LaneId lane, std::size_t curve) const;
     [[nodiscard]] virtual QString laneTitle(int lane) const = 0;
 
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -71,15 +82,6 @@ protected:
         double laneHeight_em = 0.0; ///< at least: the title and all values
         double panelWidth_em = 0.0;
         QString widestTick; ///< usual label on a value axis
-    };
-    /// How a column of the history is drawn.
-    struct CurveStyle {
-        std::size_t column = 0;
-        Display display;
-        int colour = 1;      ///< identity colour; 0 the colour of faint text
-        bool dashed = false; ///< a reference, not a measurement
-        double period = 0.0; ///< of the SI value, for angles
-        bool whole = false;  ///< a count
     };
     struct Curve {
         CurveStyle style;
@@ -98,27 +100,25 @@ protected:
     TimePlot(const Shape& shape, QWidget* parent);
 
     /// minimumSpan: of the automatic axis, in displayed units. tickStep: 0 chooses a round one.
-    void addLane(int id, const std::vector<CurveStyle>& curves, double minimumSpan, double tickStep = 0.0);
+    void addLane(LaneId id, const std::vector<CurveStyle>& curves, double minimumSpan, double tickStep = 0.0);
     void clearLanes();
-    /// After lanes came, went, were shown or hidden.
+    /// Call after adding, removing, showing or hiding lanes.
     void updateLanes();
     [[nodiscard]] std::vector<Lane>& lanes() { return m_lanes; }
-    /// Null when there is none of that number.
-    [[nodiscard]] const Lane* laneOf(int id) const;
-    [[nodiscard]] const ValuePanel* lanePanel(int id) const;
-    [[nodiscard]] QCPGraph* laneGraph(int id, std::size_t curve) const;
     [[nodiscard]] QCPLayoutGrid* grid() const { return m_grid; }
 
     [[nodiscard]] virtual QString laneUnit(int lane) const = 0;
     [[nodiscard]] virtual QString curveName(int lane, std::size_t curve) const = 0;
-    /// The ends of an axis that nobody has typed. extent: of the curves, empty without any.
+    /// Automatic range of an axis. extent: of the curves, empty without any.
     [[nodiscard]] virtual ValueRange automaticRange(Lane& lane, std::optional<ValueRange> extent,
                                                     const SampleHistory& history, double end_s) = 0;
-    /// Puts what is drawn besides the curves onto the lanes that are shown.
+    /// Places the other elements onto the visible lanes.
     virtual void placeExtras(const std::vector<QCPAxisRect*>& rects) = 0;
     virtual void colourExtras(const QPalette& palette) = 0;
 
 private:
+    /// Null if there is no lane of that number.
+    [[nodiscard]] const Lane* laneOf(LaneId id) const;
     void arrange();
     void colourLane(Lane& lane);
     void fillLane(Lane& lane, const SampleHistory& history, double end_s, double bucket_s);
@@ -135,7 +135,7 @@ private:
     TimeLines* m_cursor;
     QPalette m_colours;
     double m_span_s = 10.0;
-    std::vector<std::vector<PolylinePoint>> m_lines; ///< of one lane; kept so that drawing allocates little
+    std::vector<std::vector<PolylinePoint>> m_lines; ///< of one lane; reused to avoid allocations
 };
 
 } // namespace teleta::charts

@@ -29,7 +29,7 @@ DemoList::DemoList(QWidget* parent)
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    // The ground is the page's.
+    // Shows the background of the page.
     viewport()->setAutoFillBackground(false);
     content->setAutoFillBackground(false);
 }

@@ -11,8 +11,8 @@ class QGridLayout;
 
 namespace teleta::chrome {
 
-/// Scenes to try the program with, each with its title and a sentence, as large buttons in as many columns as
-/// there is room for. Thread: GUI.
+/// Scenes to try the program with, each with a title and a sentence, as large buttons in as many columns as
+/// fit. Thread: GUI.
 class DemoList : public QScrollArea {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
 
     void setDemos(const std::vector<SourceChooser::Demo>& demos);
     [[nodiscard]] int columns() const { return m_columns; }
-    /// All of them without scrolling, at the width that there is.
+    /// Height of all of them without scrolling, at the present width.
     [[nodiscard]] QSize sizeHint() const override;
 
 signals:

@@ -30,7 +30,7 @@ QString cutToWidth(QString text, double width, const QFontMetricsF& metrics) {
     return text.trimmed() + ellipsis;
 }
 
-/// The width that none may exceed so that all of them together take the room.
+/// The largest width per device with which all of them fit.
 double fairShare(std::vector<double> widths, double room) {
     std::ranges::sort(widths);
     for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -104,7 +104,7 @@ QString DeviceStrip::compose(const Cell& cell, Detail detail, const QString& nam
         word = tr("%1 for %2", "state of a device and its age").arg(word, base::ageText(reading.age_s));
     const bool live = reading.state == core::DeviceState::live;
     QStringList parts{name};
-    // A device that is as it should be has its glyph to say so.
+    // The symbol alone says that a device works.
     if (!live || detail < Detail::troubles)
         parts << word;
     if (live && detail < Detail::nameAndState)
@@ -250,7 +250,7 @@ QString DeviceStrip::toolTipText(const Cell& cell) const {
         tr("Age of the newest frame: %1").arg(base::ageText(reading.age_s)),
     };
     if (reading.latency_s)
-        lines << tr("From the read to the screen: %1 ms").arg(base::fixedDigits(*reading.latency_s * 1e3, 1));
+        lines << tr("From sensor read to screen: %1 ms").arg(base::fixedDigits(*reading.latency_s * 1e3, 1));
     if (reading.touchToSkin_s)
         lines << tr("From the completed touch to the first frame of its pattern: %1 ms")
                      .arg(base::fixedDigits(*reading.touchToSkin_s * 1e3, 1));

@@ -14,25 +14,25 @@
 
 namespace teleta::chrome {
 
-/// What the status bar says of one device.
+/// State of one device for the status bar.
 struct DeviceReading {
     QString name;
     base::Provenance provenance = base::Provenance::live;
-    core::DeviceState state = core::DeviceState::closed; ///< as observed now, stale included
+    core::DeviceState state = core::DeviceState::closed; ///< as observed now, including stale
     double age_s = 0.0;                                  ///< of the newest data
     double rate_Hz = 0.0;                                ///< achieved
     std::uint64_t lost = 0;
     std::uint64_t displayed = 0;
-    std::optional<double> latency_s;     ///< from the read of a frame to its picture
-    std::optional<double> touchToSkin_s; ///< of a bracelet: from the touch that was felt last to its pattern
+    std::optional<double> latency_s;     ///< from sensor read to screen
+    std::optional<double> touchToSkin_s; ///< of a bracelet: from the last touch to its pattern
     QString details;                     ///< why it is lost; shown in the tool tip
-    bool active = false;                 ///< its data are what the views show
+    bool active = false;                 ///< the views show its data
 };
 
-/// The devices in the status bar: glyph, name, word, rate and losses of each. Where there is little room for
-/// them all, each says less: first without latencies, then without what is as it should be, at last the
-/// longest with their names cut short; the tool tip and assistive tools always have all of it. A click asks
-/// for the device's views. Thread: GUI. Numbers change only by what can be seen, so nothing flickers.
+/// The devices in the status bar: symbol, name, state, rate and losses of each. When space is short the texts
+/// are reduced step by step: first without latencies, then without devices' normal states, finally the
+/// longest are elided; the tool tip and assistive tools always have the full text. A click asks for the
+/// device's views. Numbers change only by visible steps. Thread: GUI.
 class DeviceStrip : public QWidget {
     Q_OBJECT
 
@@ -43,9 +43,9 @@ public:
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
-    /// All that is said of one device, for tests and assistive tools.
+    /// Full text for one device.
     [[nodiscard]] QString text(int index) const;
-    /// As much of it as there is room for.
+    /// The part of it that fits.
     [[nodiscard]] QString shownText(int index) const;
 
 signals:
@@ -58,7 +58,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// Of all that there is to say.
+    /// Of the full text.
     enum class Detail { all, withoutLatencies, nameAndState, troubles, cutShort };
     struct Cell {
         DeviceReading reading;
@@ -70,18 +70,18 @@ private:
         QRect rect;
     };
     [[nodiscard]] QString compose(const Cell& cell, Detail detail, const QString& name) const;
-    /// What is wrong with the device, behind as much of its name as there is room for.
+    /// The device's problem, after as much of its name as fits.
     [[nodiscard]] QString cutShort(const Cell& cell, double room_px) const;
-    /// What a cell takes beside its text.
+    /// Width of a cell without its text.
     [[nodiscard]] double besideText(const Cell& cell) const;
-    /// Says so much in each cell; returns the width that all take.
+    /// Sets the level of detail of every cell; returns the total width.
     int place(Detail detail);
     void arrange();
     [[nodiscard]] int cellAt(const QPoint& point) const;
     [[nodiscard]] QString toolTipText(const Cell& cell) const;
 
     std::vector<Cell> m_cells;
-    int m_wanted_px = 0; ///< width in which all is said
+    int m_wanted_px = 0; ///< width of the full texts
 };
 
 } // namespace teleta::chrome

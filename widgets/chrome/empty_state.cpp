@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/empty_state.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -35,6 +35,7 @@ EmptyState::EmptyState(base::Icon icon, QWidget* parent)
     m_layout->addLayout(m_buttons);
     m_layout->addStretch(3);
     restyle();
+    base::onChange(this, &EmptyState::restyle, {QEvent::PaletteChange, QEvent::FontChange});
 }
 
 void EmptyState::setTexts(const QString& headline, const QString& sentence) {
@@ -64,14 +65,9 @@ void EmptyState::setAction(const char* name, const QString& text, const QString&
 
 void EmptyState::setMore(QWidget* more) {
     m_layout->insertSpacing(m_layout->count() - 1, base::grid(this, 3));
-    // No stretch: of what is stretched Qt looks at the least size only, and this is to have the one it wants.
+    // No stretch factor: for a stretched item Qt uses the minimum size only, and this one needs its preferred
+    // size.
     m_layout->insertWidget(m_layout->count() - 1, more);
-}
-
-void EmptyState::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        restyle();
 }
 
 void EmptyState::restyle() {

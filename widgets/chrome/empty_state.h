@@ -13,8 +13,7 @@ class QVBoxLayout;
 
 namespace teleta::chrome {
 
-/// What a view shows while it has nothing to show: a picture, a sentence, and buttons that do what to do
-/// next. Thread: GUI.
+/// Shown by a view without content: a picture, a sentence, and buttons for the next step. Thread: GUI.
 class EmptyState : public QWidget {
     Q_OBJECT
 
@@ -24,13 +23,10 @@ public:
     void setTexts(const QString& headline, const QString& sentence);
     /// The first action is the default one.
     QPushButton* addAction(const QString& text, const QString& toolTip);
-    /// Names the action whose button has that object name.
+    /// Sets the text of the action whose button has that object name.
     void setAction(const char* name, const QString& text, const QString& toolTip);
-    /// More to choose from, below the actions: as large as it wants to be where there is room.
+    /// Further choices below the actions, at their preferred size where it fits.
     void setMore(QWidget* more);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void restyle();

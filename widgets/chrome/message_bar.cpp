@@ -22,7 +22,7 @@ namespace teleta::chrome {
 
 namespace {
 
-/// Wide enough for a sentence, and short of the controls on the left of a view.
+/// Wide enough for a sentence, but clear of the controls on the left of a view.
 constexpr double kWidest_em = 44.0;
 
 QColor severityColour(Message::Severity severity, const QPalette& palette) {
@@ -71,7 +71,7 @@ private:
     Message::Severity m_severity;
 };
 
-/// The sign before the text, painted so that it follows the palette.
+/// The symbol before the text, painted so that it follows the palette.
 class Sign : public QWidget {
 public:
     Sign(Message::Severity severity, QWidget* parent)
@@ -99,7 +99,7 @@ MessageBar::MessageBar(QWidget* parent)
     , m_layout(new QVBoxLayout(this))
     , m_tabStop(new QWidget(this)) {
     m_tabStop->setFixedSize(0, 0);
-    m_tabStop->setFocusPolicy(Qt::ClickFocus); // Qt puts nothing behind one without a policy
+    m_tabStop->setFocusPolicy(Qt::ClickFocus); // without a focus policy Qt does not place others after it
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(1);
     setAutoFillBackground(true);
@@ -122,7 +122,7 @@ void MessageBar::post(const Message& message) {
         m_entries.push_back({message, QDateTime::currentDateTime(), 1, false});
     }
     rebuild();
-    // What comes by itself is read out.
+    // Screen readers announce new notices.
     QAccessibleEvent alert(m_layout->itemAt(0)->widget(), QAccessible::Alert);
     QAccessible::updateAccessibility(&alert);
 }
@@ -141,7 +141,7 @@ void MessageBar::settle() {
     QRect seen = view->rect();
     if (QWidget* room = view->isWindow() ? nullptr : view->parentWidget()) {
         seen &= room->rect().translated(-view->pos());
-        room->installEventFilter(this); // a view that scrolls keeps its size when there is more to see of it
+        room->installEventFilter(this); // a scrolling view does not resize when more of it becomes visible
     }
     const int width = std::min(seen.width(), base::em(this, kWidest_em));
     const int height =
@@ -167,7 +167,7 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
 
 void MessageBar::rebuild() {
     setAccessibleName(tr("Messages"));
-    // A button that was pressed by a key is made anew, and has the keyboard again.
+    // The buttons were recreated: the one pressed by a key gets the focus back.
     QString button;
     QString message;
     int place = 0;

@@ -11,21 +11,20 @@ class QVBoxLayout;
 
 namespace teleta::chrome {
 
-/// A notice at the top of the view that it concerns.
+/// A notice for the view that it concerns.
 struct Message {
     enum class Severity { information, warning, error };
 
     Severity severity = Severity::information;
     QString text;    ///< what happened
     QString advice;  ///< what to do
-    QString details; ///< shown on demand: file, line, column, expected
+    QString details; ///< shown on demand: file, line, column, expected value
 };
 
-/// Notices at the top of a view, newest first: what happened, since when, what to do, details on demand. One
-/// that repeats counts up instead of filling the view; at most three are shown, older ones wait behind them.
-/// They lie over the upper right corner of the part of the view that is seen, and claim no room in a layout
-/// that they are put into: nothing moves away under the mouse. Nothing blocks. All of them are kept in the
-/// MessageLog. Thread: GUI.
+/// Notices over the upper right corner of a view, newest first: what happened, when, what to do, details on
+/// demand. A repeated notice is counted instead of added; at most three are shown, older ones follow when
+/// these are closed. The bar takes no room in a layout, so nothing moves under the mouse, and it never
+/// blocks. All notices are kept in the MessageLog. Thread: GUI.
 class MessageBar : public QWidget {
     Q_OBJECT
 
@@ -38,7 +37,7 @@ public:
     void post(const Message& message);
     void clear();
     [[nodiscard]] int count() const { return static_cast<int>(m_entries.size()); }
-    /// How often the newest message came.
+    /// How often the newest message has occurred.
     [[nodiscard]] int repeats() const { return m_entries.empty() ? 0 : m_entries.back().repeats; }
 
 protected:
@@ -53,12 +52,12 @@ private:
         bool open = false;
     };
     void rebuild();
-    /// To where it belongs over the view.
+    /// Moves it to its place over the view.
     void settle();
     [[nodiscard]] QWidget* makeRow(std::size_t index);
 
     QVBoxLayout* m_layout;
-    QWidget* m_tabStop; ///< behind it in the chain of Tab come the buttons
+    QWidget* m_tabStop; ///< precedes the buttons in the tab order
     std::vector<Entry> m_entries;
 };
 

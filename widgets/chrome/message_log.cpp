@@ -25,7 +25,7 @@ void handleQtMessage(QtMsgType type, const QMessageLogContext& context, const QS
     theLog->append(severity, text);
 }
 
-/// On one line, of a text with several.
+/// Joins the lines of a text.
 QString line(const QString& text) {
     return text.split(u'\n', Qt::SkipEmptyParts).join(QStringLiteral(" \u00b7 "));
 }
@@ -39,7 +39,7 @@ MessageLog& MessageLog::instance() {
 }
 
 void MessageLog::append(Message::Severity severity, const QString& text) {
-    // Always by the event loop: a view of the log may be what a message is about.
+    // Always through the event loop: a view of the log may have caused the message.
     QMetaObject::invokeMethod(
         this, [this, entry = Entry{QDateTime::currentDateTime(), severity, text}] { add(entry); },
         Qt::QueuedConnection);

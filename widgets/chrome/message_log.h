@@ -11,23 +11,23 @@
 
 namespace teleta::chrome {
 
-/// What the program has told since it began, newest last: the notices of all views and the messages of Qt and
-/// the libraries. One a program. Thread: GUI; append() from any one.
+/// All messages since the program started, newest last: the notices of all views and the messages of Qt and
+/// the libraries. One per program. Thread: GUI; append() from any.
 class MessageLog : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    static constexpr int kKept = 5000; ///< the oldest go
+    static constexpr int kKept = 5000; ///< older ones are dropped
     enum Column { kTime, kKind, kText, kColumns };
 
-    /// The one of the program; made with the first call, which is the GUI thread's.
+    /// The program's log; the first call, on the GUI thread, creates it.
     static MessageLog& instance();
 
     void append(Message::Severity severity, const QString& text);
     void append(const Message& message);
-    /// From now on messages of Qt come here as well as to where they went.
+    /// From now on Qt messages are also added here.
     void takeQtMessages();
-    /// A line an entry: time (ISO 8601, to the millisecond), kind, text.
+    /// One line per entry: time (ISO 8601, to the millisecond), kind, text.
     [[nodiscard]] QString asText() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/page_rail.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
 #include <QButtonGroup>
-#include <QEvent>
 #include <QPainter>
 #include <QPixmap>
 #include <QShortcut>
@@ -21,8 +21,7 @@ namespace {
 constexpr double kWidth_em = 5.0;
 constexpr double kIcon_em = 1.75;
 
-/// A rail button: a bar in the accent colour marks the chosen page, so that it shows without colour vision
-/// too.
+/// A rail button: a bar in the accent colour marks the current page, so that colour is not the only sign.
 class RailButton : public QToolButton {
 public:
     using QToolButton::QToolButton;
@@ -67,6 +66,7 @@ PageRail::PageRail(QWidget* parent)
     m_group->setExclusive(true);
     setAccessibleName(tr("Pages"));
     restyle();
+    base::onChange(this, &PageRail::restyle, {QEvent::PaletteChange, QEvent::FontChange});
 }
 
 void PageRail::addPage(const QString& name, base::Icon icon, const QString& title, const QString& toolTip) {
@@ -113,12 +113,6 @@ QString PageRail::currentPage() const {
             return page.name;
     }
     return {};
-}
-
-void PageRail::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        restyle();
 }
 
 void PageRail::restyle() {

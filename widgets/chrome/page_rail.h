@@ -22,7 +22,7 @@ class PageRail : public QWidget {
 public:
     explicit PageRail(QWidget* parent = nullptr);
 
-    /// name: stable, for settings and the command line. title: shown, translated.
+    /// name: stable, for settings and the command line. title: translated, displayed.
     void addPage(const QString& name, base::Icon icon, const QString& title, const QString& toolTip);
     void setTitle(const QString& name, const QString& title, const QString& toolTip);
     void setCurrentPage(const QString& name);
@@ -30,9 +30,6 @@ public:
 
 signals:
     void pageRequested(const QString& name);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     struct Page {

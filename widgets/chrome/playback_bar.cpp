@@ -2,12 +2,12 @@
 #include "widgets/chrome/playback_bar.h"
 
 #include "widgets/base/icons.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/time_slider.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -34,8 +34,7 @@ QString clockText(double time_s) {
         .arg(tenths % 10);
 }
 
-/// Time of the first frame on the clock of the marks, which counts from the recording's start, as it did
-/// while it was recorded.
+/// Time of the first frame on the clock of the marks, which counts from the start of the recording.
 double beginOf(const std::vector<core::PlaybackMark>& marks) {
     return marks.empty() ? 0.0 : marks.front().sourceTime_s - marks.front().time_s;
 }
@@ -79,9 +78,10 @@ PlaybackBar::PlaybackBar(QWidget* parent)
             [this](int value) { emit seekRequested(sliderTime_s(value)); });
     connect(m_speed, &QComboBox::activated, this,
             [this] { emit speedRequested(m_speed->currentData().toDouble()); });
-    retranslate();
+    base::keepTranslated(this, &PlaybackBar::retranslate);
     restyle();
     setPosition({});
+    base::onChange(this, &PlaybackBar::restyle, {QEvent::PaletteChange, QEvent::FontChange});
 }
 
 void PlaybackBar::setPosition(const core::PlaybackPosition& position) {
@@ -124,7 +124,7 @@ void PlaybackBar::setMarks(std::vector<core::PlaybackMark> marks) {
 }
 
 void PlaybackBar::goToMark(bool forward) {
-    // One that was just gone to is behind, however exactly its frame was met.
+    // The mark that was just jumped to counts as passed, whatever the rounding to frames.
     constexpr double kSame_s = 0.3;
     const double now_s = m_position.time_s;
     if (forward) {
@@ -167,14 +167,6 @@ void PlaybackBar::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void PlaybackBar::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        restyle();
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-}
-
 QToolButton* PlaybackBar::makeButton(const QString& name) {
     auto* button = new QToolButton(this);
     button->setObjectName(name);
@@ -189,7 +181,7 @@ void PlaybackBar::restyle() {
     m_play->setIcon(base::themeIcon(m_shownPaused ? base::Icon::play : base::Icon::pause));
     m_forward->setIcon(base::themeIcon(base::Icon::stepForward));
     m_loop->setIcon(base::themeIcon(base::Icon::loop));
-    // Room for "000:00.0 / 000:00.0 ..." so that the slider does not move while time runs.
+    // Room for "000:00.0 / 000:00.0 ..." so that the slider keeps its size while time runs.
     m_time->setMinimumWidth(
         QFontMetrics(m_time->font()).horizontalAdvance(QStringLiteral("000:00.0 / 000:00.0 ")));
     m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -205,7 +197,7 @@ void PlaybackBar::retranslate() {
     name(m_back, tr("One frame back"), tr("Left"));
     name(m_play, m_shownPaused ? tr("Play") : tr("Pause"), tr("Space"));
     name(m_forward, tr("One frame forward"), tr("Right"));
-    name(m_loop, tr("Start again at the end"), {});
+    name(m_loop, tr("Repeat"), {});
     name(m_slider, tr("Time in the recording"), {});
     name(m_speed, tr("Speed"), {});
 }

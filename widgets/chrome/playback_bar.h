@@ -15,9 +15,9 @@ namespace teleta::chrome {
 
 class TimeSlider;
 
-/// Control of a playback: play and pause, single steps, a time bar with marks, speed, loop. Shows a position,
-/// emits intents. Keys: Space plays or pauses, Left and Right step, Page Up and Page Down go from mark to
-/// mark, Home and End to the ends. Thread: GUI.
+/// Playback controls: play and pause, single steps, a time bar with marks, speed, loop. Shows a position and
+/// emits requests. Keys: Space plays or pauses, Left and Right step, Page Up and Page Down jump between
+/// marks, Home and End go to the ends. Thread: GUI.
 class PlaybackBar : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     explicit PlaybackBar(QWidget* parent = nullptr);
 
     void setPosition(const core::PlaybackPosition& position);
-    /// marks: in order of time. With them the clock counts as they do, from the recording's start.
+    /// marks: in order of time. With marks, the clock counts from the start of the recording as they do.
     void setMarks(std::vector<core::PlaybackMark> marks);
 
 signals:
@@ -38,7 +38,6 @@ signals:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     QToolButton* makeButton(const QString& name);

@@ -2,9 +2,9 @@
 #include "widgets/chrome/recording_indicator.h"
 
 #include "widgets/base/icons.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QPainter>
@@ -25,7 +25,7 @@ QString minutes(double duration_s) {
     return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
 }
 
-/// Filled while something is recorded, a ring otherwise.
+/// Filled while recording, otherwise a ring.
 QIcon dot(const QWidget& widget, bool filled) {
     const int side = base::em(&widget, 1);
     const qreal scale = widget.devicePixelRatioF();
@@ -62,7 +62,8 @@ RecordingIndicator::RecordingIndicator(QWidget* parent)
     connect(m_record, &QToolButton::clicked, this, &RecordingIndicator::toggleRequested);
     connect(m_mark, &QToolButton::clicked, this, &RecordingIndicator::markRequested);
     restyle();
-    describe();
+    base::keepTranslated(this, &RecordingIndicator::describe);
+    base::onChange(this, &RecordingIndicator::restyle, {QEvent::PaletteChange, QEvent::FontChange});
 }
 
 void RecordingIndicator::setReading(const RecordingReading& reading) {
@@ -80,9 +81,9 @@ void RecordingIndicator::setReading(const RecordingReading& reading) {
 QString RecordingIndicator::text() const {
     switch (m_reading.state) {
     case State::starting:
-        return tr("Begins\u2026");
+        return tr("Starting\u2026");
     case State::stopping:
-        return tr("Is completed\u2026");
+        return tr("Finishing\u2026");
     case State::recording:
         return tr("Recording %1 \u00b7 %2 \u00b7 %n lost", "time, size of the file, frames",
                   static_cast<int>(m_reading.lost))
@@ -93,14 +94,6 @@ QString RecordingIndicator::text() const {
         break;
     }
     return tr("Record");
-}
-
-void RecordingIndicator::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        restyle();
-    if (event->type() == QEvent::LanguageChange)
-        describe();
 }
 
 void RecordingIndicator::restyle() {

@@ -9,7 +9,7 @@ class QToolButton;
 
 namespace teleta::chrome {
 
-/// What a recording is doing.
+/// State of a recording.
 struct RecordingReading {
     enum class State { idle, starting, recording, stopping };
 
@@ -19,8 +19,8 @@ struct RecordingReading {
     std::uint64_t lost = 0;  ///< frames that could not be written in time
 };
 
-/// Begins and ends a recording, and tells what it does: a red dot and a word, time, size, what was lost; with
-/// a button for marks. Thread: GUI.
+/// Starts and ends a recording, and shows its state: a red dot and a word, time, size, losses; with a button
+/// for marks. Thread: GUI.
 class RecordingIndicator : public QWidget {
     Q_OBJECT
 
@@ -33,9 +33,6 @@ public:
 signals:
     void toggleRequested();
     void markRequested();
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void describe();

@@ -2,10 +2,10 @@
 #include "widgets/chrome/source_chooser.h"
 
 #include "widgets/base/icons.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenu>
@@ -40,7 +40,13 @@ SourceChooser::SourceChooser(QWidget* parent)
             [this] { emit sourceChosen(m_box->currentData().toULongLong()); });
     connect(m_close, &QToolButton::clicked, this,
             [this] { emit closeRequested(m_box->currentData().toULongLong()); });
-    retranslate();
+    base::keepTranslated(this, &SourceChooser::retranslate);
+    base::onChange(this,
+                   [this] {
+                       rebuildMenu();
+                       m_close->setIcon(base::themeIcon(base::Icon::close));
+                   },
+                   {QEvent::PaletteChange});
 }
 
 void SourceChooser::setSources(const std::vector<Source>& sources, std::uint64_t active) {
@@ -78,16 +84,6 @@ void SourceChooser::setDemos(const std::vector<Demo>& demos) {
 void SourceChooser::setRecent(const QStringList& paths) {
     m_recent = paths;
     rebuildMenu();
-}
-
-void SourceChooser::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::PaletteChange) {
-        rebuildMenu();
-        m_close->setIcon(base::themeIcon(base::Icon::close));
-    }
 }
 
 void SourceChooser::rebuildMenu() {

@@ -15,8 +15,7 @@ class QToolButton;
 
 namespace teleta::chrome {
 
-/// Which source the views show, and the ways to open another one.
-/// Thread: GUI.
+/// The source shown, and the ways to open another one. Thread: GUI.
 class SourceChooser : public QWidget {
     Q_OBJECT
 
@@ -39,7 +38,7 @@ public:
     void setDemos(const std::vector<Demo>& demos);
     void setRecent(const QStringList& paths);
 
-    /// The menu with the ways to open a source, for the File menu too.
+    /// The menu of sources to open, for the File menu too.
     [[nodiscard]] QMenu* openMenu() const { return m_menu; }
 
 signals:
@@ -51,9 +50,6 @@ signals:
     void openCameraRequested();
     void openListRequested();
     void recentRequested(const QString& path);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void rebuildMenu();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/stop_button.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QEvent>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -39,7 +39,8 @@ StopButton::StopButton(QWidget* parent)
     connect(&m_holdTimer, &QTimer::timeout, this, &StopButton::onHoldTick);
     connect(this, &QAbstractButton::pressed, this, &StopButton::onPressed);
     connect(this, &QAbstractButton::released, this, &StopButton::onReleased);
-    describe();
+    base::keepTranslated(this, &StopButton::describe);
+    base::onChange(this, &StopButton::updateGeometry, {QEvent::LanguageChange, QEvent::FontChange});
 }
 
 void StopButton::setEngaged(bool engaged) {
@@ -119,14 +120,6 @@ void StopButton::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(QPen(ink, 1, Qt::DotLine));
         painter.drawRoundedRect(box.adjusted(4, 4, -4, -4), radius, radius);
     }
-}
-
-void StopButton::changeEvent(QEvent* event) {
-    QAbstractButton::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        describe();
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
-        updateGeometry();
 }
 
 void StopButton::onPressed() {

@@ -7,19 +7,19 @@
 
 namespace teleta::chrome {
 
-/// STOP. A press stops at once, on the way down. While stopped, only holding the button (or Space) for a
-/// second releases, so that nothing starts to move by a stray click. Thread: GUI.
+/// STOP. Pressing it stops at once, on the way down. While stopped, it must be held (or Space) for a second
+/// to release, so that a stray click moves nothing. Thread: GUI.
 class StopButton : public QAbstractButton {
     Q_OBJECT
 
 public:
-    /// How long it must be held to release.
+    /// Time to hold it for release.
     static constexpr int kHold_ms = 1000;
     static constexpr int kMinimumSide_px = 44;
 
     explicit StopButton(QWidget* parent = nullptr);
 
-    /// Shows the state that the StopSwitch is in.
+    /// Shows the state of the StopSwitch.
     void setEngaged(bool engaged);
     [[nodiscard]] bool engaged() const { return m_engaged; }
 
@@ -32,7 +32,6 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void onPressed();

@@ -19,7 +19,7 @@ namespace teleta::chrome {
 
 namespace {
 
-/// How near the pointer has to be to a mark.
+/// Largest distance of the pointer from a mark.
 constexpr double kReach_px = 5.0;
 
 } // namespace
@@ -101,7 +101,7 @@ void TimeSlider::paintEvent(QPaintEvent* event) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::WindowText));
-    // A flag that hangs from above, so that groove and handle stay to be seen.
+    // A flag hanging from above leaves the groove and the handle visible.
     const double size_px = base::grid(this, 0.5);
     for (const core::PlaybackMark& mark : m_marks) {
         if (!isShown(mark))

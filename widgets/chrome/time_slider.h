@@ -9,8 +9,8 @@
 
 namespace teleta::chrome {
 
-/// The time bar of a playback: goes where it is clicked, shows marks as ticks with their texts as tool tips.
-/// Keys are left to whom it belongs. Thread: GUI.
+/// The time bar of a playback: a click goes there; marks are ticks with their texts as tool tips. Keys are
+/// handled by the owner. Thread: GUI.
 class TimeSlider : public QSlider {
     Q_OBJECT
 
@@ -29,14 +29,14 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    /// Where the middle of the handle can be, in px from the left.
+    /// Range of the middle of the handle, in px from the left.
     struct Run {
         double first_px = 0.0;
         double length_px = 0.0;
     };
     [[nodiscard]] Run run() const;
     [[nodiscard]] int valueAt(double x_px) const;
-    /// Where a mark that is shown is drawn, in px from the left.
+    /// Place of a visible mark, in px from the left.
     [[nodiscard]] double x_px(const core::PlaybackMark& mark) const;
     [[nodiscard]] bool isShown(const core::PlaybackMark& mark) const;
 

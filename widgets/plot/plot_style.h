@@ -9,14 +9,14 @@ class QCustomPlot;
 
 namespace teleta::plot {
 
-/// Gives ground, axes and grid of a plot the colours of a palette, and its numbers and titles a font.
-/// Thread: GUI.
+/// Applies the colours of a palette to the background, axes and grid of a plot, and a font to its labels and
+/// titles. Thread: GUI.
 void stylePlot(QCustomPlot& plot, const QPalette& colours, const QFont& font);
 
-/// The lines that stand behind a plot's curves. Thread: any (pure).
+/// Pen of the grid lines. Thread: any (pure).
 [[nodiscard]] QColor gridColour(const QPalette& colours);
 
-/// The plot as it is now, for files: lines and texts, no pixels. Thread: GUI.
+/// The plot as a vector picture, for files. Thread: GUI.
 [[nodiscard]] QPicture pictureOf(QCustomPlot& plot);
 
 } // namespace teleta::plot

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/tactile/channel_settings_panel.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -24,10 +24,10 @@ namespace {
 
 constexpr double kSmallest = 1e-6;
 constexpr double kLargest = 1e9;
-/// Distance kept between the two ratios, so that the decision between edge and point has hysteresis.
+/// Smallest difference of the two ratios: the hysteresis between edge and point.
 constexpr double kRatioGap = 0.1;
 
-/// Shows 1 as "1" and not as "1.000000", however many decimals may be typed.
+/// Shows 1 as "1", not "1.000000", however many decimals can be typed.
 class NumberBox : public QDoubleSpinBox {
 public:
     using QDoubleSpinBox::QDoubleSpinBox;
@@ -49,6 +49,7 @@ QDoubleSpinBox* makeNumber(QWidget* parent, double low, double high, int decimal
 
 ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
     : QWidget(parent)
+    , m_form(new QFormLayout)
     , m_tare(new QPushButton(this))
     , m_clearTare(new QPushButton(this))
     , m_tareState(new QLabel(this))
@@ -71,24 +72,21 @@ ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
     auto* tareRow = new QHBoxLayout;
     tareRow->addWidget(m_tare);
     tareRow->addWidget(m_clearTare);
-    auto* form = new QFormLayout;
-    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    m_gainLabel = addRow(form, m_gain);
-    form->addRow(m_inverted);
-    m_thresholdLabel = addRow(form, m_threshold);
-    form->addRow(m_automatic);
-    m_noiseLabel = addRow(form, m_noiseHeight);
-    m_minimumLabel = addRow(form, m_minimumTaxels);
-    m_orientationLabel = addRow(form, m_orientation);
-    m_rangeLabel = addRow(form, m_range);
-    m_edgeLabel = addRow(form, m_edgeRatio);
-    m_pointLabel = addRow(form, m_pointRatio);
+    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    const QString unnamed(QLatin1Char(' ')); // makes a label that retranslate() fills
+    m_form->addRow(unnamed, m_gain);
+    m_form->addRow(m_inverted);
+    m_form->addRow(unnamed, m_threshold);
+    m_form->addRow(m_automatic);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_noiseHeight, m_minimumTaxels, m_orientation,
+                                                          m_range, m_edgeRatio, m_pointRatio})
+        m_form->addRow(unnamed, field);
 
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(tareRow);
     layout->addWidget(m_tareState);
-    layout->addLayout(form);
+    layout->addLayout(m_form);
     layout->addWidget(m_defaults, 0, Qt::AlignLeft);
     layout->addStretch(1);
 
@@ -113,6 +111,12 @@ ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
     });
     retranslate();
     setSettings({});
+    base::onChange(this,
+                   [this] {
+                       retranslate();
+                       showTare();
+                   },
+                   {QEvent::LanguageChange});
 }
 
 void ChannelSettingsPanel::setSettings(const pipeline::ChannelSettings& settings) {
@@ -184,24 +188,9 @@ void ChannelSettingsPanel::showTare() {
     m_clearTare->setEnabled(!tare.empty());
 }
 
-QLabel* ChannelSettingsPanel::addRow(QFormLayout* form, QWidget* field) {
-    auto* label = new QLabel(this);
-    label->setBuddy(field);
-    form->addRow(label, field);
-    return label;
-}
-
-void ChannelSettingsPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        showTare();
-    }
-}
-
 void ChannelSettingsPanel::retranslate() {
-    const auto describe = [](QLabel* label, QWidget* field, const QString& name, const QString& help) {
-        label->setText(name);
+    const auto describe = [this](QWidget* field, const QString& name, const QString& help) {
+        qobject_cast<QLabel*>(m_form->labelForField(field))->setText(name);
         field->setToolTip(help);
         field->setWhatsThis(help);
         field->setAccessibleName(QString(name).remove(QLatin1Char('&')).remove(QLatin1Char(':')));
@@ -211,33 +200,30 @@ void ChannelSettingsPanel::retranslate() {
         tr("Takes the mean of the next half second as the unloaded state. Nothing may touch the array."));
     m_clearTare->setText(tr("&Clear tare"));
     m_clearTare->setToolTip(tr("Uses the raw values again"));
-    describe(m_gainLabel, m_gain, tr("&Gain:"), tr("Load per raw unit"));
+    describe(m_gain, tr("&Gain:"), tr("Load per raw unit"));
     m_inverted->setText(tr("Values &fall under load"));
     m_inverted->setToolTip(tr("For arrays whose raw values are highest when nothing touches them"));
-    describe(m_thresholdLabel, m_threshold, tr("T&hreshold:"), tr("A taxel is in contact from this load on"));
+    describe(m_threshold, tr("T&hreshold:"), tr("A taxel is in contact from this load on"));
     m_automatic->setText(tr("&Automatic threshold"));
     m_automatic->setToolTip(
         tr("Finds the lowest useful threshold in each frame; the value above is its lower bound"));
-    describe(
-        m_noiseLabel, m_noiseHeight, tr("&Noise height:"),
-        tr("Two summits are one contact when the lower one rises less than this above the saddle between "
-           "them, in percent of the frame's peak"));
-    describe(m_minimumLabel, m_minimumTaxels, tr("&Smallest contact:"),
-             tr("In taxels; contacts of fewer are ignored"));
-    describe(m_orientationLabel, m_orientation, tr("&Orientation:"),
-             tr("Which taxels the principal axis is computed from"));
-    m_orientation->setItemText(0, tr("active taxels alike"));
-    m_orientation->setItemText(1, tr("weighted with the load"));
-    describe(m_rangeLabel, m_range, tr("&Force over:"),
-             tr("The whole image counts every load; active taxels leave out the noise of unloaded ones"));
+    describe(m_noiseHeight, tr("&Noise height:"),
+             tr("Two peaks count as one contact when the lower one rises less than this above the saddle "
+                "between them, in percent of the highest peak of the frame"));
+    describe(m_minimumTaxels, tr("&Smallest contact:"), tr("In taxels; smaller contacts are ignored"));
+    describe(m_orientation, tr("&Orientation:"), tr("Which taxels the principal axis is computed from"));
+    m_orientation->setItemText(0, tr("active taxels equally"));
+    m_orientation->setItemText(1, tr("weighted by load"));
+    describe(m_range, tr("&Force over:"),
+             tr("Whole image: adds up every load. Active taxels: leaves out the noise of unloaded taxels"));
     m_range->setItemText(0, tr("whole image"));
     m_range->setItemText(1, tr("active taxels"));
-    describe(m_edgeLabel, m_edgeRatio, tr("&Edge above:"),
+    describe(m_edgeRatio, tr("&Edge above:"),
              tr("The contact becomes an edge when the ratio of the eigenvalues rises above this"));
-    describe(m_pointLabel, m_pointRatio, tr("&Point below:"),
+    describe(m_pointRatio, tr("&Point below:"),
              tr("The contact becomes a point when the ratio of the eigenvalues falls below this"));
     m_defaults->setText(tr("&Defaults"));
-    m_defaults->setToolTip(tr("Default values for everything but the tare and the gains of the taxels"));
+    m_defaults->setToolTip(tr("Reset everything but the tare and the taxel gains"));
     showUnits();
 }
 

@@ -15,9 +15,9 @@ class QSpinBox;
 
 namespace teleta::tactile {
 
-/// How the frames of the shown array are turned into contacts and features. Every change takes effect at
-/// once, on a paused picture too; "Defaults" takes all back but the tare and the gains of the
-/// taxels. Thread: GUI.
+/// The settings by which frames of the shown array become contacts and features. Every change takes effect at
+/// once, also on a paused picture; "Defaults" resets everything but the tare and the taxel gains. Thread:
+/// GUI.
 class ChannelSettingsPanel : public QWidget {
     Q_OBJECT
 
@@ -34,19 +34,16 @@ signals:
     void tareRequested();
     void clearTareRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void changed();
     void showUnits();
     void showTare();
     void retranslate();
-    QLabel* addRow(QFormLayout* form, QWidget* field);
 
     pipeline::ChannelSettings m_settings;
     bool m_showing = false;
 
+    QFormLayout* m_form;
     QPushButton* m_tare;
     QPushButton* m_clearTare;
     QLabel* m_tareState;
@@ -61,14 +58,6 @@ private:
     QDoubleSpinBox* m_edgeRatio;
     QDoubleSpinBox* m_pointRatio;
     QPushButton* m_defaults;
-    QLabel* m_gainLabel;
-    QLabel* m_thresholdLabel;
-    QLabel* m_noiseLabel;
-    QLabel* m_minimumLabel;
-    QLabel* m_orientationLabel;
-    QLabel* m_rangeLabel;
-    QLabel* m_edgeLabel;
-    QLabel* m_pointLabel;
 };
 
 } // namespace teleta::tactile

@@ -9,7 +9,7 @@ namespace teleta::tactile {
 
 namespace {
 
-/// Directions in the order of left turns.
+/// Directions, each a left turn from the one before.
 enum Direction : unsigned { east, north, west, south };
 
 struct Step {
@@ -21,7 +21,7 @@ constexpr Direction leftOf(unsigned direction) {
     return static_cast<Direction>((direction + 1) % 4);
 }
 
-/// Border edges that leave each grid point of the box, one bit a direction.
+/// Border edges leaving each grid point of the box, one bit per direction.
 class EdgeGrid {
 public:
     EdgeGrid(std::span<const std::int32_t> labels, int columns, std::int32_t region, const TaxelBox& box)
@@ -83,7 +83,7 @@ OutlineLoop followLoop(EdgeGrid& edges, int column, int row) {
         if (column == start.column && row == start.row &&
             (edges.at(column, row) & (1U << leftOf(direction))) == 0)
             break;
-        // A left turn first: it stays with the taxel where two touch at a corner.
+        // Left turns first: where two taxels touch at a corner, this stays with the same one.
         const std::uint8_t next = edges.at(column, row);
         for (const unsigned turn : {1U, 0U, 3U}) {
             const unsigned candidate = (direction + turn) % 4;

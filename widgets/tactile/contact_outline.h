@@ -8,8 +8,8 @@
 namespace teleta::tactile {
 
 /// A corner of an outline on the grid between taxels: taxel (row, column) covers column..column+1,
-/// row..row+1. inColumn, inRow: direction in which the outline moves when it is drawn inside the region by
-/// one unit.
+/// row..row+1. inColumn, inRow: direction in which the corner moves when the outline is drawn one unit
+/// further inside.
 struct OutlineCorner {
     int column = 0, row = 0;
     int inColumn = 0, inRow = 0;
@@ -26,9 +26,9 @@ struct TaxelBox {
     int minRow = 0, maxRow = 0, minColumn = 0, maxColumn = 0;
 };
 
-/// Follows the borders of the taxels that carry one label. Taxels that touch only at a corner get a loop
-/// each. labels: rows x columns, row-major. box: must contain all taxels of the region and lie inside the
-/// array. Thread: any (pure).
+/// Outlines of the taxels with one label. Taxels that touch only at a corner get separate loops. labels: rows
+/// x columns, row-major. box: must contain all taxels of the region and lie inside the array. Thread: any
+/// (pure).
 [[nodiscard]] std::vector<OutlineLoop> traceOutline(std::span<const std::int32_t> labels, int columns,
                                                     std::int32_t region, const TaxelBox& box);
 

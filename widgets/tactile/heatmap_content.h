@@ -17,7 +17,7 @@ struct Taxel {
     bool operator==(const Taxel&) const = default;
 };
 
-/// What is drawn over the taxels.
+/// What to draw over the taxels.
 struct HeatmapOverlays {
     bool contacts = true;
     bool centreOfPressure = true;
@@ -26,13 +26,13 @@ struct HeatmapOverlays {
     bool values = false; ///< loads as numbers, where the taxels are large enough
 };
 
-/// Part of the array that is shown. centre: in columns and rows from the array's lower left corner.
+/// Visible part of the array. centre: in columns and rows from the array's lower left corner.
 struct HeatmapZoom {
     double factor = 1.0; ///< 1 shows the whole array
     QPointF centre;
 };
 
-/// All that a heatmap shows; the painter knows nothing else.
+/// Everything that a heatmap shows: the only input of the painter.
 struct HeatmapContent {
     pipeline::TouchSnapshot snapshot;
     bool valid = false; ///< false: emptyText is shown instead
@@ -53,20 +53,20 @@ struct HeatmapContent {
     [[nodiscard]] bool isDead(std::size_t index) const {
         return !snapshot.dead.empty() && snapshot.dead[index] != 0;
     }
-    /// The contact that a taxel belongs to, or null.
+    /// The contact of a taxel, or null.
     [[nodiscard]] const contact::Contact* contactAt(std::size_t index) const;
     [[nodiscard]] QString unit() const { return QString::fromStdString(snapshot.loadUnit); }
 };
 
-/// Whether the vectors of a snapshot fit its layout, so that it can be drawn.
+/// Whether a snapshot can be drawn: its vectors fit its layout.
 [[nodiscard]] bool isConsistent(const pipeline::TouchSnapshot& snapshot);
 
-/// One taxel in words: row, column, load with unit, contact, place in mm. Rows and columns count from 0 as in
+/// Describes a taxel: row, column, load with unit, contact, place in mm. Rows and columns count from 0 as in
 /// files.
 [[nodiscard]] QString taxelText(const HeatmapContent& content, const Taxel& taxel);
 
-/// The frame as CSV: row,column,x_m,y_m,load_<unit>,dead,contact_id; one row a taxel, C locale. contact_id is
-/// 0 outside of contacts.
+/// The frame as CSV: row,column,x_m,y_m,load_<unit>,dead,contact_id; one row per taxel, C locale. contact_id
+/// is 0 outside contacts.
 [[nodiscard]] QString frameCsv(const HeatmapContent& content);
 
 } // namespace teleta::tactile

@@ -8,10 +8,9 @@
 
 namespace teleta::tactile {
 
-/// Where the parts of a heatmap lie, in px, and the map between the sensor frame {s} and the picture.
-/// {s} is drawn as it is seen from outside the skin: x to the right, y up, z towards the viewer; row 0 is at
-/// the bottom. Taxels are square; at zoom 1 their side is a whole number of device pixels where there is room
-/// for it.
+/// Layout of a heatmap in px, and the map between the sensor frame {s} and the picture. {s} is drawn as seen
+/// from outside the skin: x to the right, y up, z towards the viewer; row 0 is at the bottom. Taxels are
+/// square; at zoom 1 their side is a whole number of device pixels if there is room.
 class HeatmapLayout {
 public:
     HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics, const core::ArrayLayout& array,
@@ -21,9 +20,9 @@ public:
     [[nodiscard]] const QRectF& legend() const { return m_legend; }
     [[nodiscard]] const QRectF& readout() const { return m_readout; }
     [[nodiscard]] const QRectF& colourBar() const { return m_colourBar; }
-    /// The array, also its parts outside the viewport.
+    /// The array, including its parts outside the viewport.
     [[nodiscard]] const QRectF& sensor() const { return m_sensor; }
-    /// The part of the array that can be seen; everything on the array is clipped to it.
+    /// The visible part of the array; everything on the array is clipped to it.
     [[nodiscard]] const QRectF& visible() const { return m_visible; }
     [[nodiscard]] double taxelSide() const { return m_side; }
 
@@ -32,11 +31,11 @@ public:
     [[nodiscard]] QRectF taxelRect(const Taxel& taxel) const;
     /// Centre of taxel (row, column) of the array is at {s} (x_m(column), y_m(row)).
     [[nodiscard]] QPointF pixelOf(double x_m, double y_m) const;
-    /// The taxel under a point of the visible part.
+    /// The taxel at a point of the visible part.
     [[nodiscard]] std::optional<Taxel> taxelAt(const QPointF& pixel) const;
     /// The same point in columns and rows, for panning and zooming.
     [[nodiscard]] QPointF gridAt(const QPointF& pixel) const;
-    /// Centre nearest to the wanted one for which the array still fills the viewport.
+    /// The centre nearest to the wanted one with which the array fills the viewport.
     [[nodiscard]] QPointF clampedCentre(const QPointF& centre) const;
 
 private:

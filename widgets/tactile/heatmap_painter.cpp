@@ -21,7 +21,7 @@ namespace {
 
 const QColor kDeadGround(0xff, 0xff, 0xff, 0x48);
 const QColor kDeadHatch(0xe8, 0xe8, 0xe8);
-const QColor kCasing(0x00, 0x00, 0x00, 0xb0); ///< around marks, so that they read on yellow and on blue
+const QColor kCasing(0x00, 0x00, 0x00, 0xb0); ///< around marks, visible on yellow and on blue
 const QColor kMark(0xff, 0xff, 0xff);
 
 double shareOf(float load, double top) {
@@ -44,7 +44,7 @@ void drawCross(QPainter& painter, const QPointF& centre, double radius) {
     painter.drawLine(centre + QPointF(-radius, radius), centre + QPointF(radius, -radius));
 }
 
-/// The part of a line inside of a rectangle; pictures in SVG know no clipping.
+/// Clips a line to a rectangle, because SVG pictures have no clipping.
 std::optional<QLineF> cutToRect(const QLineF& line, const QRectF& rect) {
     double first = 0.0, last = 1.0;
     const auto cut = [&](double start, double step, double low, double high) {
@@ -257,7 +257,7 @@ void HeatmapPainter::paintContactLabels() {
     for (const contact::Contact& contact : m_content->snapshot.contacts) {
         const QString text = QStringLiteral("#%1").arg(contact.id);
         const QSizeF size(metrics.horizontalAdvance(text) + 0.6 * m_em, metrics.height() + 2.0);
-        // Above the contact, or below it at the upper border, so that the label hides little of it.
+        // Above the contact, or below it at the upper edge, so that the label hides little of it.
         const QPointF above = m_layout->gridPoint(firstColumn(contact, contact.maxRow), contact.maxRow + 1.0);
         const QPointF below = m_layout->gridPoint(firstColumn(contact, contact.minRow), contact.minRow);
         const QRectF& visible = m_layout->visible();

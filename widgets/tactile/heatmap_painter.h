@@ -51,7 +51,7 @@ private:
     const HeatmapContent* m_content = nullptr;
     QPalette m_palette;
     double m_em = 16.0;
-    QImage m_image; ///< kept so that frames of one array allocate nothing
+    QImage m_image; ///< reused to avoid allocations
 };
 
 } // namespace teleta::tactile

@@ -3,10 +3,10 @@
 
 #include "widgets/base/controls/inline_edit.h"
 #include "widgets/base/focus_frame.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
 #include <QActionGroup>
-#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
@@ -26,24 +26,18 @@ namespace {
 
 constexpr double kLargestZoom = 64.0;
 constexpr double kZoomStep = 1.25;
-/// The colours reach to this multiple of the threshold at least, so that noise stays dark.
+/// The colours extend to at least this multiple of the threshold, so that noise stays dark.
 constexpr double kRangeOverThreshold = 5.0;
 constexpr double kSmallestRange = 1e-15;
 
 } // namespace
 
 HeatmapView::HeatmapView(QWidget* parent)
-    : QWidget(parent)
+    : FigureView(parent)
     , m_range(1.0) {
     setMouseTracking(true);
-    setFocusPolicy(Qt::StrongFocus);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
-    m_export = new base::FigureExport(this, [this] { return figure(); });
-    connect(m_export, &base::FigureExport::saved, this, &HeatmapView::exported);
-    connect(m_export, &base::FigureExport::failed, this, &HeatmapView::exportFailed);
     makeActions();
-    retranslate();
+    base::keepTranslated(this, &HeatmapView::retranslate);
 }
 
 void HeatmapView::makeActions() {
@@ -54,10 +48,7 @@ void HeatmapView::makeActions() {
         auto* action = new QAction(this);
         action->setCheckable(true);
         action->setChecked(checked[i]);
-        connect(action, &QAction::toggled, this, [this] {
-            takeOverlays();
-            emit overlaysChanged();
-        });
+        connect(action, &QAction::toggled, this, &HeatmapView::takeOverlays);
         m_overlayActions[i] = action;
     }
 }
@@ -165,7 +156,6 @@ void HeatmapView::setFixedRange(std::optional<double> top) {
     m_fixedTop = top;
     updateRange();
     update();
-    emit fixedRangeChanged(top);
 }
 
 std::optional<double> HeatmapView::fixedRange() const {
@@ -189,7 +179,7 @@ void HeatmapView::paintEvent(QPaintEvent*) {
     base::paintFocusFrame(painter, *this);
 }
 
-base::Figure HeatmapView::figure() const {
+base::Figure HeatmapView::figure() {
     base::Figure figure;
     figure.name = tr("heatmap");
     figure.size_px = QSizeF(size());
@@ -197,7 +187,7 @@ base::Figure HeatmapView::figure() const {
         painter.setFont(font);
         HeatmapContent paper = content;
         paper.cursor.reset();
-        paper.zoom.factor = 1.0; // the whole array, as the data beside it
+        paper.zoom.factor = 1.0; // the whole array, like the data
         const QFontMetricsF metrics(font);
         const HeatmapLayout layout(QRectF(QPointF(), size), metrics, paper.snapshot.layout, paper.zoom, 1.0);
         if (paper.valid)
@@ -251,7 +241,7 @@ void HeatmapView::zoomBy(double factor, const QPointF& pixel) {
         resetZoom();
         return;
     }
-    // The point under the mouse stays where it is.
+    // The point under the mouse stays in place.
     const QPointF grid = layoutNow().gridAt(pixel);
     m_content.zoom.factor = after;
     const QPointF moved = layoutNow().gridAt(pixel);
@@ -330,10 +320,6 @@ void HeatmapView::keyPressEvent(QKeyEvent* event) {
         else
             moveCursor(rows, columns);
     };
-    if (event->matches(QKeySequence::Copy)) {
-        base::copyPicture(figure());
-        return;
-    }
     switch (event->key()) {
     case Qt::Key_Left:
         move(0, -1);
@@ -358,11 +344,12 @@ void HeatmapView::keyPressEvent(QKeyEvent* event) {
         resetZoom();
         break;
     default:
-        QWidget::keyPressEvent(event);
+        FigureView::keyPressEvent(event);
     }
 }
 
-void HeatmapView::populateMenu(QMenu& menu) {
+void HeatmapView::addOwnActions(QMenu& menu, const QPoint& /*position*/) {
+    menu.setToolTipsVisible(true);
     for (QAction* action : m_overlayActions)
         menu.addAction(action);
     menu.addSeparator();
@@ -385,16 +372,6 @@ void HeatmapView::populateMenu(QMenu& menu) {
 
     QAction* reset = menu.addAction(tr("Show &whole array"), this, &HeatmapView::resetZoom);
     reset->setEnabled(m_content.zoom.factor > 1.0);
-    menu.addSeparator();
-    m_export->addActions(menu);
-}
-
-void HeatmapView::contextMenuEvent(QContextMenuEvent* event) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->setToolTipsVisible(true);
-    populateMenu(*menu);
-    menu->popup(event->globalPos());
 }
 
 QRectF HeatmapView::rangeEditArea() const {
@@ -425,7 +402,7 @@ QString HeatmapView::toolTipAt(const QPointF& pixel) const {
     if (!m_content.valid)
         return {};
     if (rangeEditArea().contains(pixel))
-        return tr("Loads from 0 to %1. Taxels under the threshold of %2 carry no contact.\nDouble-click to "
+        return tr("Loads from 0 to %1. Taxels below the threshold of %2 are not in contact.\nDouble-click to "
                   "type the upper end.")
             .arg(
                 base::withUnit(QLocale().toString(m_content.rangeTop, 'g', 4), m_content.unit()),
@@ -447,14 +424,6 @@ bool HeatmapView::event(QEvent* event) {
         return true;
     }
     return QWidget::event(event);
-}
-
-void HeatmapView::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        update();
-    QWidget::changeEvent(event);
 }
 
 void HeatmapView::resizeEvent(QResizeEvent* event) {

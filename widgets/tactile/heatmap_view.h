@@ -3,8 +3,7 @@
 
 #include "backend/pipeline/touch/touch_snapshot.h"
 #include "widgets/base/calm_range.h"
-#include "widgets/base/controls/badge.h"
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure_view.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/tactile/heatmap_content.h"
 #include "widgets/tactile/heatmap_painter.h"
@@ -12,12 +11,9 @@
 #include <QAction>
 #include <QPointer>
 #include <QPointF>
-#include <QWidget>
 
 #include <array>
 #include <optional>
-
-class QMenu;
 
 namespace teleta::base {
 class InlineEdit;
@@ -25,13 +21,13 @@ class InlineEdit;
 
 namespace teleta::tactile {
 
-/// The tactile array as a picture: loads in colour, contacts, centres, principal axis, dead taxels.
-/// Shows the snapshot that it was given last and owns no other truth.
+/// The tactile array as a picture: loads as colours, contacts, centres, principal axis, dead taxels. Shows
+/// the last snapshot given to it.
 ///
-/// Mouse: hover reads a taxel, Ctrl+wheel zooms, drag moves a zoomed picture, double click shows all of it
-/// again, double click on the colour bar types its upper end. Keys: arrows move the read-out, + - 0 zoom,
-/// Shift+arrows move the picture, Ctrl+C copies it. Thread: GUI.
-class HeatmapView : public QWidget {
+/// Mouse: hover reads a taxel, Ctrl+wheel zooms, dragging moves a zoomed picture, a double click shows all of
+/// it again, a double click on the colour bar edits its upper end. Keys: arrows move the read-out, + - 0
+/// zoom, Shift+arrows move the picture. Thread: GUI.
+class HeatmapView : public base::FigureView {
     Q_OBJECT
 public:
     enum class Overlay { contacts, centreOfPressure, centreOfContact, principalAxis, values };
@@ -39,10 +35,9 @@ public:
 
     explicit HeatmapView(QWidget* parent = nullptr);
 
-    /// Takes over the newest snapshot and repaints. A snapshot whose vectors do not fit its layout clears the
-    /// view.
+    /// Shows a new snapshot. One whose vectors do not fit its layout clears the view.
     void setSnapshot(const pipeline::TouchSnapshot& snapshot);
-    /// No data: the empty text is shown.
+    /// Shows the empty text.
     void clear();
     void setEmptyText(const QString& text);
     /// Marks data that are not live with a violet label.
@@ -60,27 +55,19 @@ public:
     void resetZoom();
     [[nodiscard]] double zoomFactor() const { return m_content.zoom.factor; }
 
-    /// The taxel that is read out, by mouse or by keyboard.
+    /// The taxel being read, by mouse or keyboard.
     [[nodiscard]] std::optional<Taxel> cursorTaxel() const { return m_content.cursor; }
-    /// What the read-out says; empty without a cursor.
+    /// Text of the read-out; empty without a cursor.
     [[nodiscard]] QString readout() const;
 
-    /// The whole array on white with its data, independent of the view from then on.
-    [[nodiscard]] base::Figure figure() const;
-    /// Fills the menu that a right click opens.
-    void populateMenu(QMenu& menu);
+    /// The whole array, whatever part is visible.
+    [[nodiscard]] base::Figure figure() override;
 
-    /// Where the parts lie now.
+    /// The current layout.
     [[nodiscard]] HeatmapLayout layoutNow() const;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
-
-signals:
-    void overlaysChanged();
-    void fixedRangeChanged(std::optional<double> top);
-    void exported(const QString& path);
-    void exportFailed(const QString& message);
 
 protected:
     bool event(QEvent* event) override;
@@ -92,8 +79,7 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
-    void changeEvent(QEvent* event) override;
+    void addOwnActions(QMenu& menu, const QPoint& position) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -116,7 +102,6 @@ private:
     base::SteadyNumber m_force;
     base::SteadyNumber m_angle{1.0};
     std::array<QAction*, kOverlays> m_overlayActions{};
-    base::FigureExport* m_export = nullptr;
     QPointer<base::InlineEdit> m_rangeEdit;
     std::optional<Taxel> m_keyboardTaxel;
     std::optional<QPointF> m_dragFrom;

@@ -7,7 +7,7 @@
 
 namespace teleta::view3d {
 
-/// Where the camera stands on a sphere around what it looks at; z stays up on the screen.
+/// Camera position on a sphere around its focal point; z stays up on the screen.
 ///   direction = (cos el cos az, cos el sin az, sin el)     from the focal point to the camera
 ///   up = d direction / d el                                defined at the poles too
 /// Thread: any (pure).
@@ -17,7 +17,7 @@ struct Orbit {
 
     [[nodiscard]] Eigen::Vector3d direction() const;
     [[nodiscard]] Eigen::Vector3d up() const;
-    /// Turned by two angles; the elevation stops at the poles.
+    /// Rotated by two angles; the elevation stops at the poles.
     [[nodiscard]] Orbit turned(double azimuthStep_rad, double elevationStep_rad) const;
 };
 
@@ -30,15 +30,15 @@ enum class CameraPreset {
 
 [[nodiscard]] Orbit orbitOf(CameraPreset preset);
 
-/// What the camera needs to see all corners.
+/// Camera settings that show all corners.
 struct CameraFit {
     double distance_m = 0.0;           ///< perspective: from the focal point to the camera
     double parallelHalfHeight_m = 0.0; ///< orthographic
 };
 
-/// Smallest distance and parallel scale with which every corner is inside the picture.
-/// viewAngle_rad: full vertical angle; aspect: width/height, > 0; fill: share of the picture that may be
-/// used, 0..1. The result is at least that of a sphere of minimumRadius_m around the focal point.
+/// Smallest distance and parallel scale that show every corner. viewAngle_rad: full vertical angle; aspect:
+/// width/height, > 0; fill: usable share of the picture, 0..1. The result is at least that for a sphere of
+/// minimumRadius_m around the focal point.
 [[nodiscard]] CameraFit fitCamera(const Orbit& orbit, const Eigen::Vector3d& focal_m,
                                   std::span<const Eigen::Vector3d> corners_m, double viewAngle_rad,
                                   double aspect, double fill, double minimumRadius_m);

@@ -188,7 +188,7 @@ QStringList OverlayMaker::legendOf(const TouchScene& scene, bool grid) {
             legend +=
                 tr("Displacement of the skin \u00d7 %1, fainter where uncertain").arg(TubePart::kEnlargement);
         if (!scene.tube().marks().empty())
-            legend += tr("Ellipses hold the centres with 95 %");
+            legend += tr("Ellipses: 95 % regions of the centres");
     }
     if (grid) {
         legend += tr("Grid: %1").arg(millimetres(scene.gridSpacing_m()));

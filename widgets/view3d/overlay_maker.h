@@ -12,16 +12,16 @@
 
 namespace teleta::view3d {
 
-/// A contact of an array in words, for its tool tip.
+/// Describes a contact, for its tool tip.
 [[nodiscard]] QString wordsFor(const contact::Contact& contact, const QString& unit);
 /// Contacts of an array as CSV: time_s,contact_id,x_m,y_m,force_n,peak_n,area_m2. C locale.
 [[nodiscard]] QString contactRows(const TouchScene& scene);
 
-/// Place of a point of the world in the picture, as shares of its width and height from the top left; empty
-/// behind the camera.
+/// Place of a world point in the picture, as shares of its width and height from the top left; empty behind
+/// the camera.
 [[nodiscard]] std::optional<QPointF> placeInPicture(vtkRenderer& renderer, const Eigen::Vector3d& p_World);
 
-/// Writes down what the picture of a scene needs as text. Forces change only by a full step of what is shown.
+/// Makes the texts over the picture of a scene. Forces change only by a full step of the displayed text.
 /// Thread: GUI.
 class OverlayMaker {
     Q_DECLARE_TR_FUNCTIONS(OverlayMaker)

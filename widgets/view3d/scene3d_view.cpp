@@ -2,6 +2,8 @@
 #include "widgets/view3d/scene3d_view.h"
 
 #include "widgets/base/figure_export.h"
+#include "widgets/base/file_dialog.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/mesh/geometry_export.h"
 #include "widgets/view3d/overlay_maker.h"
@@ -12,7 +14,6 @@
 
 #include <QActionGroup>
 #include <QEvent>
-#include <QFileDialog>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -36,6 +37,7 @@ constexpr double kTurnStep_rad = 15.0 * std::numbers::pi / 180.0;
 constexpr double kPanStep = 0.08;
 constexpr double kZoomStep = 1.2;
 constexpr double kPictureScale = 2.0;
+constexpr double kTool_em = 1.25;
 
 struct PresetAction {
     CameraPreset preset;
@@ -48,8 +50,7 @@ constexpr std::array<PresetAction, 4> kPresets = {
      {CameraPreset::side, ViewIcon::side, Qt::Key_3},
      {CameraPreset::isometric, ViewIcon::isometric, Qt::Key_4}}};
 
-constexpr std::array<const char*, Scene3dView::kLayers> kLayerKeys = {"grid", "axes", "displacement",
-                                                                      "contactLabels"};
+constexpr std::size_t kLayers = 4;
 
 } // namespace
 
@@ -84,7 +85,6 @@ struct Scene3dView::Parts {
     base::Provenance provenance = base::Provenance::live;
     QString emptyText;
     QString shapeLabel;
-    bool emptyTextIsOwn = true;
     double lastTime_s = 0.0;
 
     QActionGroup* surfaces = nullptr;
@@ -100,7 +100,7 @@ struct Scene3dView::Parts {
 };
 
 base::Figure Scene3dView::Parts::figure() {
-    // For paper: drawn anew in the light colours, and put back.
+    // For paper, the scene is drawn once in light colours.
     const SceneColours shown = scene.colours();
     scene.applyColours(SceneColours(base::designedPalette(false)));
     scene.draw();
@@ -147,12 +147,20 @@ Scene3dView::Scene3dView(QWidget* parent)
     });
     connect(&parts.figures, &base::FigureExport::saved, this, &Scene3dView::saved);
     connect(&parts.figures, &base::FigureExport::failed, this, &Scene3dView::failed);
-    retranslate();
+    base::keepTranslated(this, &Scene3dView::retranslate);
+    base::onChange(this, &Scene3dView::applyPalette, {QEvent::PaletteChange});
+    base::onChange(this,
+                   [this] {
+                       const int side = base::em(this, kTool_em);
+                       m_parts->toolBar->setIconSize(QSize(side, side));
+                       m_parts->vtk->requestRender();
+                   },
+                   {QEvent::FontChange});
     sceneMoved(true);
 }
 
 Scene3dView::~Scene3dView() {
-    // The widget draws with the scene and must go before it.
+    // The widget draws the scene and must be destroyed first.
     m_parts->camera.onChange({});
     m_parts->vtk->setOverlay({});
     m_parts->vtk->renderWindow()->RemoveRenderer(m_parts->scene.renderer());
@@ -184,11 +192,16 @@ void Scene3dView::makeActions() {
     parts.reset = make(ViewIcon::reset, {QKeySequence(Qt::Key_Home), QKeySequence(Qt::Key_R)}, false);
     connect(parts.reset, &QAction::triggered, this, &Scene3dView::resetView);
     parts.follow = make(ViewIcon::follow, {QKeySequence(Qt::Key_F)}, true);
+    parts.follow->setObjectName(QStringLiteral("follow"));
     parts.parallel = make(ViewIcon::parallel, {QKeySequence(Qt::Key_5)}, true);
+    parts.parallel->setObjectName(QStringLiteral("parallel"));
     connect(parts.parallel, &QAction::toggled, this, [this](bool on) { m_parts->camera.setParallel(on); });
     parts.layers = {make(ViewIcon::grid, {}, true), make(ViewIcon::axes, {}, true),
                     make(ViewIcon::displacement, {}, true), new QAction(this)};
     parts.layers[3]->setCheckable(true);
+    constexpr std::array<const char*, kLayers> kNames{"grid", "axes", "displacement", "contactLabels"};
+    for (std::size_t i = 0; i < kLayers; ++i)
+        parts.layers[i]->setObjectName(QLatin1String(kNames[i]));
     for (QAction* layer : parts.layers) {
         layer->setChecked(true);
         connect(layer, &QAction::toggled, this, [this] {
@@ -211,7 +224,7 @@ void Scene3dView::makeActions() {
 void Scene3dView::makeToolBar() {
     Parts& parts = *m_parts;
     parts.toolBar->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    const int side = base::em(this, 1.25);
+    const int side = base::em(this, kTool_em);
     parts.toolBar->setIconSize(QSize(side, side));
     parts.toolBar->addActions({parts.plate, parts.cylinder});
     parts.toolBar->addSeparator();
@@ -239,7 +252,7 @@ void Scene3dView::retranslate() {
     name(parts.presets[1], tr("Top"), tr("Look from above"));
     name(parts.presets[2], tr("Side"), tr("Look from the right"));
     name(parts.presets[3], tr("Isometric"), tr("Look from a corner"));
-    name(parts.reset, tr("Show all"), tr("Back to the start: everything from a corner"));
+    name(parts.reset, tr("Show all"), tr("Back to the initial view: everything from a corner"));
     name(parts.follow, tr("Follow contact"), tr("Keep the strongest contact in the middle"));
     name(parts.parallel, tr("Orthographic"), tr("Parallel lines stay parallel: no perspective"));
     name(parts.layers[0], tr("Grid"), tr("Show the ground with a grid in millimetres"));
@@ -256,9 +269,8 @@ void Scene3dView::retranslate() {
         tr("The tactile array with its loads as heights and colours, contacts with force "
            "arrows, the arm and the explored contour. Drag with the left button to turn, with "
            "the middle button to move, turn the wheel to zoom."));
-    if (parts.emptyTextIsOwn) {
-        parts.emptyText = tr("No touch to show yet.");
-    }
+    parts.emptyText = tr("No touch to show yet.");
+    parts.vtk->requestRender();
 }
 
 void Scene3dView::fillMenu(QMenu& menu) {
@@ -305,7 +317,7 @@ void Scene3dView::refresh() {
         sceneMoved(true);
     }
     const double time_s = parts.scene.snapshot().sourceTime_s;
-    if (isFollowing() && !parts.scene.marks().empty()) {
+    if (parts.follow->isChecked() && !parts.scene.marks().empty()) {
         parts.camera.follow(parts.scene.toWorld(parts.scene.marks().front().p_Sensor_Foot),
                             time_s - parts.lastTime_s);
     }
@@ -324,23 +336,10 @@ void Scene3dView::clear() {
     }
 }
 
-void Scene3dView::setEmptyText(const QString& text) {
-    m_parts->emptyText = text;
-    m_parts->emptyTextIsOwn = false;
-    m_parts->vtk->requestRender();
-}
-
 void Scene3dView::setProvenance(base::Provenance provenance) {
     if (provenance != m_parts->provenance) {
         m_parts->provenance = provenance;
         m_parts->vtk->requestRender();
-    }
-}
-
-void Scene3dView::setFixedRange(std::optional<double> top) {
-    if (!top || (std::isfinite(*top) && *top > 0.0)) {
-        m_parts->scene.setFixedRange(top);
-        refresh();
     }
 }
 
@@ -350,7 +349,6 @@ void Scene3dView::setSurface(Surface surface) {
     if (surface != parts.scene.surface()) {
         parts.scene.setSurface(surface);
         refresh();
-        emit surfaceChanged(surface);
     }
 }
 
@@ -408,50 +406,8 @@ const Orbit& Scene3dView::orbit() const {
 }
 
 void Scene3dView::resetView() {
-    setFollowing(false);
+    m_parts->follow->setChecked(false);
     look(CameraPreset::isometric);
-}
-
-void Scene3dView::setFollowing(bool following) {
-    m_parts->follow->setChecked(following);
-}
-
-bool Scene3dView::isFollowing() const {
-    return m_parts->follow->isChecked();
-}
-
-void Scene3dView::setParallel(bool parallel) {
-    m_parts->parallel->setChecked(parallel);
-}
-
-bool Scene3dView::isParallel() const {
-    return m_parts->camera.isParallel();
-}
-
-QAction* Scene3dView::layerAction(Layer layer) const {
-    return m_parts->layers[static_cast<std::size_t>(layer)];
-}
-
-QVariantMap Scene3dView::viewState() const {
-    QVariantMap state = {{QStringLiteral("cylinder"), surface() == Surface::cylinder},
-                         {QStringLiteral("parallel"), isParallel()},
-                         {QStringLiteral("following"), isFollowing()}};
-    for (std::size_t i = 0; i < kLayers; ++i) {
-        state.insert(QLatin1String(kLayerKeys[i]), m_parts->layers[i]->isChecked());
-    }
-    return state;
-}
-
-void Scene3dView::restoreViewState(const QVariantMap& state) {
-    const auto flag = [&](const char* key, bool now) {
-        return state.value(QLatin1String(key), now).toBool();
-    };
-    setSurface(flag("cylinder", surface() == Surface::cylinder) ? Surface::cylinder : Surface::plate);
-    setParallel(flag("parallel", isParallel()));
-    setFollowing(flag("following", isFollowing()));
-    for (std::size_t i = 0; i < kLayers; ++i) {
-        m_parts->layers[i]->setChecked(flag(kLayerKeys[i], m_parts->layers[i]->isChecked()));
-    }
 }
 
 core::Expected<void> Scene3dView::saveGeometry(const QString& path) const {
@@ -460,27 +416,17 @@ core::Expected<void> Scene3dView::saveGeometry(const QString& path) const {
 }
 
 void Scene3dView::askForGeometryFile() {
-    auto* dialog = new QFileDialog(this, tr("Export geometry (in mm)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({tr("VTK, with colours and lines (*.vtp)"), tr("Triangles with colours (*.ply)"),
-                            tr("Triangles (*.stl)")});
-    dialog->setDefaultSuffix(QStringLiteral("vtp"));
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-        dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).left(3));
-    });
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        if (const auto written = saveGeometry(path); written) {
-            emit saved(path);
-        } else {
-            emit failed(QString::fromStdString(core::describe(written.error())));
-        }
-    });
-    dialog->open();
-}
-
-VtkWidget& Scene3dView::vtkWidget() const {
-    return *m_parts->vtk;
+    base::askToSave(this,
+                    {.title = tr("Export geometry (in mm)"),
+                     .filters = {tr("VTK, with colours and lines (*.vtp)"),
+                                 tr("Triangles with colours (*.ply)"), tr("Triangles (*.stl)")},
+                     .suffix = QStringLiteral("vtp")},
+                    [this](const QString& path) {
+                        if (const auto written = saveGeometry(path))
+                            emit saved(path);
+                        else
+                            emit failed(QString::fromStdString(core::describe(written.error())));
+                    });
 }
 
 QString Scene3dView::contactTextAt(const QPoint& position) const {
@@ -515,27 +461,6 @@ bool Scene3dView::event(QEvent* event) {
     return QWidget::event(event);
 }
 
-void Scene3dView::changeEvent(QEvent* event) {
-    switch (event->type()) {
-    case QEvent::PaletteChange:
-        applyPalette();
-        break;
-    case QEvent::LanguageChange:
-        retranslate();
-        m_parts->vtk->requestRender();
-        break;
-    case QEvent::FontChange: {
-        const int side = base::em(this, 1.25);
-        m_parts->toolBar->setIconSize(QSize(side, side));
-        m_parts->vtk->requestRender();
-        break;
-    }
-    default:
-        break;
-    }
-    QWidget::changeEvent(event);
-}
-
 void Scene3dView::applyPalette() {
     m_parts->scene.applyColours(SceneColours(palette()));
     refresh();
@@ -543,7 +468,7 @@ void Scene3dView::applyPalette() {
 
 void Scene3dView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    refresh(); // what was missed while hidden
+    refresh(); // catches up on changes made while hidden
 }
 
 void Scene3dView::resizeEvent(QResizeEvent* event) {

@@ -20,7 +20,7 @@ constexpr double kViewAngle_rad = 30.0 * std::numbers::pi / 180.0;
 constexpr double kFill = 0.86;
 constexpr double kLeastRadius_m = 1e-4;
 constexpr double kFollowTime_s = 0.3;
-/// The target may wander this far from the middle, as a share of the visible height, before the camera moves.
+/// Distance of the target from the middle, as a share of the visible height, at which the camera moves.
 constexpr double kFollowRest = 0.04;
 constexpr double kNearest = 1e-3; ///< near plane over far plane
 
@@ -155,7 +155,7 @@ std::optional<Eigen::Vector2d> OrbitStyle::movedShare() const {
 
 void OrbitStyle::Rotate() {
     if (const auto moved = movedShare()) {
-        // Across the height of the picture by half a turn.
+        // Dragging over the height of the picture is half a turn.
         m_camera->turn(-std::numbers::pi * moved->x(), -std::numbers::pi * moved->y());
     }
 }

@@ -18,9 +18,8 @@ class vtkRenderer;
 
 namespace teleta::view3d {
 
-/// The camera of the scene: an orbit around a focal point, with z up.
-/// As long as nobody zoomed or moved it, it stays fitted to the scene.
-/// Thread: GUI.
+/// The camera of the scene: an orbit around a focal point, with z up. It stays fitted to the scene until the
+/// user zooms or moves it. Thread: GUI.
 class SceneCamera {
 public:
     explicit SceneCamera(vtkRenderer* renderer);
@@ -28,26 +27,24 @@ public:
     /// Called after every change.
     void onChange(std::function<void()> changed) { m_changed = std::move(changed); }
 
-    /// What must be visible. refit: fits the camera anew, if it is still fitted.
+    /// Corners that must be visible. refit: fits the camera again, unless the user moved it.
     void setScene(std::vector<Eigen::Vector3d> corners_m, bool refit);
     /// width/height of the picture; keeps the fit.
     void setAspect(double aspect);
-    /// Looks from there and fits the scene.
+    /// Sets the direction of view and fits the scene.
     void look(CameraPreset preset);
     void turn(double azimuthStep_rad, double elevationStep_rad);
-    /// Moves what is seen by shares of the picture's height, to the right and up.
+    /// Moves the scene to the right and up, in shares of the picture's height.
     void pan(double right, double up);
     /// factor > 1: nearer.
     void zoom(double factor);
     void setParallel(bool parallel);
-    /// Glides toward a point; call once per frame. Small deviations are left alone.
+    /// Moves smoothly towards a point; call once per frame. Small deviations are ignored.
     void follow(const Eigen::Vector3d& target_m, double elapsed_s);
 
     [[nodiscard]] const Orbit& orbit() const { return m_orbit; }
     [[nodiscard]] const Eigen::Vector3d& focal_m() const { return m_focal_m; }
-    [[nodiscard]] bool isParallel() const { return m_parallel; }
-    [[nodiscard]] bool isFitted() const { return m_fitted; }
-    /// Height of what is seen at the focal point.
+    /// Visible height at the focal point.
     [[nodiscard]] double visibleHeight_m() const;
 
 private:
@@ -65,7 +62,7 @@ private:
     bool m_fitted = true;
 };
 
-/// Mouse: left turns, middle or Shift+left moves, right or wheel zooms. No keys: the view has its own.
+/// Mouse: left turns, middle or Shift+left moves, right or wheel zooms.
 class OrbitStyle : public vtkInteractorStyleTrackballCamera {
 public:
     static OrbitStyle* New();
@@ -75,16 +72,13 @@ public:
     void Pan() override;
     void Dolly() override;
     void Spin() override { Rotate(); }
-    void OnChar() override {}
-    void OnKeyPress() override {}
-    void OnKeyRelease() override {}
 
 protected:
     OrbitStyle() = default;
     void Dolly(double factor) override;
 
 private:
-    /// Pixels that the mouse moved, over the height of the picture.
+    /// Movement of the mouse in shares of the picture's height.
     [[nodiscard]] std::optional<Eigen::Vector2d> movedShare() const;
 
     SceneCamera* m_camera = nullptr;

@@ -141,7 +141,7 @@ private:
                            Qt::AlignRight | Qt::AlignVCenter, m_content.loadUnit);
     }
 
-    /// Returns where the room on its right begins.
+    /// Returns its right edge.
     double paintOrientation() {
         const double arm = 1.7 * m_em;
         const QPointF centre(m_margin + 2.3 * m_em, m_size.height() - m_margin - 2.3 * m_em);

@@ -17,15 +17,15 @@ class QPainter;
 
 namespace teleta::view3d {
 
-/// A text beside a point of the picture.
+/// A text beside a point in the picture.
 struct OverlayLabel {
-    QPointF place; ///< of the point, as shares of the picture's width and height from the top left
+    QPointF place; ///< position of the point, as shares of the picture's width and height from the top left
     QString text;
     QColor colour;
-    bool boxed = false; ///< on a small card with a dot of its colour; cards do not cover each other
+    bool boxed = false; ///< on a small card with a dot in its colour; cards do not overlap
 };
 
-/// All that is written over the 3-D picture: a value, so that a saved picture keeps what it was made with.
+/// Everything written over the 3-D picture. A value, so that a saved picture keeps its own.
 struct OverlayContent {
     QFont font;
     QColor text;
@@ -33,7 +33,7 @@ struct OverlayContent {
     QColor card;
     base::Provenance provenance = base::Provenance::live;
     QColor provenanceColour;
-    QString emptyText;      ///< instead of everything else when there is nothing to show
+    QString emptyText;      ///< shown instead of everything else; empty: there are data
     double loadRange = 0.0; ///< end of the colour bar; 0: no bar
     QString loadUnit;
     QStringList legend;

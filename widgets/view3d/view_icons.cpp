@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/view_icons.h"
 
-#include <QGuiApplication>
-#include <QIconEngine>
-#include <QPainter>
-#include <QPainterPath>
-#include <QPalette>
-
-#include <algorithm>
-#include <array>
-#include <initializer_list>
+#include "widgets/base/icons.h"
 
 namespace teleta::view3d {
 
 namespace {
 
-/// On a grid of 24 units.
-struct Drawing {
-    QPainterPath strokes;
-    QPainterPath fills;
-};
-
-void add(QPainterPath& path, std::initializer_list<QPointF> points, bool closed = false) {
-    const QPointF* p = points.begin();
-    path.moveTo(*p);
-    for (++p; p != points.end(); ++p) {
-        path.lineTo(*p);
-    }
-    if (closed) {
-        path.closeSubpath();
-    }
-}
+using base::addLine;
+using Drawing = base::IconDrawing;
 
 constexpr QPointF kMiddle(12.0, 12.0);
 constexpr QPointF kNorth(12.0, 3.0), kSouth(12.0, 21.0);
@@ -39,54 +17,55 @@ constexpr QPointF kSouthWest(4.2, 16.5), kSouthEast(19.8, 16.5);
 
 /// A cube seen from a corner.
 void cube(Drawing& d) {
-    add(d.strokes, {kNorth, kNorthEast, kSouthEast, kSouth, kSouthWest, kNorthWest}, true);
-    add(d.strokes, {kNorthWest, kMiddle, kNorthEast});
-    add(d.strokes, {kMiddle, kSouth});
+    addLine(d.strokes, {kNorth, kNorthEast, kSouthEast, kSouth, kSouthWest, kNorthWest}, true);
+    addLine(d.strokes, {kNorthWest, kMiddle, kNorthEast});
+    addLine(d.strokes, {kMiddle, kSouth});
 }
 
 Drawing drawingOf(ViewIcon icon) {
     Drawing d;
+    d.stroke = 1.6;
     switch (icon) {
     case ViewIcon::front:
         cube(d);
-        add(d.fills, {kNorthWest, kMiddle, kSouth, kSouthWest}, true);
+        addLine(d.fills, {kNorthWest, kMiddle, kSouth, kSouthWest}, true);
         break;
     case ViewIcon::top:
         cube(d);
-        add(d.fills, {kNorth, kNorthEast, kMiddle, kNorthWest}, true);
+        addLine(d.fills, {kNorth, kNorthEast, kMiddle, kNorthWest}, true);
         break;
     case ViewIcon::side:
         cube(d);
-        add(d.fills, {kNorthEast, kSouthEast, kSouth, kMiddle}, true);
+        addLine(d.fills, {kNorthEast, kSouthEast, kSouth, kMiddle}, true);
         break;
     case ViewIcon::isometric:
         cube(d);
         break;
     case ViewIcon::reset: // a house
-        add(d.strokes, {{3.0, 12.0}, {12.0, 3.5}, {21.0, 12.0}});
-        add(d.strokes, {{5.5, 10.5}, {5.5, 20.5}, {18.5, 20.5}, {18.5, 10.5}});
-        add(d.strokes, {{10.0, 20.5}, {10.0, 14.5}, {14.0, 14.5}, {14.0, 20.5}});
+        addLine(d.strokes, {{3.0, 12.0}, {12.0, 3.5}, {21.0, 12.0}});
+        addLine(d.strokes, {{5.5, 10.5}, {5.5, 20.5}, {18.5, 20.5}, {18.5, 10.5}});
+        addLine(d.strokes, {{10.0, 20.5}, {10.0, 14.5}, {14.0, 14.5}, {14.0, 20.5}});
         break;
     case ViewIcon::follow: // a frame around a point
         for (const double sx : {-1.0, 1.0}) {
             for (const double sy : {-1.0, 1.0}) {
                 const auto at = [&](double x, double y) { return QPointF(12.0 + sx * x, 12.0 + sy * y); };
-                add(d.strokes, {at(8.5, 4.0), at(8.5, 8.5), at(4.0, 8.5)});
+                addLine(d.strokes, {at(8.5, 4.0), at(8.5, 8.5), at(4.0, 8.5)});
             }
         }
         d.fills.addEllipse(kMiddle, 3.2, 3.2);
         break;
     case ViewIcon::parallel: // a box whose edges do not converge
         d.strokes.addRect(QRectF(3.5, 8.5, 12.0, 12.0));
-        add(d.strokes, {{3.5, 8.5}, {8.5, 3.5}, {20.5, 3.5}, {20.5, 15.5}, {15.5, 20.5}});
-        add(d.strokes, {{15.5, 8.5}, {20.5, 3.5}});
+        addLine(d.strokes, {{3.5, 8.5}, {8.5, 3.5}, {20.5, 3.5}, {20.5, 15.5}, {15.5, 20.5}});
+        addLine(d.strokes, {{15.5, 8.5}, {20.5, 3.5}});
         break;
     case ViewIcon::plate: // a flat array
-        add(d.strokes, {{2.5, 15.5}, {8.5, 8.0}, {21.5, 8.0}, {15.5, 15.5}}, true);
-        add(d.strokes, {{5.5, 11.75}, {18.5, 11.75}});
-        add(d.strokes, {{9.0, 15.5}, {15.0, 8.0}});
-        add(d.strokes, {{2.5, 15.5}, {2.5, 18.5}, {15.5, 18.5}, {15.5, 15.5}});
-        add(d.strokes, {{15.5, 18.5}, {21.5, 11.0}, {21.5, 8.0}});
+        addLine(d.strokes, {{2.5, 15.5}, {8.5, 8.0}, {21.5, 8.0}, {15.5, 15.5}}, true);
+        addLine(d.strokes, {{5.5, 11.75}, {18.5, 11.75}});
+        addLine(d.strokes, {{9.0, 15.5}, {15.0, 8.0}});
+        addLine(d.strokes, {{2.5, 15.5}, {2.5, 18.5}, {15.5, 18.5}, {15.5, 15.5}});
+        addLine(d.strokes, {{15.5, 18.5}, {21.5, 11.0}, {21.5, 8.0}});
         break;
     case ViewIcon::cylinder:
         d.strokes.addEllipse(QRectF(2.5, 6.0, 6.0, 12.0));
@@ -98,15 +77,15 @@ Drawing drawingOf(ViewIcon icon) {
         break;
     case ViewIcon::grid:
         for (const double at : {3.5, 12.0, 20.5}) {
-            add(d.strokes, {{at, 3.5}, {at, 20.5}});
-            add(d.strokes, {{3.5, at}, {20.5, at}});
+            addLine(d.strokes, {{at, 3.5}, {at, 20.5}});
+            addLine(d.strokes, {{3.5, at}, {20.5, at}});
         }
         break;
     case ViewIcon::axes:
-        add(d.strokes, {{8.0, 3.0}, {8.0, 15.0}, {21.0, 15.0}});
-        add(d.strokes, {{8.0, 15.0}, {2.5, 21.0}});
-        add(d.strokes, {{5.5, 5.5}, {8.0, 3.0}, {10.5, 5.5}});
-        add(d.strokes, {{18.5, 12.5}, {21.0, 15.0}, {18.5, 17.5}});
+        addLine(d.strokes, {{8.0, 3.0}, {8.0, 15.0}, {21.0, 15.0}});
+        addLine(d.strokes, {{8.0, 15.0}, {2.5, 21.0}});
+        addLine(d.strokes, {{5.5, 5.5}, {8.0, 3.0}, {10.5, 5.5}});
+        addLine(d.strokes, {{18.5, 12.5}, {21.0, 15.0}, {18.5, 17.5}});
         break;
     case ViewIcon::displacement: // from a small point along a way to a large one
         d.fills.addEllipse(QPointF(5.0, 18.5), 2.0, 2.0);
@@ -115,56 +94,19 @@ Drawing drawingOf(ViewIcon icon) {
         d.fills.addEllipse(QPointF(17.5, 6.5), 3.6, 3.6);
         break;
     case ViewIcon::geometry: // a mesh that leaves
-        add(d.strokes, {{3.5, 9.5}, {12.0, 4.0}, {12.0, 14.0}}, true);
-        add(d.strokes, {{3.5, 9.5}, {3.5, 18.5}, {12.0, 14.0}});
-        add(d.strokes, {{14.5, 19.0}, {21.5, 19.0}});
-        add(d.strokes, {{18.5, 16.0}, {21.5, 19.0}, {18.5, 22.0}});
+        addLine(d.strokes, {{3.5, 9.5}, {12.0, 4.0}, {12.0, 14.0}}, true);
+        addLine(d.strokes, {{3.5, 9.5}, {3.5, 18.5}, {12.0, 14.0}});
+        addLine(d.strokes, {{14.5, 19.0}, {21.5, 19.0}});
+        addLine(d.strokes, {{18.5, 16.0}, {21.5, 19.0}, {18.5, 22.0}});
         break;
     }
     return d;
 }
 
-class ViewIconEngine final : public QIconEngine {
-public:
-    explicit ViewIconEngine(ViewIcon icon)
-        : m_icon(icon) {}
-
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
-        constexpr double kGrid = 24.0;
-        constexpr double kStroke = 1.6;
-        const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-        const auto role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText;
-        const QColor colour = QGuiApplication::palette().color(group, role);
-        const double side = std::min(rect.width(), rect.height());
-        const Drawing drawing = drawingOf(m_icon);
-        painter->save();
-        painter->setRenderHint(QPainter::Antialiasing);
-        painter->translate(QRectF(rect).center() - QPointF(0.5 * side, 0.5 * side));
-        painter->scale(side / kGrid, side / kGrid);
-        painter->fillPath(drawing.fills, colour);
-        painter->strokePath(drawing.strokes,
-                            QPen(colour, kStroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter->restore();
-    }
-
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap result(size);
-        result.fill(Qt::transparent);
-        QPainter painter(&result);
-        paint(&painter, QRect(QPoint(), size), mode, state);
-        return result;
-    }
-
-    QIconEngine* clone() const override { return new ViewIconEngine(m_icon); }
-
-private:
-    ViewIcon m_icon;
-};
-
 } // namespace
 
 QIcon viewIcon(ViewIcon icon) {
-    return QIcon(new ViewIconEngine(icon));
+    return base::themeIcon(drawingOf(icon));
 }
 
 } // namespace teleta::view3d

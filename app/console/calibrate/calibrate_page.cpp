@@ -2,11 +2,11 @@
 #include "app/console/calibrate/calibrate_page.h"
 
 #include "app/console/base/page_stack.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/gains_view.h"
 #include "widgets/calibrate/motors_view.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QMessageBox>
@@ -18,7 +18,7 @@ namespace teleta::console {
 
 namespace {
 
-constexpr double kRow_em = 2.2; ///< of the list: what a finger hits
+constexpr double kRow_em = 2.2; ///< of the list: large enough for a finger
 
 /// Rows of the list.
 enum CalibratePart { motorsPart, cameraPart, gainsPart, partCount };
@@ -60,7 +60,7 @@ CalibratePage::CalibratePage(BraceletStation& station, SourceManager& sources, Q
     addPart(m_camera);
     addPart(&m_gains->view());
     m_parts->setCurrentRow(0);
-    retranslate();
+    base::keepTranslated(this, &CalibratePage::retranslate);
 }
 
 void CalibratePage::addPart(QWidget* content) {
@@ -102,7 +102,7 @@ void CalibratePage::whenSettled(std::function<void()> goOn) {
         settle(motorsPart);
 }
 
-/// From that part on.
+/// Continues with the next part.
 void CalibratePage::settle(int part) {
     while (part < partCount && isSaved(part))
         ++part;
@@ -117,7 +117,7 @@ void CalibratePage::settle(int part) {
         tr("%1: the calibration is not saved.", "a part of the page").arg(m_parts->item(part)->text()),
         QMessageBox::Discard | QMessageBox::Cancel, this);
     ask->setObjectName(QStringLiteral("unsavedCalibration%1").arg(part));
-    ask->setInformativeText(tr("What is discarded has to be measured again."));
+    ask->setInformativeText(tr("Discarded values must be measured again."));
     ask->setAttribute(Qt::WA_DeleteOnClose);
     ask->setDefaultButton(QMessageBox::Cancel);
     connect(ask, &QMessageBox::finished, this, [this, part](int answer) {
@@ -134,12 +134,6 @@ void CalibratePage::retranslate() {
     m_parts->item(motorsPart)->setText(tr("Bracelet motors"));
     m_parts->item(cameraPart)->setText(tr("Cylinder camera"));
     m_parts->item(gainsPart)->setText(tr("Taxel gains"));
-}
-
-void CalibratePage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace teleta::console

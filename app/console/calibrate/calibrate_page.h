@@ -19,35 +19,33 @@ namespace teleta::console {
 
 class PageStack;
 
-/// The Calibrate page: on the left what can be calibrated, on the right how. Thread: GUI.
+/// The Calibrate page: the list of things to calibrate on the left, the chosen one on the right. Thread: GUI.
 class CalibratePage : public QWidget {
     Q_OBJECT
 
 public:
-    /// station and sources outlive this.
+    /// station and sources must outlive this.
     CalibratePage(BraceletStation& station, SourceManager& sources, QWidget* parent = nullptr);
 
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
     [[nodiscard]] MotorCalibrator& motors() { return *m_motors; }
     [[nodiscard]] CameraCalibrator& camera() { return *m_camera; }
     [[nodiscard]] GainCalibrator& gains() { return *m_gains; }
-    /// Brings the camera forward and reads its pairs.
+    /// Shows the camera's calibration and reads pairs for it.
     void openPairs(const QString& path);
-    /// Shows what the devices do.
+    /// Shows the state of the devices.
     void tick();
 
-    /// Something was calibrated that is in no file.
+    /// A calibration has not been saved.
     [[nodiscard]] bool hasUnsaved() const;
-    /// Goes on at once when there is no such thing; else brings one after another forward, asks whether it
-    /// may be lost, and does not go on where it may not. It stays until then.
+    /// Calls goOn at once if everything is saved. Otherwise it shows one unsaved calibration after another
+    /// and asks whether it may be lost; goOn is not called if the user refuses. The page must exist until
+    /// then.
     void whenSettled(std::function<void()> goOn);
 
 signals:
     /// A scene to try the calibration with.
     void demoRequested(const QString& scene);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void addPart(QWidget* content);
@@ -62,7 +60,7 @@ private:
     CameraCalibrator* m_camera;
     GainCalibrator* m_gains;
     QPointer<QMessageBox> m_question;
-    std::function<void()> m_goOn; ///< when all is answered
+    std::function<void()> m_goOn; ///< called when the user agreed to lose every unsaved calibration
 };
 
 } // namespace teleta::console

@@ -4,8 +4,8 @@
 #include "app/console/base/background.h"
 #include "backend/core/data/frame_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
+#include "widgets/base/file_dialog.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using calibrate::GainsView;
 using calibrate::Press;
 using equilibration::TaxelGains;
 
-/// What a channel uses already, from a file that was named when it was opened.
+/// The gains that a channel already uses, from a file given when its source was opened.
 GainCalibration calibrationOf(const pipeline::TouchChannel& channel) {
     const std::vector<float> values = channel.settings().conditioning.taxelGain;
     if (values.empty())
@@ -44,10 +44,8 @@ core::Expected<GainCalibration> withGains(std::vector<Press> presses, const core
     all.reserve(presses.size());
     for (const Press& press : presses)
         all.push_back({press->frames, press->conditioning});
-    auto gains = equilibration::findTaxelGains(layout, all);
-    if (!gains)
-        return core::Unexpected(gains.error());
-    return GainCalibration{std::move(presses), std::make_shared<const TaxelGains>(std::move(*gains))};
+    TELETA_TRY(auto gains, equilibration::findTaxelGains(layout, all));
+    return GainCalibration{std::move(presses), std::make_shared<const TaxelGains>(std::move(gains))};
 }
 
 } // namespace
@@ -71,15 +69,20 @@ GainCalibrator::GainCalibrator(SourceManager& sources, QWidget* parent)
     connect(m_view, &GainsView::collectRequested, this, &GainCalibrator::collect);
     connect(m_view, &GainsView::endRequested, this, &GainCalibrator::endCollecting);
     connect(m_view, &GainsView::pressFilesRequested, this, [this] {
-        askForFiles(tr("Open recorded presses"), tr("Frames (*.csv)"), true,
-                    [this](const QStringList& paths) { openPresses(paths); });
+        base::askToOpenSeveral(m_view, {tr("Open recorded presses"), {tr("Frames (*.csv)")}},
+                               [this](const QStringList& paths) { openPresses(paths); });
     });
     connect(m_view, &GainsView::loadRequested, this, [this] {
-        askForFiles(tr("Load gains"), tr("Gains (*.csv)"), false,
-                    [this](const QStringList& paths) { load(paths.front()); });
+        base::askToOpen(m_view, {tr("Load gains"), {tr("Gains (*.csv)")}},
+                        [this](const QString& path) { load(path); });
     });
-    connect(m_view, &GainsView::saveRequested, this,
-            [this] { askForNewFile(tr("Save the gains"), [this](const QString& path) { save(path); }); });
+    connect(m_view, &GainsView::saveRequested, this, [this] {
+        base::askToSave(m_view,
+                        {.title = tr("Save the gains"),
+                         .filters = {tr("Gains (*.csv)")},
+                         .suffix = QStringLiteral("csv")},
+                        [this](const QString& path) { save(path); });
+    });
     connect(m_view, &GainsView::demoRequested, this, &GainCalibrator::demoRequested);
     connect(m_view, &GainsView::exportFailed, this, [this](const QString& message) {
         emit trouble(message, tr("Choose another folder or file name."));
@@ -158,7 +161,7 @@ void GainCalibrator::endCollecting() {
     m_view->setProgress(std::nullopt);
     std::vector<Press> presses = m_view->calibration().presses;
     presses.push_back(std::move(press));
-    find(tr("press"), [presses = std::move(presses), layout = m_channel->description().layout]() mutable {
+    find([presses = std::move(presses), layout = m_channel->description().layout]() mutable {
         return withGains(std::move(presses), layout);
     });
 }
@@ -166,40 +169,35 @@ void GainCalibrator::endCollecting() {
 void GainCalibrator::openPresses(const QStringList& paths) {
     if (!m_channel)
         return;
-    find(tr("press"),
-         [paths, presses = m_view->calibration().presses, layout = m_channel->description().layout,
+    find([paths, presses = m_view->calibration().presses, layout = m_channel->description().layout,
           settings = m_channel->settings().conditioning]() mutable -> Found {
-             for (const QString& path : paths) {
-                 auto press = core::readFrames(path.toStdString(), layout);
-                 if (!press)
-                     return core::Unexpected(press.error());
-                 presses.push_back(std::make_shared<const calibrate::RecordedPress>(
-                     calibrate::RecordedPress{std::move(*press), settings}));
-             }
-             return withGains(std::move(presses), layout);
-         });
+        for (const QString& path : paths) {
+            TELETA_TRY(auto press, core::readFrames(path.toStdString(), layout));
+            presses.push_back(std::make_shared<const calibrate::RecordedPress>(
+                calibrate::RecordedPress{std::move(press), settings}));
+        }
+        return withGains(std::move(presses), layout);
+    });
 }
 
 void GainCalibrator::load(const QString& path) {
     if (!m_channel)
         return;
-    find(tr("loading"), [path, layout = m_channel->description().layout]() -> Found {
-        auto gains = equilibration::readTaxelGains(path.toStdString(), layout);
-        if (!gains)
-            return core::Unexpected(gains.error());
-        return GainCalibration{{}, std::make_shared<const TaxelGains>(std::move(*gains))};
+    find([path, layout = m_channel->description().layout]() -> Found {
+        TELETA_TRY(auto gains, equilibration::readTaxelGains(path.toStdString(), layout));
+        return GainCalibration{{}, std::make_shared<const TaxelGains>(std::move(gains))};
     });
 }
 
-void GainCalibrator::find(const QString& text, std::function<Found()> work) {
+void GainCalibrator::find(std::function<Found()> work) {
     m_view->setBusy(true);
-    runInBackground(this, std::move(work), [this, text, round = m_round](const Found& found) {
-        // Another array is shown now.
+    runInBackground(this, std::move(work), [this, round = m_round](const Found& found) {
+        // Another array may have been chosen meanwhile.
         if (round != m_round)
             return;
         m_view->setBusy(false);
         if (found)
-            m_view->take(*found, text);
+            m_view->take(*found);
         else
             m_view->showTrouble(QString::fromStdString(core::describe(found.error())));
     });
@@ -216,34 +214,11 @@ void GainCalibrator::save(const QString& path) {
         },
         [this, path, gains = calibration.gains](const core::Expected<void>& written) {
             if (!written)
-                report(tr("%1 could not be saved.", "a file").arg(QFileInfo(path).fileName()),
-                       written.error());
+                emit trouble(tr("%1 could not be saved.", "a file").arg(QFileInfo(path).fileName()),
+                             QString::fromStdString(core::describe(written.error())));
             else if (gains == m_view->calibration().gains)
                 m_view->markSaved();
         });
-}
-
-void GainCalibrator::askForFiles(const QString& title, const QString& filter, bool several,
-                                 std::function<void(const QStringList&)> done) {
-    auto* dialog = new QFileDialog(m_view, title, QString(), filter);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(several ? QFileDialog::ExistingFiles : QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::filesSelected, this, std::move(done));
-    dialog->open();
-}
-
-void GainCalibrator::askForNewFile(const QString& title, std::function<void(const QString&)> done) {
-    auto* dialog = new QFileDialog(m_view, title, QString(), tr("Gains (*.csv)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setFileMode(QFileDialog::AnyFile);
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    connect(dialog, &QFileDialog::fileSelected, this, std::move(done));
-    dialog->open();
-}
-
-void GainCalibrator::report(const QString& what, const core::Error& error) {
-    emit trouble(what, QString::fromStdString(core::describe(error)));
 }
 
 } // namespace teleta::console

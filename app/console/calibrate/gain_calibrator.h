@@ -16,23 +16,23 @@
 
 namespace teleta::console {
 
-/// Calibrates the taxels of the array that the console shows: collects presses from its channel for the view,
-/// finds the gains and reads and writes files on pool threads, hands gains to the channel. Another array ends
-/// what runs; what was found of an array stays as long as its source is open. Thread: GUI; no call waits.
+/// Calibrates the taxels of the array shown in the console: collects presses from its channel, computes gains
+/// and handles files on pool threads, and applies the gains to the channel. Switching to another array ends
+/// what is running; the gains of an array are kept while its source is open. Thread: GUI; nothing blocks.
 class GainCalibrator : public QObject {
     Q_OBJECT
 
 public:
-    /// sources outlives this.
+    /// sources must outlive this.
     GainCalibrator(SourceManager& sources, QWidget* parent);
 
     [[nodiscard]] calibrate::GainsView& view() { return *m_view; }
-    /// Of all arrays that are open.
+    /// Whether the gains of all open arrays are saved.
     [[nodiscard]] bool isSaved() const;
     void tick();
 
     void collect();
-    /// Adds presses from files of frames.
+    /// Reads presses from files of frames.
     void openPresses(const QStringList& paths);
     void load(const QString& path);
     void save(const QString& path);
@@ -43,7 +43,7 @@ signals:
 
 private:
     using Found = core::Expected<calibrate::GainCalibration>;
-    /// Of an array that is open and not shown.
+    /// The calibration of an open array that is not shown.
     struct Left {
         calibrate::GainCalibration calibration;
         bool isSaved;
@@ -51,20 +51,16 @@ private:
 
     void onActiveChanged();
     void endCollecting();
-    /// Makes a calibration on a pool thread; the view takes it when the array is still the same.
-    void find(const QString& text, std::function<Found()> work);
-    void askForFiles(const QString& title, const QString& filter, bool several,
-                     std::function<void(const QStringList&)> done);
-    void askForNewFile(const QString& title, std::function<void(const QString&)> done);
-    void report(const QString& what, const core::Error& error);
+    /// Computes a calibration on a pool thread; the view shows it if the array is still the same.
+    void find(std::function<Found()> work);
 
     SourceManager& m_sources;
     calibrate::GainsView* m_view;
     pipeline::ChannelKey m_key = 0;
-    std::shared_ptr<pipeline::TouchChannel> m_channel; ///< of the array that is shown; null: none is
+    std::shared_ptr<pipeline::TouchChannel> m_channel; ///< of the array shown; null: none
     std::map<pipeline::ChannelKey, Left> m_left;
     std::unique_ptr<PressCollector> m_collector;
-    std::uint64_t m_round = 0; ///< grows with each array, so that late results are told apart
+    std::uint64_t m_round = 0; ///< counts changes of the array, to detect late results
 };
 
 } // namespace teleta::console

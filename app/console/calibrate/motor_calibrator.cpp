@@ -6,10 +6,10 @@
 #include "backend/motors/excitation.h"
 #include "backend/motors/excitation_run.h"
 #include "backend/motors/motor_file.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/calibrate/motors_view.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ MotorCalibrator::MotorCalibrator(BraceletStation& station, QWidget* parent)
     using calibrate::MotorsView;
     connect(&m_station, &BraceletStation::sessionChanged, this, &MotorCalibrator::onSession);
     connect(&m_station, &BraceletStation::calibrationFailed, this, [this](const core::Error& error) {
-        report(tr("The profile of the motors cannot be used; they are assumed."), error);
+        report(tr("The motor profile cannot be used: the motors use assumed values."), error);
     });
     connect(m_view, &MotorsView::calibrationChanged, &m_station, &BraceletStation::setCalibration);
     connect(m_view, &MotorsView::playRequested, this,
@@ -42,21 +42,27 @@ MotorCalibrator::MotorCalibrator(BraceletStation& station, QWidget* parent)
     });
     connect(m_view, &MotorsView::cancelMeasureRequested, this, &MotorCalibrator::cancel);
     connect(m_view, &MotorsView::recordingRequested, this, [this](std::size_t motor) {
-        askForFile(tr("Open the recording of a motor"), tr("Recordings (*.csv)"), {},
-                   [this, motor](const QString& path) { openRecording(motor, path); });
+        base::askToOpen(m_view, {tr("Open the recording of a motor"), {tr("Recordings (*.csv)")}},
+                        [this, motor](const QString& path) { openRecording(motor, path); });
     });
     connect(m_view, &MotorsView::excitationFileRequested, this, [this] {
-        askForFile(tr("Write the excitation"), tr("Tables (*.csv)"), QStringLiteral("csv"),
-                   [this](const QString& path) { writeExcitation(path); });
+        base::askToSave(m_view,
+                        {.title = tr("Save the excitation"),
+                         .filters = {tr("Tables (*.csv)")},
+                         .suffix = QStringLiteral("csv")},
+                        [this](const QString& path) { writeExcitation(path); });
     });
     connect(m_view, &MotorsView::saveRequested, this, [this] { save(); });
     connect(m_view, &MotorsView::copyRequested, this, [this] {
-        askForFile(tr("Save a copy of the profile"), tr("Profiles (*.toml)"), QStringLiteral("toml"),
-                   [this](const QString& path) { save(path); });
+        base::askToSave(m_view,
+                        {.title = tr("Save a copy of the profile"),
+                         .filters = {tr("Profiles (*.toml)")},
+                         .suffix = QStringLiteral("toml")},
+                        [this](const QString& path) { save(path); });
     });
     connect(m_view, &MotorsView::loadRequested, this, [this] {
-        askForFile(tr("Load a profile"), tr("Profiles (*.toml)"), {},
-                   [this](const QString& path) { load(path); });
+        base::askToOpen(m_view, {tr("Load a profile"), {tr("Profiles (*.toml)")}},
+                        [this](const QString& path) { load(path); });
     });
     connect(m_view, &MotorsView::exportFailed, this, [this](const QString& message) {
         emit trouble(message, tr("Choose another folder or file name."));
@@ -65,7 +71,7 @@ MotorCalibrator::MotorCalibrator(BraceletStation& station, QWidget* parent)
 }
 
 MotorCalibrator::~MotorCalibrator() {
-    // The view may have ended already: its parent is another one.
+    // The view has another parent and may have been deleted.
     if (m_run)
         m_run->stop.request_stop();
     for (const std::shared_ptr<Run>& run : m_runs)
@@ -82,7 +88,7 @@ void MotorCalibrator::tick() {
     calibrate::BraceletFacts facts;
     if (const auto& session = m_station.session()) {
         const core::BraceletDescription& description = session->source().description();
-        // It was named in the language of the moment in which it was made.
+        // Its name is in the language in which it was created.
         facts.name = description.simulated
                          ? QCoreApplication::translate("SimulatedBracelet", "Simulated bracelet")
                          : QString::fromStdString(description.name);
@@ -97,7 +103,8 @@ void MotorCalibrator::tick() {
             facts.speeds_Hz = speeds->speeds_Hz;
     }
     m_view->setFacts(facts);
-    // One that waits for a thread would begin when nobody expects it. STOP and a loss end one that plays.
+    // A run still waiting for a thread would otherwise start later, unexpectedly. A playing one is ended by
+    // STOP or the loss.
     if (m_run && (m_station.isReserved() || (!m_run->begun && !m_station.isReady())))
         refuseRun();
     if (m_measuring)
@@ -137,7 +144,7 @@ void MotorCalibrator::measureNext() {
             return Fitted{std::move(*recording), std::move(fit)};
         },
         [this, run = m_run, motor = *m_measuring](Fitted fitted) {
-            // Another bracelet, or another measurement, has taken its place.
+            // It has been replaced by another bracelet or measurement.
             if (run != m_run)
                 return;
             const bool failed = !fitted.second;
@@ -195,10 +202,10 @@ void MotorCalibrator::load(const QString& path) {
             const std::string& serial = m_station.calibration().bracelet;
             if (read->bracelet != serial) {
                 emit trouble(
-                    tr("%1 is of another bracelet.", "a file").arg(file),
-                    tr("It is of \u201c%1\u201d, this one is \u201c%2\u201d. Measure this one, or connect "
-                       "the "
-                       "other.")
+                    tr("%1 belongs to another bracelet.", "a file").arg(file),
+                    tr("The file is for \u201c%1\u201d, this bracelet is \u201c%2\u201d. Measure this one, "
+                       "or "
+                       "connect the other.")
                         .arg(QString::fromStdString(read->bracelet), QString::fromStdString(serial)));
                 return;
             }
@@ -232,17 +239,6 @@ void MotorCalibrator::writeExcitation(const QString& path) {
                 report(tr("%1 could not be saved.", "a file").arg(QFileInfo(path).fileName()),
                        written.error());
         });
-}
-
-void MotorCalibrator::askForFile(const QString& title, const QString& filter, const QString& suffix,
-                                 std::function<void(const QString&)> done) {
-    auto* dialog = new QFileDialog(m_view, title, QString(), filter);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(suffix.isEmpty() ? QFileDialog::AcceptOpen : QFileDialog::AcceptSave);
-    dialog->setFileMode(suffix.isEmpty() ? QFileDialog::ExistingFile : QFileDialog::AnyFile);
-    dialog->setDefaultSuffix(suffix);
-    connect(dialog, &QFileDialog::fileSelected, this, std::move(done));
-    dialog->open();
 }
 
 void MotorCalibrator::report(const QString& what, const core::Error& error) {

@@ -11,7 +11,7 @@ namespace teleta::console {
 namespace {
 
 constexpr std::size_t kBlocks = 512;
-/// Frames further apart are not of one press.
+/// Longest time between frames of one press.
 constexpr double kGap_s = 0.2;
 
 } // namespace
@@ -37,7 +37,7 @@ void PressCollector::takeSettings() {
     const pipeline::ChannelSettings settings = m_channel->settings();
     m_threshold_N = settings.features.threshold_N;
     m_conditioning = settings.conditioning;
-    m_conditioning.taxelGain.clear(); // gains that are wrong must not decide what is a press
+    m_conditioning.taxelGain.clear(); // wrong gains must not decide which frames belong to a press
     m_conditioner.emplace(m_taxels, m_conditioning);
 }
 

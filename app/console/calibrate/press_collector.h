@@ -13,9 +13,9 @@
 
 namespace teleta::console {
 
-/// Takes the raw frames of an array in which more than half of its taxels are under load, until they cover
-/// kWanted_s of the array's time or are kMostFrames. Frames in between are left out. A press is of one tare:
-/// what was collected before the array's settings changed is dropped. Thread: GUI.
+/// Collects raw frames of an array while more than half of its taxels are loaded, until they cover kWanted_s
+/// of the array's time or are kMostFrames; other frames are left out. All frames of a press have the same
+/// settings: a change of the array's settings discards the frames so far. Thread: GUI.
 class PressCollector {
 public:
     static constexpr double kWanted_s = 5.0;
@@ -26,15 +26,15 @@ public:
     PressCollector(const PressCollector&) = delete;
     PressCollector& operator=(const PressCollector&) = delete;
 
-    /// Takes what has come since.
+    /// Takes the frames that have arrived since.
     void update();
     [[nodiscard]] bool isComplete() const;
-    /// The newest frame was not under load.
+    /// Whether the newest frame was without load.
     [[nodiscard]] bool isWaiting() const { return m_waiting; }
     [[nodiscard]] double collected_s() const { return m_collected_s; }
-    /// How the frames are read.
+    /// Settings with which the frames are read.
     [[nodiscard]] const contact::ConditioningSettings& conditioning() const { return m_conditioning; }
-    /// Frames one after another.
+    /// All frames, concatenated.
     [[nodiscard]] std::vector<float> takeFrames() { return std::move(m_frames); }
 
 private:

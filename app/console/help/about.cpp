@@ -89,7 +89,7 @@ void openAbout(QWidget* parent) {
 
 void openShortcuts(QWidget* parent) {
     const std::vector<std::pair<QString, QString>> shortcuts{
-        {AboutText::tr("Esc Esc, Ctrl+."), AboutText::tr("STOP: whatever moves stops at once")},
+        {AboutText::tr("Esc Esc, Ctrl+."), AboutText::tr("STOP: everything that moves stops at once")},
         {AboutText::tr("Ctrl+1 to 5"), AboutText::tr("Page Operate, Patterns, Study, Calibrate, Cost")},
         {AboutText::tr("Ctrl+R, M"), AboutText::tr("Record, mark this moment in the recording")},
         {AboutText::tr("F5, Shift+F5, Ctrl+F5"),
@@ -111,13 +111,13 @@ void openShortcuts(QWidget* parent) {
         {AboutText::tr("Ctrl+X, C, V, Shift+V, D"),
          AboutText::tr("Cut, copy, paste in place, paste at the playhead, duplicate, in the timeline")},
         {AboutText::tr(",  .  with Shift"),
-         AboutText::tr("Breakpoint before or after, one more of them, in the timeline")},
+         AboutText::tr("Previous or next breakpoint; with Shift, add it to the selection, in the timeline")},
         {AboutText::tr("N, Shift+N"), AboutText::tr("Next or previous object, in the timeline")},
         {AboutText::tr("Enter, Insert, Delete"),
          AboutText::tr("Type numbers, add a breakpoint at the playhead, delete, in the timeline")},
         {AboutText::tr("Arrow keys, with Shift"),
-         AboutText::tr("Move what is selected, else the playhead and the lane, in the timeline")},
-        {AboutText::tr("[  ]  \\"), AboutText::tr("Begin of the loop, its end, no loop, in the timeline")},
+         AboutText::tr("Move the selection; without one, the playhead and the lane, in the timeline")},
+        {AboutText::tr("[  ]  \\"), AboutText::tr("Loop start, loop end, no loop, in the timeline")},
         {AboutText::tr("Ctrl+[, Ctrl+], Ctrl+M, Ctrl+L"),
          AboutText::tr("Rotate around the ring, mirror, other arm, on the page Patterns")},
         {AboutText::tr("Ctrl+Alt+1 to 5"),
@@ -143,11 +143,11 @@ void openShortcuts(QWidget* parent) {
     table->resizeColumnsToContents();
     const int columns = table->horizontalHeader()->length();
     const int rows = table->verticalHeader()->length();
-    // Where the screen is narrower, lines are broken.
+    // Wraps lines on narrow screens.
     table->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     QDialog* dialog = makeDialog(parent, AboutText::tr("Shortcuts"), table);
-    // All of it is seen, as far as the screen has room.
+    // Shows the whole text if the screen is large enough.
     const int frame = 2 * table->frameWidth();
     const QSize content(columns + frame + table->verticalScrollBar()->sizeHint().width(),
                         rows + table->horizontalHeader()->sizeHint().height() + frame);

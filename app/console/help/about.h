@@ -9,7 +9,7 @@ class QWidget;
 
 namespace teleta::console {
 
-/// "light", "dark", anything else: as the desktop.
+/// "light", "dark", anything else: as on the desktop.
 [[nodiscard]] base::ThemeChoice themeFromName(const QString& name);
 
 /// Opens the about dialog: version, licence, versions of the libraries in use.

@@ -15,10 +15,11 @@ struct HandbookPage {
     QString text;
 };
 
-/// Names of the pages, in the order of reading.
+/// Names of the pages, in reading order.
 [[nodiscard]] QStringList handbookPages();
 
-/// The page in that language ("fr", "zh_CN", "ja_JP"; otherwise English). Empty: there is none of that name.
+/// The page in that language ("fr", "zh_CN", "ja_JP"; otherwise English). Empty if there is none of that
+/// name.
 [[nodiscard]] std::optional<HandbookPage> handbookPage(const QString& name, const QString& language);
 
 } // namespace teleta::console

@@ -3,12 +3,12 @@
 
 #include "app/common/translation.h"
 #include "app/console/help/handbook.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
 #include <QAction>
 #include <QCoreApplication>
 #include <QDesktopServices>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -28,12 +28,12 @@ namespace {
 constexpr int kLineHeight_percent = 125;
 constexpr double kFirstColumn_percent = 24.0;
 
-/// Shows a page of the handbook by its name; QTextBrowser keeps where the reader was.
+/// Shows pages of the handbook by name; QTextBrowser keeps the history.
 class HandbookText : public QTextBrowser {
 public:
     using QTextBrowser::QTextBrowser;
 
-    /// Air between the lines and around what stands in tables, which Markdown cannot ask for.
+    /// Adds line spacing and cell padding, which Markdown cannot specify.
     void dress() {
         QTextCursor cursor(document());
         cursor.select(QTextCursor::Document);
@@ -144,7 +144,7 @@ HandbookWindow::HandbookWindow(QWidget* parent)
         if (index >= 0 && index < handbookPages().size())
             showPage(handbookPages().at(index));
     });
-    // A link, back and forward change the page too.
+    // Links, back and forward change the page too.
     connect(m_text, &QTextBrowser::sourceChanged, this, [this](const QUrl& url) {
         m_page = QFileInfo(url.path()).completeBaseName();
         const QSignalBlocker quiet(m_list);
@@ -152,6 +152,12 @@ HandbookWindow::HandbookWindow(QWidget* parent)
     });
     load();
     retranslate();
+    base::onChange(this,
+                   [this] {
+                       load();
+                       retranslate();
+                   },
+                   {QEvent::LanguageChange});
 }
 
 void HandbookWindow::showPage(const QString& name) {
@@ -177,7 +183,7 @@ void HandbookWindow::search() {
     const QStringList pages = handbookPages();
     if (wanted.isEmpty() || m_text->find(wanted))
         return;
-    // The next page that has it, from its top; the same one too.
+    // The next page with the text, from its top; this one last.
     const QString language = app::installedLocale(*QCoreApplication::instance()).name();
     const auto here = std::max<qsizetype>(pages.indexOf(m_page), 0);
     for (qsizetype step = 1; step <= pages.size(); ++step) {
@@ -189,14 +195,6 @@ void HandbookWindow::search() {
         m_text->moveCursor(QTextCursor::Start);
         if (m_text->find(wanted))
             return;
-    }
-}
-
-void HandbookWindow::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        load();
-        retranslate();
     }
 }
 

@@ -10,20 +10,17 @@ class QTextBrowser;
 
 namespace teleta::console {
 
-/// The handbook: its pages at the left, the chosen one beside them, with back, forward and search. In the
-/// language of the program, which may change meanwhile. Thread: GUI.
+/// The handbook: list of pages on the left, the chosen one beside it, with back, forward and search. Follows
+/// the language of the program. Thread: GUI.
 class HandbookWindow : public QWidget {
     Q_OBJECT
 
 public:
     explicit HandbookWindow(QWidget* parent);
 
-    /// A page by its name; the first one when there is none of that name.
+    /// Shows a page by its name, or the first one if there is none of that name.
     void showPage(const QString& name);
     [[nodiscard]] const QString& page() const { return m_page; }
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void load();

@@ -13,13 +13,12 @@ namespace teleta::console {
 class HandbookWindow;
 class LogWindow;
 
-/// The menu Help: handbook (F1, at the page that is open), What's This, shortcuts, log,
-/// about. Thread: GUI.
+/// The menu Help: handbook (F1, at the current page), What's This, shortcuts, log, about. Thread: GUI.
 class HelpMenu : public QObject {
     Q_OBJECT
 
 public:
-    /// page: which page of the handbook belongs to what the window shows now.
+    /// page: handbook page for what the window shows now.
     HelpMenu(QWidget& window, std::function<QString()> page);
 
     void fill(QMenu& menu);
@@ -31,7 +30,7 @@ private:
 
     QWidget& m_window;
     std::function<QString()> m_page;
-    HandbookWindow* m_handbook = nullptr; ///< made when it is opened first; the window's
+    HandbookWindow* m_handbook = nullptr; ///< created when first opened; owned by the window
     LogWindow* m_log = nullptr;           ///< likewise
 };
 

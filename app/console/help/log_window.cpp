@@ -2,12 +2,12 @@
 #include "app/console/help/log_window.h"
 
 #include "app/console/base/background.h"
+#include "widgets/base/file_dialog.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/message_log.h"
 
 #include <QClipboard>
-#include <QEvent>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -69,18 +69,16 @@ LogWindow::LogWindow(QWidget* parent)
     layout->addWidget(m_table, 1);
     layout->addLayout(buttons);
     resize(base::em(this, 70.0), base::em(this, 30.0));
-    retranslate();
+    base::keepTranslated(this, &LogWindow::retranslate);
 }
 
 void LogWindow::save() {
-    auto* dialog = new QFileDialog(this, tr("Save log"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(tr("Text (*.txt)"));
-    dialog->setDefaultSuffix(QStringLiteral("txt"));
-    dialog->selectFile(QStringLiteral("teleta-console.txt"));
-    connect(dialog, &QFileDialog::fileSelected, this, &LogWindow::write);
-    dialog->open();
+    base::askToSave(this,
+                    {.title = tr("Save log"),
+                     .filters = {tr("Text (*.txt)")},
+                     .suffix = QStringLiteral("txt"),
+                     .name = QStringLiteral("teleta-console.txt")},
+                    [this](const QString& path) { write(path); });
 }
 
 void LogWindow::write(const QString& path) {
@@ -91,24 +89,18 @@ void LogWindow::write(const QString& path) {
     };
     runInBackground(this, written, [path](const QString& trouble) {
         using Severity = chrome::Message::Severity;
-        // The log is in view, so that it tells.
+        // The log itself is visible: report it there.
         if (trouble.isEmpty())
-            chrome::MessageLog::instance().append(Severity::information, tr("Written: %1").arg(path));
+            chrome::MessageLog::instance().append(Severity::information, tr("Saved %1").arg(path));
         else
             chrome::MessageLog::instance().append(Severity::error,
-                                                  tr("%1 could not be written: %2").arg(path, trouble));
+                                                  tr("%1 could not be saved: %2").arg(path, trouble));
     });
-}
-
-void LogWindow::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 void LogWindow::retranslate() {
     setWindowTitle(tr("Log"));
-    m_table->setAccessibleName(tr("Messages since the program began"));
+    m_table->setAccessibleName(tr("Messages since the program started"));
     m_copy->setText(tr("&Copy"));
     m_save->setText(tr("&Save\u2026"));
     m_close->setText(tr("C&lose"));

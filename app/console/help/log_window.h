@@ -8,20 +8,17 @@ class QTableView;
 
 namespace teleta::console {
 
-/// Begins the log with what a report of a fault needs: program, Qt and system with their versions; from now
-/// on the messages of Qt come, too. Once, when there is an application. Thread: GUI.
+/// Starts the log with what a fault report needs: the program, Qt and the system with their versions; from
+/// then on Qt messages are logged too. Call it once, when there is an application. Thread: GUI.
 void beginLog();
 
-/// What the program has told since it began (chrome::MessageLog), to read, copy and save as text. Stays at
-/// its end while more comes, unless one has scrolled up. Thread: GUI.
+/// The messages since the program started (chrome::MessageLog), to read, copy and save as text. Follows new
+/// messages unless scrolled up. Thread: GUI.
 class LogWindow : public QWidget {
     Q_OBJECT
 
 public:
     explicit LogWindow(QWidget* parent);
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void save();

@@ -38,9 +38,9 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(
             window.sources().active() != nullptr && window.sources().active()->displayed > 3, kPatience_ms);
         auto* scene = window.findChild<view3d::Scene3dView*>();
-        QVERIFY(scene->isVisible() && !scene->vtkWidget().canRender());
-        QVERIFY2(scene->vtkWidget().fallbackText().contains("OpenGL"),
-                 qPrintable(scene->vtkWidget().fallbackText()));
+        const auto* vtk = scene->findChild<view3d::VtkWidget*>();
+        QVERIFY(scene->isVisible() && !vtk->canRender());
+        QVERIFY2(vtk->fallbackText().contains("OpenGL"), qPrintable(vtk->fallbackText()));
         auto* dock = window.findChild<QDockWidget*>("reconstruction");
         for (const bool floats : {true, false}) {
             dock->setFloating(floats);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/parts.h"
 #include "widgets/base/theme.h"
 #include "widgets/bracelet/strength_panel.h"
 
@@ -30,26 +31,28 @@ private slots:
 
     void oneKeyOnTheSliderOfAllMovesThemAll() {
         QSignalSpy changed(m_panel.get(), &StrengthPanel::strongestChanged);
-        QTest::keyClick(m_panel->allSlider(), Qt::Key_PageDown);
+        QTest::keyClick(teleta::test::part<QSlider>(*m_panel, "all"), Qt::Key_PageDown);
         QCOMPARE(changed.size(), 1);
         for (std::size_t i = 0; i < teleta::core::kTactors; ++i) {
             QCOMPARE(m_panel->strongest()[i], 0.9);
-            QCOMPARE(m_panel->slider(i)->value(), 90);
+            QCOMPARE(teleta::test::part<QSlider>(*m_panel, qPrintable(QStringLiteral("motor%1").arg(i + 1)))
+                         ->value(),
+                     90);
         }
-        QTest::keyClick(m_panel->allSlider(), Qt::Key_Home);
+        QTest::keyClick(teleta::test::part<QSlider>(*m_panel, "all"), Qt::Key_Home);
         QCOMPARE(m_panel->strongest(), Intensities{});
     }
 
     void eachMotorHasASliderThatIsShownOnRequest() {
-        QVERIFY(!m_panel->slider(2)->isVisible());
-        QTest::mouseClick(m_panel->eachButton(), Qt::LeftButton);
-        QVERIFY(m_panel->slider(2)->isVisible());
+        QVERIFY(!teleta::test::part<QSlider>(*m_panel, "motor3")->isVisible());
+        QTest::mouseClick(teleta::test::part<QToolButton>(*m_panel, "each"), Qt::LeftButton);
+        QVERIFY(teleta::test::part<QSlider>(*m_panel, "motor3")->isVisible());
         QSignalSpy changed(m_panel.get(), &StrengthPanel::strongestChanged);
-        QTest::keyClick(m_panel->slider(2), Qt::Key_PageDown);
-        QTest::keyClick(m_panel->slider(2), Qt::Key_Left);
+        QTest::keyClick(teleta::test::part<QSlider>(*m_panel, "motor3"), Qt::Key_PageDown);
+        QTest::keyClick(teleta::test::part<QSlider>(*m_panel, "motor3"), Qt::Key_Left);
         QCOMPARE(changed.size(), 2);
         QCOMPARE(m_panel->strongest(), (Intensities{1.0, 1.0, 0.89, 1.0, 1.0, 1.0}));
-        QCOMPARE(m_panel->allSlider()->value(), 100);
+        QCOMPARE(teleta::test::part<QSlider>(*m_panel, "all")->value(), 100);
     }
 
     void valuesBeyondTheRangeAreTheNearestSafeOnes() {

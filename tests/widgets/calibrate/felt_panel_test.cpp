@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/parts.h"
 #include "tests/widgets/test_registry.h"
 #include "widgets/calibrate/felt_panel.h"
 
@@ -77,7 +78,7 @@ private slots:
         desk.panel.begin(FeltTask::start({}, 0));
         QTest::keyClick(&desk.panel, Qt::Key_Y);
         QCOMPARE(desk.panel.task()->answers(), 0);
-        QVERIFY(!desk.panel.yesButton()->isEnabled());
+        QVERIFY(!test::part(desk.panel, "yes")->isEnabled());
         QTest::keyClick(&desk.panel, Qt::Key_Space);
         QTest::keyClick(&desk.panel, Qt::Key_Right);
         QCOMPARE(desk.panel.task()->answers(), 1);
@@ -90,7 +91,7 @@ private slots:
         const double first = desk.drive(0);
         QTest::keyClick(&desk.panel, Qt::Key_Y);
         QVERIFY(desk.drive(0) < first);
-        QTest::mouseClick(desk.panel.undoButton(), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.panel, "undoAnswer"), Qt::LeftButton);
         QCOMPARE(desk.panel.task()->answers(), 0);
         QTest::keyClick(&desk.panel, Qt::Key_Space);
         QCOMPARE(desk.drive(0), first);
@@ -117,11 +118,11 @@ private slots:
             QTest::keyClick(&desk.panel, Qt::Key_N);
         QVERIFY(!desk.result);
         QVERIFY(desk.panel.task() != nullptr);
-        QVERIFY(desk.panel.question().contains(QLatin1String("do not fit")));
-        QVERIFY(!desk.panel.playButton()->isEnabled());
-        QVERIFY(desk.panel.undoButton()->isEnabled());
+        QVERIFY(test::textOf(desk.panel, "question").contains(QLatin1String("contradict each other")));
+        QVERIFY(!test::part(desk.panel, "play")->isEnabled());
+        QVERIFY(test::part(desk.panel, "undoAnswer")->isEnabled());
         QTest::keyClick(&desk.panel, Qt::Key_Backspace);
-        QVERIFY(desk.panel.playButton()->isEnabled());
+        QVERIFY(test::part(desk.panel, "play")->isEnabled());
     }
 
     void balancesAllMotorsWithTheFirst() {
@@ -163,7 +164,7 @@ private slots:
         Desk desk;
         QSignalSpy cancelled(&desk.panel, &FeltPanel::cancelled);
         desk.panel.begin(FeltTask::start({}, 0));
-        QTest::mouseClick(desk.panel.cancelButton(), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.panel, "giveUp"), Qt::LeftButton);
         QCOMPARE(cancelled.size(), 1);
         QVERIFY(desk.panel.task() == nullptr);
         QVERIFY(!desk.result);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/input_events.h"
+#include "tests/widgets/parts.h"
 #include "tests/widgets/test_registry.h"
 #include "widgets/calibrate/gain_map.h"
 #include "widgets/calibrate/gains_view.h"
@@ -45,14 +46,15 @@ struct GainsDesk {
                          [this](const GainCalibration& calibration) { changes.push_back(calibration); });
     }
     [[nodiscard]] QColor colourOf(std::size_t taxel) {
-        const QRectF rect = view.map()->taxelRect(taxel);
-        const QImage image = view.map()->grab().toImage();
+        const QRectF rect = map->taxelRect(taxel);
+        const QImage image = map->grab().toImage();
         // Beside the number in the middle.
         const QPointF at = rect.topLeft() + QPointF(0.15 * rect.width(), 0.15 * rect.height());
         return image.pixelColor((at * image.devicePixelRatio()).toPoint());
     }
 
     GainsView view;
+    GainMap* map = view.findChild<GainMap*>();
     bool active = false;
     std::vector<GainCalibration> changes;
 };
@@ -67,10 +69,10 @@ private slots:
         GainsDesk desk;
         desk.view.setFacts({});
         QSignalSpy demos(&desk.view, &GainsView::demoRequested);
-        QVERIFY(!desk.view.button("collect")->isVisible());
-        QVERIFY(!desk.view.button("tare")->isEnabled());
-        QVERIFY(!desk.view.button("load")->isEnabled());
-        QTest::mouseClick(desk.view.button("demo"), Qt::LeftButton);
+        QVERIFY(!test::part(desk.view, "collect")->isVisible());
+        QVERIFY(!test::part(desk.view, "tare")->isEnabled());
+        QVERIFY(!test::part(desk.view, "load")->isEnabled());
+        QTest::mouseClick(test::part(desk.view, "demo"), Qt::LeftButton);
         QCOMPARE(demos.size(), 1);
     }
 
@@ -81,69 +83,70 @@ private slots:
         QSignalSpy collects(&desk.view, &GainsView::collectRequested);
         QSignalSpy files(&desk.view, &GainsView::pressFilesRequested);
         QSignalSpy loads(&desk.view, &GainsView::loadRequested);
-        QTest::mouseClick(desk.view.button("tare"), Qt::LeftButton);
-        desk.view.button("collect")->setFocus();
-        QTest::keyClick(desk.view.button("collect"), Qt::Key_Space);
-        QTest::mouseClick(desk.view.button("files"), Qt::LeftButton);
-        QTest::mouseClick(desk.view.button("load"), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.view, "tare"), Qt::LeftButton);
+        test::part(desk.view, "collect")->setFocus();
+        QTest::keyClick(test::part(desk.view, "collect"), Qt::Key_Space);
+        QTest::mouseClick(test::part(desk.view, "files"), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.view, "load"), Qt::LeftButton);
         QCOMPARE(tares.size() + collects.size() + files.size() + loads.size(), 4);
-        QVERIFY(!desk.view.button("save")->isEnabled());
-        QVERIFY(!desk.view.button("reset")->isEnabled());
+        QVERIFY(!test::part(desk.view, "save")->isEnabled());
+        QVERIFY(!test::part(desk.view, "reset")->isEnabled());
     }
 
     void whileAPressIsCollectedItCanOnlyBeEnded() {
         GainsDesk desk;
         QSignalSpy ends(&desk.view, &GainsView::endRequested);
         desk.view.setProgress(PressProgress{.waiting = true, .collected_s = 0.0, .wanted_s = 5.0});
-        QVERIFY(!desk.view.button("collect")->isVisible());
-        QVERIFY(!desk.view.button("load")->isEnabled());
-        QTest::mouseClick(desk.view.button("end"), Qt::LeftButton);
+        QVERIFY(!test::part(desk.view, "collect")->isVisible());
+        QVERIFY(!test::part(desk.view, "load")->isEnabled());
+        QTest::mouseClick(test::part(desk.view, "end"), Qt::LeftButton);
         QCOMPARE(ends.size(), 1);
         desk.view.setProgress(std::nullopt);
-        QVERIFY(desk.view.button("collect")->isVisible());
-        QVERIFY(desk.view.button("load")->isEnabled());
+        QVERIFY(test::part(desk.view, "collect")->isVisible());
+        QVERIFY(test::part(desk.view, "load")->isEnabled());
     }
 
     void gainsTakeEffectAndCanBeUndone() {
         GainsDesk desk;
-        desk.view.take(onePress(), "press");
+        desk.view.take(onePress());
         QCOMPARE(desk.changes.size(), std::size_t(1));
         QVERIFY(desk.changes.back().gains != nullptr);
         QVERIFY(!desk.view.isSaved());
-        QVERIFY(desk.view.verdict().contains(QLatin1String("5 of 6 taxels have gains from 0.80 to 1.25")));
-        QVERIFY(desk.view.verdict().contains(QLatin1String("1 stuck")));
+        QVERIFY(test::textOf(desk.view, "verdict")
+                    .contains(QLatin1String("5 of 6 taxels have gains from 0.80 to 1.25")));
+        QVERIFY(test::textOf(desk.view, "verdict").contains(QLatin1String("1 stuck")));
         QTest::keyClick(&desk.view, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(desk.changes.size(), std::size_t(2));
         QVERIFY(desk.changes.back().gains == nullptr);
         QVERIFY(desk.view.calibration().presses.empty());
-        QTest::mouseClick(desk.view.button("redo"), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.view, "redo"), Qt::LeftButton);
         QVERIFY(desk.changes.back().gains != nullptr);
-        QTest::mouseClick(desk.view.button("reset"), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.view, "reset"), Qt::LeftButton);
         QVERIFY(desk.changes.back().gains == nullptr);
-        QTest::mouseClick(desk.view.button("undo"), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.view, "undo"), Qt::LeftButton);
         QCOMPARE(desk.view.calibration().presses.size(), std::size_t(1));
     }
 
     void saysWhetherTheGainsAreSaved() {
         GainsDesk desk;
-        desk.view.take(onePress(), "press");
-        QVERIFY(desk.view.state().contains(QLatin1String("not saved")));
+        desk.view.take(onePress());
+        QVERIFY(test::textOf(desk.view, "state").contains(QLatin1String("not saved")));
         desk.view.markSaved();
         QVERIFY(desk.view.isSaved());
-        QVERIFY(!desk.view.state().contains(QLatin1String("not saved")));
-        desk.view.undo();
+        QVERIFY(!test::textOf(desk.view, "state").contains(QLatin1String("not saved")));
+        QTest::mouseClick(test::part(desk.view, "undo"), Qt::LeftButton);
         QVERIFY(!desk.view.isSaved());
     }
 
     void troubleChangesNothingAndGoesWithTheNextSuccess() {
         GainsDesk desk;
-        desk.view.take(onePress(), "press");
+        desk.view.take(onePress());
         desk.view.showTrouble("Only 3 frames are under load.");
-        QCOMPARE(desk.view.verdict(), QStringLiteral("Only 3 frames are under load."));
+        QCOMPARE(test::textOf(desk.view, "verdict"), QStringLiteral("Only 3 frames are under load."));
         QVERIFY(desk.view.calibration().gains != nullptr);
         QCOMPARE(desk.changes.size(), std::size_t(1));
-        desk.view.take(onePress(), "press");
-        QVERIFY(desk.view.verdict().contains(QLatin1String("5 of 6")));
+        desk.view.take(onePress());
+        QVERIFY(test::textOf(desk.view, "verdict").contains(QLatin1String("5 of 6")));
     }
 
     void aTiltIsToldWithWhatHelps() {
@@ -152,35 +155,36 @@ private slots:
         gains->isTilted = true;
         gains->tilt_x = 0.25;
         gains->tilt_y = -0.03;
-        desk.view.take({{}, gains}, "press");
-        QVERIFY(desk.view.verdict().contains(QStringLiteral("25 % along x and \u22123 % along y")));
+        desk.view.take({{}, gains});
+        QVERIFY(test::textOf(desk.view, "verdict")
+                    .contains(QStringLiteral("25 % along x and \u22123 % along y")));
     }
 
     void anotherArrayLeavesNothingToUndo() {
         GainsDesk desk;
-        desk.view.take(onePress(), "press");
+        desk.view.take(onePress());
         desk.view.setCalibration({});
-        QVERIFY(!desk.view.button("undo")->isEnabled());
+        QVERIFY(!test::part(desk.view, "undo")->isEnabled());
         QVERIFY(desk.view.isSaved());
         QCOMPARE(desk.changes.size(), std::size_t(1));
     }
 
     void theMapShowsRaisedLoweredAndUnusedTaxels() {
         GainsDesk desk;
-        desk.view.take(onePress(), "press");
+        desk.view.take(onePress());
         const QColor raised = desk.colourOf(0);
         const QColor lowered = desk.colourOf(1);
         QVERIFY(raised.red() > raised.blue());
         QVERIFY(lowered.blue() > lowered.red());
         // Row 0 is at the bottom.
-        QVERIFY(desk.view.map()->taxelRect(0).top() > desk.view.map()->taxelRect(3).top());
+        QVERIFY(desk.map->taxelRect(0).top() > desk.map->taxelRect(3).top());
     }
 
     void keysAndMouseReadATaxel() {
         GainsDesk desk;
         QVERIFY(desk.active);
-        desk.view.take(onePress(), "press");
-        GainMap* map = desk.view.map();
+        desk.view.take(onePress());
+        GainMap* map = desk.map;
         map->setFocus();
         QTest::keyClick(map, Qt::Key_Right); // the first one
         QCOMPARE(map->readout(), QStringLiteral("Taxel 0, row 0, column 0: \u00d7 1.250 \u00b1 0.013"));
@@ -197,8 +201,8 @@ private slots:
 
     void thePictureComesWithItsTable() {
         GainsDesk desk;
-        desk.view.take(onePress(), "press");
-        const QString csv = desk.view.map()->figure().csv();
+        desk.view.take(onePress());
+        const QString csv = desk.map->figure().csv();
         QVERIFY(
             csv.startsWith(QLatin1String("taxel,row,column,gain,gain_se,state\n0,0,0,1.25,0.0125,good\n")));
         QVERIFY(csv.contains(QLatin1String("3,1,0,NA,NA,stuck\n")));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/backend/motors/measured_motor.h"
+#include "tests/widgets/parts.h"
 #include "tests/widgets/test_registry.h"
 #include "widgets/calibrate/felt_panel.h"
 #include "widgets/calibrate/motor_table.h"
@@ -45,7 +46,7 @@ struct Desk {
         const motors::MotorRecording recording = test::measured(kMotor, 1.0);
         view.takeFit(motor, recording, motors::fitMotor(recording));
     }
-    [[nodiscard]] QString cell(int row, int column) const { return view.table()->item(row, column)->text(); }
+    [[nodiscard]] QString cell(int row, int column) const { return table->item(row, column)->text(); }
     [[nodiscard]] bool says(const char* words) const {
         for (const QLabel* label : view.findChildren<QLabel*>())
             if (label->isVisible() && label->text().contains(QLatin1String(words)))
@@ -54,6 +55,7 @@ struct Desk {
     }
 
     MotorsView view;
+    MotorTable* table = view.findChild<MotorTable*>();
     bool active = false;
     std::vector<MotorCalibration> changes;
 };
@@ -72,17 +74,17 @@ private slots:
         desk.view.setCalibration(own);
         for (std::size_t motor = 0; motor < core::kTactors; ++motor) {
             desk.view.setMeasuring(motor, 0.9);
-            QVERIFY(!desk.view.table()->isEnabled());
+            QVERIFY(!desk.table->isEnabled());
             desk.fit(motor);
         }
         desk.view.setMeasuring(std::nullopt);
-        QVERIFY(desk.view.table()->isEnabled());
+        QVERIFY(desk.table->isEnabled());
         for (int row = 0; row < int(core::kTactors); ++row) {
             QCOMPARE(desk.cell(row, 0),
                      row == 1 ? QString("left of the bone") : QString("Motor %1").arg(row + 1));
-            for (int column = 0; column < desk.view.table()->columnCount(); ++column)
-                QCOMPARE(desk.view.table()->item(row, column)->foreground().color(),
-                         desk.view.table()->palette().color(QPalette::Active, QPalette::Text));
+            for (int column = 0; column < desk.table->columnCount(); ++column)
+                QCOMPARE(desk.table->item(row, column)->foreground().color(),
+                         desk.table->palette().color(QPalette::Active, QPalette::Text));
         }
         QCOMPARE(desk.view.calibration().motors[0].profile.name, std::string());
         QCOMPARE(desk.view.calibration().motors[1].profile.name, std::string("left of the bone"));
@@ -104,15 +106,15 @@ private slots:
         Desk desk;
         QVERIFY(desk.says("not calibrated"));
         QVERIFY(desk.says("SIMULATED"));
-        QVERIFY(desk.view.button("measure")->isEnabled());
-        QVERIFY(!desk.view.button("save")->isEnabled());
+        QVERIFY(test::part(desk.view, "measure")->isEnabled());
+        QVERIFY(!test::part(desk.view, "save")->isEnabled());
         BraceletFacts deaf = simulatedOne();
         deaf.hasSensor = false;
         desk.view.setFacts(deaf);
-        QVERIFY(!desk.view.button("measure")->isEnabled());
-        QVERIFY(desk.view.button("feel")->isEnabled());
+        QVERIFY(!test::part(desk.view, "measure")->isEnabled());
+        QVERIFY(test::part(desk.view, "feel")->isEnabled());
         desk.view.setFacts({});
-        QVERIFY(!desk.view.button("feel")->isEnabled());
+        QVERIFY(!test::part(desk.view, "feel")->isEnabled());
         QVERIFY(desk.says("No bracelet"));
     }
 
@@ -137,19 +139,19 @@ private slots:
         QVERIFY(desk.active);
         desk.fit(3);
         QCOMPARE(desk.changes.size(), std::size_t(1));
-        QCOMPARE(desk.view.table()->selectedMotor(), std::size_t(3));
-        QVERIFY(desk.view.verdict().contains(QLatin1String("Motor 4")));
+        QCOMPARE(desk.table->selectedMotor(), std::size_t(3));
+        QVERIFY(test::textOf(desk.view, "verdict").contains(QLatin1String("Motor 4")));
         const motors::CalibratedMotor& motor = desk.changes.back().motors[3];
         QVERIFY(std::abs(motor.profile.riseTime_s - test::rise90_s(kMotor)) < 5.0 * motor.riseError_s);
         QVERIFY(desk.cell(3, 6).contains(QLatin1String("measured")));
         QVERIFY(desk.cell(2, 6).contains(QLatin1String("assumed")));
         QVERIFY(desk.says("not saved"));
-        QVERIFY(desk.view.button("save")->isEnabled());
-        QTest::keyClick(desk.view.table(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(test::part(desk.view, "save")->isEnabled());
+        QTest::keyClick(desk.table, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(desk.changes.size(), std::size_t(2));
         QVERIFY(!desk.view.calibration().measured());
         QVERIFY(desk.view.isSaved());
-        QTest::mouseClick(desk.view.button("redo"), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.view, "redo"), Qt::LeftButton);
         QVERIFY(desk.view.calibration().measured());
         desk.view.markSaved();
         QVERIFY(desk.says("calibrated, saved"));
@@ -161,28 +163,28 @@ private slots:
         std::ranges::fill(recording.speed_Hz, 0.0);
         desk.view.takeFit(0, recording, motors::fitMotor(recording));
         QVERIFY(desk.changes.empty());
-        QVERIFY(desk.view.verdict().contains(QLatin1String("does not turn")));
+        QVERIFY(test::textOf(desk.view, "verdict").contains(QLatin1String("does not turn")));
     }
 
     void asksForTheRecordingOfTheSelectedMotor() {
         Desk desk;
         QSignalSpy recordings(&desk.view, &MotorsView::recordingRequested);
         QSignalSpy measurements(&desk.view, &MotorsView::measureRequested);
-        desk.view.table()->selectMotor(4);
-        QTest::mouseClick(desk.view.button("recording"), Qt::LeftButton);
+        desk.table->selectMotor(4);
+        QTest::mouseClick(test::part(desk.view, "recording"), Qt::LeftButton);
         QCOMPARE(recordings.size(), 1);
         QCOMPARE(recordings[0][0].value<std::size_t>(), std::size_t(4));
-        QTest::mouseClick(desk.view.button("measureAll"), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.view, "measureAll"), Qt::LeftButton);
         QCOMPARE(measurements[0][0].value<std::vector<std::size_t>>().size(), std::size_t(6));
     }
 
     void findsAStartByFeelAndUndoesAnAnswerThenTheWhole() {
         Desk desk;
         QVERIFY(desk.active);
-        QTest::mouseClick(desk.view.button("feel"), Qt::LeftButton);
-        FeltPanel* panel = desk.view.feltPanel();
+        QTest::mouseClick(test::part(desk.view, "feel"), Qt::LeftButton);
+        auto* panel = desk.view.findChild<FeltPanel*>();
         QVERIFY(panel->isVisible());
-        QVERIFY(!desk.view.table()->isEnabled());
+        QVERIFY(!desk.table->isEnabled());
         QTest::keyClick(panel, Qt::Key_Space);
         QTest::keyClick(panel, Qt::Key_Y);
         QCOMPARE(panel->task()->answers(), 1);
@@ -196,15 +198,15 @@ private slots:
         QVERIFY(!panel->isVisible());
         QVERIFY(std::abs(desk.view.calibration().motors[0].profile.startDrive - 0.3) < 0.03);
         QVERIFY(desk.cell(0, 6).contains(QLatin1String("by feel")));
-        desk.view.undo();
+        QTest::mouseClick(test::part(desk.view, "undo"), Qt::LeftButton);
         QVERIFY(!desk.view.calibration().measured());
     }
 
     void answersLeaveWhatWasMeasuredMeanwhile() {
         Desk desk;
-        desk.view.table()->selectMotor(2);
-        QTest::mouseClick(desk.view.button("feel"), Qt::LeftButton);
-        FeltPanel* panel = desk.view.feltPanel();
+        desk.table->selectMotor(2);
+        QTest::mouseClick(test::part(desk.view, "feel"), Qt::LeftButton);
+        auto* panel = desk.view.findChild<FeltPanel*>();
         desk.fit(1); // its recording was being read when the questions began
         QTest::keyClick(panel, Qt::Key_Space);
         for (int i = 0; i < 200 && panel->task() != nullptr; ++i) {
@@ -219,8 +221,8 @@ private slots:
 
     void anotherBraceletEndsTheQuestionsAboutTheOneBefore() {
         Desk desk;
-        QTest::mouseClick(desk.view.button("feel"), Qt::LeftButton);
-        FeltPanel* panel = desk.view.feltPanel();
+        QTest::mouseClick(test::part(desk.view, "feel"), Qt::LeftButton);
+        auto* panel = desk.view.findChild<FeltPanel*>();
         QTest::keyClick(panel, Qt::Key_Space);
         QTest::keyClick(panel, Qt::Key_Y);
         MotorCalibration other;
@@ -228,24 +230,24 @@ private slots:
         desk.view.setCalibration(other);
         QVERIFY(panel->task() == nullptr);
         QVERIFY(!panel->isVisible());
-        QVERIFY(desk.view.table()->isEnabled());
+        QVERIFY(desk.table->isEnabled());
         QCOMPARE(desk.view.calibration(), other);
     }
 
     void balancesByTheCurvesAndResets() {
         Desk desk;
         desk.fit(0);
-        QVERIFY(!desk.view.button("curves")->isEnabled());
+        QVERIFY(!test::part(desk.view, "curves")->isEnabled());
         const motors::MotorRecording faster = test::measured(
             {.rise_s = 0.02, .fall_s = 0.03, .start = 0.2, .fullSpeed_Hz = 300.0, .bend = 1.0}, 0.5);
         desk.view.takeFit(1, faster, motors::fitMotor(faster));
-        QTest::mouseClick(desk.view.button("curves"), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.view, "curves"), Qt::LeftButton);
         // 250 of 300 Hz on a straight curve.
         QVERIFY(std::abs(desk.view.calibration().motors[1].profile.fullDrive - 250.0 / 300.0) < 0.01);
-        QTest::mouseClick(desk.view.button("reset"), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.view, "reset"), Qt::LeftButton);
         QVERIFY(!desk.view.calibration().measured());
         QCOMPARE(desk.view.calibration().bracelet, std::string("simulated"));
-        desk.view.undo();
+        QTest::mouseClick(test::part(desk.view, "undo"), Qt::LeftButton);
         QVERIFY(desk.view.calibration().measured());
     }
 
@@ -258,7 +260,7 @@ private slots:
         desk.view.takeProfile(loaded);
         QCOMPARE(desk.changes.back(), loaded);
         QVERIFY(desk.says("not saved"));
-        QTest::mouseClick(desk.view.button("undo"), Qt::LeftButton);
+        QTest::mouseClick(test::part(desk.view, "undo"), Qt::LeftButton);
         QCOMPARE(desk.changes.back(), measured);
     }
 
@@ -285,14 +287,14 @@ private slots:
         reserved.reserved = true;
         desk.view.setFacts(reserved);
         for (const char* name : {"undo", "redo", "load", "reset", "recording", "curves", "measure", "feel"})
-            QVERIFY2(!desk.view.button(name)->isEnabled(), name);
+            QVERIFY2(!test::part(desk.view, name)->isEnabled(), name);
         QVERIFY(desk.says("a study uses the bracelet"));
-        QTest::keyClick(desk.view.table(), Qt::Key_Z, Qt::ControlModifier);
+        QTest::keyClick(desk.table, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(desk.changes.size(), before);
         // What is known may still be kept.
-        QVERIFY(desk.view.button("save")->isEnabled());
+        QVERIFY(test::part(desk.view, "save")->isEnabled());
         desk.view.setFacts(simulatedOne());
-        QVERIFY(desk.view.button("reset")->isEnabled());
+        QVERIFY(test::part(desk.view, "reset")->isEnabled());
     }
 
     void locksTheStepsWhileItMeasures() {
@@ -300,11 +302,11 @@ private slots:
         QSignalSpy cancelled(&desk.view, &MotorsView::cancelMeasureRequested);
         desk.view.setMeasuring(2, 0.3);
         QVERIFY(desk.says("Measuring motor 3"));
-        QVERIFY(!desk.view.table()->isEnabled());
-        QTest::mouseClick(desk.view.button("cancel"), Qt::LeftButton);
+        QVERIFY(!desk.table->isEnabled());
+        QTest::mouseClick(test::part(desk.view, "cancel"), Qt::LeftButton);
         QCOMPARE(cancelled.size(), 1);
         desk.view.setMeasuring(std::nullopt);
-        QVERIFY(desk.view.table()->isEnabled());
+        QVERIFY(desk.table->isEnabled());
     }
 };
 

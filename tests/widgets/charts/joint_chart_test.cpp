@@ -60,6 +60,14 @@ struct Chart {
     JointChartView view;
 };
 
+double yOfTorque(const JointPlot& plot, double torque_Nm) {
+    return plot.laneGraph(JointPlot::Row::torque, 0)->valueAxis()->coordToPixel(1e3 * torque_Nm);
+}
+
+QPoint middleOf(const JointChartView& view, JointPlot::Row row) {
+    return view.plot()->mapToParent(view.plot()->laneRect(row).center());
+}
+
 } // namespace
 
 /// Joint torques and angles over time.
@@ -73,7 +81,7 @@ private slots:
         Chart chart;
         const JointPlot& plot = *chart.view.plot();
         const auto last = [&](std::size_t joint) {
-            const auto data = plot.graphOf(JointPlot::Row::torque, joint)->data();
+            const auto data = plot.laneGraph(JointPlot::Row::torque, joint)->data();
             double value = 0.0;
             for (auto it = data->constBegin(); it != data->constEnd(); ++it)
                 if (!std::isnan(it->value))
@@ -93,7 +101,7 @@ private slots:
         const int x =
             static_cast<int>(chart.view.plot()->xOf(-9.03)); // before the first sample, off the grid
         const auto at = [&](double torque_Nm) {
-            return image.pixelColor(x, static_cast<int>(chart.view.plot()->yOfTorque(torque_Nm)));
+            return image.pixelColor(x, static_cast<int>(yOfTorque(*chart.view.plot(), torque_Nm)));
         };
         const QColor ground = chart.view.palette().color(QPalette::Base);
         QVERIFY(at(0.035) != ground);
@@ -102,7 +110,7 @@ private slots:
         QCOMPARE(at(0.055), ground);
         chart.view.setWindow({0.01, 0.018});
         const QImage other = chart.draw();
-        const int y = static_cast<int>(chart.view.plot()->yOfTorque(0.015));
+        const int y = static_cast<int>(yOfTorque(*chart.view.plot(), 0.015));
         QVERIFY(other.pixelColor(x, y) != ground);
     }
 
@@ -116,7 +124,7 @@ private slots:
         QVERIFY(std::abs(shade.from - (2.0 - 3.999)) < 1e-9);
         QVERIFY(std::abs(shade.to - (2.5 - 3.999)) < 1e-9);
         QCOMPARE(shade.label, QString("7"));
-        const int y = static_cast<int>(chart.view.plot()->yOfTorque(0.015));
+        const int y = static_cast<int>(yOfTorque(*chart.view.plot(), 0.015));
         const auto at = [&](double time_s) {
             return image.pixelColor(static_cast<int>(chart.view.plot()->xOf(time_s - 3.999)), y);
         };
@@ -138,7 +146,7 @@ private slots:
         chart.view.append(std::vector{sampleAt(4000, 0.2)});
         chart.feed(4001, 60000);
         chart.view.setSpan(60.0);
-        const auto data = chart.view.plot()->graphOf(JointPlot::Row::torque, 3)->data();
+        const auto data = chart.view.plot()->laneGraph(JointPlot::Row::torque, 3)->data();
         double peak = 0.0;
         for (auto it = data->constBegin(); it != data->constEnd(); ++it)
             peak = std::isnan(it->value) ? peak : std::max(peak, it->value);
@@ -149,7 +157,6 @@ private slots:
 
     void pausedItStandsStillAndKeepsSamples() {
         Chart chart;
-        QSignalSpy pauses(&chart.view, &JointChartView::pausedChanged);
         QTest::keyClick(&chart.view, Qt::Key_Space);
         QVERIFY(chart.view.isPaused());
         chart.feed(4000, 5000);
@@ -158,19 +165,18 @@ private slots:
         QTest::keyClick(&chart.view, Qt::Key_End);
         QVERIFY(!chart.view.isPaused());
         QVERIFY(std::abs(chart.view.end_s() - 4.999) < 1e-9);
-        QCOMPARE(pauses.size(), 2);
     }
 
     void theCursorReadsAllJointsAtItsTime() {
         Chart chart;
         chart.view.setSpan(5.0);
-        const QRect area = chart.view.plot()->plotRect(JointPlot::Row::torque);
+        const QRect area = chart.view.plot()->laneRect(JointPlot::Row::torque);
         const int x = static_cast<int>(std::lround(chart.view.plot()->xOf(2.03 - 3.999)));
         test::hover(chart.view.plot(), QPoint(x, area.center().y()));
         QVERIFY(chart.view.cursorTime_s());
         // Two pixels of 5 s over the width, at 1 mNm a millisecond.
         const double tolerance_mNm = 2.0 * 5000.0 / area.width();
-        const QString text = chart.view.plot()->panelOf(JointPlot::Row::torque)->lines()[3].value;
+        const QString text = chart.view.plot()->lanePanel(JointPlot::Row::torque)->lines()[3].value;
         const double shown = text.section(QChar(0x00a0), 0, 0).remove(QChar(0x2007)).toDouble();
         QVERIFY2(std::abs(shown - 30.0) <= tolerance_mNm, qPrintable(text));
         QVERIFY(text.endsWith("mNm"));
@@ -178,14 +184,14 @@ private slots:
 
     void anglesAreARowOfTheirOwnInDegrees() {
         Chart chart;
-        QVERIFY(chart.view.plot()->plotRect(JointPlot::Row::angle).isEmpty());
-        chart.view.anglesAction()->trigger();
+        QVERIFY(chart.view.plot()->laneRect(JointPlot::Row::angle).isEmpty());
+        chart.view.findChild<QAction*>("angles")->trigger();
         chart.draw();
-        const QRect torque = chart.view.plot()->plotRect(JointPlot::Row::torque);
-        const QRect angle = chart.view.plot()->plotRect(JointPlot::Row::angle);
+        const QRect torque = chart.view.plot()->laneRect(JointPlot::Row::torque);
+        const QRect angle = chart.view.plot()->laneRect(JointPlot::Row::angle);
         QVERIFY(angle.top() > torque.bottom());
         QVERIFY(std::abs(angle.height() - torque.height()) <= 2);
-        const QString text = chart.view.plot()->panelOf(JointPlot::Row::angle)->lines()[3].value;
+        const QString text = chart.view.plot()->lanePanel(JointPlot::Row::angle)->lines()[3].value;
         QVERIFY2(text.contains("57.3"), qPrintable(text)); // 1 rad
     }
 
@@ -202,7 +208,7 @@ private slots:
 
     void wheelsScrollAndZoomOnlyWithTheirKeys() {
         Chart chart;
-        const QPointF middle = chart.view.plot()->plotRect(JointPlot::Row::torque).center();
+        const QPointF middle = chart.view.plot()->laneRect(JointPlot::Row::torque).center();
         QVERIFY(!test::turnWheel(chart.view.plot(), middle, 1));
         QVERIFY(test::turnWheel(chart.view.plot(), middle, 1, Qt::ControlModifier));
         QCOMPARE(chart.view.span_s(), 8.0); // one step of 1.25 from 10 s
@@ -210,50 +216,50 @@ private slots:
 
     void theEndsOfAnAxisAreTyped() {
         Chart chart;
-        chart.view.anglesAction()->trigger();
+        chart.view.findChild<QAction*>("angles")->trigger();
         chart.draw();
         JointPlot* plot = chart.view.plot();
         const auto type = [&](JointPlot::Row row, const QString& text) {
-            const QRect area = plot->plotRect(row);
+            const QRect area = plot->laneRect(row);
             test::typeAt(&chart.view, plot, QPoint(area.left() - 10, area.center().y()), text);
             chart.draw();
         };
-        const ValueRange automatic = plot->rangeOf(JointPlot::Row::torque);
+        const ValueRange automatic = plot->laneRange(JointPlot::Row::torque);
         type(JointPlot::Row::torque, QStringLiteral("-20 80"));
-        QVERIFY(plot->fixedRange(JointPlot::Row::torque));
-        QVERIFY(std::abs(plot->rangeOf(JointPlot::Row::torque).low + 20.0) < 1e-9);
-        QVERIFY(std::abs(plot->rangeOf(JointPlot::Row::torque).high - 80.0) < 1e-9);
+        QVERIFY(plot->fixedLaneRange(JointPlot::Row::torque));
+        QVERIFY(std::abs(plot->laneRange(JointPlot::Row::torque).low + 20.0) < 1e-9);
+        QVERIFY(std::abs(plot->laneRange(JointPlot::Row::torque).high - 80.0) < 1e-9);
         // 80 mNm lie above 60 mNm by a fifth of the axis, which is 110 % as high as what was typed.
-        const double perNm = (plot->yOfTorque(0.06) - plot->yOfTorque(0.08)) / 0.02;
-        const QRect area = plot->plotRect(JointPlot::Row::torque);
+        const double perNm = (yOfTorque(*plot, 0.06) - yOfTorque(*plot, 0.08)) / 0.02;
+        const QRect area = plot->laneRect(JointPlot::Row::torque);
         QVERIFY(std::abs(perNm * 0.11 - area.height()) <= 2.0);
-        QVERIFY(!plot->fixedRange(JointPlot::Row::angle));
+        QVERIFY(!plot->fixedLaneRange(JointPlot::Row::angle));
         type(JointPlot::Row::angle, QStringLiteral("0 90"));
-        QVERIFY(std::abs(plot->rangeOf(JointPlot::Row::angle).high - 90.0) < 1e-9);
+        QVERIFY(std::abs(plot->laneRange(JointPlot::Row::angle).high - 90.0) < 1e-9);
         type(JointPlot::Row::torque, QStringLiteral("80 -20"));
-        QCOMPARE(plot->fixedRange(JointPlot::Row::torque)->high, 80.0);
+        QCOMPARE(plot->fixedLaneRange(JointPlot::Row::torque)->high, 80.0);
         type(JointPlot::Row::torque, QString());
-        QVERIFY(!plot->fixedRange(JointPlot::Row::torque));
-        QVERIFY(std::abs(plot->rangeOf(JointPlot::Row::torque).high - automatic.high) < 1e-9);
+        QVERIFY(!plot->fixedLaneRange(JointPlot::Row::torque));
+        QVERIFY(std::abs(plot->laneRange(JointPlot::Row::torque).high - automatic.high) < 1e-9);
     }
 
     void theContextMenuTellsWhetherAnAxisIsAutomatic() {
         Chart chart;
         const auto automatic = [&] {
             QMenu menu;
-            chart.view.populateMenu(menu, JointPlot::Row::torque);
+            chart.view.populateMenu(menu, middleOf(chart.view, JointPlot::Row::torque));
             for (const QAction* action : menu.actions())
                 if (action->text().remove(u'&') == QStringLiteral("Automatic range"))
                     return action->isChecked();
             return false;
         };
         QVERIFY(automatic());
-        chart.view.plot()->setFixedRange(JointPlot::Row::torque, ValueRange{-20.0, 80.0});
+        chart.view.plot()->setFixedLaneRange(JointPlot::Row::torque, ValueRange{-20.0, 80.0});
         QVERIFY(!automatic());
         QMenu elsewhere;
-        chart.view.populateMenu(elsewhere);
+        chart.view.populateMenu(elsewhere, {-1, -1});
         for (const QAction* action : elsewhere.actions())
-            QVERIFY(!action->text().contains(QStringLiteral("Range")));
+            QVERIFY(!action->text().contains(QStringLiteral("range")));
     }
 
     void theDataAreTheShownStretch() {

@@ -39,10 +39,10 @@ class StripChartInteractionTest : public QObject {
         QCoreApplication::processEvents();
     }
     [[nodiscard]] QPoint pointAt(double time_s, Strip strip = Strip::force) const {
-        return {qRound(m_view->plot()->xOf(time_s)), m_view->plot()->plotRect(strip).center().y()};
+        return {qRound(m_view->plot()->xOf(time_s)), m_view->plot()->laneRect(strip).center().y()};
     }
     [[nodiscard]] QString valueOf(Strip strip, std::size_t line = 0) const {
-        return m_view->plot()->panelOf(strip)->lines().at(line).value.trimmed().remove(QChar(0x2007));
+        return m_view->plot()->lanePanel(strip)->lines().at(line).value.trimmed().remove(QChar(0x2007));
     }
     void dragBy(int pixels) {
         StripPlot* plot = m_view->plot();
@@ -97,7 +97,7 @@ private slots:
         const int x = qRound(m_view->plot()->xOf(*m_view->cursorTime_s()));
         const QRgb ink = m_view->palette().color(QPalette::Text).rgb();
         for (const Strip strip : m_view->shownStrips()) {
-            const QRect rect = m_view->plot()->plotRect(strip);
+            const QRect rect = m_view->plot()->laneRect(strip);
             QCOMPARE(after.pixel(x, rect.top() + 3), ink);
             QVERIFY(before.pixel(x, rect.top() + 3) != ink);
         }
@@ -119,17 +119,15 @@ private slots:
     }
 
     void pausingFreezesThePictureAndKeepsTheSamples() {
-        QSignalSpy changed(m_view.get(), &StripChartView::pausedChanged);
         QTest::keyClick(m_view.get(), Qt::Key_Space);
         QVERIFY(m_view->isPaused());
-        QVERIFY(m_view->pauseAction()->isChecked());
-        QCOMPARE(changed.size(), qsizetype(1));
+        QVERIFY(m_view->findChild<QAction*>("pause")->isChecked());
         draw();
         const double end_s = m_view->end_s();
-        const auto points = *m_view->plot()->graphOf(Strip::force, 0)->data()->constBegin();
+        const auto points = *m_view->plot()->laneGraph(Strip::force, 0)->data()->constBegin();
         feed(4000, 5000);
         QCOMPARE(m_view->end_s(), end_s);
-        QCOMPARE(m_view->plot()->graphOf(Strip::force, 0)->data()->constBegin()->value, points.value);
+        QCOMPARE(m_view->plot()->laneGraph(Strip::force, 0)->data()->constBegin()->value, points.value);
         QCOMPARE(m_view->history().size(), std::size_t(5000));
         QVERIFY(m_view->plot()->headerText().contains(QStringLiteral("PAUSED")));
         QTest::keyClick(m_view.get(), Qt::Key_Space);
@@ -188,7 +186,7 @@ private slots:
     void aPlainWheelIsLeftToTheWindow() { QVERIFY(!turnWheel(m_view->plot(), pointAt(-5.0), 1)); }
 
     void draggingScrolls() {
-        const double perPixel_s = m_view->span_s() / m_view->plot()->plotRect(Strip::force).width();
+        const double perPixel_s = m_view->span_s() / m_view->plot()->laneRect(Strip::force).width();
         dragBy(100);
         QVERIFY(m_view->isPaused());
         QVERIFY(std::abs(m_view->end_s() - (19.995 - 100 * perPixel_s)) < 2.0 * perPixel_s);
@@ -206,12 +204,10 @@ private slots:
     }
 
     void theSpanIsChosenWithOneClick() {
-        QSignalSpy changed(m_view.get(), &StripChartView::spanChanged);
         for (QToolButton* button : m_view->findChildren<QToolButton*>())
             if (button->text() == QStringLiteral("30 s"))
                 QTest::mouseClick(button, Qt::LeftButton);
         QCOMPARE(m_view->span_s(), 30.0);
-        QCOMPARE(changed.size(), qsizetype(1));
         m_view->setSpan(qQNaN());
         QCOMPARE(m_view->span_s(), 30.0);
     }
@@ -283,39 +279,38 @@ private slots:
     }
 
     void stripsAreChosenFromTheMenu() {
-        QSignalSpy changed(m_view.get(), &StripChartView::stripsChanged);
-        QVERIFY(m_view->plot()->plotRect(Strip::active).isEmpty());
+        QVERIFY(m_view->plot()->laneRect(Strip::active).isEmpty());
         m_view->stripAction(Strip::active)->trigger();
         m_view->stripAction(Strip::force)->trigger();
         draw();
-        QVERIFY(!m_view->plot()->plotRect(Strip::active).isEmpty());
-        QVERIFY(m_view->plot()->plotRect(Strip::force).isEmpty());
-        QCOMPARE(changed.size(), qsizetype(2));
+        QVERIFY(!m_view->plot()->laneRect(Strip::active).isEmpty());
+        QVERIFY(m_view->plot()->laneRect(Strip::force).isEmpty());
     }
 
     void theEndsOfAnAxisAreTyped() {
-        const QPoint axis(m_view->plot()->plotRect(Strip::dzmp).left() - 10,
-                          m_view->plot()->plotRect(Strip::dzmp).center().y());
+        const QPoint axis(m_view->plot()->laneRect(Strip::dzmp).left() - 10,
+                          m_view->plot()->laneRect(Strip::dzmp).center().y());
         const auto type = [&](const QString& text) {
             test::typeAt(m_view.get(), m_view->plot(), axis, text);
         };
         type(QStringLiteral("-3 7"));
-        const auto fixed = m_view->plot()->fixedRange(Strip::dzmp);
+        const auto fixed = m_view->plot()->fixedLaneRange(Strip::dzmp);
         QVERIFY(fixed);
         QCOMPARE(fixed->low, -3.0);
         QCOMPARE(fixed->high, 7.0);
         draw();
-        QVERIFY(std::abs(m_view->plot()->rangeOf(Strip::dzmp).high - 7.0) < 1e-9);
+        QVERIFY(std::abs(m_view->plot()->laneRange(Strip::dzmp).high - 7.0) < 1e-9);
         for (const QString& nonsense : {QStringLiteral("7 -3"), QStringLiteral("x y"), QStringLiteral("1")})
             type(nonsense);
-        QCOMPARE(m_view->plot()->fixedRange(Strip::dzmp)->low, -3.0);
+        QCOMPARE(m_view->plot()->fixedLaneRange(Strip::dzmp)->low, -3.0);
         type(QString());
-        QVERIFY(!m_view->plot()->fixedRange(Strip::dzmp));
+        QVERIFY(!m_view->plot()->fixedLaneRange(Strip::dzmp));
     }
 
     void theContextMenuHasWhatAUserExpects() {
         QMenu menu;
-        m_view->populateMenu(menu, Strip::force);
+        m_view->populateMenu(menu,
+                             m_view->plot()->mapToParent(m_view->plot()->laneRect(Strip::force).center()));
         QStringList texts;
         for (QAction* action : menu.actions())
             texts << action->text().remove(u'&');

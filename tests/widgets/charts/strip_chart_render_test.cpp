@@ -40,7 +40,7 @@ public:
     }
     /// Coloured pixels (curves; axes and grid are grey) of a strip between two times before the right end.
     [[nodiscard]] int curvePixels(const QImage& image, Strip strip, double from_s, double to_s) const {
-        const QRect rect = view.plot()->plotRect(strip);
+        const QRect rect = view.plot()->laneRect(strip);
         int found = 0;
         for (int x = qCeil(view.plot()->xOf(from_s)); x <= qFloor(view.plot()->xOf(to_s)); ++x)
             for (int y = rect.top() + 1; y < rect.bottom(); ++y)
@@ -49,7 +49,7 @@ public:
     }
     static bool isCurve(QRgb pixel) { return QColor(pixel).hsvSaturation() > 60; }
     [[nodiscard]] QRgb colourOf(Strip strip, std::size_t series) const {
-        return view.plot()->graphOf(strip, series)->pen().color().rgb();
+        return view.plot()->laneGraph(strip, series)->pen().color().rgb();
     }
 
     StripChartView view;
@@ -95,7 +95,7 @@ private slots:
         const double jump_s = -(1.995 - 0.5);
         const int x = qRound(chart.view.plot()->xOf(jump_s));
         for (const Strip strip : {Strip::force, Strip::positionX}) {
-            const QRect rect = chart.view.plot()->plotRect(strip);
+            const QRect rect = chart.view.plot()->laneRect(strip);
             int dots = 0;
             for (int y = rect.top(); y < rect.bottom(); ++y)
                 dots += qGray(image.pixel(x, y)) < 160 ? 1 : 0;
@@ -112,8 +112,8 @@ private slots:
             chart.view.append(sample);
         }
         const QImage image = chart.draw();
-        const QRect rect = chart.view.plot()->plotRect(Strip::force);
-        const ValueRange range = chart.view.plot()->rangeOf(Strip::force);
+        const QRect rect = chart.view.plot()->laneRect(Strip::force);
+        const ValueRange range = chart.view.plot()->laneRange(Strip::force);
         QCOMPARE(range.low, 0.0);
         QVERIFY(range.high >= 5.0 * 1.3 && range.high <= 10.0);
         const double pad = 0.05 * range.high; // of each end
@@ -141,9 +141,9 @@ private slots:
         Chart chart({Strip::force, Strip::orientation});
         chart.feed(0.0, 3.0);
         chart.draw();
-        QCOMPARE(chart.view.plot()->rangeOf(Strip::force).low, 0.0);
-        QVERIFY(std::abs(chart.view.plot()->rangeOf(Strip::orientation).low + 90.0) < 1e-9);
-        QVERIFY(std::abs(chart.view.plot()->rangeOf(Strip::orientation).high - 90.0) < 1e-9);
+        QCOMPARE(chart.view.plot()->laneRange(Strip::force).low, 0.0);
+        QVERIFY(std::abs(chart.view.plot()->laneRange(Strip::orientation).low + 90.0) < 1e-9);
+        QVERIFY(std::abs(chart.view.plot()->laneRange(Strip::orientation).high - 90.0) < 1e-9);
     }
 
     void millimetresAndDegreesAreShown() {
@@ -155,7 +155,7 @@ private slots:
         chart.view.append(sample);
         chart.draw();
         const auto value = [&](Strip strip) {
-            return chart.view.plot()->panelOf(strip)->lines().front().value.trimmed().remove(QChar(0x2007));
+            return chart.view.plot()->lanePanel(strip)->lines().front().value.trimmed().remove(QChar(0x2007));
         };
         QCOMPARE(value(Strip::positionX), QStringLiteral("12.3\u00a0mm"));
         QCOMPARE(value(Strip::orientation), QStringLiteral("30.0\u00b0"));
@@ -166,18 +166,22 @@ private slots:
         Chart chart({Strip::force, Strip::positionX});
         chart.view.append(test::rollingSample(0.0, false));
         chart.draw();
-        QVERIFY(chart.view.plot()->panelOf(Strip::positionX)->lines().front().value.contains(QChar(0x2014)));
         QVERIFY(
-            chart.view.plot()->panelOf(Strip::force)->lines().front().value.contains(QStringLiteral("0.00")));
+            chart.view.plot()->lanePanel(Strip::positionX)->lines().front().value.contains(QChar(0x2014)));
+        QVERIFY(chart.view.plot()
+                    ->lanePanel(Strip::force)
+                    ->lines()
+                    .front()
+                    .value.contains(QStringLiteral("0.00")));
     }
 
     void allStripsHaveTheSameHeightAndTimeAxis() {
         Chart chart({Strip::force, Strip::positionX, Strip::dzmp, Strip::active});
         chart.draw();
-        const QRect first = chart.view.plot()->plotRect(Strip::force);
+        const QRect first = chart.view.plot()->laneRect(Strip::force);
         QVERIFY(first.height() > 40);
         for (const Strip strip : {Strip::positionX, Strip::dzmp, Strip::active}) {
-            const QRect rect = chart.view.plot()->plotRect(strip);
+            const QRect rect = chart.view.plot()->laneRect(strip);
             QVERIFY(std::abs(rect.height() - first.height()) <= 1);
             QCOMPARE(rect.left(), first.left());
             QCOMPARE(rect.right(), first.right());
@@ -188,12 +192,12 @@ private slots:
         Chart chart({Strip::force});
         chart.feed(0.0, 1.0);
         chart.draw();
-        const int left = chart.view.plot()->plotRect(Strip::force).left();
+        const int left = chart.view.plot()->laneRect(Strip::force).left();
         pipeline::FeatureSample heavy = test::rollingSample(1.0, true);
         heavy.features.force_N = 987.0;
         chart.view.append(heavy);
         chart.draw();
-        QCOMPARE(chart.view.plot()->plotRect(Strip::force).left(), left);
+        QCOMPARE(chart.view.plot()->laneRect(Strip::force).left(), left);
     }
 
     void aMarkIsALabelledLineInEveryStrip() {
@@ -205,8 +209,8 @@ private slots:
         const int x = qRound(chart.view.plot()->xOf(8.0 - 9.995));
         const QRgb accent = qApp->palette().color(QPalette::Highlight).rgb();
         for (const Strip strip : {Strip::force, Strip::positionX})
-            QCOMPARE(after.pixel(x, chart.view.plot()->plotRect(strip).bottom() - 4), accent);
-        QVERIFY(before.pixel(x, chart.view.plot()->plotRect(Strip::force).bottom() - 4) != accent);
+            QCOMPARE(after.pixel(x, chart.view.plot()->laneRect(strip).bottom() - 4), accent);
+        QVERIFY(before.pixel(x, chart.view.plot()->laneRect(Strip::force).bottom() - 4) != accent);
     }
 
     void coloursFollowThePalette() {
@@ -268,7 +272,7 @@ private slots:
         figure.paint(painter);
         painter.end();
         QCOMPARE(paper.pixel(2, paper.height() / 2), qRgb(255, 255, 255));
-        const QRect rect = chart.view.plot()->plotRect(Strip::force);
+        const QRect rect = chart.view.plot()->laneRect(Strip::force);
         QSet<QRgb> colours;
         for (int y = rect.top(); y < rect.bottom(); ++y)
             colours.insert(paper.pixel(rect.center().x(), y));

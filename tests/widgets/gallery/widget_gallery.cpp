@@ -145,7 +145,7 @@ std::unique_ptr<QWidget> jog(std::optional<core::ArmDrive> drive) {
 std::unique_ptr<QWidget> joints(bool angles) {
     auto view = std::make_unique<charts::JointChartView>();
     view->setProvenance(base::Provenance::simulated);
-    view->anglesAction()->setChecked(angles);
+    view->findChild<QAction*>("angles")->setChecked(angles);
     std::vector<core::JointSample> samples;
     for (int i = 0; i < 10000; ++i) {
         const double time_s = 0.001 * i;
@@ -228,8 +228,8 @@ std::unique_ptr<QWidget> motorsView(bool asking) {
         view->takeFit(motor, recording, motors::fitMotor(recording));
     }
     if (asking) {
-        view->button("feel")->click();
-        view->feltPanel()->playButton()->click();
+        view->findChild<QPushButton*>("feel")->click();
+        view->findChild<QPushButton*>("play")->click();
     }
     return view;
 }

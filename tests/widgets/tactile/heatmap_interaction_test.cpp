@@ -159,7 +159,6 @@ private slots:
     }
 
     void theUpperEndIsTypedOnTheBar() {
-        QSignalSpy changed(m_view.get(), &HeatmapView::fixedRangeChanged);
         const auto type = [this](const QString& text) {
             QTest::mouseDClick(m_view.get(), Qt::LeftButton, {},
                                m_view->layoutNow().colourBar().center().toPoint());
@@ -176,7 +175,6 @@ private slots:
         type(QStringLiteral("4.5"));
         QCOMPARE(m_view->fixedRange(), std::optional(4.5));
         QCOMPARE(m_view->rangeTop(), 4.5);
-        QCOMPARE(changed.size(), qsizetype(1));
         type(QString());
         QVERIFY(!m_view->fixedRange());
         QCOMPARE(m_view->rangeTop(), 1.25);
@@ -205,11 +203,9 @@ private slots:
     }
 
     void aRangeThatMakesNoSenseIsIgnored() {
-        QSignalSpy changed(m_view.get(), &HeatmapView::fixedRangeChanged);
         for (const double top : {0.0, -1.0, qInf(), qQNaN()})
             m_view->setFixedRange(top);
         QVERIFY(!m_view->fixedRange());
-        QVERIFY(changed.isEmpty());
     }
 
     void theAutomaticRangeDoesNotFollowSmallChanges() {
@@ -226,14 +222,14 @@ private slots:
     void everyOverlayCanBeSwitchedFromTheMenu() {
         QMenu menu;
         m_view->populateMenu(menu);
-        QSignalSpy changed(m_view.get(), &HeatmapView::overlaysChanged);
         for (const auto overlay : {HeatmapView::Overlay::contacts, HeatmapView::Overlay::values}) {
             QAction* action = m_view->overlayAction(overlay);
             QVERIFY(menu.actions().contains(action));
             QVERIFY(!action->text().isEmpty() && !action->toolTip().isEmpty());
+            const QImage before = m_view->grab().toImage();
             action->trigger();
+            QVERIFY(m_view->grab().toImage() != before);
         }
-        QCOMPARE(changed.size(), qsizetype(2));
     }
 
     void theMenuFixesAndFreesTheRange() {

@@ -346,7 +346,7 @@ private slots:
 
     void aPictureForPaperIsOnWhiteAndHasTheSameColours() {
         base::applyTheme(base::ThemeChoice::dark);
-        const Picture picture(ramp());
+        Picture picture(ramp());
         const base::Figure figure = picture.view.figure();
         QImage paper(figure.size_px.toSize(), QImage::Format_RGB32);
         paper.fill(Qt::white);

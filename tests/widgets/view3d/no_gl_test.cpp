@@ -68,7 +68,7 @@ private slots:
         view.resize(500, 400);
         view.show();
         QVERIFY(QTest::qWaitForWindowExposed(&view));
-        QTRY_VERIFY(!view.vtkWidget().canRender());
+        QTRY_VERIFY(!view.findChild<view3d::VtkWidget*>()->canRender());
         const core::ArrayLayout layout;
         for (std::uint64_t frame = 1; frame < 4; ++frame) {
             view.setSnapshot(test::pressed(layout, {{1, 0.0, 0.0, 1.0}}, frame));
@@ -76,8 +76,8 @@ private slots:
         view.setSurface(view3d::Surface::cylinder);
         view.setArmLinks(std::vector<view3d::ArmLink>(2));
         view.setContour(std::vector<Eigen::Vector3d>{{0, 0, 0}}, {}, {}, QStringLiteral("point"));
-        view.setFollowing(true);
-        view.setParallel(true);
+        for (const char* action : {"follow", "parallel"})
+            view.findChild<QAction*>(QLatin1String(action))->setChecked(true);
         view.look(view3d::CameraPreset::top);
         view.setProvenance(base::Provenance::simulated);
         QTest::keyClick(&view, Qt::Key_Right);
@@ -85,7 +85,7 @@ private slots:
         view.hide();
         view.show();
         view.clear();
-        QVERIFY(!view.vtkWidget().fallbackText().isEmpty());
+        QVERIFY(!view.findChild<view3d::VtkWidget*>()->fallbackText().isEmpty());
     }
 };
 

@@ -38,13 +38,21 @@ namespace {
 
 constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitch_m = 0.0034};
 
+view3d::VtkWidget& vtkOf(const Scene3dView& view) {
+    return *view.findChild<view3d::VtkWidget*>();
+}
+
+void check(const Scene3dView& view, const char* action, bool checked) {
+    view.findChild<QAction*>(QLatin1String(action))->setChecked(checked);
+}
+
 vtkRenderer* rendererOf(const Scene3dView& view) {
-    return view.vtkWidget().renderWindow()->GetRenderers()->GetFirstRenderer();
+    return vtkOf(view).renderWindow()->GetRenderers()->GetFirstRenderer();
 }
 
 /// The picture of the 3-D part as shown, without the tool bar.
 QImage shown(const Scene3dView& view) {
-    return view.vtkWidget().grab().toImage().convertToFormat(QImage::Format_RGB32);
+    return vtkOf(view).grab().toImage().convertToFormat(QImage::Format_RGB32);
 }
 
 /// Where VTK itself says that a point of the world is, in pixels of shown().
@@ -53,7 +61,7 @@ QPoint pixelOf(const Scene3dView& view, const Eigen::Vector3d& p_World) {
     renderer->SetWorldPoint(p_World.x(), p_World.y(), p_World.z(), 1.0);
     renderer->WorldToDisplay();
     const double* display = renderer->GetDisplayPoint();
-    const int height = view.vtkWidget().renderWindow()->GetSize()[1];
+    const int height = vtkOf(view).renderWindow()->GetSize()[1];
     return {static_cast<int>(std::floor(display[0])), height - 1 - static_cast<int>(std::floor(display[1]))};
 }
 
@@ -94,12 +102,12 @@ struct Stage {
     Scene3dView view;
 
     explicit Stage(QSize size = {480, 360}) {
-        view.layerAction(Scene3dView::Layer::axes)->setChecked(false);
-        view.layerAction(Scene3dView::Layer::contactLabels)->setChecked(false);
+        check(view, "axes", false);
+        check(view, "contactLabels", false);
         view.resize(size);
         view.show();
     }
-    [[nodiscard]] bool ready() { return QTest::qWaitForWindowExposed(&view) && view.vtkWidget().canRender(); }
+    [[nodiscard]] bool ready() { return QTest::qWaitForWindowExposed(&view) && vtkOf(view).canRender(); }
     void settle() { (void)shown(view); }
 };
 
@@ -154,7 +162,7 @@ private slots:
         base::applyTheme(dark ? base::ThemeChoice::dark : base::ThemeChoice::light);
         Stage stage;
         QVERIFY(stage.ready());
-        stage.view.setParallel(parallel);
+        check(stage.view, "parallel", parallel);
         const QColor colour = base::identityColour(2, dark);
         // Centre of a taxel: its peak is the load that was put in.
         const double x_m = kLayout.x_m(10), y_m = kLayout.y_m(1);
@@ -194,8 +202,7 @@ private slots:
     void aLoadedTaxelIsAsBrightAsItsPlaceInTheMap() {
         Stage stage;
         QVERIFY(stage.ready());
-        stage.view.setParallel(true);
-        stage.view.setFixedRange(1.0);
+        check(stage.view, "parallel", true);
         auto snapshot = test::pressed(kLayout, {});
         const auto taxel = [](int row, int column) { return static_cast<std::size_t>(row * 14 + column); };
         snapshot.load_N[taxel(2, 4)] = 0.5F;
@@ -324,8 +331,8 @@ private slots:
             stage.view.activateWindow();
             QVERIFY(QTest::qWaitForWindowActive(&stage.view));
             stage.view.setFocus();
-            QTest::keyClick(&stage.view.vtkWidget(), Qt::Key_Right); // away from the start
-            QTest::keyClick(stage.view.vtkWidget().focusProxy(), static_cast<Qt::Key>(key), modifier);
+            QTest::keyClick(&vtkOf(stage.view), Qt::Key_Right); // away from the start
+            QTest::keyClick(vtkOf(stage.view).focusProxy(), static_cast<Qt::Key>(key), modifier);
             vtkCamera* camera = rendererOf(stage.view)->GetActiveCamera();
             const Eigen::Vector3d seen(camera->GetDirectionOfProjection());
             const Eigen::Vector3d seenUp(camera->GetViewUp());
@@ -340,7 +347,7 @@ private slots:
         stage.view.setSnapshot(test::pressed(kLayout, {}));
         stage.view.look(CameraPreset::side);
         stage.settle();
-        QWidget* canvas = stage.view.vtkWidget().focusProxy();
+        QWidget* canvas = vtkOf(stage.view).focusProxy();
         const double height = canvas->height();
         QTest::mousePress(canvas, Qt::LeftButton, {}, QPoint(240, 150));
         QTest::mouseMove(canvas, QPoint(280, 210));
@@ -356,12 +363,12 @@ private slots:
     void panningMovesTheSceneWithTheMouse() {
         Stage stage;
         QVERIFY(stage.ready());
-        stage.view.setParallel(true);
+        check(stage.view, "parallel", true);
         stage.view.setSnapshot(test::pressed(kLayout, {}));
         stage.view.look(CameraPreset::top);
         stage.settle();
         const QPoint before = pixelOf(stage.view, Eigen::Vector3d::Zero());
-        QWidget* canvas = stage.view.vtkWidget().focusProxy();
+        QWidget* canvas = vtkOf(stage.view).focusProxy();
         QTest::mousePress(canvas, Qt::LeftButton, Qt::ShiftModifier, QPoint(240, 150));
         QMouseEvent move(QEvent::MouseMove, QPointF(290, 130), canvas->mapToGlobal(QPointF(290, 130)),
                          Qt::NoButton, Qt::LeftButton, Qt::ShiftModifier);
@@ -382,7 +389,7 @@ private slots:
             for (const auto preset :
                  {CameraPreset::front, CameraPreset::top, CameraPreset::side, CameraPreset::isometric}) {
                 for (const bool parallel : {false, true}) {
-                    stage.view.setParallel(parallel);
+                    check(stage.view, "parallel", parallel);
                     stage.view.look(preset);
                     const QRect room = shown(stage.view).rect();
                     for (const double x_m : {-0.0238, 0.0238}) {
@@ -400,7 +407,7 @@ private slots:
         QVERIFY(stage.ready());
         stage.view.setSnapshot(test::pressed(kLayout, {}));
         vtkCamera* camera = rendererOf(stage.view)->GetActiveCamera();
-        QTest::keyClick(stage.view.vtkWidget().focusProxy(), Qt::Key_Plus);
+        QTest::keyClick(vtkOf(stage.view).focusProxy(), Qt::Key_Plus);
         const double distance_m = camera->GetDistance();
         stage.view.resize(900, 300);
         stage.settle();
@@ -412,7 +419,7 @@ private slots:
     void followingKeepsTheStrongestContactInTheMiddle() {
         Stage stage;
         QVERIFY(stage.ready());
-        stage.view.setFollowing(true);
+        check(stage.view, "follow", true);
         for (std::uint64_t frame = 1; frame <= 400; ++frame) {
             stage.view.setSnapshot(
                 test::pressed(kLayout, {{1, 0.015, 0.005, 1.0, 0.003}, {2, -0.015, 0.0, 0.4, 0.003}}, frame));
@@ -430,12 +437,12 @@ private slots:
         stage.view.setSnapshot(test::pressed(kLayout, {}, 1));
         stage.settle();
         stage.view.hide();
-        const std::uint64_t frames = stage.view.vtkWidget().framesRendered();
+        const std::uint64_t frames = vtkOf(stage.view).framesRendered();
         for (std::uint64_t frame = 2; frame < 20; ++frame) {
             stage.view.setSnapshot(test::pressed(kLayout, {{2, 0.0, 0.0, 1.0}}, frame));
             QCoreApplication::processEvents();
         }
-        QCOMPARE(stage.view.vtkWidget().framesRendered(), frames);
+        QCOMPARE(vtkOf(stage.view).framesRendered(), frames);
         stage.view.show();
         QVERIFY(QTest::qWaitForWindowExposed(&stage.view));
         QVERIFY(countHue(shown(stage.view), base::identityColour(2, false)) > 20);
@@ -481,10 +488,10 @@ private slots:
         view->setSnapshot(test::pressed(kLayout, {{2, 0.0, 0.0, 1.0}}));
         QVERIFY(countHue(shown(*view), base::identityColour(2, false)) > 100);
         for (const bool floating : {true, false, true}) {
-            const std::uint64_t frames = view->vtkWidget().framesRendered();
+            const std::uint64_t frames = vtkOf(*view).framesRendered();
             dock->setFloating(floating);
-            QVERIFY(QTest::qWaitFor([&] { return view->vtkWidget().framesRendered() > frames; }));
-            QVERIFY(view->vtkWidget().canRender());
+            QVERIFY(QTest::qWaitFor([&] { return vtkOf(*view).framesRendered() > frames; }));
+            QVERIFY(vtkOf(*view).canRender());
             QVERIFY(countHue(shown(*view), base::identityColour(2, false)) > 100);
         }
     }
@@ -500,7 +507,7 @@ private slots:
         });
         timer.start(0);
         QVERIFY(stage->ready());
-        QVERIFY(QTest::qWaitFor([&] { return stage->view.vtkWidget().framesRendered() > 5; }));
+        QVERIFY(QTest::qWaitFor([&] { return vtkOf(stage->view).framesRendered() > 5; }));
         stage.reset();
         const std::uint64_t atDeath = frame;
         QCoreApplication::processEvents();
@@ -516,10 +523,10 @@ private slots:
         stage.view.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&stage.view));
         stage.view.setFocus();
-        QTest::keySequence(stage.view.vtkWidget().focusProxy(), QKeySequence::Copy);
+        QTest::keySequence(vtkOf(stage.view).focusProxy(), QKeySequence::Copy);
         const QImage copied = QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
         QVERIFY(!copied.isNull());
-        QVERIFY(copied.width() >= 2 * stage.view.vtkWidget().width());
+        QVERIFY(copied.width() >= 2 * vtkOf(stage.view).width());
         QVERIFY(QColor(copied.pixel(4, 4)).lightnessF() > 0.9F);
         QVERIFY(countHue(copied, base::identityColour(2, false)) > 100);
         QVERIFY(QColor(shown(stage.view).pixel(2, 2)).lightnessF() < 0.2F); // the view itself is as it was
@@ -548,7 +555,7 @@ private slots:
         QVERIFY(stage.ready());
         stage.view.setSnapshot(test::pressed(kLayout, {{2, kLayout.x_m(10), kLayout.y_m(1), 1.0, 0.003}}));
         stage.settle();
-        QWidget* canvas = stage.view.vtkWidget().focusProxy();
+        QWidget* canvas = vtkOf(stage.view).focusProxy();
         const QPoint there = (QPointF(pixelOf(stage.view, peakOf(kLayout.x_m(10), kLayout.y_m(1)))) /
                               stage.view.devicePixelRatioF())
                                  .toPoint();
@@ -560,22 +567,6 @@ private slots:
         QHelpEvent off(QEvent::ToolTip, QPoint(3, 200), canvas->mapToGlobal(QPoint(3, 200)));
         QApplication::sendEvent(canvas, &off);
         QTRY_VERIFY(!QToolTip::isVisible());
-    }
-
-    void whatIsRememberedComesBack() {
-        Stage first;
-        QVERIFY(first.ready());
-        first.view.setSurface(Surface::cylinder);
-        first.view.setParallel(true);
-        first.view.layerAction(Scene3dView::Layer::grid)->setChecked(false);
-        Stage second;
-        QSignalSpy surfaces(&second.view, &Scene3dView::surfaceChanged);
-        second.view.restoreViewState(first.view.viewState());
-        QCOMPARE(second.view.viewState(), first.view.viewState());
-        QCOMPARE(second.view.surface(), Surface::cylinder);
-        QCOMPARE(surfaces.size(), 1);
-        second.view.restoreViewState({{QStringLiteral("nonsense"), 3}});
-        QCOMPARE(second.view.viewState(), first.view.viewState());
     }
 
     void geometryIsSavedFromTheView() {

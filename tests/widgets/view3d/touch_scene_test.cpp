@@ -148,16 +148,6 @@ TEST(TouchScene, contactsThatAreNotFiniteAreLeftOut) {
     EXPECT_TRUE(std::isfinite(scene.loadRange_N()));
 }
 
-TEST(TouchScene, aFixedRangeHoldsUntilItIsReleased) {
-    TouchScene scene = makeScene();
-    scene.setFixedRange(20.0);
-    scene.take(test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}}));
-    scene.draw();
-    EXPECT_EQ(scene.loadRange_N(), 20.0);
-    scene.setFixedRange({});
-    EXPECT_LT(scene.loadRange_N(), 2.5);
-}
-
 TEST(TouchScene, linksAndPointsThatAreNotFiniteAreLeftOut) {
     TouchScene scene = makeScene();
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -12,7 +12,7 @@ class QPainter;
 
 namespace teleta::base {
 
-/// Where the data of a view come from. Every view that shows data which are not live says so in violet.
+/// Where the data of a view come from. Every view of data that are not live is labelled in violet.
 enum class Provenance { live, recorded, simulated, recordedSimulation };
 
 /// "SIMULATED", "RECORDED", "RECORDED SIMULATION", translated; empty for live data.

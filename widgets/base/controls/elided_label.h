@@ -5,8 +5,8 @@
 
 namespace teleta::base {
 
-/// A line of plain text that takes the room it is given: what does not fit is cut, and its tool tip says all
-/// of it. Thread: GUI.
+/// A line of plain text that never asks for more room: text that does not fit is elided and shown in full by
+/// the tool tip. Thread: GUI.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 

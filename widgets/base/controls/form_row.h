@@ -9,8 +9,8 @@ class QWidget;
 
 namespace teleta::base {
 
-/// Adds a row of several widgets to a form. QFormLayout shows the & of such a row's label as it is, because
-/// nothing gets the keyboard by it; here that is buddy. Thread: GUI.
+/// Adds a row of several widgets to a form, with a buddy for its label: without one QFormLayout shows the
+/// label's & literally. Thread: GUI.
 void addFormRow(QFormLayout& form, const QString& text, QLayout* fields, QWidget* buddy);
 
 } // namespace teleta::base

@@ -22,7 +22,7 @@ InlineEdit::InlineEdit(QWidget* parent, const QRect& place, const QString& text)
 void InlineEdit::finish(bool commit) {
     if (m_done)
         return;
-    m_done = true; // hiding it takes the focus away and would finish once more
+    m_done = true; // hiding it loses the focus, which would finish a second time
     if (commit && isModified())
         emit committed(text());
     hide();

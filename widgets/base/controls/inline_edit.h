@@ -5,13 +5,12 @@
 
 namespace teleta::base {
 
-/// A line that opens over a number in a picture, to type another one. Return or a click elsewhere commits
-/// what was changed, Escape takes it back; either way it closes and deletes itself, and the parent gets the
-/// focus. Thread: GUI.
+/// A line edit that opens over a number in a picture to change it. Return or a click elsewhere commits,
+/// Escape cancels; then it closes, deletes itself and returns the focus to its parent. Thread: GUI.
 class InlineEdit : public QLineEdit {
     Q_OBJECT
 public:
-    /// Opens with the text selected, at the place in the parent, moved so that it lies inside.
+    /// Opens with the text selected, at a place in the parent, moved if necessary to lie inside it.
     InlineEdit(QWidget* parent, const QRect& place, const QString& text);
 
 signals:

@@ -70,7 +70,7 @@ QString shortCount(quint64 count) {
     const double mantissa = static_cast<double>(count) / static_cast<double>(scale);
     const int decimals = mantissa < 10.0 ? 2 : mantissa < 100.0 ? 1 : 0;
     const double step = std::pow(10.0, decimals);
-    // The small term keeps exact counts such as 1230 from falling to the step below in binary.
+    // The small term keeps rounding errors from turning exact counts such as 1230 into the next lower step.
     const double down = std::floor(mantissa * step + 1e-9) / step;
     return fixedDigits(down, decimals) + kNoBreakSpace + QChar(kSuffixes[index]);
 }

@@ -7,8 +7,8 @@
 
 namespace teleta::base {
 
-/// Characters that threeDigits() and wholeNumber() fill up to, so that a changing number does not move its
-/// unit: a sign and four more, enough for |value| < 10 000.
+/// Width in characters to which threeDigits() and wholeNumber() pad, so that a changing number does not move
+/// its unit: a sign and four more, enough for |value| < 10 000.
 inline constexpr int kNumberWidth = 5;
 
 /// Value in a fixed unit: three significant digits, at most two decimals ("0.05", "1.23", "12.3", "123",
@@ -27,19 +27,18 @@ inline constexpr int kNumberWidth = 5;
 /// number, a no-break space and the unit; without the space before a degree sign and when the unit is empty.
 [[nodiscard]] QString withUnit(const QString& number, const QString& unit);
 
-/// A count in at most four characters: "0", "999", "1.23 k", "45.6 M". Rounded down, so that it never claims
-/// more.
+/// A count in at most four characters: "0", "999", "1.23 k", "45.6 M". Rounded down: it never overstates.
 [[nodiscard]] QString shortCount(quint64 count);
 
-/// A number on the screen that does not flicker: it changes only when the value has moved by a full step of
-/// what is shown. Thread: one.
+/// A displayed number that does not flicker: it changes only when the value has moved by a full step of the
+/// displayed text. Thread: one.
 class SteadyNumber {
 public:
     /// resolution: step of the text, > 0; 0 takes that of threeDigits().
     explicit SteadyNumber(double resolution = 0.0)
         : m_resolution(resolution) {}
 
-    /// True when the shown value changed. A value that is empty or not finite shows as undefined.
+    /// Returns whether the displayed value changed. An empty or non-finite value is undefined.
     bool update(std::optional<double> value);
     [[nodiscard]] std::optional<double> shown() const { return m_shown; }
     /// threeDigits() or, with a resolution of 1 or more, wholeNumber() of what is shown.

@@ -3,8 +3,8 @@
 
 namespace teleta::base {
 
-/// A value as a number from 1 to 999 and an SI prefix from pico to tera; 0: none. Beyond these prefixes the
-/// number is smaller or larger.
+/// A value as a number from 1 to 999 with an SI prefix from pico to tera (0 has none). Beyond these prefixes
+/// the number is smaller or larger.
 struct SiNumber {
     double mantissa = 0.0;
     char16_t prefix = 0;

@@ -71,7 +71,7 @@ void drawTabularText(QPainter& painter, const QRectF& rect, Qt::Alignment alignm
     else if (alignment.testFlag(Qt::AlignBottom))
         baseline = rect.bottom() - metrics.descent();
 
-    // Most fonts have even digits; then pieces of text between figure spaces are drawn in one go.
+    // In most fonts all digits have the same width; then the text between figure spaces is drawn in one go.
     QString pending;
     double pendingX = x;
     const auto flush = [&] {

@@ -10,9 +10,8 @@
 
 namespace teleta::view3d {
 
-/// The cells that are drawn for an array: its taxels, or square blocks of them where there are more than can
-/// be drawn at the rate of the screen. A block shows its largest load, so that no peak is lost. Thread: any
-/// (pure).
+/// The cells drawn for an array: its taxels, or square blocks of taxels when there are too many to draw at
+/// the screen's rate. A block shows its largest load, so that no peak is lost. Thread: any (pure).
 class DrawnGrid {
 public:
     static constexpr int kMaximumSide = 128;
@@ -22,12 +21,12 @@ public:
 
     [[nodiscard]] int rows() const { return m_rows; }
     [[nodiscard]] int columns() const { return m_columns; }
-    /// Taxels along the side of a cell.
+    /// Taxels per side of a cell.
     [[nodiscard]] int block() const { return m_block; }
     [[nodiscard]] std::size_t cells() const {
         return static_cast<std::size_t>(m_rows) * static_cast<std::size_t>(m_columns);
     }
-    /// The cell that shows a taxel.
+    /// The cell of a taxel.
     [[nodiscard]] std::size_t cellOf(int row, int column) const {
         return static_cast<std::size_t>(row / m_block) * static_cast<std::size_t>(m_columns) +
                static_cast<std::size_t>(column / m_block);

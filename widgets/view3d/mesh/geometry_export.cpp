@@ -96,10 +96,9 @@ core::Expected<void> exportGeometry(std::span<const vtkSmartPointer<vtkPolyData>
                                     const QString& path) {
     const QString format = QFileInfo(path).suffix().toLower();
     if (format != QLatin1String("vtp") && format != QLatin1String("ply") && format != QLatin1String("stl")) {
-        return failure(
-            core::ErrorKind::badInput, path,
-            QCoreApplication::translate("view3d", "This is no geometry format that can be written."),
-            QCoreApplication::translate("view3d", "a file name that ends in .vtp, .ply or .stl"));
+        return failure(core::ErrorKind::badInput, path,
+                       QCoreApplication::translate("view3d", "Geometry cannot be written in this format."),
+                       QCoreApplication::translate("view3d", "a file name that ends in .vtp, .ply or .stl"));
     }
     if (meshes_m.empty()) {
         return failure(

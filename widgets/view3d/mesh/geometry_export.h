@@ -12,10 +12,10 @@
 
 namespace teleta::view3d {
 
-/// Writes meshes (m) for other programs, in mm as these expect it; the format by extension: .vtp (VTK, with
+/// Writes meshes (m) for other programs, in mm as they expect; the format by extension: .vtp (VTK, with
 /// colours, lines, and the unit as field data), .ply (triangles with colours), .stl (triangles). The file is
-/// complete or it is not there (written beside and renamed). Error: badInput for another extension or nothing
-/// to write; ioFailed with the path.
+/// written under another name and then renamed, so it is never incomplete. Error: badInput for another
+/// extension or nothing to write; ioFailed with the path.
 [[nodiscard]] core::Expected<void> exportGeometry(std::span<const vtkSmartPointer<vtkPolyData>> meshes_m,
                                                   const QString& path);
 

@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QColor>
+#include "widgets/view3d/mesh/mesh_builder.h"
 
+#include <Eigen/Geometry>
 #include <vtkActor.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
 namespace teleta::view3d {
 
+/// Copies a transform to VTK's own type.
+inline void setMatrix(vtkMatrix4x4& matrix, const Eigen::Isometry3d& transform) {
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            matrix.SetElement(row, column, transform.matrix()(row, column));
+}
+
 /// An actor for a mesh whose points carry their colours.
 struct MeshActor {
     enum class Shading {
-        flat,   ///< a face is as bright as it is turned to the light
-        smooth, ///< by the normals of the points
-        none,   ///< the colours as they are
+        flat,   ///< brightness of each face by its angle to the light
+        smooth, ///< by point normals
+        none,   ///< plain colours
     };
 
     MeshActor(vtkPolyData* mesh, Shading shading) {
@@ -46,8 +55,8 @@ struct MeshActor {
         actor->GetProperty()->SetLineWidth(static_cast<float>(logical_px * pixelScale));
     }
 
-    /// Shows the mesh through whatever is before it: its depth is moved towards the camera by 0.6 of the
-    /// range between the clipping planes, which keeps the order of its own parts.
+    /// Draws the mesh in front of everything: moves its depth towards the camera by 0.6 of the range between
+    /// the clipping planes, which keeps the order of its own parts.
     void showThrough() {
         constexpr double kUnits = -40'000.0; // of 1/65536 each
         mapper->SetResolveCoincidentTopologyToPolygonOffset();
@@ -57,6 +66,13 @@ struct MeshActor {
 
     vtkNew<vtkPolyDataMapper> mapper;
     vtkNew<vtkActor> actor;
+};
+
+/// A mesh builder with its actor.
+struct Mesh : MeshBuilder, MeshActor {
+    explicit Mesh(Shading shading)
+        : MeshBuilder(shading != Shading::none)
+        , MeshActor(data(), shading) {}
 };
 
 } // namespace teleta::view3d

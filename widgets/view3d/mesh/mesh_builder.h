@@ -15,9 +15,8 @@
 
 namespace teleta::view3d {
 
-/// Fills one vtkPolyData with coloured solids and lines, again and again without allocating once it has
-/// grown. Call clear(), add shapes, then finish(). Colours are per point, normals too when `withNormals`.
-/// Thread: one.
+/// Fills one vtkPolyData with coloured solids and lines, repeatedly, allocating only while it grows. Call
+/// clear(), add shapes, then finish(). Colours are per point; so are normals when `withNormals`. Thread: one.
 class MeshBuilder {
 public:
     explicit MeshBuilder(bool withNormals = true);
@@ -32,7 +31,7 @@ public:
     /// Side of a cone or cylinder between two points, with flat ends where a radius is not 0.
     void cone(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radiusFrom, double radiusTo,
               QRgb colour);
-    /// A shaft and a head that ends at `to`. headLength is shortened when the arrow is shorter than its head.
+    /// An arrow whose head ends at `to`. headLength is shortened when the arrow is shorter than its head.
     void arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double shaftRadius, double headLength,
                QRgb colour);
     /// Eight triangles, points on the axes at `radius`.

@@ -9,7 +9,7 @@ namespace teleta::view3d {
 
 /// The body that carries the taxels.
 enum class Surface {
-    plate,    ///< the array as it is, flat
+    plate,    ///< flat
     cylinder, ///< wrapped around a tactile cylinder: x along its axis, y along its circumference
 };
 
@@ -24,7 +24,7 @@ struct CylinderSize {
 /// wanted: finite, > 0.
 [[nodiscard]] CylinderSize cylinderThatFits(const CylinderSize& wanted, const core::ArrayLayout& layout);
 
-/// Places in space of the points of a taxel array, in the frame {s} of the array.
+/// Points of a taxel array in space, in the array's frame {s}.
 ///   plate:    p = (x, y, h),                                        n = (0, 0, 1)
 ///   cylinder: p = (x, (rho + h) sin(y/rho), (rho + h) cos(y/rho)),  n = (0, sin(y/rho), cos(y/rho))
 /// On the cylinder the axis is x, and the array's centre lies on top, at (0, 0, rho).
@@ -39,7 +39,7 @@ public:
 
     /// height_m: above the surface; > -rho on the cylinder.
     [[nodiscard]] Eigen::Vector3d point(double x_m, double y_m, double height_m) const;
-    /// Unit vector out of the surface.
+    /// Outward unit normal.
     [[nodiscard]] Eigen::Vector3d normal(double y_m) const;
     [[nodiscard]] Surface surface() const { return m_surface; }
     [[nodiscard]] double radius_m() const { return m_radius_m; }

@@ -74,7 +74,7 @@ void TaxelMesh::update(std::span<const float> height_m, std::span<const QRgb> co
     unsigned char* shade = m_colours->GetPointer(0);
     const Corner* corner = m_corners.data();
     for (std::size_t cell = 0; cell < height_m.size(); ++cell) {
-        position += 3 * kCornersOfCell; // the feet stay
+        position += 3 * kCornersOfCell; // skips the feet
         for (std::size_t i = 0; i < kCornersOfCell; ++i, ++corner, position += 3) {
             Eigen::Map<Eigen::Vector3f> place(position);
             place = corner->foot + height_m[cell] * corner->rise;

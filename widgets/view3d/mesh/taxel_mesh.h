@@ -17,13 +17,13 @@
 
 namespace teleta::view3d {
 
-/// The cells of a taxel array as one mesh of boxes that stand on the surface. The mesh is made once for a
-/// layout; new heights and colours are written into its arrays. Thread: one.
+/// The cells of a taxel array as one mesh of boxes that stand on the surface. The mesh is built once per
+/// layout; new heights and colours are written in place. Thread: one.
 class TaxelMesh {
 public:
     TaxelMesh();
 
-    /// gap: share of a cell's side that stays free between neighbours, 0..1.
+    /// gap: share of a cell's side left free between neighbours, 0..1.
     void rebuild(const DrawnGrid& grid, const SurfaceMap& map, double gap);
     /// One height (m, finite) and one colour for each cell. Allocates nothing.
     void update(std::span<const float> height_m, std::span<const QRgb> colour);

@@ -25,30 +25,27 @@ bool isDrawable(const contact::Contact& contact) {
 
 } // namespace
 
-ContactPart::ContactPart()
-    : m_solidActor(m_solids.data(), MeshActor::Shading::smooth)
-    , m_outlineActor(m_outlines.data(), MeshActor::Shading::none)
-    , m_wayActor(m_ways.data(), MeshActor::Shading::none) {
+ContactPart::ContactPart() {
     m_marks.reserve(kMaximum);
 }
 
 void ContactPart::addTo(vtkRenderer* renderer) {
-    renderer->AddActor(m_solidActor.actor);
-    renderer->AddActor(m_outlineActor.actor);
-    renderer->AddActor(m_wayActor.actor);
+    renderer->AddActor(m_solids.actor);
+    renderer->AddActor(m_outlines.actor);
+    renderer->AddActor(m_ways.actor);
 }
 
 void ContactPart::setPose(vtkMatrix4x4* X_World_Sensor) {
-    m_solidActor.actor->SetUserMatrix(X_World_Sensor);
-    m_outlineActor.actor->SetUserMatrix(X_World_Sensor);
-    m_wayActor.actor->SetUserMatrix(X_World_Sensor);
+    m_solids.actor->SetUserMatrix(X_World_Sensor);
+    m_outlines.actor->SetUserMatrix(X_World_Sensor);
+    m_ways.actor->SetUserMatrix(X_World_Sensor);
 }
 
 void ContactPart::setVisible(bool visible) {
     m_visible = visible;
-    m_solidActor.actor->SetVisibility(visible);
-    m_outlineActor.actor->SetVisibility(visible);
-    m_wayActor.actor->SetVisibility(visible && m_wayShown);
+    m_solids.actor->SetVisibility(visible);
+    m_outlines.actor->SetVisibility(visible);
+    m_ways.actor->SetVisibility(visible && m_wayShown);
 }
 
 void ContactPart::setDisplacementShown(bool shown) {
@@ -57,13 +54,13 @@ void ContactPart::setDisplacementShown(bool shown) {
 }
 
 void ContactPart::applyPixelScale(double scale) {
-    m_outlineActor.setLineWidth(kContactOutline_px, scale);
-    m_wayActor.setLineWidth(kWay_px, scale);
+    m_outlines.setLineWidth(kContactOutline_px, scale);
+    m_ways.setLineWidth(kWay_px, scale);
 }
 
 void ContactPart::clear() {
     m_marks.clear();
-    for (MeshBuilder* mesh : {&m_solids, &m_outlines, &m_ways}) {
+    for (Mesh* mesh : {&m_solids, &m_outlines, &m_ways}) {
         mesh->clear();
         mesh->finish();
     }
@@ -80,7 +77,7 @@ void ContactPart::update(std::span<const contact::Contact> contacts, std::span<c
     m_ways.clear();
     for (const contact::Contact& contact : contacts) {
         if (m_marks.size() == kMaximum) {
-            break; // contacts come in order of falling force
+            break; // contacts are sorted by decreasing force
         }
         if (!isDrawable(contact)) {
             continue;
@@ -90,7 +87,7 @@ void ContactPart::update(std::span<const contact::Contact> contacts, std::span<c
         const double height_m = sensor.heightOf(contact.peak_N / loadRange_N);
         const double share = std::clamp(contact.force_N / forceRange_N, 0.0, 1.0);
         const Eigen::Vector3d foot = map.point(contact.x_m, contact.y_m, height_m);
-        // The arrow presses on the skin: its head ends on the sphere.
+        // The head of the arrow ends on the sphere.
         const Eigen::Vector3d out = map.normal(contact.y_m);
         const Eigen::Vector3d head = foot + size.mark_m * out;
         const Eigen::Vector3d tail = share > 0.0 ? Eigen::Vector3d(head + share * size.arrow_m * out) : foot;
@@ -143,7 +140,7 @@ void ContactPart::outlineRegions(std::span<const std::int32_t> labels, const cor
                                static_cast<std::size_t>(column)]
                       : 0;
     };
-    // Neighbour across each side, and the side's two ends, in taxels from the centre.
+    // For each side of a taxel: the neighbour across it, and its two ends in taxels from the centre.
     struct Side {
         int rowStep, columnStep;
         double x0, y0, x1, y1;

@@ -3,7 +3,6 @@
 
 #include "backend/contact/contact_segmenter.h"
 #include "widgets/view3d/mesh/mesh_actor.h"
-#include "widgets/view3d/mesh/mesh_builder.h"
 #include "widgets/view3d/scene/first_touch.h"
 #include "widgets/view3d/scene/sensor_part.h"
 
@@ -20,7 +19,7 @@ class vtkRenderer;
 
 namespace teleta::view3d {
 
-/// A contact as it is drawn, in the array's frame.
+/// A drawn contact, in the array's frame.
 struct ContactMark {
     contact::Contact contact;
     QColor colour;
@@ -28,12 +27,11 @@ struct ContactMark {
     Eigen::Vector3d p_Sensor_Tail; ///< far end of the force arrow; the foot when there is no force
 };
 
-/// Contacts on the sensor: a sphere at the contact point, an arrow of the normal force that presses on it,
-/// the outline of its region, and the way that it has moved since it began; each in the colour of its
-/// identity. Thread: one.
+/// Contacts on the sensor: a sphere at the contact point, an arrow for the normal force, the outline of the
+/// region, and the path since the contact began; each in the colour of its identity. Thread: one.
 class ContactPart {
 public:
-    /// At most this many contacts are drawn, the strongest first.
+    /// Only this many contacts are drawn, the strongest ones.
     static constexpr std::size_t kMaximum = 64;
 
     ContactPart();
@@ -44,8 +42,8 @@ public:
     void setDisplacementShown(bool shown);
     void applyPixelScale(double scale);
 
-    /// labels: region of each taxel, or empty. loadRange_N, forceRange_N: what fills the range of heights and
-    /// of arrows, > 0. onDark: colours for a dark background.
+    /// labels: region of each taxel, or empty. loadRange_N, forceRange_N: load of the full height and force
+    /// of the longest arrow, > 0. onDark: colours for a dark background.
     void update(std::span<const contact::Contact> contacts, std::span<const std::int32_t> labels,
                 const core::ArrayLayout& layout, const SensorPart& sensor, const FirstTouch& touches,
                 double loadRange_N, double forceRange_N, bool onDark);
@@ -64,12 +62,9 @@ private:
     std::vector<Eigen::Vector3d> m_way;
     bool m_visible = true;
     bool m_wayShown = true;
-    MeshBuilder m_solids;
-    MeshBuilder m_outlines{false};
-    MeshBuilder m_ways{false};
-    MeshActor m_solidActor;
-    MeshActor m_outlineActor;
-    MeshActor m_wayActor;
+    Mesh m_solids{Mesh::Shading::smooth};
+    Mesh m_outlines{Mesh::Shading::none};
+    Mesh m_ways{Mesh::Shading::none};
 };
 
 } // namespace teleta::view3d

@@ -30,17 +30,15 @@ bool isDrawableLink(const ArmLink& link) {
 
 } // namespace
 
-ContourPart::ContourPart()
-    : m_solidActor(m_solids.data(), MeshActor::Shading::smooth)
-    , m_curveActor(m_curve.data(), MeshActor::Shading::none) {
-    // The arm that explores an object stands between it and the camera half of the time.
-    m_solidActor.showThrough();
-    m_curveActor.showThrough();
+ContourPart::ContourPart() {
+    // Drawn in front: the exploring arm often hides the object.
+    m_solids.showThrough();
+    m_curve.showThrough();
 }
 
 void ContourPart::addTo(vtkRenderer* renderer) {
-    renderer->AddActor(m_solidActor.actor);
-    renderer->AddActor(m_curveActor.actor);
+    renderer->AddActor(m_solids.actor);
+    renderer->AddActor(m_curve.actor);
 }
 
 void ContourPart::applyColours(const SceneColours& colours) {
@@ -79,10 +77,6 @@ void ContourPart::rebuild() {
 void ContourPart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
     meshes.push_back(m_solids.data());
     meshes.push_back(m_curve.data());
-}
-
-ArmPart::ArmPart()
-    : m_actor(m_solids.data(), MeshActor::Shading::smooth) {
 }
 
 void ArmPart::applyColours(const SceneColours& colours) {

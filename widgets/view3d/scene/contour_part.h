@@ -2,7 +2,6 @@
 #pragma once
 
 #include "widgets/view3d/mesh/mesh_actor.h"
-#include "widgets/view3d/mesh/mesh_builder.h"
 #include "widgets/view3d/scene/scene_colours.h"
 #include "widgets/view3d/scene/scene_types.h"
 
@@ -14,14 +13,14 @@
 
 namespace teleta::view3d {
 
-/// What was explored by touch: contact points, the spline through them, vertices. In the world frame. Points
+/// Contour explored by touch: contact points, the spline through them, vertices. In the world frame. Points
 /// that are not finite are left out. Thread: one.
 class ContourPart {
 public:
     ContourPart();
     void addTo(vtkRenderer* renderer);
     void applyColours(const SceneColours& colours);
-    void applyPixelScale(double scale) { m_curveActor.setLineWidth(3.0, scale); }
+    void applyPixelScale(double scale) { m_curve.setLineWidth(3.0, scale); }
 
     void set(std::span<const Eigen::Vector3d> points_m, std::span<const Eigen::Vector3d> curve_m,
              std::span<const Eigen::Vector3d> vertices_m);
@@ -38,18 +37,15 @@ private:
     QRgb m_pointColour = 0;
     QRgb m_curveColour = 0;
     QRgb m_vertexColour = 0;
-    MeshBuilder m_solids;
-    MeshBuilder m_curve{false};
-    MeshActor m_solidActor;
-    MeshActor m_curveActor;
+    Mesh m_solids{Mesh::Shading::smooth};
+    Mesh m_curve{Mesh::Shading::none};
 };
 
-/// The arm as tubes and balls, in the world frame. Links with a transform, length or radius that cannot be
-/// drawn are left out. Thread: one.
+/// The arm as tubes and balls, in the world frame. Links with an unusable transform, length or radius are
+/// left out. Thread: one.
 class ArmPart {
 public:
-    ArmPart();
-    void addTo(vtkRenderer* renderer) { renderer->AddActor(m_actor.actor); }
+    void addTo(vtkRenderer* renderer) { renderer->AddActor(m_solids.actor); }
     void applyColours(const SceneColours& colours);
 
     void set(std::span<const ArmLink> links);
@@ -63,8 +59,7 @@ private:
     Eigen::AlignedBox3d m_box_m;
     QRgb m_tubeColour = 0;
     QRgb m_jointColour = 0;
-    MeshBuilder m_solids;
-    MeshActor m_actor;
+    Mesh m_solids{Mesh::Shading::smooth};
 };
 
 } // namespace teleta::view3d

@@ -11,18 +11,16 @@
 
 namespace teleta::view3d {
 
-/// Remembers where each contact began, so that its displacement can be drawn.
-/// Thread: one.
+/// Remembers where each contact began, to draw its displacement. Thread: one.
 class FirstTouch {
 public:
-    /// How long a contact may be away and still be the same touch.
+    /// Longest interruption after which a contact is still the same touch.
     static constexpr double kMemory_s = 0.2;
 
-    /// Takes the contacts of the newest frame. A time that goes back forgets everything: another stretch is
-    /// shown.
+    /// Takes the contacts of the newest frame. When time goes back everything is forgotten.
     void update(std::span<const contact::Contact> contacts, double time_s);
     void clear() { m_touches.clear(); }
-    /// Where contact `id` was first seen, in the array's frame.
+    /// Where contact `id` began, in the array's frame.
     [[nodiscard]] std::optional<Eigen::Vector2d> startOf(int id) const;
 
 private:

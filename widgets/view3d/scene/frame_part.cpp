@@ -11,10 +11,6 @@
 
 namespace teleta::view3d {
 
-GridPart::GridPart()
-    : m_actor(m_lines.data(), MeshActor::Shading::none) {
-}
-
 void GridPart::applyColours(const SceneColours& colours) {
     m_colour = colours.grid.rgb();
     rebuild();
@@ -61,10 +57,6 @@ void GridPart::rebuild() {
         }
     }
     m_lines.finish();
-}
-
-AxesPart::AxesPart()
-    : m_actor(m_arrows.data(), MeshActor::Shading::smooth) {
 }
 
 void AxesPart::rebuild(const Eigen::Vector3d& body_m, double length_m, const SceneColours& colours) {

@@ -6,7 +6,7 @@
 
 namespace teleta::view3d {
 
-/// Colours of the scene that are not data, taken from a palette.
+/// Colours of the scene apart from data, from a palette.
 struct SceneColours {
     bool dark = false;
     QColor backgroundTop;

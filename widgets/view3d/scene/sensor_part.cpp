@@ -39,40 +39,28 @@ SensorSize SensorSize::of(const core::ArrayLayout& layout, const DrawnGrid& grid
     return size;
 }
 
-SensorPart::SensorPart()
-    : m_taxelActor(m_taxels.data(), MeshActor::Shading::flat)
-    , m_slabActor(m_slab.data(), MeshActor::Shading::smooth)
-    , m_outlineActor(m_outline.data(), MeshActor::Shading::none)
-    , m_crossActor(m_crosses.data(), MeshActor::Shading::none)
-    , m_tubeActor(m_tube.data(), MeshActor::Shading::smooth)
-    , m_ringActor(m_rings.data(), MeshActor::Shading::none) {
-    m_tubeActor.actor->GetProperty()->SetOpacity(kTubeOpacity);
+SensorPart::SensorPart() {
+    m_tube.actor->GetProperty()->SetOpacity(kTubeOpacity);
     setVisible(false);
 }
 
 void SensorPart::addTo(vtkRenderer* renderer) {
-    for (const MeshActor* part :
-         {&m_slabActor, &m_taxelActor, &m_outlineActor, &m_crossActor, &m_ringActor, &m_tubeActor}) {
+    for (const MeshActor* part : actors())
         renderer->AddActor(part->actor);
-    }
 }
 
 void SensorPart::setPose(vtkMatrix4x4* X_World_Sensor) {
-    for (const MeshActor* part :
-         {&m_slabActor, &m_taxelActor, &m_outlineActor, &m_crossActor, &m_ringActor, &m_tubeActor}) {
+    for (const MeshActor* part : actors())
         part->actor->SetUserMatrix(X_World_Sensor);
-    }
 }
 
 void SensorPart::setVisible(bool visible) {
     m_visible = visible;
-    const bool tube = visible && m_map.surface() == Surface::cylinder;
-    for (const MeshActor* part : {&m_slabActor, &m_taxelActor, &m_outlineActor, &m_crossActor}) {
+    for (const MeshActor* part : actors())
         part->actor->SetVisibility(visible);
-    }
-    for (const MeshActor* part : {&m_ringActor, &m_tubeActor}) {
-        part->actor->SetVisibility(tube);
-    }
+    const bool tube = visible && m_map.surface() == Surface::cylinder;
+    m_rings.actor->SetVisibility(tube);
+    m_tube.actor->SetVisibility(tube);
 }
 
 void SensorPart::applyColours(const SceneColours& colours) {
@@ -91,9 +79,9 @@ void SensorPart::applyColours(const SceneColours& colours) {
 }
 
 void SensorPart::applyPixelScale(double scale) {
-    m_outlineActor.setLineWidth(kSensorOutline_px, scale);
-    m_crossActor.setLineWidth(kSensorOutline_px, scale);
-    m_ringActor.setLineWidth(kRing_px, scale);
+    m_outline.setLineWidth(kSensorOutline_px, scale);
+    m_crosses.setLineWidth(kSensorOutline_px, scale);
+    m_rings.setLineWidth(kRing_px, scale);
 }
 
 void SensorPart::rebuild(const core::ArrayLayout& layout, const SurfaceMap& map,
@@ -153,7 +141,7 @@ void SensorPart::rebuildCrosses() {
 }
 
 void SensorPart::rebuildSlab() {
-    // Strips along x, narrow enough that they follow the cylinder.
+    // Strips along x, narrow enough to follow the cylinder.
     const int strips = m_map.surface() == Surface::cylinder ? std::clamp(2 * m_layout.rows, 32, 256) : 1;
     const double low_m = -m_size.thickness_m;
     const double x_m = m_size.halfX_m;

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "widgets/view3d/mesh/mesh_actor.h"
-#include "widgets/view3d/mesh/mesh_builder.h"
 #include "widgets/view3d/mesh/surface_map.h"
 #include "widgets/view3d/mesh/taxel_mesh.h"
 #include "widgets/view3d/scene/scene_colours.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,21 +16,21 @@ class vtkRenderer;
 
 namespace teleta::view3d {
 
-/// Lengths with which an array is drawn, from its own size.
+/// Dimensions of a drawn array, derived from its size.
 struct SensorSize {
     double halfX_m = 0.0;     ///< half extent along the columns
     double halfY_m = 0.0;     ///< along the rows, on the surface
     double thickness_m = 0.0; ///< of the slab under the taxels
-    double tile_m = 0.0;      ///< height of a taxel without load
-    double rise_m = 0.0;      ///< what the full range adds
+    double tile_m = 0.0;      ///< height of an unloaded taxel
+    double rise_m = 0.0;      ///< additional height at the full range
     double mark_m = 0.0;      ///< radius of a contact's sphere
-    double arrow_m = 0.0;     ///< length of the full range of force
+    double arrow_m = 0.0;     ///< arrow length at the full range of force
 
     static SensorSize of(const core::ArrayLayout& layout, const DrawnGrid& grid, const SurfaceMap& map);
 };
 
-/// The sensor's body: taxels raised and coloured by load, the slab that carries them, dead taxels crossed,
-/// and the tactile cylinder when the array is wrapped on it. In the array's frame. Thread: one.
+/// The sensor's body: taxels raised and coloured by load, the slab below them, crosses on dead taxels, and
+/// the tactile cylinder when the array is wrapped around it. In the array's frame. Thread: one.
 class SensorPart {
 public:
     SensorPart();
@@ -52,10 +52,14 @@ public:
         return static_cast<double>(m_height_m[cell]);
     }
     [[nodiscard]] double heightOf(double share) const;
-    /// Meshes for other programs.
+    /// Meshes to export.
     void appendMeshes(std::vector<vtkPolyData*>& meshes) const;
 
 private:
+    /// In the order in which they are drawn.
+    [[nodiscard]] std::array<const MeshActor*, 6> actors() const {
+        return {&m_slab, &m_taxelActor, &m_outline, &m_crosses, &m_rings, &m_tube};
+    }
     void rebuildSlab();
     void rebuildCylinder();
     void rebuildCrosses();
@@ -79,17 +83,12 @@ private:
     bool m_visible = false;
 
     TaxelMesh m_taxels;
-    MeshBuilder m_slab;
-    MeshBuilder m_outline{false};
-    MeshBuilder m_crosses{false};
-    MeshBuilder m_tube;
-    MeshBuilder m_rings{false};
-    MeshActor m_taxelActor;
-    MeshActor m_slabActor;
-    MeshActor m_outlineActor;
-    MeshActor m_crossActor;
-    MeshActor m_tubeActor;
-    MeshActor m_ringActor;
+    MeshActor m_taxelActor{m_taxels.data(), MeshActor::Shading::flat};
+    Mesh m_slab{Mesh::Shading::smooth};
+    Mesh m_outline{Mesh::Shading::none};
+    Mesh m_crosses{Mesh::Shading::none};
+    Mesh m_tube{Mesh::Shading::smooth};
+    Mesh m_rings{Mesh::Shading::none};
 };
 
 } // namespace teleta::view3d

@@ -12,7 +12,7 @@ namespace teleta::view3d {
 
 namespace {
 
-/// A range opens at least this many thresholds wide, so that noise does not fill the picture.
+/// A range is at least this many thresholds wide, so that noise is not magnified.
 constexpr double kRangeInThresholds = 5.0;
 constexpr double kSmallestRange_N = 1e-30;
 constexpr double kEmptySceneHalf_m = 0.05;
@@ -41,8 +41,8 @@ TouchScene::TouchScene(const SceneColours& colours)
     m_axes.setPose(m_poseMatrix);
     m_axes.setVisible(false);
 
-    // Light from above keeps the colour of a load the same from every side; a weak one from the camera keeps
-    // what faces away from it readable.
+    // Light from above shows a load in the same colour from every side; a weak light from the camera keeps
+    // faces turned away from it visible.
     m_renderer->AutomaticLightCreationOff();
     const vtkNew<vtkLight> above;
     above->SetLightTypeToSceneLight();
@@ -101,11 +101,6 @@ TouchScene::Taken TouchScene::take(const pipeline::TouchSnapshot& snapshot) {
     return Taken::fresh;
 }
 
-void TouchScene::setFixedRange(std::optional<double> top_N) {
-    m_fixedRange_N = top_N;
-    m_frameStale = m_hasSensor;
-}
-
 void TouchScene::clear() {
     m_hasSensor = false;
     m_snapshot = {};
@@ -132,7 +127,7 @@ bool TouchScene::draw() {
     m_sensor.grid().pool(m_snapshot.load_N, m_snapshot.dead, m_cell_N);
     const double range_N = loadRange_N();
     for (float& cell : m_cell_N) {
-        // A quotient of two loads stays in range however large or small the unit is.
+        // The quotient of two loads is in range whatever their unit.
         cell =
             std::isnan(cell) ? cell : static_cast<float>(std::min(1.0, static_cast<double>(cell) / range_N));
     }
@@ -178,11 +173,7 @@ void TouchScene::setSensorPose(const Eigen::Isometry3d& X_World_Sensor) {
         return;
     }
     m_X_World_Sensor = X_World_Sensor;
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column) {
-            m_poseMatrix->SetElement(row, column, X_World_Sensor.matrix()(row, column));
-        }
-    }
+    setMatrix(*m_poseMatrix, X_World_Sensor);
     coverGround(false);
 }
 

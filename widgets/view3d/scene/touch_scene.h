@@ -16,14 +16,13 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace teleta::view3d {
 
-/// Everything that the 3-D view shows, as VTK actors in a renderer; knows nothing of widgets. Actors are made
-/// once: a snapshot changes arrays in place. Thread: GUI.
+/// The content of the 3-D view as VTK actors in a renderer, independent of widgets. Actors are created once:
+/// a snapshot changes arrays in place. Thread: GUI.
 class TouchScene {
 public:
     explicit TouchScene(const SceneColours& colours);
@@ -35,14 +34,12 @@ public:
         same,    ///< the frame is already there
         refused, ///< cannot be drawn: a layout or an array of the wrong size
     };
-    /// Keeps the newest frame; draw() shows it.
+    /// Stores the newest frame; draw() shows it.
     Taken take(const pipeline::TouchSnapshot& snapshot);
-    /// Load at the end of the range; empty: follows the data. Finite, > 0.
-    void setFixedRange(std::optional<double> top_N);
-    /// Forgets the frame: nothing is known of the sensor any more.
+    /// Discards the frame: no sensor is shown.
     void clear();
-    /// Brings the actors up to date. Returns whether the outer shape of the scene changed, so that the camera
-    /// may have to be fitted anew.
+    /// Updates the actors. Returns whether the outer shape of the scene changed, so that the camera may have
+    /// to be fitted again.
     bool draw();
 
     void setSurface(Surface surface);
@@ -57,7 +54,7 @@ public:
         m_contacts.setDisplacementShown(shown);
         m_tube.setDisplacementShown(shown);
     }
-    /// The tube that a camera watches; null: none. Returns whether the outer shape of the scene changed.
+    /// The tube watched by a camera; null: none. Returns whether the outer shape of the scene changed.
     bool setTube(const pipeline::CameraSnapshot* snapshot);
     [[nodiscard]] const TubePart& tube() const { return m_tube; }
     void applyColours(const SceneColours& colours);
@@ -67,23 +64,23 @@ public:
     [[nodiscard]] const pipeline::TouchSnapshot& snapshot() const { return m_snapshot; }
     [[nodiscard]] const SceneColours& colours() const { return m_colours; }
     [[nodiscard]] Surface surface() const { return m_surface; }
-    /// The cylinder as drawn: enlarged when the array would not fit.
+    /// The drawn cylinder: enlarged if the array would not fit.
     [[nodiscard]] CylinderSize cylinder() const;
     [[nodiscard]] bool cylinderWasEnlarged() const {
         return m_hasSensor && !(cylinder() == m_wantedCylinder);
     }
     [[nodiscard]] const DrawnGrid& grid() const { return m_sensor.grid(); }
     [[nodiscard]] const SensorSize& sensorSize() const { return m_sensor.size(); }
-    /// In order of falling force.
+    /// By decreasing force.
     [[nodiscard]] const std::vector<ContactMark>& marks() const { return m_contacts.marks(); }
     [[nodiscard]] const AxesPart& axes() const { return m_axes; }
     [[nodiscard]] bool axesShown() const { return m_axesShown && m_hasSensor; }
     [[nodiscard]] Eigen::Vector3d toWorld(const Eigen::Vector3d& p_Sensor) const {
         return m_X_World_Sensor * p_Sensor;
     }
-    /// Load that is drawn with the full height and the last colour, in the snapshot's unit.
-    [[nodiscard]] double loadRange_N() const { return m_fixedRange_N.value_or(m_loadRange.high()); }
-    /// Force that is drawn with the longest arrow.
+    /// Load of the full height and the last colour, in the snapshot's unit.
+    [[nodiscard]] double loadRange_N() const { return m_loadRange.high(); }
+    /// Force of the longest arrow.
     [[nodiscard]] double forceRange_N() const { return m_forceRange.high(); }
     [[nodiscard]] double gridSpacing_m() const { return m_ground.spacing_m(); }
     [[nodiscard]] const Eigen::AlignedBox3d& contourBox_m() const { return m_contour.box_m(); }
@@ -93,10 +90,10 @@ public:
         return !m_hasSensor && !m_tube.isShown() && contourBox_m().isEmpty() && armBox_m().isEmpty();
     }
 
-    /// Corners of all that the camera should see, in the world frame. Does not depend on the loads. Never
+    /// Corners of everything the camera should show, in the world frame. Independent of the loads. Never
     /// empty.
     [[nodiscard]] std::vector<Eigen::Vector3d> corners() const;
-    /// What is data, as meshes in the world frame (m): sensor, contacts, contour, arm. Each call copies.
+    /// The data as meshes in the world frame (m): sensor, contacts, contour, arm. Each call copies.
     [[nodiscard]] std::vector<vtkSmartPointer<vtkPolyData>> worldMeshes() const;
 
 private:
@@ -110,7 +107,6 @@ private:
     base::CalmRange m_loadRange{1.0};
     base::CalmRange m_forceRange{1.0};
     double m_rangeThreshold_N = 0.0;
-    std::optional<double> m_fixedRange_N;
     Surface m_surface = Surface::plate;
     CylinderSize m_wantedCylinder;
     Eigen::Isometry3d m_X_World_Sensor = Eigen::Isometry3d::Identity();

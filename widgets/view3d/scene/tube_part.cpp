@@ -16,11 +16,11 @@ namespace {
 
 constexpr int kTubeSides = 64;
 constexpr int kTubeRings = 5;
-constexpr double kHolder_m = 0.075; ///< what the arm holds, on the lens's side
+constexpr double kHolder_m = 0.075; ///< part held by the arm, on the lens's side
 constexpr double kHolderShare = 0.86;
 constexpr double kTubeOutline_px = 3.0;
 constexpr double kVector_px = 2.2;
-constexpr double kLift = 0.012; ///< of what is drawn on the skin, in radii
+constexpr double kLift = 0.012; ///< of marks above the skin, in radii
 constexpr double kMark = 0.045; ///< radius of the sphere at a centre, in radii
 constexpr double kStartMoved_m = 0.0005;
 
@@ -34,24 +34,17 @@ double turnOf(int side) {
 
 } // namespace
 
-TubePart::TubePart()
-    : m_skinActor(m_skin.data(), MeshActor::Shading::flat)
-    , m_ringActor(m_rings.data(), MeshActor::Shading::none)
-    , m_startActor(m_start.data(), MeshActor::Shading::none)
-    , m_solidActor(m_solids.data(), MeshActor::Shading::smooth)
-    , m_outlineActor(m_outlines.data(), MeshActor::Shading::none)
-    , m_vectorActor(m_vectors.data(), MeshActor::Shading::none) {
-    for (MeshActor* actor : {&m_skinActor, &m_ringActor, &m_solidActor, &m_outlineActor, &m_vectorActor})
-        actor->actor->SetUserMatrix(m_pose);
-    // Of what presses on the far side the outline is seen.
-    m_outlineActor.showThrough();
+TubePart::TubePart() {
+    for (Mesh* mesh : {&m_skin, &m_rings, &m_solids, &m_outlines, &m_vectors})
+        mesh->actor->SetUserMatrix(m_pose);
+    // The outlines of contacts on the far side stay visible.
+    m_outlines.showThrough();
     setVisible();
 }
 
 void TubePart::addTo(vtkRenderer* renderer) {
-    for (MeshActor* actor :
-         {&m_skinActor, &m_ringActor, &m_startActor, &m_solidActor, &m_outlineActor, &m_vectorActor})
-        renderer->AddActor(actor->actor);
+    for (Mesh* mesh : {&m_skin, &m_rings, &m_start, &m_solids, &m_outlines, &m_vectors})
+        renderer->AddActor(mesh->actor);
 }
 
 void TubePart::applyColours(const SceneColours& colours) {
@@ -65,10 +58,10 @@ void TubePart::applyColours(const SceneColours& colours) {
 }
 
 void TubePart::applyPixelScale(double scale) {
-    m_ringActor.setLineWidth(1.0, scale);
-    m_startActor.setLineWidth(1.2, scale);
-    m_outlineActor.setLineWidth(kTubeOutline_px, scale);
-    m_vectorActor.setLineWidth(kVector_px, scale);
+    m_rings.setLineWidth(1.0, scale);
+    m_start.setLineWidth(1.2, scale);
+    m_outlines.setLineWidth(kTubeOutline_px, scale);
+    m_vectors.setLineWidth(kVector_px, scale);
 }
 
 void TubePart::setDisplacementShown(bool shown) {
@@ -77,10 +70,10 @@ void TubePart::setDisplacementShown(bool shown) {
 }
 
 void TubePart::setVisible() {
-    for (MeshActor* actor : {&m_skinActor, &m_ringActor, &m_solidActor, &m_outlineActor})
-        actor->actor->SetVisibility(m_shown);
-    m_vectorActor.actor->SetVisibility(m_shown && m_displacementShown);
-    m_startActor.actor->SetVisibility(m_shown && m_moved);
+    for (Mesh* mesh : {&m_skin, &m_rings, &m_solids, &m_outlines})
+        mesh->actor->SetVisibility(m_shown);
+    m_vectors.actor->SetVisibility(m_shown && m_displacementShown);
+    m_start.actor->SetVisibility(m_shown && m_moved);
 }
 
 bool TubePart::set(const pipeline::CameraSnapshot& snapshot) {
@@ -101,10 +94,7 @@ bool TubePart::set(const pipeline::CameraSnapshot& snapshot) {
     m_X_World_Sensor =
         snapshot.carrier ? snapshot.carrier->X_Base_Sensor : Eigen::Isometry3d(Eigen::Isometry3d::Identity());
     m_moved = m_X_World_Sensor.translation().norm() > kStartMoved_m;
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column)
-            m_pose->SetElement(row, column, m_X_World_Sensor.matrix()(row, column));
-    }
+    setMatrix(*m_pose, m_X_World_Sensor);
     rebuildContacts(snapshot);
     setVisible();
     const Eigen::AlignedBox3d box = box_m();
@@ -119,7 +109,7 @@ bool TubePart::set(const pipeline::CameraSnapshot& snapshot) {
 void TubePart::clear() {
     m_shown = false;
     m_marks.clear();
-    for (MeshBuilder* mesh : {&m_skin, &m_rings, &m_start, &m_solids, &m_outlines, &m_vectors}) {
+    for (Mesh* mesh : {&m_skin, &m_rings, &m_start, &m_solids, &m_outlines, &m_vectors}) {
         mesh->clear();
         mesh->finish();
     }
@@ -171,7 +161,7 @@ void TubePart::rebuildBody() {
     for (int i = 0; i <= kTubeRings; ++i)
         ring(m_rings, (1.0 + 0.3 * kLift) * radius_m, low_m + (high_m - low_m) * i / kTubeRings,
              m_ringColour);
-    // The line along x, by which a turn of the tube is seen.
+    // A line along x makes rotations of the tube visible.
     m_rings.segment(onCircle((1.0 + 0.3 * kLift) * radius_m, 0.0, low_m),
                     onCircle((1.0 + 0.3 * kLift) * radius_m, 0.0, high_m), m_textColour.rgb());
     for (const double z_m : {low_m, high_m})
@@ -248,7 +238,7 @@ void TubePart::drawPatch(const vision::FollowedContact& followed, const TubeMark
     }
     m_solids.sphere(mark.p_Sensor_Foot, kMark * m_surface.radius_m, mark.colour.rgb());
     if (mark.bumps) {
-        // The way in which the arm draws back, through the axis.
+        // Direction in which the arm retreats, through the axis.
         const Eigen::Vector3d out =
             Eigen::Vector3d(mark.p_Sensor_Foot.x(), mark.p_Sensor_Foot.y(), 0.0).normalized();
         const double length_m = 0.8 * m_surface.radius_m;
@@ -302,7 +292,7 @@ void TubePart::drawVectors(const std::vector<pipeline::SkinVector>& vectors) {
         const double length_m = vector.displacement_m.norm();
         if (!(length_m >= std::max(kLeastVector_m, vector.sd_m)) || !vector.p_Sensor_m.allFinite())
             continue;
-        // What is hardly more than its uncertainty fades into the skin.
+        // Displacements close to their uncertainty fade into the skin.
         const double certain = std::clamp(1.0 - vector.sd_m / length_m, 0.0, 1.0);
         const QColor full =
             QColor::fromRgb(base::colourAt(base::cividis(), 0.45 + 0.55 * length_m / longest_m));
@@ -330,7 +320,7 @@ Eigen::AlignedBox3d TubePart::box_m() const {
 void TubePart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
     if (!m_shown)
         return;
-    for (const MeshBuilder* mesh : {&m_skin, &m_solids, &m_outlines})
+    for (const Mesh* mesh : {&m_skin, &m_solids, &m_outlines})
         meshes.push_back(mesh->data());
     if (m_displacementShown)
         meshes.push_back(m_vectors.data());

@@ -3,7 +3,6 @@
 
 #include "backend/pipeline/camera_snapshot.h"
 #include "widgets/view3d/mesh/mesh_actor.h"
-#include "widgets/view3d/mesh/mesh_builder.h"
 #include "widgets/view3d/scene/scene_colours.h"
 
 #include <QColor>
@@ -17,28 +16,28 @@
 
 namespace teleta::view3d {
 
-/// A contact on the tactile tube as it is drawn, in the frame {s} of its sensor.
+/// A drawn contact on the tactile tube, in the frame {s} of its sensor.
 struct TubeMark {
     int id = 0;
     QColor colour;
     Eigen::Vector3d p_Sensor_Foot; ///< on the skin
-    double sd_m = 0.0;             ///< NaN: not known
+    double sd_m = 0.0;             ///< NaN: unknown
     bool bumps = false;
     bool followed = false;
 };
 
-/// The tactile tube that a camera watches from inside: its skin, contact patches, the way that each contact
-/// has moved, the region that holds its centre with 95 %, how the skin is displaced, and where the tube was
-/// at the start. What no ray meets is not drawn. Thread: one.
+/// The tactile tube watched by a camera from inside: its skin, contact patches, the path of each contact, the
+/// 95 % region of its centre, the displacement of the skin, and the tube's first place. Parts that no ray
+/// meets are not drawn. Thread: one.
 class TubePart {
 public:
-    /// Vectors of the skin are drawn so many times longer than they are.
+    /// Enlargement of the skin's displacement vectors.
     static constexpr double kEnlargement = 4.0;
-    /// How far the tube may move before the camera is fitted anew.
+    /// How far the tube may move before the camera is fitted again.
     static constexpr double kRoom_m = 0.02;
-    /// Displacements of less than this, or than their standard deviation, are not drawn.
+    /// Smaller displacements, and those below their standard deviation, are not drawn.
     static constexpr double kLeastVector_m = 0.0001;
-    /// Radius of the ellipse that holds 95 % of a normal distribution of the plane, in standard deviations.
+    /// Radius of the 95 % ellipse of a bivariate normal distribution, in standard deviations.
     static constexpr double kRegion = 2.4477;
 
     TubePart();
@@ -47,8 +46,8 @@ public:
     void applyPixelScale(double scale);
     void setDisplacementShown(bool shown);
 
-    /// Returns whether the tube is another one or has left the room around where it was when this last said
-    /// so. An arm's pose moves the tube in the world.
+    /// Returns whether the tube is another one, or has left the room around the place where it was at the
+    /// last such report. The arm's pose moves the tube in the world.
     bool set(const pipeline::CameraSnapshot& snapshot);
     void clear();
 
@@ -57,7 +56,7 @@ public:
     [[nodiscard]] const std::vector<TubeMark>& marks() const { return m_marks; }
     [[nodiscard]] const Eigen::Isometry3d& X_World_Sensor() const { return m_X_World_Sensor; }
     [[nodiscard]] bool hasVectors() const { return !m_vectors.isEmpty(); }
-    /// Around the tube where it is and where it started, world frame; empty when it is not shown.
+    /// Box around the tube's present and first place, world frame; empty when it is not shown.
     [[nodiscard]] Eigen::AlignedBox3d box_m() const;
     void appendMeshes(std::vector<vtkPolyData*>& meshes) const;
     [[nodiscard]] vtkMatrix4x4* pose() const { return m_pose; }
@@ -74,8 +73,8 @@ private:
 
     bool m_shown = false;
     bool m_displacementShown = true;
-    bool m_moved = false;       ///< away from the start
-    Eigen::AlignedBox3d m_room; ///< in which the tube may move without the camera being fitted anew
+    bool m_moved = false;       ///< away from its first place
+    Eigen::AlignedBox3d m_room; ///< where the tube may move before the camera is fitted again
     vision::CylinderSurface m_surface;
     Eigen::Isometry3d m_X_World_Sensor = Eigen::Isometry3d::Identity();
     std::vector<TubeMark> m_marks;
@@ -87,18 +86,12 @@ private:
     QColor m_textColour;
 
     vtkNew<vtkMatrix4x4> m_pose;
-    MeshBuilder m_skin;
-    MeshBuilder m_rings{false};
-    MeshBuilder m_start{false}; ///< in the world frame
-    MeshBuilder m_solids;
-    MeshBuilder m_outlines{false};
-    MeshBuilder m_vectors{false};
-    MeshActor m_skinActor;
-    MeshActor m_ringActor;
-    MeshActor m_startActor;
-    MeshActor m_solidActor;
-    MeshActor m_outlineActor;
-    MeshActor m_vectorActor;
+    Mesh m_skin{Mesh::Shading::flat};
+    Mesh m_rings{Mesh::Shading::none};
+    Mesh m_start{Mesh::Shading::none}; ///< in the world frame
+    Mesh m_solids{Mesh::Shading::smooth};
+    Mesh m_outlines{Mesh::Shading::none};
+    Mesh m_vectors{Mesh::Shading::none};
 };
 
 } // namespace teleta::view3d

@@ -68,7 +68,7 @@ QString describe(GlProblem problem) {
         return QCoreApplication::translate("view3d", "The display platform \"%1\" has no OpenGL widgets.")
             .arg(QGuiApplication::platformName());
     case GlProblem::tooOld:
-        return QCoreApplication::translate("view3d", "This display offers no OpenGL %1.%2 or newer.")
+        return QCoreApplication::translate("view3d", "This display does not support OpenGL %1.%2 or newer.")
             .arg(kOpenGlMajor)
             .arg(kOpenGlMinor);
     case GlProblem::contextRefused:

@@ -5,23 +5,23 @@
 
 namespace teleta::view3d {
 
-/// Why no OpenGL view can be shown.
+/// Why OpenGL views cannot be shown.
 enum class GlProblem {
     none,
     noGlPlatform,   ///< the display platform has no OpenGL (offscreen, minimal)
-    tooOld,         ///< no OpenGL 3.2 core context can be made
-    contextRefused, ///< a context could be made, but not for the widget
+    tooOld,         ///< no OpenGL 3.2 core context can be created
+    contextRefused, ///< a context can be created, but not for the widget
     driverRefused,  ///< VTK cannot use the context
 };
 
-/// Sets what OpenGL views need and what cannot be changed once the application object exists: the default
-/// surface format (OpenGL 3.2 core) and the xcb platform on a Wayland desktop with an X server, because
-/// Debian's VTK loads OpenGL through GLX. A platform that the user chose, by QT_QPA_PLATFORM or -platform,
-/// stays. Thread: main, before QApplication.
+/// Settings for OpenGL views that must be made before the application object: the default surface format
+/// (OpenGL 3.2 core), and the xcb platform on a Wayland desktop with an X server, because Debian's VTK loads
+/// OpenGL through GLX. A platform chosen by the user, with QT_QPA_PLATFORM or -platform, is kept. Thread:
+/// main, before QApplication.
 void configureOpenGlBeforeApplication();
 
-/// Whether an OpenGL view can be shown in this process: noGlPlatform, tooOld or none. Asks the driver once,
-/// by making a 3.2 core context; later calls return the same answer. Thread: main, after QApplication.
+/// Whether OpenGL views can be shown in this process: noGlPlatform, tooOld or none. The first call asks the
+/// driver by creating a 3.2 core context. Thread: main, after QApplication.
 [[nodiscard]] GlProblem findGlProblem();
 
 /// A sentence for the user, translated; empty for none.

@@ -17,7 +17,7 @@ namespace teleta::view3d {
 
 namespace {
 
-/// Smoothing edges takes a software renderer longer than all the rest of a frame.
+/// With a software renderer, antialiasing takes longer than the rest of a frame.
 bool drawsInSoftware(const QOpenGLContext& context) {
     const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
     const QByteArray renderer = QByteArray(name).toLower();
@@ -86,7 +86,7 @@ void GuestRenderWindow::renderGuarded() {
     vtkCollectionSimpleIterator place;
     GetRenderers()->InitTraversal(place);
     while (vtkRenderer* renderer = GetRenderers()->GetNextRenderer(place)) {
-        // A translucent background would be blended with what lies behind the widget.
+        // A translucent background would be blended with the contents behind the widget.
         renderer->SetBackgroundAlpha(renderer->GetLayer() == 0 ? 1.0 : 0.0);
     }
     vtkOpenGLState* state = GetState();
@@ -99,7 +99,7 @@ void GuestRenderWindow::renderGuarded() {
     dropFence();
     QOpenGLExtraFunctions& gl = *m_context->extraFunctions();
     m_fence = gl.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.glFlush(); // nobody else will, until the frame is read
+    gl.glFlush(); // nothing else flushes before the frame is read
 }
 
 bool GuestRenderWindow::isDrawn() {
@@ -129,7 +129,7 @@ QImage GuestRenderWindow::frame() {
     const bool read =
         !image.isNull() && ReadPixels(all, 1, GL_BGRA, GL_UNSIGNED_BYTE, image.bits(), 0) == VTK_OK;
     state->Pop();
-    // OpenGL's rows begin at the bottom.
+    // OpenGL's rows start at the bottom.
     return read ? std::move(image).mirrored() : QImage();
 }
 

@@ -11,17 +11,17 @@ class QSurface;
 
 namespace teleta::view3d {
 
-/// A VTK render window that draws into its own framebuffer within an OpenGL context that Qt made. The context
-/// may go and another one come; renderers and actors stay.
+/// A VTK render window that draws into its own framebuffer in an OpenGL context made by Qt. The context may
+/// be replaced; renderers and actors stay.
 class GuestRenderWindow : public vtkGenericOpenGLRenderWindow {
 public:
-    static constexpr int kSamples = 4; ///< of smooth edges
+    static constexpr int kSamples = 4; ///< per pixel, for smooth edges
 
     static GuestRenderWindow* New();
 
     /// context must be current. Returns whether VTK can draw in it.
     bool attach(QOpenGLContext* context, QSurface* surface);
-    /// Frees everything that VTK holds in the context, which must still exist.
+    /// Frees all VTK resources of the context, which must still exist.
     void detach();
     [[nodiscard]] bool attached() const { return m_context != nullptr; }
 
@@ -29,12 +29,12 @@ public:
     bool IsCurrent() override;
     int SupportsOpenGL() override { return attached() ? 1 : 0; }
 
-    /// Hands the scene of the renderers to the driver, with OpenGL's state saved before and restored after.
-    /// Layer 0 is drawn on an opaque background.
+    /// Submits the scene to the driver; saves OpenGL's state before and restores it after. Layer 0 has an
+    /// opaque background.
     void renderGuarded();
-    /// Whether the driver has drawn what it was handed; does not wait for it.
+    /// Whether the driver has finished the frame; does not wait.
     [[nodiscard]] bool isDrawn();
-    /// The last frame, opaque; waits until it is drawn. Null when it cannot be read.
+    /// The last frame, opaque; waits until it is finished. Null if it cannot be read.
     [[nodiscard]] QImage frame();
 
 protected:
@@ -48,7 +48,7 @@ private:
     void dropFence();
 
     QOpenGLContext* m_context = nullptr;
-    GLsync m_fence = nullptr; ///< behind the last frame
+    GLsync m_fence = nullptr; ///< after the last frame
     QSurface* m_surface = nullptr;
 };
 

@@ -49,10 +49,10 @@ void RenderQueue::schedule() {
     const auto turn_ns = m_turns.nextTurn_ns();
     if (!turn_ns)
         return;
-    // A view that asks is in the middle of a change, so that its turn comes with the event loop.
+    // The requesting view is in the middle of a change, so its turn comes through the event loop.
     const std::int64_t wait_ns = std::max<std::int64_t>(*turn_ns - core::steadyNow_ns(), 0);
     const auto wait_ms = static_cast<int>((wait_ns + 999'999) / 1'000'000);
-    // Not put off by those who ask again and again.
+    // Repeated requests do not delay it.
     if (!m_timer.isActive() || m_timer.remainingTime() > wait_ms)
         m_timer.start(wait_ms);
 }

@@ -8,23 +8,22 @@
 
 namespace teleta::view3d {
 
-/// The line in which all OpenGL views of the program wait to draw, in the turns of RenderTurns.
-/// Thread: GUI.
+/// Queue in which all OpenGL views of the program wait to draw, in the order of RenderTurns. Thread: GUI.
 class RenderQueue : public QObject {
 public:
     class View {
     public:
-        /// From the event loop.
+        /// Called from the event loop.
         virtual void turnHasCome() = 0;
 
     protected:
         ~View() = default;
     };
 
-    /// The one of the program; made with the first call.
+    /// The program's queue, created by the first call.
     static RenderQueue& instance();
 
-    /// Calls view.turnHasCome() when it is the view's turn: soon when nobody draws much.
+    /// Calls view.turnHasCome() when it is the view's turn: soon if little is drawn.
     void ask(View& view);
     void leave(View& view);
     void drawn(View& view, std::int64_t begun_ns, std::int64_t ended_ns);

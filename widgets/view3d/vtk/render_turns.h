@@ -7,10 +7,9 @@
 
 namespace teleta::view3d {
 
-/// Who of several views may draw, and when: one after the other, and after each drawing a pause of
-/// kPausePerDrawing times what it took (at most kLongestPause_ns), so that all of them together leave most of
-/// the thread to others however slow the driver is.
-/// Thread: any one.
+/// Decides which of several views may draw, and when: one after the other, and after each drawing a pause of
+/// kPausePerDrawing times its duration (at most kLongestPause_ns), so that drawing leaves most of the
+/// thread's time to others however slow the driver is. Thread: any one.
 class RenderTurns {
 public:
     static constexpr int kPausePerDrawing = 2;
@@ -19,12 +18,12 @@ public:
 
     /// The view wants to draw. Asking again while it waits changes nothing.
     void ask(View view);
-    /// The view does not want to draw any more.
+    /// The view no longer wants to draw.
     void leave(View view);
-    /// The view whose turn has come by now_ns; it does not wait any more. Null: nobody's. Should it not draw
-    /// after all, the others wait no longer than if it had.
+    /// The view whose turn has come by now_ns; it is no longer waiting. Null: none. If it does not draw after
+    /// all, the others wait no longer than if it had.
     [[nodiscard]] View next(std::int64_t now_ns);
-    /// When the next one that waits has its turn. Empty: nobody waits.
+    /// Time of the next turn. Empty: no view is waiting.
     [[nodiscard]] std::optional<std::int64_t> nextTurn_ns() const;
     /// The view has drawn, whether or not it was its turn.
     void drawn(View view, std::int64_t begun_ns, std::int64_t ended_ns);
@@ -34,7 +33,7 @@ private:
 
     std::deque<View> m_waiting;
     std::int64_t m_free_ns = 0;
-    std::int64_t m_drawing_ns = 0; ///< that the last one took
+    std::int64_t m_drawing_ns = 0; ///< duration of the last drawing
 };
 
 } // namespace teleta::view3d

@@ -6,7 +6,6 @@
 #include <QApplication>
 #include <QBackingStore>
 #include <QContextMenuEvent>
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLFunctions>
 #include <QPainter>
@@ -19,7 +18,7 @@ namespace teleta::view3d {
 namespace {
 
 constexpr double kLogicalDpi = 96.0;
-constexpr int kLookAgain_ms = 2; ///< for a frame that the driver draws
+constexpr int kLookAgain_ms = 2; ///< for a frame being drawn by the driver
 
 } // namespace
 
@@ -42,7 +41,7 @@ VtkCanvas::~VtkCanvas() {
 
 void VtkCanvas::requestRender() {
     m_stale = true;
-    // Nobody waits for what nobody sees: it is repainted when it appears.
+    // An invisible view does not wait for a turn: it is repainted when it appears.
     if (!visibleRegion().isEmpty()) {
         RenderQueue::instance().ask(*this);
     }
@@ -151,7 +150,7 @@ void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
             endFrame();
         }
     } else if (m_stale) {
-        requestRender(); // nobody asked while it was hidden
+        requestRender(); // there were no requests while it was hidden
     }
     QPainter painter(this);
     painter.drawImage(QPointF(), m_frame);
@@ -165,7 +164,7 @@ QImage VtkCanvas::picture(double scale, bool withOverlay) {
     if (deviceSize().isEmpty() || !makeContext()) {
         return {};
     }
-    m_drawing = false; // the window draws something else now
+    m_drawing = false; // the window now draws another picture
     m_window->MakeCurrent();
     GLint largest = 0;
     m_context.functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
@@ -176,7 +175,7 @@ QImage VtkCanvas::picture(double scale, bool withOverlay) {
     const double pixelScaleBefore = m_pixelScale;
     setDeviceSize(device * used, devicePixelRatio() * used);
     const int samples = m_window->GetMultiSamples();
-    m_window->SetMultiSamples(GuestRenderWindow::kSamples); // a picture may take its time
+    m_window->SetMultiSamples(GuestRenderWindow::kSamples); // a picture may take longer
     m_window->renderGuarded();
 
     QImage image = m_window->frame();
@@ -228,16 +227,6 @@ void VtkCanvas::mouseMoveEvent(QMouseEvent* event) {
 void VtkCanvas::wheelEvent(QWheelEvent* event) {
     m_input.wheel(*event, devicePixelRatio());
     event->accept();
-}
-
-void VtkCanvas::keyPressEvent(QKeyEvent* event) {
-    m_input.key(*event);
-    event->ignore(); // shortcuts of the window, STOP first of all, must see every key
-}
-
-void VtkCanvas::keyReleaseEvent(QKeyEvent* event) {
-    m_input.key(*event);
-    event->ignore();
 }
 
 void VtkCanvas::contextMenuEvent(QContextMenuEvent* event) {

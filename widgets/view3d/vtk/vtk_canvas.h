@@ -20,10 +20,10 @@
 
 namespace teleta::view3d {
 
-/// The surface inside VtkWidget: shows what the render window draws in a context of its own behind the
-/// screen. It is an ordinary widget, because one OpenGL widget would have its whole window put together by
-/// OpenGL with every repaint of anything in it. On the screen the last frame stays until the driver has drawn
-/// the next one, for which nobody waits. Owns nothing of the scene, which lives in the render window.
+/// The surface inside VtkWidget: shows what the render window draws in its own offscreen context. It is an
+/// ordinary widget, because with a single OpenGL widget Qt would compose the whole window with OpenGL on
+/// every repaint. The last frame stays on the screen until the driver has finished the next one; nothing
+/// waits for it. The scene belongs to the render window.
 class VtkCanvas : public QWidget, private RenderQueue::View {
     Q_OBJECT
 public:
@@ -33,15 +33,15 @@ public:
     VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* interactor, QWidget* parent);
     ~VtkCanvas() override;
 
-    /// Draws anew when RenderQueue has a turn for it.
+    /// Draws again when RenderQueue gives it a turn.
     void requestRender();
     void setOverlay(Overlay overlay) { m_overlay = std::move(overlay); }
-    /// Draws the scene anew at `scale` times the widget's device pixels.
+    /// Draws the scene again at `scale` times the widget's device pixels.
     [[nodiscard]] QImage picture(double scale, bool withOverlay);
     [[nodiscard]] std::uint64_t framesRendered() const { return m_framesRendered; }
 
 signals:
-    /// Nothing can be drawn, ever.
+    /// Nothing can ever be drawn.
     void contextRefused(GlProblem problem);
     void pixelScaleChanged(double devicePerLogical);
     void menuRequested(const QPoint& globalPosition);
@@ -53,15 +53,13 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-    void keyReleaseEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void turnHasCome() override;
     [[nodiscard]] bool makeContext();
     void beginFrame();
-    /// Waits for the driver when it has not drawn the frame yet.
+    /// Waits for the driver to finish the frame.
     void endFrame();
     void lookForFrame();
     [[nodiscard]] bool paintsOnScreen() const;
@@ -78,8 +76,8 @@ private:
     QImage m_frame;
     QPointF m_rightPress;
     bool m_rightDragged = false;
-    bool m_stale = true;    ///< the scene has changed since the last frame was begun
-    bool m_drawing = false; ///< a frame was begun that has not ended
+    bool m_stale = true;    ///< the scene has changed since the last frame was started
+    bool m_drawing = false; ///< a frame was started and is not finished
     std::int64_t m_begun_ns = 0;
     QTimer m_lookAgain;
     QSize m_size;

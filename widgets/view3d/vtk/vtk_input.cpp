@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/vtk/vtk_input.h"
 
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
 #include <vtkCommand.h>
 #include <vtkRenderWindowInteractor.h>
 
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace teleta::view3d {
 
@@ -44,39 +41,6 @@ unsigned long releaseEvent(Qt::MouseButton button) {
 
 } // namespace
 
-const char* vtkKeyName(int qtKey) {
-    static constexpr std::array<const char*, 36> kAlphanumeric = {
-        "0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "a", "b", "c", "d", "e", "f", "g", "h",
-        "i", "j", "k", "l", "m", "n", "o", "p", "q", "r", "s", "t", "u", "v", "w", "x", "y", "z"};
-    static constexpr std::array<const char*, 12> kFunction = {"F1", "F2", "F3", "F4",  "F5",  "F6",
-                                                              "F7", "F8", "F9", "F10", "F11", "F12"};
-    static constexpr std::array<std::pair<int, const char*>, 24> kNamed = {{
-        {Qt::Key_Backspace, "BackSpace"}, {Qt::Key_Tab, "Tab"},       {Qt::Key_Return, "Return"},
-        {Qt::Key_Enter, "Return"},        {Qt::Key_Escape, "Escape"}, {Qt::Key_Space, "space"},
-        {Qt::Key_PageUp, "Prior"},        {Qt::Key_PageDown, "Next"}, {Qt::Key_End, "End"},
-        {Qt::Key_Home, "Home"},           {Qt::Key_Left, "Left"},     {Qt::Key_Up, "Up"},
-        {Qt::Key_Right, "Right"},         {Qt::Key_Down, "Down"},     {Qt::Key_Insert, "Insert"},
-        {Qt::Key_Delete, "Delete"},       {Qt::Key_Shift, "Shift_L"}, {Qt::Key_Control, "Control_L"},
-        {Qt::Key_Alt, "Alt_L"},           {Qt::Key_Plus, "plus"},     {Qt::Key_Minus, "minus"},
-        {Qt::Key_Comma, "comma"},         {Qt::Key_Period, "period"}, {Qt::Key_Slash, "slash"},
-    }};
-    if (qtKey >= Qt::Key_0 && qtKey <= Qt::Key_9) {
-        return kAlphanumeric[static_cast<std::size_t>(qtKey - Qt::Key_0)];
-    }
-    if (qtKey >= Qt::Key_A && qtKey <= Qt::Key_Z) {
-        return kAlphanumeric[static_cast<std::size_t>(10 + qtKey - Qt::Key_A)];
-    }
-    if (qtKey >= Qt::Key_F1 && qtKey <= Qt::Key_F12) {
-        return kFunction[static_cast<std::size_t>(qtKey - Qt::Key_F1)];
-    }
-    for (const auto& [key, name] : kNamed) {
-        if (key == qtKey) {
-            return name;
-        }
-    }
-    return nullptr;
-}
-
 void VtkInput::place(double x, double y, Qt::KeyboardModifiers modifiers, double pixelRatio, int repeat) {
     m_interactor->SetEventInformationFlipY(static_cast<int>(std::floor(x * pixelRatio)),
                                            static_cast<int>(std::floor(y * pixelRatio)),
@@ -96,7 +60,7 @@ void VtkInput::mouse(const QMouseEvent& event, double pixelRatio) {
         m_interactor->InvokeEvent(pressEvent(event.button(), false));
         break;
     case QEvent::MouseButtonDblClick:
-        // The second press of a double click is a press as well: drags that start with it must work.
+        // The second press of a double click counts as a press: drags can start with it.
         m_interactor->InvokeEvent(pressEvent(event.button(), false));
         m_interactor->InvokeEvent(pressEvent(event.button(), true));
         break;
@@ -120,24 +84,6 @@ void VtkInput::wheel(const QWheelEvent& event, double pixelRatio) {
     for (; m_wheelRest <= -QWheelEvent::DefaultDeltasPerStep;
          m_wheelRest += QWheelEvent::DefaultDeltasPerStep) {
         m_interactor->InvokeEvent(vtkCommand::MouseWheelBackwardEvent);
-    }
-}
-
-void VtkInput::key(const QKeyEvent& event) {
-    const QString text = event.text();
-    const char* name = vtkKeyName(event.key());
-    const char code = text.isEmpty() ? '\0' : text.at(0).toLatin1();
-    m_interactor->SetKeyEventInformation(event.modifiers().testFlag(Qt::ControlModifier) ? 1 : 0,
-                                         event.modifiers().testFlag(Qt::ShiftModifier) ? 1 : 0, code,
-                                         event.count(), name != nullptr ? name : "None");
-    m_interactor->SetAltKey(event.modifiers().testFlag(Qt::AltModifier) ? 1 : 0);
-    if (event.type() == QEvent::KeyRelease) {
-        m_interactor->InvokeEvent(vtkCommand::KeyReleaseEvent);
-        return;
-    }
-    m_interactor->InvokeEvent(vtkCommand::KeyPressEvent);
-    if (code != '\0') {
-        m_interactor->InvokeEvent(vtkCommand::CharEvent);
     }
 }
 

@@ -3,15 +3,14 @@
 
 #include <Qt>
 
-class QKeyEvent;
 class QMouseEvent;
 class QWheelEvent;
 class vtkRenderWindowInteractor;
 
 namespace teleta::view3d {
 
-/// Hands Qt's input events to a VTK interactor, in device pixels with y up.
-/// Thread: GUI.
+/// Passes Qt's mouse events on to a VTK interactor, in device pixels with y up. Keys are not passed on: the
+/// view handles them itself. Thread: GUI.
 class VtkInput {
 public:
     explicit VtkInput(vtkRenderWindowInteractor* interactor)
@@ -20,16 +19,12 @@ public:
     /// pixelRatio: device pixels per logical pixel of the widget.
     void mouse(const QMouseEvent& event, double pixelRatio);
     void wheel(const QWheelEvent& event, double pixelRatio);
-    void key(const QKeyEvent& event);
 
 private:
     void place(double x, double y, Qt::KeyboardModifiers modifiers, double pixelRatio, int repeat);
 
     vtkRenderWindowInteractor* m_interactor;
-    int m_wheelRest = 0; ///< eighths of a degree that do not yet make a step
+    int m_wheelRest = 0; ///< eighths of a degree left over from the last step
 };
-
-/// VTK's name (as in Tk) of a Qt key, for example "Left" or "a"; nullptr when VTK has none.
-[[nodiscard]] const char* vtkKeyName(int qtKey);
 
 } // namespace teleta::view3d

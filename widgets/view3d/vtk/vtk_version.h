@@ -5,9 +5,9 @@
 
 namespace teleta::view3d {
 
-/// Version of the VTK library that is loaded: "9.1.0".
+/// Version of the loaded VTK library: "9.1.0".
 [[nodiscard]] QString vtkLibraryVersion();
-/// Version of Eigen that was compiled in.
+/// Version of Eigen at compile time.
 [[nodiscard]] QString eigenLibraryVersion();
 
 } // namespace teleta::view3d

@@ -37,7 +37,7 @@ VtkWidget::VtkWidget(QWidget* parent)
     const vtkNew<vtkInteractorStyleTrackballCamera> style;
     m_parts->interactor->SetRenderWindow(m_parts->window);
     m_parts->interactor->SetInteractorStyle(style);
-    // VTK's wish to draw becomes a request: drawing happens in the widget's paint only.
+    // A render event of VTK becomes a request: the widget draws only when it is painted.
     m_parts->interactor->EnableRenderOff();
     m_parts->onRender->SetClientData(this);
     m_parts->onRender->SetCallback(
@@ -131,15 +131,14 @@ void VtkWidget::showFallback(GlProblem problem) {
         m_parts->fallback->setAutoFillBackground(true);
         layout()->addWidget(m_parts->fallback);
         m_parts->fallback->show();
-        emit renderingLost();
     }
     writeFallback();
 }
 
 void VtkWidget::writeFallback() {
     if (m_parts->fallback != nullptr) {
-        m_parts->fallback->setText(
-            tr("No 3-D view here. %1\nAll other views work without it.").arg(describe(m_parts->problem)));
+        m_parts->fallback->setText(tr("The 3-D view is not available. %1\nAll other views work without it.")
+                                       .arg(describe(m_parts->problem)));
     }
 }
 

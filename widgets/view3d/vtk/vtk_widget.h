@@ -16,8 +16,7 @@ class vtkRenderWindowInteractor;
 namespace teleta::view3d {
 
 /// Shows a VTK render window inside Qt 6 widgets. Add renderers to renderWindow() and call requestRender()
-/// when the scene changed; nothing is drawn otherwise. Where OpenGL is missing a text says so and
-/// everything else keeps working.
+/// whenever the scene has changed: nothing is drawn otherwise. Without OpenGL it shows a text that says so.
 /// Thread: GUI.
 class VtkWidget : public QWidget {
     Q_OBJECT
@@ -28,33 +27,32 @@ public:
     explicit VtkWidget(QWidget* parent = nullptr);
     ~VtkWidget() override;
 
-    /// Never null, whether or not it can be drawn.
+    /// Never null, even without OpenGL.
     [[nodiscard]] vtkRenderWindow* renderWindow() const;
     [[nodiscard]] vtkRenderWindowInteractor* interactor() const;
 
-    /// False when the display has no OpenGL that VTK can use; then fallbackText() is shown.
+    /// False if VTK cannot use the display's OpenGL; then fallbackText() is shown.
     [[nodiscard]] bool canRender() const;
     [[nodiscard]] QString fallbackText() const;
 
-    /// Draws the scene soon: slow views of one program take turns (RenderTurns). Many calls make one frame.
+    /// Draws the scene soon; views take turns (RenderTurns), and several calls make one frame.
     void requestRender();
     void setOverlay(Overlay overlay);
     enum class PictureOverlay { with, without };
-    /// The scene at `scale` (> 0) times the device pixels shown, limited by what the driver can do. Null when
-    /// nothing can be drawn.
+    /// The scene at `scale` (> 0) times the device pixels shown, limited by the driver. Null if nothing can
+    /// be drawn.
     [[nodiscard]] QImage picture(double scale = 1.0, PictureOverlay overlay = PictureOverlay::with);
-    /// Frames that VTK drew on the screen so far.
+    /// Number of frames drawn on the screen so far.
     [[nodiscard]] std::uint64_t framesRendered() const;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
-    /// Sizes given in pixels (line widths, point sizes) must be multiplied with this.
+    /// Factor for sizes in pixels (line widths, point sizes).
     void pixelScaleChanged(double devicePerLogical);
     /// Right click without a drag, or the menu key.
     void menuRequested(const QPoint& globalPosition);
-    void renderingLost();
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -8,25 +8,26 @@
 
 namespace teleta::console {
 
-/// Pairs and what they are calibrated with. Thread: one.
+/// Pairs and the settings of their calibration. Thread: one.
 struct CalibrationWork {
     std::vector<vision::CalibrationPair> pairs;
-    std::vector<bool> used; ///< one a pair
+    std::vector<bool> used; ///< one per pair
     vision::CalibrationSettings settings;
     bool simulated = false;  ///< pairs of a simulated tube
-    double holeFactor = 1.0; ///< of x and y: from the pairs' points to the surface; > 0
+    double holeFactor = 1.0; ///< scales x and y of the pairs' points to the surface; > 0
 
-    /// What is calibrated with: the pairs with their points on the surface.
+    /// Input of the calibration: the pairs with their points on the surface.
     [[nodiscard]] std::vector<vision::CalibrationPair> onSurface() const;
-    /// Whether touches of a tube may join the pairs: real ones, of this tube and image, on its surface.
+    /// Whether pairs probed with these settings may be added: these pairs are real, of the same tube and
+    /// image, and on its surface.
     [[nodiscard]] bool isJoinedBy(const vision::CalibrationSettings& probed) const;
 
     void add(const vision::CalibrationPair& pair);
-    /// In place of the pair of the same point, or as a new one.
+    /// Replaces the pair of the same point, or adds a new one.
     void put(const vision::CalibrationPair& pair);
-    /// Returns how many there were; pairs that do not exist are ignored.
+    /// Returns how many were removed; unknown pairs are ignored.
     int remove(const std::vector<std::size_t>& numbers);
-    /// Returns how many it changed.
+    /// Returns how many changed.
     int setUsed(const std::vector<std::size_t>& numbers, bool use);
 };
 

@@ -8,8 +8,11 @@
 #include "app/console/calibrate/camera/probing_strip.h"
 #include "app/console/calibrate/camera/tube_fields.h"
 #include "backend/vision/calibration/camera_file.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/pair_model.h"
 #include "widgets/camera/residual_view.h"
@@ -17,7 +20,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFontMetrics>
 #include <QHeaderView>
@@ -45,7 +47,7 @@ QString pixels(double value_px) {
 
 } // namespace
 
-/// From one state of the work to another.
+/// Undo step: one state of the work to another.
 class CameraCalibrator::Edit : public QUndoCommand {
 public:
     Edit(CameraCalibrator& calibrator, Work after, const QString& text, int run)
@@ -57,7 +59,7 @@ public:
 
     void redo() override { m_calibrator.apply(m_after); }
     void undo() override {
-        // Nothing is added any more to what is taken back.
+        // Undone edits are not merged with later ones.
         if (m_run != 0)
             m_calibrator.m_probing->cancel();
         m_calibrator.apply(m_before);
@@ -79,8 +81,9 @@ CameraCalibrator::CameraCalibrator(QWidget* parent)
     : QWidget(parent)
     , m_undo(new QUndoStack(this)) {
     build();
-    retranslate();
+    base::keepTranslated(this, &CameraCalibrator::retranslate);
     refresh();
+    base::onChange(this, &CameraCalibrator::refresh, {QEvent::PaletteChange});
 }
 
 CameraCalibrator::~CameraCalibrator() = default;
@@ -90,17 +93,16 @@ void CameraCalibrator::retranslate() {
     m_load->setText(tr("&Load pairs\u2026"));
     m_load->setToolTip(tr("Pairs of pixels and points: CSV with u_px,v_px,x_m,y_m,z_m"));
     m_savePairs->setText(tr("Save pai&rs\u2026"));
-    m_savePairs->setToolTip(tr("All pairs, those that are left out too, as they are loaded"));
+    m_savePairs->setToolTip(tr("Save all pairs, including excluded ones, to load them again later"));
     m_save->setText(tr("&Save camera\u2026"));
-    m_save->setToolTip(tr("The camera of the chosen method, for teleta locate and the camera view"));
+    m_save->setToolTip(
+        tr("Save the camera found by the chosen method, for teleta locate and the camera view"));
     m_probe->setText(tr("&Probe the simulated tube"));
-    m_probe->setToolTip(
-        tr("Collect pairs: a simulated person presses a stick on the marked places of a simulated "
-           "tube, and takes one in ten for its neighbour"));
+    m_probe->setToolTip(tr("Collect pairs: a simulated person presses a stick on the marked places of a "
+                           "simulated tube and mistakes one in ten for its neighbour"));
     m_probeWith->setText(tr("Probe with a &camera\u2026"));
-    m_probeWith->setToolTip(
-        tr("Collect pairs: press a stick through the holes of a shell while a camera, or a "
-           "video of it, is watched"));
+    m_probeWith->setToolTip(tr("Collect pairs: press a stick through the holes of a shell while a camera "
+                               "watches, live or in a video"));
     m_strip->retranslate();
     m_origin->setText(tr("SIMULATED"));
     m_methodLabel->setText(tr("&Method:"));
@@ -112,7 +114,7 @@ void CameraCalibrator::retranslate() {
     m_exclude->setText(tr("&Exclude wrong pairs"));
     m_undoAction->setText(tr("&Undo"));
     m_redoAction->setText(tr("&Redo"));
-    m_exclude->setToolTip(tr("Leaves the pairs that are marked as wrong out for every method"));
+    m_exclude->setToolTip(tr("Exclude the pairs marked as wrong, for every method"));
     m_comparison->setAccessibleName(tr("Methods side by side"));
     m_comparison->setHorizontalHeaderLabels(
         {tr("Method"), tr("Kept"), tr("Image, mean"), tr("Surface, mean"), tr("Uncertainty"), tr("Remark")});
@@ -124,20 +126,11 @@ void CameraCalibrator::retranslate() {
     m_entry->retranslate();
     sizeColumns();
     setWhatsThis(tr(
-        "<p>Finds the camera inside the tactile cylinder from pairs: a pixel and the point of the surface "
-        "that was probed there.</p><p>Load a CSV file or drop it here, or type pairs in. Wrong pairs are "
-        "found and left out; you may exclude more or remove them (Delete in the table), and take every step "
-        "back.</p>"));
+        "<p>Finds the camera inside the tactile cylinder from pairs of a pixel and the surface point that "
+        "was probed there.</p><p>Load a CSV file, drop it here, or type pairs in. Wrong pairs are detected "
+        "and left out; you can exclude more, remove them (Delete in the table) and undo every step.</p>"));
     showComparison();
     m_verdict->setText(verdict());
-}
-
-void CameraCalibrator::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::PaletteChange)
-        refresh();
 }
 
 void CameraCalibrator::dragEnterEvent(QDragEnterEvent* event) {
@@ -151,28 +144,12 @@ void CameraCalibrator::dropEvent(QDropEvent* event) {
     open(event->mimeData()->urls().front().toLocalFile());
 }
 
-void CameraCalibrator::askForFile(File file, bool save) {
-    const bool camera = file == File::camera;
-    auto* dialog =
-        new QFileDialog(this,
-                        camera ? tr("Save the camera")
-                        : save ? tr("Save the pairs")
-                               : tr("Load pairs"),
-                        m_file, camera ? tr("Cameras (*.json)") : tr("Pairs (*.csv);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-    dialog->setFileMode(save ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
-    if (save)
-        dialog->setDefaultSuffix(camera ? QStringLiteral("json") : QStringLiteral("csv"));
-    if (camera) // the one that is looked at: probing may go on behind the dialog
-        connect(dialog, &QFileDialog::fileSelected, this,
-                [this, file = cameraFile(), changes = m_changes](const QString& path) {
-                    saveCamera(file, path, changes);
-                });
-    else
-        connect(dialog, &QFileDialog::fileSelected, this,
-                save ? &CameraCalibrator::savePairs : &CameraCalibrator::open);
-    dialog->open();
+void CameraCalibrator::askForCameraFile() {
+    // The camera as it is now: probing may continue behind the dialog.
+    base::askToSave(this, {tr("Save the camera"), {tr("Cameras (*.json)")}, m_file, QStringLiteral("json")},
+                    [this, file = cameraFile(), changes = m_changes](const QString& path) {
+                        saveCamera(file, path, changes);
+                    });
 }
 
 void CameraCalibrator::open(const QString& path) {
@@ -183,7 +160,7 @@ void CameraCalibrator::open(const QString& path) {
                 emit message(QString::fromStdString(core::describe(pairs.error())), true);
                 return;
             }
-            // The file that was asked for last, however long each one took.
+            // Only the last requested file counts, in whatever order they are read.
             if (number != m_opened)
                 return;
             m_file = QFileInfo(path).absolutePath();
@@ -222,7 +199,7 @@ void CameraCalibrator::save(const QString& path) {
 void CameraCalibrator::saveCamera(const std::optional<vision::CameraFile>& file, const QString& path,
                                   std::uint64_t changes) {
     if (!file) {
-        emit message(tr("The camera was not saved: it is being calibrated."), true);
+        emit message(tr("The camera was not saved. Wait until it is calibrated."), true);
         return;
     }
     write(path, changes, [file = *file, path] { return vision::writeCamera(file, path.toStdString()); });
@@ -312,7 +289,7 @@ std::vector<std::size_t> CameraCalibrator::selectedPairs() const {
 
 void CameraCalibrator::sizeColumns() {
     m_table->resizeColumnsToContents();
-    // Room for what may come: pairs are added one by one.
+    // Reserves room: pairs are added one by one.
     const QFontMetrics metrics(m_table->font());
     const auto atLeast = [&](int column, const char* text) {
         const int width = metrics.horizontalAdvance(QLatin1String(text)) + base::em(this, 1);
@@ -376,7 +353,7 @@ const CameraCalibrator::Answer* CameraCalibrator::answer() const {
 QString CameraCalibrator::verdict() const {
     if (m_shown.pairs.empty())
         return m_probing->isRunning() || m_live->isRunning()
-                   ? tr("The first touch is awaited.")
+                   ? tr("Waiting for the first touch.")
                    : tr("Load pairs of pixels and probed points, drop their file here, type them in "
                         "below, or probe a tube.");
     const Answer* chosen = answer();
@@ -387,17 +364,16 @@ QString CameraCalibrator::verdict() const {
     const vision::Calibration& found = *chosen->calibration;
     const auto used = static_cast<int>(std::count(m_shown.used.begin(), m_shown.used.end(), true));
     QString text = tr("%1 of %n pair(s) kept; ", nullptr, used).arg(found.kept);
-    text += tr("their points are located to within %1 on average, and the camera is sure to within %2. ")
+    text += tr("their points are located to within %1 on average; the camera's uncertainty is %2. ")
                 .arg(base::millimetres(found.mean_error_m), base::millimetres(found.uncertainty_m));
     text += tr("It is valid within %1 of its axis. ").arg(pixels(found.camera.camera().validRadius_px()));
     if (m_method == CalibrationMethod::dlt || m_method == CalibrationMethod::paper)
-        text += tr("This method knows no lens: use it to compare only.");
+        text += tr("This method ignores lens distortion: use it only for comparison.");
     else if (found.isStructured())
-        text +=
-            tr("Be careful: residuals of neighbours are alike, so the pairs hold something that this camera "
-               "does not describe (a shell that has moved, a wrong radius).");
+        text += tr("Caution: neighbouring residuals are alike, so the camera model misses something (a shell "
+                   "that has moved, a wrong radius).");
     else
-        text += tr("The residuals have no pattern. Good.");
+        text += tr("The residuals show no pattern, as they should.");
     return text;
 }
 
@@ -430,11 +406,9 @@ void CameraCalibrator::refresh() {
     m_savePairs->setEnabled(!m_work.pairs.empty());
     m_probe->setEnabled(!m_probing->isRunning() && !m_live->isRunning());
     m_probeWith->setEnabled(m_probe->isEnabled());
-    m_tube->setEnabled(m_probe->isEnabled()); // what is probed is a tube and an image of its own
+    m_tube->setEnabled(m_probe->isEnabled()); // a probing has its own tube and image
     m_origin->setVisible(m_work.simulated);
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, base::statusColours(palette()).simulated);
-    m_origin->setPalette(colours);
+    base::setTextColour(m_origin, base::statusColours(palette()).simulated);
     const auto used = static_cast<std::size_t>(std::count(m_shown.used.begin(), m_shown.used.end(), true));
     m_exclude->setEnabled(settled && chosen->calibration->kept < used);
     m_verdict->setText(verdict());

@@ -40,78 +40,77 @@ class PairEntry;
 class ProbingStrip;
 class TubeFields;
 
-/// Calibration of the cylinder camera: pairs from a file, from probing with a camera or a simulated tube, or
-/// typed in, four methods side by side, their residuals on the image and on the unrolled cylinder, pairs
-/// excluded, removed and taken back with undo, pairs and camera saved. Files and fits run on pool threads;
-/// while one runs, later changes wait for the next. Thread: GUI.
+/// Calibrates the cylinder camera: pairs from a file, typed in, or probed with a camera or a simulated tube;
+/// four methods side by side; residuals on the image and on the unrolled cylinder; pairs are excluded and
+/// removed with undo; pairs and camera are saved. Files and fits run on pool threads; changes made during a
+/// fit are fitted afterwards. Thread: GUI.
 class CameraCalibrator : public QWidget {
     Q_OBJECT
 
 public:
     using Answer = CameraAnswer;
     using Answers = CameraAnswers;
-    /// What is fitted; every change of it can be undone.
+    /// The data to fit; every change can be undone.
     using Work = CalibrationWork;
 
     explicit CameraCalibrator(QWidget* parent = nullptr);
     ~CameraCalibrator() override;
 
-    /// Reads pairs from a CSV file and calibrates.
+    /// Reads pairs from a CSV file and fits them.
     void open(const QString& path);
-    /// Writes the camera of the chosen method; says so when a fit runs and there is none.
+    /// Saves the camera of the chosen method, or reports that there is none.
     void save(const QString& path);
-    /// Writes all pairs, those that are left out too.
+    /// Saves all pairs, including excluded ones.
     void savePairs(const QString& path);
-    /// In place of the present ones.
+    /// Replaces the present ones.
     void setPairs(std::vector<vision::CalibrationPair> pairs);
     void addPair(const vision::CalibrationPair& pair);
     void removePairs(const std::vector<std::size_t>& pairs);
-    /// Uses pairs or leaves them out.
+    /// Includes or excludes pairs.
     void setUsed(const std::vector<std::size_t>& pairs, bool used);
     void setSettings(const vision::CalibrationSettings& settings);
-    /// The pairs' points are holes of a shell: x and y times this are on the surface; > 0.
+    /// Sets the factor from the holes of a shell to the surface, for x and y of the pairs' points; > 0.
     void setHoleFactor(double factor);
-    /// Collects pairs from a simulated tube, in place of the present ones.
+    /// Collects pairs from a simulated tube; they replace the present ones.
     void probe(std::uint64_t seed = 1);
     [[nodiscard]] CameraProbing& probing() { return *m_probing; }
-    /// Has a person lead a stick through the holes of a shell while a camera watches; pairs of the same tube
-    /// and image stay, and a hole that has one is passed over.
+    /// Starts a probing with a camera: a person presses a stick through the holes of a shell. Pairs of the
+    /// same tube and image are kept, and holes that have a pair are skipped.
     void probeWith(const std::function<core::Expected<std::unique_ptr<core::CameraSource>>()>& opener,
                    const vision::HoleGrid& grid);
     [[nodiscard]] LiveProbingPanel& live() { return *m_live; }
     void chooseMethod(vision::CalibrationMethod method);
 
-    /// There are no pairs, or they are as in their file, or camera or pairs were saved since the last change.
+    /// Whether nothing would be lost: there are no pairs, they are as in their file, or camera or pairs were
+    /// saved since the last change.
     [[nodiscard]] bool isSaved() const;
     [[nodiscard]] QUndoStack& undoStack() { return *m_undo; }
     [[nodiscard]] const Work& work() const { return m_work; }
     [[nodiscard]] const camera::CalibratedPairs& shown() const { return m_shown; }
-    /// Of the chosen method; empty while nothing was fitted.
+    /// Fit of the chosen method; empty until there is one.
     [[nodiscard]] const Answer* answer() const;
     [[nodiscard]] bool isBusy() const { return m_fitting; }
     [[nodiscard]] QString verdict() const;
 
 signals:
-    /// Something for the message bar of the page.
+    /// A message for the page's message bar.
     void message(const QString& text, bool isError);
-    /// All methods have answered.
+    /// All methods have finished.
     void calibrated();
 
 protected:
-    void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
     class Edit;
-    enum class File { pairs, camera };
 
-    /// run: edits of the same one are undone together; 0: by itself.
+    /// run: edits with the same number are undone together; 0: alone.
     void edit(Work after, const QString& text, int run = 0);
     void buildProbing();
     void buildLive();
     void askForCamera();
-    /// Tells the probing with a camera of the pairs, and ends it where its touches do not belong to them.
+    /// Passes the pairs on to the probing with a camera, and ends it if its touches no longer belong to them.
     void followProbing();
     void apply(const Work& work);
     void takeAnswers(Answers answers, const Work& fitted);
@@ -127,10 +126,10 @@ private:
     void toggle(std::size_t pair);
     [[nodiscard]] std::vector<std::size_t> selectedPairs() const;
     void sizeColumns();
-    void askForFile(File file, bool save);
+    void askForCameraFile();
     /// Empty while a fit runs, and without a camera.
     [[nodiscard]] std::optional<vision::CameraFile> cameraFile() const;
-    /// changes: what m_changes was for what is written; nothing is unsaved when it is so still.
+    /// changes: value of m_changes for the written data; if it is still the same, everything is saved.
     void saveCamera(const std::optional<vision::CameraFile>& file, const QString& path,
                     std::uint64_t changes);
     void write(const QString& path, std::uint64_t changes, std::function<core::Expected<void>()> writer);
@@ -142,7 +141,7 @@ private:
     bool m_fitting = false;
     bool m_again = false;
     std::uint64_t m_changes = 0; ///< of the work
-    int m_opened = 0;            ///< number of the newest file that was asked for
+    int m_opened = 0;            ///< number of the last requested file
     QString m_file;
 
     QUndoStack* m_undo;
@@ -169,10 +168,10 @@ private:
     ProbingStrip* m_strip;
     LiveProbingPanel* m_live;
     QAction* m_probeWith;
-    std::optional<vision::CalibrationSettings> m_probed; ///< with a camera: what its pairs belong to
-    QString m_camera;                                    ///< that was probed with the last time
+    std::optional<vision::CalibrationSettings> m_probed; ///< settings of the pairs probed with a camera
+    QString m_camera;                                    ///< of the last probing
     vision::HoleGrid m_grid;
-    QLabel* m_origin; ///< that the pairs are simulated
+    QLabel* m_origin; ///< label saying that the pairs are simulated
     TubeFields* m_tube;
     PairEntry* m_entry;
 };

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CameraCalibrator: what it is made of.
+// CameraCalibrator: builds its widgets.
 #include "app/console/calibrate/camera/camera_calibrator.h"
 #include "app/console/calibrate/camera/live_probing_panel.h"
 #include "app/console/calibrate/camera/pair_entry.h"
 #include "app/console/calibrate/camera/probing_strip.h"
 #include "app/console/calibrate/camera/tube_fields.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/pair_model.h"
@@ -28,10 +29,16 @@ namespace teleta::console {
 void CameraCalibrator::buildTools() {
     m_tools = new QToolBar;
     m_tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    m_load = m_tools->addAction(QString(), this, [this] { askForFile(File::pairs, false); });
+    m_load = m_tools->addAction(QString(), this, [this] {
+        base::askToOpen(this, {tr("Load pairs"), {tr("Pairs (*.csv)"), tr("All files (*)")}, m_file},
+                        [this](const QString& path) { open(path); });
+    });
     m_load->setShortcut(QKeySequence::Open);
-    m_savePairs = m_tools->addAction(QString(), this, [this] { askForFile(File::pairs, true); });
-    m_save = m_tools->addAction(QString(), this, [this] { askForFile(File::camera, true); });
+    m_savePairs = m_tools->addAction(QString(), this, [this] {
+        base::askToSave(this, {tr("Save the pairs"), {tr("Pairs (*.csv)")}, m_file, QStringLiteral("csv")},
+                        [this](const QString& path) { savePairs(path); });
+    });
+    m_save = m_tools->addAction(QString(), this, &CameraCalibrator::askForCameraFile);
     m_save->setShortcut(QKeySequence::Save);
     m_probe = m_tools->addAction(QString(), this, [this] { probe(); });
     m_probeWith = m_tools->addAction(QString(), this, &CameraCalibrator::askForCamera);
@@ -47,7 +54,7 @@ void CameraCalibrator::buildTools() {
             [this](int row) { chooseMethod(vision::kCalibrationMethods[static_cast<std::size_t>(row)]); });
     m_tools->addSeparator();
     m_exclude = m_tools->addAction(QString(), this, &CameraCalibrator::excludeOutliers);
-    // Not those of the stack: they keep the language in which they were made.
+    // Not the actions of the undo stack: their texts stay in the language in which they were made.
     m_undoAction = new QAction(this);
     m_redoAction = new QAction(this);
     for (QAction* action : {m_undoAction, m_redoAction})
@@ -157,7 +164,7 @@ void CameraCalibrator::build() {
     halves->setStretchFactor(0, 3);
     halves->setStretchFactor(1, 2);
     auto* layout = new QVBoxLayout(this);
-    // The fields have a row of their own: in French they leave the verdict no room.
+    // The fields have their own row: in French they would leave no room for the verdict.
     auto* tube = new QHBoxLayout;
     auto* head = new QHBoxLayout;
     for (QHBoxLayout* row : {tube, head})

@@ -35,7 +35,7 @@ void CameraCalibrator::buildLive() {
     m_live = new LiveProbingPanel;
     connect(m_live, &LiveProbingPanel::begun, this, [this](const vision::CalibrationSettings& settings) {
         m_probed = settings;
-        // Pairs of another image or tube, or of one that does not exist, would spoil the new ones.
+        // Pairs of another image or tube, or simulated ones, must not be mixed with the new ones.
         if (!m_work.isJoinedBy(settings))
             edit({{}, {}, settings}, tr("probing"));
     });

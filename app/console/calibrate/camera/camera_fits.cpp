@@ -12,7 +12,7 @@ using vision::CalibrationPair;
 
 namespace {
 
-/// Spreads the residuals over all pairs and adds those of the excluded ones.
+/// Assigns the residuals to all pairs and adds those of the excluded ones.
 void spreadResiduals(vision::Calibration& calibration, const std::vector<CalibrationPair>& pairs,
                      const std::vector<bool>& used) {
     std::vector<vision::PairResidual> all;

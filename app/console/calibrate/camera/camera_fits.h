@@ -12,25 +12,25 @@
 
 namespace teleta::console {
 
-/// What one method makes of pairs.
+/// Result of one method.
 struct CameraAnswer {
-    std::optional<vision::Calibration> calibration;    ///< residuals of all pairs, also of excluded ones
+    std::optional<vision::Calibration> calibration; ///< with residuals of all pairs, including excluded ones
     std::optional<vision::CalibrationRefusal> refusal; ///< why there is none
-    std::size_t pairs = 0;                             ///< that were used
+    std::size_t pairs = 0;                             ///< number of pairs used
 
-    /// The refusal in the language of the program; empty without one.
+    /// The refusal, translated; empty without one.
     [[nodiscard]] QString reason() const;
 };
-/// One a method, in the order of vision::kCalibrationMethods.
+/// One per method, in the order of vision::kCalibrationMethods.
 using CameraAnswers = std::array<CameraAnswer, vision::kCalibrationMethods.size()>;
 
-/// Asks all methods. used: one a pair. Thread: any (pure).
+/// Fits with all methods. used: one per pair. Thread: any (pure).
 [[nodiscard]] CameraAnswers fitAll(const std::vector<vision::CalibrationPair>& pairs,
                                    const std::vector<bool>& used,
                                    const vision::CalibrationSettings& settings);
 
-/// What a camera that was found for one state makes of the pairs of another: nothing says that a pair that
-/// was not there is wrong. Empty when no pair was there. Thread: any (pure).
+/// Applies a camera that was found for one set of pairs to another: new pairs are not marked as wrong. Empty
+/// if none of the pairs was in the first set. Thread: any (pure).
 [[nodiscard]] std::vector<vision::PairResidual>
 carriedOver(const vision::Calibration& calibration, const std::vector<vision::CalibrationPair>& fitted,
             const std::vector<vision::CalibrationPair>& pairs);

@@ -11,27 +11,26 @@
 
 namespace teleta::console {
 
-/// Collects pairs by probing the simulated tube of the scene vtacarm-calibration, as fast as a thread of its
-/// own can. Thread: GUI; no call waits but the destructor, for the frame or the tables
-/// that are computed just now.
+/// Collects pairs by probing the simulated tube of the scene vtacarm-calibration, as fast as its thread can.
+/// Thread: GUI; nothing blocks but the destructor, which waits for the frame or the tables being computed.
 class CameraProbing : public QObject {
     Q_OBJECT
 
 public:
     explicit CameraProbing(QObject* parent = nullptr);
 
-    /// Ends one that runs.
+    /// Ends the running probing, if any.
     void start(std::uint64_t seed);
     void cancel() { m_thread.cancel(); }
     [[nodiscard]] bool isRunning() const { return m_thread.isRunning(); }
 
 signals:
-    /// What the pairs that follow are to be calibrated with.
+    /// Settings for the pairs that follow.
     void begun(const teleta::vision::CalibrationSettings& settings);
     void taken(const teleta::vision::CalibrationPair& pair);
-    /// How far it is, 0 .. 1.
+    /// Progress, 0 .. 1.
     void progressed(double share);
-    /// It cannot be done.
+    /// The probing has failed.
     void failed(const QString& trouble);
     void runningChanged(bool running);
 

@@ -21,14 +21,14 @@ struct LiveProbing::Run {
     ProbingThread::Run id;
     Opener opener;
     vision::CylinderSurface surface;
-    std::uint64_t lifts = 0; ///< that the watcher knows of
+    std::uint64_t lifts = 0; ///< known to the watcher
     std::unique_ptr<core::CameraSource> source{};
     std::unique_ptr<vision::ProbeWatcher> watcher{};
     int width_px = 0;
     int height_px = 0;
     double last_s = 0.0;
-    double offset_s = 0.0; ///< that keeps the time rising over connections
-    QString why{};         ///< the camera is in trouble
+    double offset_s = 0.0; ///< keeps the time increasing across connections
+    QString why{};         ///< problem of the camera; empty: none
 };
 
 LiveProbing::LiveProbing(QObject* parent)
@@ -75,7 +75,7 @@ void LiveProbing::run(Run& run) {
     run.source->start(wakeup);
     std::int64_t newest_ns = core::steadyNow_ns();
     while (!run.id.stop.stop_requested()) {
-        // Looked at before the queue: what came before the end of a video is in it.
+        // Read before the queue: then the queue holds every frame before the end of a video.
         const core::DeviceStatus status = run.source->status();
         core::CameraFrame frame;
         bool any = false;
@@ -98,7 +98,7 @@ void LiveProbing::run(Run& run) {
         if (status.state == core::DeviceState::lost || status.state == core::DeviceState::reconnecting)
             tellTrouble(run, QString::fromStdString(status.message));
         else if (core::steadyNow_ns() - newest_ns > kSilence_ns)
-            tellTrouble(run, tr("The camera is open, but no frame comes."));
+            tellTrouble(run, tr("The camera is open but sends no frames."));
         if (!run.why.isEmpty() && run.watcher)
             run.watcher->skip();
         wakeup.waitFor(kPatience);
@@ -129,7 +129,8 @@ bool LiveProbing::process(Run& run, const core::CameraFrame& frame) {
     if (!run.watcher && !makeWatcher(run, frame.image))
         return run.id.stop.stop_requested();
     if (frame.image.width_px != run.width_px || frame.image.height_px != run.height_px) {
-        finish(run, tr("The camera's image has changed from %1 \u00d7 %2 to %3 \u00d7 %4 pixels.")
+        finish(run, tr("The camera's image size has changed from %1 \u00d7 %2 to %3 \u00d7 %4 pixels. Start "
+                       "probing again.")
                         .arg(run.width_px)
                         .arg(run.height_px)
                         .arg(frame.image.width_px)
@@ -147,7 +148,8 @@ bool LiveProbing::process(Run& run, const core::CameraFrame& frame) {
         run.watcher->awaitLift();
     std::optional<Eigen::Vector2d> pixel;
     if (!run.watcher->hasReference() || m_referenceWanted.exchange(false))
-        static_cast<void>(run.watcher->setReference(image)); // why not is shown, and the next frame is tried
+        static_cast<void>(
+            run.watcher->setReference(image)); // a failure is shown, and the next frame is tried
     else
         pixel = run.watcher->next(image, run.last_s);
     show(run, frame);
@@ -173,7 +175,7 @@ void LiveProbing::show(const Run& run, const core::CameraFrame& frame) {
         vision::FollowedContact followed;
         followed.contact = contact;
         followed.contact.id = static_cast<int>(view.snapshot.contacts.size()) + 1;
-        followed.contact.located = false; // the camera is still to be found
+        followed.contact.located = false; // the camera is not calibrated yet
         followed.seen = true;
         view.snapshot.contacts.push_back(std::move(followed));
     }

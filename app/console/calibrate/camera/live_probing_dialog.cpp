@@ -17,7 +17,7 @@ namespace teleta::console {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr int kMostHoles = 1000; ///< a ring, and rings
+constexpr int kMostHoles = 1000; ///< per ring; also the most rings
 
 } // namespace
 
@@ -46,11 +46,11 @@ LiveProbingDialog::LiveProbingDialog(const QString& last, const vision::HoleGrid
     m_angle->setDecimals(2);
     m_angle->setSuffix(QStringLiteral("\u00b0"));
     m_angle->setValue(kDegrees * grid.firstAngle_rad);
-    m_angle->setToolTip(tr("Of the first hole of each ring, from the x axis towards y"));
+    m_angle->setToolTip(tr("Angle of the first hole of each ring, from the x axis towards y"));
 
     auto* form = new QFormLayout;
     form->addRow(tr("&Camera or video:"), m_source);
-    form->addRow(tr("Holes a &ring:"), m_around);
+    form->addRow(tr("Holes per &ring:"), m_around);
     form->addRow(tr("Ri&ngs:"), m_along);
     form->addRow(tr("&First ring at z ="), m_first);
     form->addRow(tr("&Last ring at z ="), m_last);
@@ -92,10 +92,8 @@ camera::CameraConfig probingCamera(const QString& source, const vision::Calibrat
 LiveProbing::Opener cameraOpener(const QString& source, const vision::CalibrationSettings& settings) {
     return
         [config = probingCamera(source, settings)]() -> core::Expected<std::unique_ptr<core::CameraSource>> {
-            auto feed = camera::CameraFeed::open(config);
-            if (!feed)
-                return core::Unexpected(feed.error());
-            return std::unique_ptr<core::CameraSource>(std::move(*feed));
+            TELETA_TRY(auto feed, camera::CameraFeed::open(config));
+            return std::unique_ptr<core::CameraSource>(std::move(feed));
         };
 }
 

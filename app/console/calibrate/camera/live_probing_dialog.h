@@ -16,17 +16,17 @@ class QSpinBox;
 
 namespace teleta::console {
 
-/// Asks with which camera, or video of one, the tube is probed, and through which holes. Window modal, opened
-/// by the user. Thread: GUI.
+/// Asks for the camera, or the video of one, and for the holes through which the tube is probed. Window
+/// modal, opened by the user. Thread: GUI.
 class LiveProbingDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// last: the camera or video of the last time.
+    /// last: the previous camera or video.
     LiveProbingDialog(const QString& last, const vision::HoleGrid& grid, QWidget* parent = nullptr,
                       const CameraSourceField::Lister& cameras = camera::listCameras);
 
-    /// A file or the number of a camera.
+    /// File name, or number of a camera.
     [[nodiscard]] QString source() const;
     [[nodiscard]] vision::HoleGrid grid() const;
 
@@ -40,7 +40,7 @@ private:
     QPushButton* m_accept;
 };
 
-/// A camera that is asked for the image that is to be calibrated, or a video that is played at its own rate.
+/// Opens a camera with the image size to be calibrated, or a video at its own frame rate.
 [[nodiscard]] camera::CameraConfig probingCamera(const QString& source,
                                                  const vision::CalibrationSettings& settings);
 [[nodiscard]] LiveProbing::Opener cameraOpener(const QString& source,

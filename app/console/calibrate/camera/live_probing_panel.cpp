@@ -2,10 +2,10 @@
 #include "app/console/calibrate/camera/live_probing_panel.h"
 
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/camera_view.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -31,6 +31,9 @@ LiveProbingPanel::LiveProbingPanel(QWidget* parent)
     , m_skip(new QPushButton(this))
     , m_reference(new QPushButton(this))
     , m_stop(new QPushButton(this)) {
+    m_back->setObjectName(QStringLiteral("back"));
+    m_skip->setObjectName(QStringLiteral("skip"));
+    m_stop->setObjectName(QStringLiteral("stop"));
     m_picture->setFixedSize(base::em(this, 26), base::em(this, 15));
     QFont large = font();
     large.setPointSizeF(1.5 * large.pointSizeF());
@@ -83,7 +86,7 @@ LiveProbingPanel::LiveProbingPanel(QWidget* parent)
         refresh();
         emit runningChanged(running);
     });
-    retranslate();
+    base::keepTranslated(this, &LiveProbingPanel::retranslate);
     hide();
 }
 
@@ -104,7 +107,7 @@ void LiveProbingPanel::start(LiveProbing::Opener opener, const vision::CylinderS
 void LiveProbingPanel::setPairs(std::span<const vision::CalibrationPair> pairs) {
     const std::size_t before = m_hole;
     std::optional<std::size_t> takenBack;
-    bool filled = false; // the hole that is next
+    bool filled = false; // the next hole
     for (std::size_t i = 0; i < m_holes_m.size(); ++i) {
         const bool probed = std::ranges::any_of(
             pairs, [&](const vision::CalibrationPair& pair) { return pair.p_Sensor_m == m_holes_m[i]; });
@@ -140,7 +143,7 @@ void LiveProbingPanel::take(const Eigen::Vector2d& pixel) {
     m_taking = true;
     emit taken({pixel, m_holes_m[hole]});
     m_taking = false;
-    // One that was probed again: setPairs() saw no change.
+    // A hole was probed again: setPairs() saw no change.
     if (m_hole == hole)
         goTo(unprobedFrom(hole + 1));
     if (m_hole >= m_holes_m.size()) {
@@ -190,11 +193,11 @@ QString LiveProbingPanel::holeText() const {
 
 QString LiveProbingPanel::stateText() const {
     if (!m_trouble.isEmpty())
-        return tr("The camera is awaited: %1").arg(m_trouble);
+        return tr("Waiting for the camera: %1").arg(m_trouble);
     if (m_view.snapshot.image.isEmpty())
-        return tr("The first frame is awaited. Nothing may touch the skin.");
+        return tr("Waiting for the first frame. Nothing may touch the skin.");
     if (!m_view.snapshot.hasReference)
-        return tr("A frame in which nothing touches the skin is awaited: %1")
+        return tr("Waiting for a frame in which nothing touches the skin: %1")
             .arg(QString::fromStdString(m_view.snapshot.problem));
     if (!m_view.snapshot.problem.empty())
         return QString::fromStdString(m_view.snapshot.problem);
@@ -204,7 +207,7 @@ QString LiveProbingPanel::stateText() const {
     case Phase::touching:
         return tr("Hold still.");
     case Phase::several:
-        return tr("The skin is touched at several places. Lift all but the stick.");
+        return tr("The skin is touched in several places. Remove everything but the stick.");
     case Phase::taken:
         return tr("Taken. Lift the stick.");
     case Phase::refused:
@@ -223,20 +226,14 @@ void LiveProbingPanel::retranslate() {
     m_progress->setAccessibleName(tr("How long the stick has been held still"));
     m_picture->setAccessibleName(tr("What the camera sees"));
     m_back->setText(tr("&Back"));
-    m_back->setToolTip(tr("The hole before this one. A hole that is probed again gets a new pixel"));
+    m_back->setToolTip(tr("Back to the previous hole. Probing it again replaces its pixel"));
     m_skip->setText(tr("S&kip"));
-    m_skip->setToolTip(tr("Leave this hole out for now"));
-    m_reference->setText(tr("&Untouched now"));
-    m_reference->setToolTip(tr("The next frame shows the skin with nothing touching it"));
+    m_skip->setToolTip(tr("Skip this hole for now"));
+    m_reference->setText(tr("Ne&w reference"));
+    m_reference->setToolTip(tr("Take the next frame as the reference: nothing may touch the skin"));
     m_stop->setText(tr("Sto&p probing"));
-    m_stop->setToolTip(tr("Keep what was collected until now"));
+    m_stop->setToolTip(tr("Keep the pairs collected so far"));
     refresh();
-}
-
-void LiveProbingPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace teleta::console

@@ -21,6 +21,8 @@ PairEntry::PairEntry(QWidget* parent)
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
         auto* box = new QDoubleSpinBox(this);
         const bool pixel = i < 2;
+        constexpr std::array<const char*, 5> kNames{"u", "v", "x", "y", "z"};
+        box->setObjectName(QLatin1String(kNames[i]));
         box->setDecimals(2);
         box->setRange(pixel ? 0.0 : -10'000.0, pixel ? 100'000.0 : 10'000.0);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -35,6 +37,7 @@ PairEntry::PairEntry(QWidget* parent)
         row->addWidget(box, 1);
     }
     row->addWidget(m_add);
+    m_add->setObjectName(QStringLiteral("add"));
     m_add->setAutoDefault(false);
     m_pixelLabel->setBuddy(m_fields[0]);
     m_pointLabel->setBuddy(m_fields[2]);
@@ -61,7 +64,7 @@ void PairEntry::retranslate() {
         m_fields[i]->setToolTip(names[i]);
     }
     m_add->setText(tr("&Add pair"));
-    m_add->setToolTip(tr("Take this pair up (Enter)"));
+    m_add->setToolTip(tr("Add this pair (Enter)"));
 }
 
 } // namespace teleta::console

@@ -13,16 +13,13 @@ class QPushButton;
 
 namespace teleta::console {
 
-/// A pair of a pixel and a probed point that is typed in. Enter in any field adds it. Thread: GUI.
+/// Fields for typing in a pair of a pixel and a probed point. Enter in any of them adds it. Thread: GUI.
 class PairEntry : public QWidget {
     Q_OBJECT
 
 public:
     explicit PairEntry(QWidget* parent = nullptr);
 
-    /// u, v in px; x, y, z in mm.
-    [[nodiscard]] QDoubleSpinBox* field(std::size_t index) const { return m_fields[index]; }
-    [[nodiscard]] QPushButton* addButton() const { return m_add; }
     void retranslate();
 
 signals:
@@ -33,7 +30,7 @@ private:
 
     QLabel* m_pixelLabel;
     QLabel* m_pointLabel;
-    std::array<QDoubleSpinBox*, 5> m_fields{};
+    std::array<QDoubleSpinBox*, 5> m_fields{}; ///< u, v in px; x, y, z in mm
     QPushButton* m_add;
 };
 

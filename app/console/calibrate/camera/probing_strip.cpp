@@ -15,6 +15,7 @@ ProbingStrip::ProbingStrip(CameraProbing& probing, QWidget* parent)
     , m_progress(new QProgressBar(this))
     , m_stop(new QPushButton(this)) {
     m_progress->setRange(0, 1000);
+    m_stop->setObjectName(QStringLiteral("stop"));
     m_stop->setAutoDefault(false);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(base::grid(this), 0, base::grid(this), 0);
@@ -38,10 +39,10 @@ ProbingStrip::ProbingStrip(CameraProbing& probing, QWidget* parent)
 }
 
 void ProbingStrip::retranslate() {
-    m_progress->setAccessibleName(tr("How far the probing is"));
-    m_progress->setFormat(tr("SIMULATED: a person probes the tube; pairs until now: %1").arg(m_pairs));
+    m_progress->setAccessibleName(tr("Progress of the probing"));
+    m_progress->setFormat(tr("SIMULATED: a person probes the tube; pairs so far: %1").arg(m_pairs));
     m_stop->setText(tr("Sto&p probing"));
-    m_stop->setToolTip(tr("Keep what was collected until now"));
+    m_stop->setToolTip(tr("Keep the pairs collected so far"));
 }
 
 } // namespace teleta::console

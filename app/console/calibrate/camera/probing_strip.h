@@ -10,15 +10,13 @@ class QPushButton;
 
 namespace teleta::console {
 
-/// How far a probing is, and a button that ends it; shown while one runs. Thread: GUI.
+/// Progress of a probing with a button that stops it; visible while one runs. Thread: GUI.
 class ProbingStrip : public QWidget {
     Q_OBJECT
 
 public:
     explicit ProbingStrip(CameraProbing& probing, QWidget* parent = nullptr);
 
-    [[nodiscard]] QProgressBar* progress() const { return m_progress; }
-    [[nodiscard]] QPushButton* stopButton() const { return m_stop; }
     void retranslate();
 
 private:

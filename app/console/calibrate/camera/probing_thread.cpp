@@ -22,7 +22,7 @@ void ProbingThread::start(std::function<void(const Run&)> work) {
 
 void ProbingThread::cancel() {
     m_stop.request_stop();
-    ++m_number; // what it still has to tell is of no interest
+    ++m_number; // drops its pending calls
     setRunning(false);
 }
 

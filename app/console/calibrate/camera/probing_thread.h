@@ -11,14 +11,14 @@
 
 namespace teleta::console {
 
-/// A thread on which one probing runs at a time. A newer one ends the one before, and of that nothing more is
-/// heard. The last member of its owner: the destructor waits for what uses the others. Thread: GUI, but
-/// tell().
+/// A thread for one probing at a time. Starting a probing ends the previous one, whose pending calls are
+/// dropped. Declare it as the last member of its owner: the destructor waits for the thread, which uses the
+/// others. Thread: GUI, except tell().
 class ProbingThread : public QObject {
     Q_OBJECT
 
 public:
-    /// Which probing it is, and when it has to end.
+    /// Identifies a probing and says when it must end.
     struct Run {
         std::uint64_t number = 0;
         std::stop_token stop;
@@ -31,7 +31,7 @@ public:
     void cancel();
     [[nodiscard]] bool isRunning() const { return m_running; }
 
-    /// Has the GUI's thread do something, as long as this probing is the present one. Thread: the probing's.
+    /// Calls a function on the GUI thread if this probing is still the newest one. Thread: the probing's.
     template <typename What>
     void tell(const Run& run, What what) {
         QMetaObject::invokeMethod(
@@ -42,9 +42,9 @@ public:
             },
             Qt::QueuedConnection);
     }
-    /// Whether that probing is the newest one. Thread: GUI.
+    /// Whether this probing is the newest one. Thread: GUI.
     [[nodiscard]] bool isPresent(const Run& run) const { return run.number == m_number; }
-    /// The present probing is over. Thread: GUI, out of tell().
+    /// Call when the present probing has ended. Thread: GUI, from tell().
     void ended() { setRunning(false); }
 
 signals:

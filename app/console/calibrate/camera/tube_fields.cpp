@@ -22,6 +22,11 @@ TubeFields::TubeFields(QWidget* parent)
     , m_radius(new QDoubleSpinBox(this))
     , m_length(new QDoubleSpinBox(this))
     , m_holeFactor(new QDoubleSpinBox(this)) {
+    m_width->setObjectName(QStringLiteral("width"));
+    m_height->setObjectName(QStringLiteral("height"));
+    m_radius->setObjectName(QStringLiteral("radius"));
+    m_length->setObjectName(QStringLiteral("length"));
+    m_holeFactor->setObjectName(QStringLiteral("holeFactor"));
     for (QSpinBox* box : {m_width, m_height}) {
         box->setRange(1, vision::kLargestSide_px);
         box->setSuffix(QStringLiteral("\u00a0px"));
@@ -97,14 +102,14 @@ void TubeFields::retranslate() {
     m_holeLabel->setText(tr("&Hole factor:"));
     m_width->setAccessibleName(tr("Width of the image"));
     m_height->setAccessibleName(tr("Height of the image"));
-    m_width->setToolTip(tr("Width of the image in which the pixels are"));
-    m_height->setToolTip(tr("Height of the image in which the pixels are"));
+    m_width->setToolTip(tr("Width of the image that the pixels refer to"));
+    m_height->setToolTip(tr("Height of the image that the pixels refer to"));
     m_radius->setAccessibleName(tr("Radius of the tactile cylinder"));
     m_length->setAccessibleName(tr("Length of the tactile cylinder"));
-    m_radius->setToolTip(tr("Radius of the surface on which the points are"));
-    m_holeFactor->setAccessibleName(tr("From the holes of a shell to the tactile cylinder"));
-    m_holeFactor->setToolTip(tr("The points are holes of a shell: their x and y times this factor are on the "
-                                "elastomer (the paper's shell: 0.97)"));
+    m_radius->setToolTip(tr("Radius of the surface that the points lie on"));
+    m_holeFactor->setAccessibleName(tr("Factor from the holes of a shell to the tactile cylinder"));
+    m_holeFactor->setToolTip(tr("For points that are holes of a shell: x and y times this factor lie on the "
+                                "elastomer (0.97 for the shell in the paper)"));
     m_length->setToolTip(tr("Length of the surface, from z = 0 of the sensor's frame"));
 }
 

@@ -11,26 +11,21 @@ class QSpinBox;
 
 namespace teleta::console {
 
-/// What a calibration has to know beforehand: size of the image, radius and length of the tactile cylinder,
-/// and where the pairs' points are. Thread: GUI.
+/// Input fields of a calibration: image size, radius and length of the tactile cylinder, and the scaling of
+/// the pairs' points to its surface. Thread: GUI.
 class TubeFields : public QWidget {
     Q_OBJECT
 
 public:
     explicit TubeFields(QWidget* parent = nullptr);
 
-    /// Shows them; tells nobody.
+    /// Emits nothing.
     void setSettings(const vision::CalibrationSettings& settings);
     void setHoleFactor(double factor);
-    [[nodiscard]] QSpinBox* width() const { return m_width; }
-    [[nodiscard]] QSpinBox* height() const { return m_height; }
-    [[nodiscard]] QDoubleSpinBox* radius() const { return m_radius; }
-    [[nodiscard]] QDoubleSpinBox* length() const { return m_length; }
-    [[nodiscard]] QDoubleSpinBox* holeFactor() const { return m_holeFactor; }
     void retranslate();
 
 signals:
-    /// By a person.
+    /// The user has changed a value.
     void changed(const teleta::vision::CalibrationSettings& settings);
     void holeFactorChanged(double factor);
 

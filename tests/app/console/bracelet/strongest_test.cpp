@@ -6,6 +6,7 @@
 #include "backend/pipeline/touch/touch_record.h"
 #include "backend/playback/pattern_program.h"
 #include "tests/app/console/bracelet/patient_station.h"
+#include "tests/widgets/parts.h"
 #include "widgets/bracelet/strength_panel.h"
 
 #include <QDir>
@@ -141,10 +142,10 @@ private slots:
         page.show();
         auto* panel = page.findChild<bracelet::StrengthPanel*>();
         QVERIFY(panel && panel->isEnabled());
-        QTest::keyClick(panel->allSlider(), Qt::Key_PageDown);
+        QTest::keyClick(test::part<QSlider>(*panel, "all"), Qt::Key_PageDown);
         QCOMPARE(m_station->strongest()[3], 0.9);
-        QTest::mouseClick(panel->eachButton(), Qt::LeftButton);
-        QTest::keyClick(panel->slider(3), Qt::Key_Home);
+        QTest::mouseClick(test::part<QToolButton>(*panel, "each"), Qt::LeftButton);
+        QTest::keyClick(test::part<QSlider>(*panel, "motor4"), Qt::Key_Home);
         QCOMPARE(m_station->strongest()[3], 0.0);
         QTRY_VERIFY(QFile::exists(limitsFile()));
         m_station->choose(BraceletChoice::none);

@@ -4,6 +4,7 @@
 #include "backend/motors/motor_file.h"
 #include "tests/app/console/bracelet/patient_station.h"
 #include "tests/backend/motors/measured_motor.h"
+#include "tests/widgets/parts.h"
 #include "widgets/base/background.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/motor_table.h"
@@ -67,7 +68,7 @@ private slots:
         m_clock.start(10);
         m_station->choose(BraceletChoice::simulated);
         QTRY_VERIFY(m_station->isReady());
-        QTRY_VERIFY(view().button("measure")->isEnabled()); // the page is told with the next tick
+        QTRY_VERIFY(test::part(view(), "measure")->isEnabled()); // the page is told with the next tick
     }
     void cleanup() {
         m_clock.stop();
@@ -105,9 +106,10 @@ private slots:
     }
 
     void measuresASimulatedMotorThroughThePlayerAndFindsWhatItHides() {
-        QTest::mouseClick(view().button("measure"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(view().calibration().measured() || !view().verdict().isEmpty(), 60'000);
-        QVERIFY2(view().calibration().measured(), qPrintable(view().verdict()));
+        QTest::mouseClick(test::part(view(), "measure"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            view().calibration().measured() || !test::textOf(view(), "verdict").isEmpty(), 60'000);
+        QVERIFY2(view().calibration().measured(), qPrintable(test::textOf(view(), "verdict")));
         const auto truth = simulated::unequalMotors()[0];
         const motors::CalibratedMotor& motor = view().calibration().motors[0];
         QVERIFY(std::abs(motor.profile.startDrive - truth.start) < 0.03);
@@ -118,24 +120,24 @@ private slots:
     }
 
     void stopEndsAMeasurementAndSaysSo() {
-        QTest::mouseClick(view().button("measureAll"), Qt::LeftButton);
+        QTest::mouseClick(test::part(view(), "measureAll"), Qt::LeftButton);
         QTRY_VERIFY(m_station->playingPosition_s().value_or(0.0) > 0.1);
         m_stop.engage();
-        QTRY_VERIFY_WITH_TIMEOUT(view().verdict().contains(QLatin1String("STOP")), 10'000);
+        QTRY_VERIFY_WITH_TIMEOUT(test::textOf(view(), "verdict").contains(QLatin1String("STOP")), 10'000);
         QVERIFY(!view().calibration().measured());
-        QVERIFY(!view().button("measure")->isEnabled());
+        QVERIFY(!test::part(view(), "measure")->isEnabled());
         m_stop.release();
-        QTRY_VERIFY(view().button("measure")->isEnabled());
+        QTRY_VERIFY(test::part(view(), "measure")->isEnabled());
     }
 
     void leavesABraceletAloneThatIsReserved() {
         m_station->reserve(true);
-        QTRY_VERIFY(!view().button("measure")->isEnabled());
-        QVERIFY(!view().button("feel")->isEnabled());
+        QTRY_VERIFY(!test::part(view(), "measure")->isEnabled());
+        QVERIFY(!test::part(view(), "feel")->isEnabled());
         emit view().measureRequested({0});
-        QVERIFY(!view().button("cancel")->isVisibleTo(&view())); // no measurement began
+        QVERIFY(!test::part(view(), "cancel")->isVisibleTo(&view())); // no measurement began
         m_station->reserve(false);
-        QTRY_VERIFY(view().button("measure")->isEnabled());
+        QTRY_VERIFY(test::part(view(), "measure")->isEnabled());
     }
 
     void aMeasurementThatWaitsForAThreadDoesNotBeginAfterStopOrInAReservedBracelet_data() {
@@ -151,15 +153,16 @@ private slots:
         const int threads = pool.maxThreadCount();
         for (int i = 0; i < threads; ++i)
             pool.start([&end] { end.wait(); });
-        QTest::mouseClick(view().button("measure"), Qt::LeftButton);
-        const bool waits = view().button("cancel")->isVisibleTo(&view());
+        QTest::mouseClick(test::part(view(), "measure"), Qt::LeftButton);
+        const bool waits = test::part(view(), "cancel")->isVisibleTo(&view());
         if (reserved)
             m_station->reserve(true);
         else
             m_stop.engage();
-        const bool refused = QTest::qWaitFor([this] { return !view().verdict().isEmpty(); }, 20'000);
-        const QString verdict = view().verdict();
-        const bool stillWaits = view().button("cancel")->isVisibleTo(&view());
+        const bool refused =
+            QTest::qWaitFor([this] { return !test::textOf(view(), "verdict").isEmpty(); }, 20'000);
+        const QString verdict = test::textOf(view(), "verdict");
+        const bool stillWaits = test::part(view(), "cancel")->isVisibleTo(&view());
         m_stop.release();
         end.count_down(); // whatever came out: the pool is everybody's
         QVERIFY(pool.waitForDone(60'000));
@@ -195,17 +198,17 @@ private slots:
     }
 
     void aPageThatIsClosedEndsItsMeasurement() {
-        QTest::mouseClick(view().button("measureAll"), Qt::LeftButton);
+        QTest::mouseClick(test::part(view(), "measureAll"), Qt::LeftButton);
         QTRY_VERIFY(m_station->playingPosition_s().value_or(0.0) > 0.1);
         m_page.reset();
         QTRY_VERIFY(!m_station->playingPosition_s());
     }
 
     void anotherBraceletEndsAMeasurement() {
-        QTest::mouseClick(view().button("measure"), Qt::LeftButton);
+        QTest::mouseClick(test::part(view(), "measure"), Qt::LeftButton);
         QTRY_VERIFY(m_station->playingPosition_s().has_value());
         m_station->choose(BraceletChoice::none);
-        QTRY_VERIFY(!view().button("feel")->isEnabled());
+        QTRY_VERIFY(!test::part(view(), "feel")->isEnabled());
         QVERIFY(!view().calibration().measured());
     }
 
@@ -219,7 +222,7 @@ private slots:
         m_page->motors().openRecording(5, m_folder.filePath("m.csv"));
         QTRY_VERIFY(view().calibration().measured());
         const motors::MotorCalibration measured = view().calibration();
-        QTest::mouseClick(view().button("save"), Qt::LeftButton);
+        QTest::mouseClick(test::part(view(), "save"), Qt::LeftButton);
         QTRY_VERIFY(view().isSaved());
         QVERIFY(QFileInfo::exists(QString::fromStdString(motors::profilePath("simulated"))));
         m_station->choose(BraceletChoice::none);
@@ -233,7 +236,7 @@ private slots:
     void saysWhenARecordingOrAProfileIsOfNoUse() {
         QSignalSpy troubles(&m_page->motors(), &console::MotorCalibrator::trouble);
         m_page->motors().openRecording(0, m_folder.filePath("none.csv"));
-        QTRY_VERIFY(view().verdict().contains(QLatin1String("none.csv")));
+        QTRY_VERIFY(test::textOf(view(), "verdict").contains(QLatin1String("none.csv")));
         motors::MotorCalibration other;
         other.bracelet = "TB-0042";
         QVERIFY(motors::writeMotors(other, m_folder.filePath("other.toml").toStdString()));

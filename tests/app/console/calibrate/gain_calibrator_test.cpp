@@ -2,6 +2,7 @@
 #include "app/console/calibrate/gain_calibrator.h"
 #include "app/console/sources/source_manager.h"
 #include "backend/equilibration/taxel_gain_file.h"
+#include "tests/widgets/parts.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/gains_view.h"
 
@@ -68,7 +69,7 @@ class GainCalibratorTest : public QObject {
         request.speed = 20.0;
         m_sources->openOnly(request);
         QTRY_VERIFY(m_sources->active() != nullptr && m_sources->active()->channel != nullptr);
-        QTRY_VERIFY(view().button("collect")->isEnabled());
+        QTRY_VERIFY(test::part(view(), "collect")->isEnabled());
     }
 
     [[nodiscard]] bool gainsAreRight() {
@@ -113,25 +114,26 @@ private slots:
 
     void collectsOnlyWhatIsUnderLoadAndUsesTheGainsAtOnce() {
         openRecording();
-        QTest::mouseClick(view().button("collect"), Qt::LeftButton);
+        QTest::mouseClick(test::part(view(), "collect"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(view().calibration().gains != nullptr, 30'000);
-        QVERIFY2(gainsAreRight(), qPrintable(view().verdict()));
+        QVERIFY2(gainsAreRight(), qPrintable(test::textOf(view(), "verdict")));
         // 5 s of frames that are 20 ms apart, and one more each time that the recording begins again.
         const std::size_t frames = view().calibration().gains->frames;
         QVERIFY2(frames >= 251 && frames <= 253, qPrintable(QString::number(frames)));
         QTRY_COMPARE(channel()->settings().conditioning.taxelGain.size(), kLayout.taxels());
-        view().undo();
+        QTest::mouseClick(test::part(view(), "undo"), Qt::LeftButton);
         QTRY_VERIFY(channel()->settings().conditioning.taxelGain.empty());
-        view().redo();
+        QTest::mouseClick(test::part(view(), "redo"), Qt::LeftButton);
         QTRY_COMPARE(channel()->settings().conditioning.taxelGain.size(), kLayout.taxels());
     }
 
     void aPressCanBeEndedEarlyAndIsRefusedWhenItIsTooShort() {
         openRecording();
         m_calibrator->collect();
-        QTest::mouseClick(view().button("end"), Qt::LeftButton);
-        QTRY_VERIFY(!view().verdict().isEmpty());
-        QVERIFY2(view().verdict().contains(QLatin1String("20")), qPrintable(view().verdict()));
+        QTest::mouseClick(test::part(view(), "end"), Qt::LeftButton);
+        QTRY_VERIFY(!test::textOf(view(), "verdict").isEmpty());
+        QVERIFY2(test::textOf(view(), "verdict").contains(QLatin1String("20")),
+                 qPrintable(test::textOf(view(), "verdict")));
         QVERIFY(view().calibration().presses.empty());
     }
 
@@ -142,11 +144,11 @@ private slots:
         QVERIFY(gainsAreRight());
         QCOMPARE(view().calibration().presses.size(), std::size_t(2));
         m_calibrator->openPresses({path("short.csv")});
-        QTRY_VERIFY(view().verdict().contains(QLatin1String("at least 20")));
+        QTRY_VERIFY(test::textOf(view(), "verdict").contains(QLatin1String("at least 20")));
         QCOMPARE(view().calibration().presses.size(), std::size_t(2));
         QVERIFY(gainsAreRight());
         m_calibrator->openPresses({path("missing.csv")});
-        QTRY_VERIFY(view().verdict().contains(QLatin1String("missing.csv")));
+        QTRY_VERIFY(test::textOf(view(), "verdict").contains(QLatin1String("missing.csv")));
         QVERIFY(gainsAreRight());
     }
 
@@ -158,7 +160,7 @@ private slots:
         QTRY_VERIFY(view().isSaved());
         const auto written = equilibration::readTaxelGains(path("gains.csv").toStdString(), kLayout);
         QVERIFY(written.has_value());
-        QTest::mouseClick(view().button("reset"), Qt::LeftButton);
+        QTest::mouseClick(test::part(view(), "reset"), Qt::LeftButton);
         QVERIFY(view().calibration().gains == nullptr);
         m_calibrator->load(path("gains.csv"));
         QTRY_VERIFY(view().calibration().gains != nullptr);
@@ -167,7 +169,7 @@ private slots:
         openRecording(path("gains.csv").toStdString());
         QTRY_VERIFY(view().calibration().gains != nullptr);
         QVERIFY(gainsAreRight());
-        QVERIFY(!view().button("undo")->isEnabled());
+        QVERIFY(!test::part(view(), "undo")->isEnabled());
         QCOMPARE(channel()->settings().conditioning.taxelGain.size(), kLayout.taxels());
     }
 
@@ -177,7 +179,7 @@ private slots:
         m_calibrator->openPresses({path("press.csv")});
         QTRY_VERIFY(view().calibration().gains != nullptr);
         m_sources->open(console::SceneRequest{":/scenes/tactile-even-load.toml", 1});
-        QTRY_VERIFY(view().state().contains(QLatin1String("SIMULATED")));
+        QTRY_VERIFY(test::textOf(view(), "state").contains(QLatin1String("SIMULATED")));
         QVERIFY(view().calibration().gains == nullptr);
         QVERIFY(view().isSaved());
         QVERIFY(!m_calibrator->isSaved());
@@ -185,7 +187,7 @@ private slots:
         QTRY_COMPARE(view().calibration().presses.size(), std::size_t(1));
         QVERIFY(gainsAreRight());
         QVERIFY(!view().isSaved());
-        QVERIFY(!view().button("undo")->isEnabled());
+        QVERIFY(!test::part(view(), "undo")->isEnabled());
         m_calibrator->save(path("left.csv"));
         QTRY_VERIFY(m_calibrator->isSaved());
         m_sources->closeAll();
@@ -228,24 +230,24 @@ private slots:
     void anotherArrayEndsACollection() {
         openRecording();
         m_calibrator->collect();
-        QVERIFY(view().button("end")->isVisibleTo(&view()));
+        QVERIFY(test::part(view(), "end")->isVisibleTo(&view()));
         m_sources->closeAll();
-        QTRY_VERIFY(view().button("demo")->isVisibleTo(&view()));
-        QVERIFY(!view().button("end")->isVisibleTo(&view()));
+        QTRY_VERIFY(test::part(view(), "demo")->isVisibleTo(&view()));
+        QVERIFY(!test::part(view(), "end")->isVisibleTo(&view()));
         QVERIFY(view().calibration().gains == nullptr);
     }
 
     void theDemoIsAnEvenLoadThatCanBeCalibrated() {
         m_sources->open(console::SceneRequest{":/scenes/tactile-even-load.toml", 1});
         QTRY_VERIFY(m_sources->active() != nullptr && m_sources->active()->channel != nullptr);
-        QTRY_VERIFY(view().state().contains(QLatin1String("SIMULATED")));
+        QTRY_VERIFY(test::textOf(view(), "state").contains(QLatin1String("SIMULATED")));
         QTRY_COMPARE(channel()->snapshot().load_N.size(), std::size_t(84));
-        QTest::mouseClick(view().button("collect"), Qt::LeftButton);
-        QTRY_VERIFY(view().button("end")->isVisibleTo(&view()));
+        QTest::mouseClick(test::part(view(), "collect"), Qt::LeftButton);
+        QTRY_VERIFY(test::part(view(), "end")->isVisibleTo(&view()));
         // Pressed from 2.7 s on; a good second of it is enough.
         QTRY_VERIFY_WITH_TIMEOUT(channel()->snapshot().sourceTime_s > 4.0, 20'000);
-        QTest::mouseClick(view().button("end"), Qt::LeftButton);
-        QTRY_VERIFY2(view().calibration().gains != nullptr, qPrintable(view().verdict()));
+        QTest::mouseClick(test::part(view(), "end"), Qt::LeftButton);
+        QTRY_VERIFY2(view().calibration().gains != nullptr, qPrintable(test::textOf(view(), "verdict")));
         QCOMPARE(view().calibration().gains->good(), std::size_t(84));
     }
 };

@@ -7,6 +7,7 @@
 #include "backend/core/steady_time.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "devices/camera/camera_feed.h"
+#include "tests/widgets/parts.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -237,7 +238,7 @@ private slots:
         QTRY_VERIFY(live.stateText().contains("Lift"));
         QCOMPARE(live.hole(), std::size_t(1));
         // The second one cannot be reached.
-        QTest::mouseClick(live.skipButton(), Qt::LeftButton);
+        QTest::mouseClick(test::part(live, "skip"), Qt::LeftButton);
         QCOMPARE(live.hole(), std::size_t(2));
         lift();
         press(2);
@@ -257,7 +258,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(calibrator.work().pairs.size(), std::size_t(2), 60'000);
         expectNear(calibrator.work().pairs[1], world->camera());
         // A hole that is probed again has one pair.
-        QTest::mouseClick(live.backButton(), Qt::LeftButton);
+        QTest::mouseClick(test::part(live, "back"), Qt::LeftButton);
         QCOMPARE(live.hole(), std::size_t(2));
         const Eigen::Vector2d before = calibrator.work().pairs[1].pixel;
         lift();
@@ -265,7 +266,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(calibrator.work().pairs[1].pixel != before, 60'000);
         QCOMPARE(calibrator.work().pairs.size(), std::size_t(2));
         QCOMPARE(live.hole(), std::size_t(3));
-        QTest::mouseClick(live.stopButton(), Qt::LeftButton);
+        QTest::mouseClick(test::part(live, "stop"), Qt::LeftButton);
         QVERIFY(!live.isRunning());
         QVERIFY(!calibrator.shown().next_m.has_value());
         QCOMPARE(calibrator.work().pairs.size(), std::size_t(2));
@@ -276,7 +277,7 @@ private slots:
         CameraCalibrator calibrator;
         auto shared = std::make_shared<HandCamera::Shared>();
         calibrator.probeWith(by(shared), kGrid);
-        QTRY_VERIFY_WITH_TIMEOUT(calibrator.live().stateText().contains("no frame comes"), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(calibrator.live().stateText().contains("sends no frames"), 60'000);
         QVERIFY(calibrator.live().isRunning());
         calibrator.live().cancel();
         QVERIFY(!calibrator.live().isRunning());
@@ -319,7 +320,7 @@ private slots:
         // It has begun, but is not steady yet.
         press(0, 2);
         QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Hold still"), 60'000);
-        QTest::mouseClick(live.skipButton(), Qt::LeftButton);
+        QTest::mouseClick(test::part(live, "skip"), Qt::LeftButton);
         QCOMPARE(live.hole(), std::size_t(1));
         press(0, 6);
         QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Lift the stick first"), 60'000);
@@ -330,7 +331,7 @@ private slots:
         // It is steady, but nobody has heard of it yet.
         press(1, 6);
         shared->waitUntilDrained();
-        QTest::mouseClick(live.backButton(), Qt::LeftButton);
+        QTest::mouseClick(test::part(live, "back"), Qt::LeftButton);
         QCOMPARE(live.hole(), std::size_t(0));
         shared->give(untouched);
         QTRY_VERIFY_WITH_TIMEOUT(live.stateText().contains("Press the stick"), 60'000);
@@ -448,7 +449,7 @@ private slots:
         calibrator.probeWith(by(shared), kGrid);
         shared->give(cv::Mat1b(1232, 1640, std::uint8_t{90}));
         QTRY_VERIFY_WITH_TIMEOUT(
-            calibrator.live().stateText().contains("nothing touches the skin is awaited"), 60'000);
+            calibrator.live().stateText().contains("Waiting for a frame in which nothing touches"), 60'000);
         cv::Mat1b untouched;
         tube()->untouched(untouched);
         shared->give(untouched);

@@ -140,7 +140,7 @@ private slots:
         QVERIFY(panel().view().picture().provenance == base::Provenance::simulated);
         QVERIFY(comes([&] { return lists("BUMP"); }));
         QVERIFY(lists("touched"));
-        QVERIFY(comes([&] { return lists("begins anew"); }));
+        QVERIFY(comes([&] { return lists("restarted"); }));
         const auto readings = m_page->readings();
         QVERIFY(!readings.empty());
         QVERIFY(readings.front().provenance == base::Provenance::simulated);
@@ -185,7 +185,7 @@ private slots:
             return state == core::DeviceState::lost || state == core::DeviceState::reconnecting;
         }));
         device.setFaults({});
-        QVERIFY(comes([&] { return lists("begins anew"); }));
+        QVERIFY(comes([&] { return lists("restarted"); }));
         QVERIFY(comes([&] { return m_page->readings().front().rate_Hz > 0.0; }));
     }
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/base/file_dialog.h"
+
+#include <QFileDialog>
+
+#include <utility>
+
+namespace teleta::base {
+
+namespace {
+
+QFileDialog* makeDialog(QWidget* parent, const FileQuestion& question, QFileDialog::FileMode mode) {
+    auto* dialog = new QFileDialog(parent, question.title, question.folder);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setNameFilters(question.filters);
+    dialog->setAcceptMode(mode == QFileDialog::AnyFile ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+    dialog->setFileMode(mode);
+    return dialog;
+}
+
+} // namespace
+
+QFileDialog* askToOpen(QWidget* parent, const FileQuestion& question,
+                       std::function<void(const QString&)> chosen) {
+    QFileDialog* dialog = makeDialog(parent, question, QFileDialog::ExistingFile);
+    QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
+    dialog->open();
+    return dialog;
+}
+
+QFileDialog* askToOpenSeveral(QWidget* parent, const FileQuestion& question,
+                              std::function<void(const QStringList&)> chosen) {
+    QFileDialog* dialog = makeDialog(parent, question, QFileDialog::ExistingFiles);
+    QObject::connect(dialog, &QFileDialog::filesSelected, parent, std::move(chosen));
+    dialog->open();
+    return dialog;
+}
+
+QFileDialog* askToSave(QWidget* parent, const FileQuestion& question,
+                       std::function<void(const QString&)> chosen) {
+    QFileDialog* dialog = makeDialog(parent, question, QFileDialog::AnyFile);
+    dialog->setDefaultSuffix(question.suffix);
+    if (question.filters.size() > 1)
+        QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+            dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).chopped(1)); // "SVG (*.svg)"
+        });
+    if (!question.name.isEmpty())
+        dialog->selectFile(question.name);
+    QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
+    dialog->open();
+    return dialog;
+}
+
+} // namespace teleta::base

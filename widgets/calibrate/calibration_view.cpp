@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/calibrate/calibration_view.h"
+
+#include "widgets/base/controls/elided_label.h"
+#include "widgets/base/redo_keys.h"
+#include "widgets/base/text_colour.h"
+#include "widgets/base/theme.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QShortcut>
+#include <QUndoCommand>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace teleta::calibrate {
+
+namespace {
+
+class Change : public QUndoCommand {
+public:
+    Change(std::function<void()> redo, std::function<void()> undo)
+        : m_redo(std::move(redo))
+        , m_undo(std::move(undo)) {}
+    void redo() override { m_redo(); }
+    void undo() override { m_undo(); }
+
+private:
+    std::function<void()> m_redo;
+    std::function<void()> m_undo;
+};
+
+} // namespace
+
+CalibrationView::CalibrationView(std::initializer_list<const char*> tools, QWidget* parent)
+    : QWidget(parent)
+    , m_changes(new QUndoStack(this))
+    , m_page(new QVBoxLayout(this))
+    , m_title(new base::ElidedLabel(this))
+    , m_state(new base::ElidedLabel(this))
+    , m_verdict(new QLabel(this)) {
+    m_title->setFont(base::sized(font(), base::kLargeText));
+    m_state->setObjectName(QStringLiteral("state"));
+    m_verdict->setObjectName(QStringLiteral("verdict"));
+    m_verdict->setWordWrap(true);
+    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_title, 1);
+    for (const char* tool : tools)
+        top->addWidget(addButton(tool, this));
+    const int margin = base::grid(this);
+    m_page->setContentsMargins(margin, margin, margin, margin);
+    m_page->addLayout(top);
+    m_page->addWidget(m_state);
+
+    connect(m_changes, &QUndoStack::indexChanged, this, &CalibrationView::refresh);
+    connect(button("load"), &QPushButton::clicked, this, &CalibrationView::loadRequested);
+    connect(button("save"), &QPushButton::clicked, this, &CalibrationView::saveRequested);
+    const auto steps = [this](const char* name, const QList<QKeySequence>& keys, auto step) {
+        connect(button(name), &QPushButton::clicked, this, step);
+        auto* shortcut = new QShortcut(this);
+        shortcut->setKeys(keys);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, this, step);
+    };
+    steps("undo", QKeySequence::keyBindings(QKeySequence::Undo), &CalibrationView::undo);
+    steps("redo", base::redoKeys(), &CalibrationView::redo);
+}
+
+CalibrationView::~CalibrationView() {
+    // An undo stack emits indexChanged when destroyed; the derived class no longer exists then.
+    disconnect(m_changes, nullptr, this, nullptr);
+}
+
+bool CalibrationView::isSaved() const {
+    return m_changes->isClean();
+}
+
+void CalibrationView::markSaved() {
+    m_changes->setClean();
+    refresh();
+}
+
+QPushButton* CalibrationView::addButton(const char* name, QWidget* parent) {
+    auto* made = new QPushButton(parent);
+    made->setObjectName(QLatin1String(name));
+    made->setAutoDefault(false);
+    return made;
+}
+
+QPushButton* CalibrationView::button(const char* name) const {
+    return findChild<QPushButton*>(QLatin1String(name));
+}
+
+void CalibrationView::name(const char* which, const QString& text, const QString& toolTip) {
+    button(which)->setText(text);
+    button(which)->setToolTip(toolTip);
+}
+
+void CalibrationView::enable(const char* which, bool enabled) {
+    button(which)->setEnabled(enabled);
+}
+
+void CalibrationView::showTitle(const QString& title) {
+    m_title->setText(title);
+}
+
+void CalibrationView::showState(const QString& state, base::Provenance provenance, const QColor& colour) {
+    const bool live = provenance == base::Provenance::live;
+    m_state->setText(live ? state : base::provenanceText(provenance) + QStringLiteral(" \u00b7 ") + state);
+    base::setTextColour(m_state, colour);
+}
+
+void CalibrationView::change(std::function<void()> redo, std::function<void()> undo) {
+    m_changes->push(new Change(std::move(redo), std::move(undo)));
+}
+
+void CalibrationView::forgetChanges(bool isSaved) {
+    m_changes->clear();
+    // clear() does not change the clean state of an empty stack.
+    if (isSaved)
+        m_changes->setClean();
+    else
+        m_changes->resetClean();
+}
+
+} // namespace teleta::calibrate

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/base/controls/badge.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <functional>
+#include <initializer_list>
+
+class QColor;
+class QLabel;
+class QPushButton;
+class QUndoStack;
+class QVBoxLayout;
+
+namespace teleta::calibrate {
+
+/// A page that calibrates something: title, tools and state at the top, below them what the derived class
+/// adds. Every change can be undone, with the buttons "undo" and "redo" and the usual keys. The page reads
+/// and writes no files: it emits requests. Thread: GUI.
+class CalibrationView : public QWidget {
+    Q_OBJECT
+public:
+    ~CalibrationView() override;
+
+    /// Whether nothing has changed since the calibration was loaded or saved.
+    [[nodiscard]] bool isSaved() const;
+    void markSaved();
+
+signals:
+    void loadRequested();
+    void saveRequested();
+    void exportFailed(const QString& message);
+
+protected:
+    /// tools: object names of the buttons beside the title; must contain "undo", "redo", "load" and "save",
+    /// which are connected here.
+    CalibrationView(std::initializer_list<const char*> tools, QWidget* parent);
+
+    /// Layout for the rest of the page.
+    [[nodiscard]] QVBoxLayout& page() const { return *m_page; }
+    QPushButton* addButton(const char* name, QWidget* parent);
+    [[nodiscard]] QPushButton* button(const char* name) const;
+    void name(const char* button, const QString& text, const QString& toolTip);
+    void enable(const char* button, bool enabled);
+
+    void showTitle(const QString& title);
+    /// state: a line under the title, after a word for data that are not live.
+    void showState(const QString& state, base::Provenance provenance, const QColor& colour);
+    /// Result of the last step; the derived class places this label.
+    [[nodiscard]] QLabel* verdict() const { return m_verdict; }
+
+    /// Makes a change that can be undone.
+    void change(std::function<void()> redo, std::function<void()> undo);
+    /// Call when another calibration is shown: clears the undo history.
+    void forgetChanges(bool isSaved = true);
+    [[nodiscard]] QUndoStack& changes() const { return *m_changes; }
+    virtual void undo() = 0;
+    virtual void redo() = 0;
+    /// Updates everything; called after every change.
+    virtual void refresh() = 0;
+
+private:
+    QUndoStack* m_changes;
+    QVBoxLayout* m_page;
+    QLabel* m_title;
+    QLabel* m_state;
+    QLabel* m_verdict;
+};
+
+} // namespace teleta::calibrate
