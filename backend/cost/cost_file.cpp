@@ -49,44 +49,35 @@ void writeCosts(std::span<const LadderCost> ladders, core::CsvWriter& writer) {
 }
 
 core::Expected<void> writeCostFile(std::span<const LadderCost> ladders, const std::string& path) {
-    core::Expected<core::CsvWriter> writer = core::CsvWriter::create(path, kCostColumns);
-    if (!writer)
-        return core::Unexpected(writer.error());
-    writeCosts(ladders, *writer);
-    return writer->finish();
+    TELETA_TRY(core::CsvWriter writer, core::CsvWriter::create(path, kCostColumns));
+    writeCosts(ladders, writer);
+    return writer.finish();
 }
 
 core::Expected<std::vector<LadderCost>> readCostFile(const std::string& path) {
-    core::Expected<core::CsvReader> reader = core::CsvReader::open(path);
-    if (!reader)
-        return core::Unexpected(reader.error());
-    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kCostColumns);
-    if (!columns)
-        return core::Unexpected(columns.error());
+    TELETA_TRY(core::CsvReader reader, core::CsvReader::open(path));
+    TELETA_TRY(const std::vector<std::size_t> columns, reader.columns(kCostColumns));
     std::vector<LadderCost> ladders;
     std::vector<std::string_view> fields;
     for (;;) {
-        const core::Expected<bool> more = reader->nextText(fields);
+        TELETA_TRY(const bool more, reader.nextText(fields));
         if (!more)
-            return core::Unexpected(more.error());
-        if (!*more)
             return ladders;
-        const auto field = [&](std::size_t i) { return fields[(*columns)[i]]; };
+        const auto field = [&](std::size_t i) { return fields[columns[i]]; };
         std::array<double, kCostColumns.size()> numbers{};
         for (const std::size_t i : {3U, 4U, 5U, 7U, 8U, 9U}) {
             const std::optional<double> number = core::numberOrNA(field(i));
             if (!number || (!std::isnan(*number) && *number < 0.0))
-                return core::Unexpected(badField(*reader, (*columns)[i], field(i),
+                return core::Unexpected(badField(reader, columns[i], field(i),
                                                  CostFileText::tr("a number that is not negative, or NA")));
             numbers[i] = *number;
         }
         if (field(10) != "yes" && field(10) != "no")
-            return core::Unexpected(
-                badField(*reader, (*columns)[10], field(10), CostFileText::tr("yes or no")));
+            return core::Unexpected(badField(reader, columns[10], field(10), CostFileText::tr("yes or no")));
         constexpr double kMostSamples = 1e9;
         if (std::isnan(numbers[9]) || numbers[9] > kMostSamples)
             return core::Unexpected(
-                badField(*reader, (*columns)[9], field(9), CostFileText::tr("a number of samples")));
+                badField(reader, columns[9], field(9), CostFileText::tr("a number of samples")));
         auto ladder = std::ranges::find(ladders, field(0), &LadderCost::ladder);
         if (ladder == ladders.end()) {
             ladders.push_back({std::string(field(0)), std::string(field(6)), {}});

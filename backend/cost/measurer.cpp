@@ -183,15 +183,13 @@ core::Expected<Measurement> measureLadders(std::span<const Ladder> ladders, cons
             measurement.interrupted = true;
             break;
         }
-        const core::Expected<std::vector<Rung>> rungs = ladder.makeRungs();
-        if (!rungs)
-            return core::Unexpected(rungs.error());
+        TELETA_TRY(const std::vector<Rung> rungs, ladder.makeRungs());
         LadderCost cost{ladder.name, ladder.errorUnit, {}};
-        for (std::size_t r = 0; r < rungs->size() && !measurement.interrupted; ++r) {
-            const Rung& rung = (*rungs)[r];
+        for (std::size_t r = 0; r < rungs.size() && !measurement.interrupted; ++r) {
+            const Rung& rung = rungs[r];
             const auto goOnWith = [&](double shareOfRung) {
                 return goOn(rung.name,
-                            (static_cast<double>(r) + shareOfRung) / static_cast<double>(rungs->size()));
+                            (static_cast<double>(r) + shareOfRung) / static_cast<double>(rungs.size()));
             };
             const std::size_t trials = std::max(ladder.trials, kFewestTrials);
             std::optional<Measured> one;

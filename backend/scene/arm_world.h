@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/array_layout.h"
 #include "backend/core/device/arm_device.h"
+#include "backend/scene/told_keys.h"
 
 #include <string>
 #include <variant>
@@ -13,14 +13,16 @@ namespace teleta::scene {
 /// The motors follow the reference like a critically damped filter, whatever the load: the controller adds
 /// the measured torque to the motor's (torque feedback).
 struct PositionControl {
-    double bandwidth_radPerS = 60.0; ///< > 0
+    double bandwidth_radPerS = 60.0;
+    void tell(Keys& keys);
 };
 
 /// The motors yield to the joint torque like a mass on a damped spring, see arm::JointAdmittance.
 struct AdmittanceControl {
-    double inertia_kgm2 = 0.1;        ///< >= 0
-    double damping_NmsPerRad = 2.0;   ///< >= 0
-    double stiffness_NmPerRad = 10.0; ///< > 0
+    double inertia_kgm2 = 0.1;
+    double damping_NmsPerRad = 2.0;
+    double stiffness_NmPerRad = 10.0;
+    void tell(Keys& keys);
 };
 
 using JointControl = std::variant<PositionControl, AdmittanceControl>;
@@ -41,37 +43,44 @@ struct ArmBody {
     core::JointArray highest_rad{2.0, 1.6, 2.0, 2.6};
     core::JointArray fastest_radPerS{1.0, 1.0, 1.0, 1.0};
     double highestTorque_Nm = 10.0; ///< at which the controller lets no joint go on against its load
+    void tell(Keys& keys);
 };
 
 /// The tactile skin around the forearm. A sheet that is longer than the forearm's circumference overlaps;
 /// what presses on the overlap is felt by both layers.
 struct ArmSkin {
     core::ArrayLayout layout{20, 24, 0.0094};
-    double rate_Hz = 200.0; ///< > 0; frames are read at the joint sample that follows
+    double rate_Hz = 200.0; ///< frames are read at the joint sample that follows
     double centreDistance_m = 0.14;
     double centreSide_rad = 0.0;
     double fullScale_N = 2.0;       ///< load at which a taxel saturates, when the scene lists that effect
     double firingThreshold_N = 0.0; ///< a taxel whose load is below this reads 0
+    void tell(Keys& keys);
 };
 
 /// A round object.
 struct RoundOutline {
-    double radius_m = 0.0; ///< > 0
+    double radius_m = 0.0;
+    void tell(Keys& keys);
 };
 
 /// A box; its length is along x at angle 0.
 struct RectangleOutline {
-    double length_m = 0.0; ///< > 0
-    double width_m = 0.0;  ///< > 0
+    double length_m = 0.0;
+    double width_m = 0.0;
+    void tell(Keys& keys);
 };
 
 /// An equilateral triangle; one corner is on the x axis at angle 0.
 struct TriangleOutline {
-    double side_m = 0.0; ///< > 0
+    double side_m = 0.0;
+    void tell(Keys& keys);
 };
 
 /// A wall without end; its surface faces x at angle 0.
-struct WallOutline {};
+struct WallOutline {
+    void tell(Keys&) {}
+};
 
 using Outline = std::variant<RoundOutline, RectangleOutline, TriangleOutline, WallOutline>;
 
@@ -83,8 +92,9 @@ struct ArmObject {
     double x_m = 0.0; ///< centre of the outline, a point of the surface of a wall; in the base
     double y_m = 0.0;
     double z_m = 0.0;
-    double angle_rad = 0.0;       ///< about z
-    double stiffness_NPerM = 0.0; ///< > 0
+    double angle_rad = 0.0; ///< about z
+    double stiffness_NPerM = 0.0;
+    void tell(Keys& keys);
 };
 
 /// One object after the other is touched with the elbow, from below; only the object whose turn it is exists.
@@ -96,6 +106,7 @@ struct TouchProgram {
     double retract_rad = 0.1;     ///< before the first contact, where the next object takes its place
     double torqueLimit_Nm = 0.08;
     double hold_s = 0.2;
+    void tell(Keys& keys);
 };
 
 /// The forearm hangs down beside the first object and touches it from directions all around.
@@ -108,16 +119,18 @@ struct ContourProgram {
     double retract_m = 0.01;    ///< of the surface, on the way around
     double torqueLimit_Nm = 0.08;
     double hold_s = 0.1;
+    void tell(Keys& keys);
 };
 
 /// Somebody pushes the forearm: half a sine of force over the duration.
 struct Push {
     double time_s = 0.0;
-    double duration_s = 0.0; ///< > 0
+    double duration_s = 0.0;
     double distance_m = 0.0; ///< from the elbow along the forearm
     double forceX_N = 0.0;   ///< in the base
     double forceY_N = 0.0;
     double forceZ_N = 0.0;
+    void tell(Keys& keys);
 };
 
 /// Where the references are at a time; between two waypoints they move smoothly and rest at both.
@@ -130,6 +143,7 @@ struct Waypoint {
 struct YieldProgram {
     std::vector<Waypoint> waypoints{}; ///< times strictly increasing; empty: the arm stays
     std::vector<Push> pushes{};
+    void tell(Keys& keys);
 };
 
 /// Somebody feels his way around something that he sees roughly: touches towards a place, evenly spaced
@@ -137,9 +151,10 @@ struct YieldProgram {
 struct Exploration {
     double x_m = 0.0; ///< the place, in the base
     double y_m = 0.0;
-    double radius_m = 0.0;       ///< distance of the elbow from the place before and after each touch; > 0
+    double radius_m = 0.0;       ///< distance of the elbow from the place before and after each touch
     int touches = 0;             ///< 1 .. 360
     double startAngle_rad = 0.0; ///< of the first touch, about z
+    void tell(Keys& keys);
 };
 
 /// An operator at another place drives the arm by velocity, his forearm hanging down, from what comes back to
@@ -147,11 +162,12 @@ struct Exploration {
 struct OperatorProgram {
     double travel_mPerS = 0.05; ///< of the elbow, between touches
     double approach_mPerS = 0.0035;
-    double clearance_m = 0.015;  ///< before where he met the object last, from which he goes slowly; > 0
+    double clearance_m = 0.015;  ///< before where he met the object last, from which he goes slowly
     double feltTorque_Nm = 0.15; ///< of any joint, above which he feels that he touches
     double reaction_s = 0.15;    ///< from feeling it until he stops
     double hold_s = 0.1;
     std::vector<Exploration> explorations; ///< at least one
+    void tell(Keys& keys);
 };
 
 using ArmProgram = std::variant<TouchProgram, ContourProgram, YieldProgram, OperatorProgram>;
@@ -159,8 +175,9 @@ using ArmProgram = std::variant<TouchProgram, ContourProgram, YieldProgram, Oper
 /// How little is known of where the objects are: each seed has its own places.
 struct UnknownPlaces {
     bool swap = false;     ///< any object may stand at any of their places
-    double spread_m = 0.0; ///< each object is displaced by up to so much in x and in y, evenly; >= 0
-    double turn_rad = 0.0; ///< and turned by up to so much; >= 0
+    double spread_m = 0.0; ///< each object is displaced by up to so much in x and in y, evenly
+    double turn_rad = 0.0; ///< and turned by up to so much
+    void tell(Keys& keys);
 };
 
 /// A remote arm among objects.
@@ -171,6 +188,7 @@ struct ArmWorld {
     std::vector<ArmObject> objects;
     UnknownPlaces unknown;
     ArmProgram program;
+    void tell(Keys& keys);
 };
 
 } // namespace teleta::scene

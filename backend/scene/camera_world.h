@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
+#include "backend/scene/told_keys.h"
+
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,16 +13,6 @@ namespace teleta::scene {
 inline constexpr int kLargestImageSide_px = 8192;
 inline constexpr double kMostDotRings = 1000.0;
 
-/// The camera that looks along the axis of the tube; its optical axis is z, its lens lies before z = 0.
-struct TubeCamera {
-    int width_px = 1640;
-    int height_px = 1232;
-    double focalLength_px = 587.0; ///< > 0; at the middle of the image
-    double behind_m = 0.020;       ///< of the sensor frame's origin, where its lens is; > 0
-    double offsetX_m = 0.0;        ///< of the lens from the axis
-    double offsetY_m = 0.0;
-};
-
 /// The soft skin of the tube and the dots that are printed on it.
 struct CameraSkin {
     double radius_m = 0.025;
@@ -31,6 +22,18 @@ struct CameraSkin {
     double dotDiameter_m = 0.0015;
     double reach_m = 0.0015;   ///< how far the skin yields beside a contact
     double dragPerDepth = 0.0; ///< a finger that slides drags the skin by up to so much of its depth
+    void tell(Keys& keys);
+};
+
+/// The camera that looks along the axis of the tube; its optical axis is z, its lens lies before z = 0.
+struct TubeCamera {
+    int width_px = 1640;
+    int height_px = 1232;
+    double focalLength_px = 587.0; ///< > 0; at the middle of the image
+    double behind_m = 0.020;       ///< of the sensor frame's origin, where its lens is
+    double offsetX_m = 0.0;        ///< of the lens from the axis
+    double offsetY_m = 0.0;
+    void tell(Keys& keys, const CameraSkin& skin);
 };
 
 /// Where a finger is at a time, in the base: the sensor's frame as it was at the start.
@@ -44,8 +47,9 @@ struct FingerKeyframe {
 /// A ball that touches the skin. Between keyframes it moves along monotone cubics.
 struct Finger {
     std::string name;
-    double radius_m = 0.010; ///< > 0
+    double radius_m = 0.010;
     std::vector<FingerKeyframe> keyframes;
+    void tell(Keys& keys, const CameraSkin& skin);
 };
 
 /// A person who probes the skin with a stick, through the holes of a shell one after the other: a grid, ring
@@ -55,27 +59,32 @@ struct Probing {
     int along = 10;
     double first_z_m = 0.0; ///< of the first ring
     double last_z_m = 0.0;
-    double stickRadius_m = 0.0019; ///< > 0
-    double depth_m = 0.0;          ///< > 0
-    double hole_s = 1.0;           ///< from hole to hole; > 0
-    double play_m = 0.0;           ///< of the stick in its hole: standard deviation in either direction
-    double wrongShare = 0.0;       ///< of the holes that are mistaken for another one, 0 .. 1
+    double stickRadius_m = 0.0019;
+    double depth_m = 0.0;
+    double hole_s = 1.0;     ///< from hole to hole
+    double play_m = 0.0;     ///< of the stick in its hole: standard deviation in either direction
+    double wrongShare = 0.0; ///< of the holes that are mistaken for another one, 0 .. 1
+    void tell(Keys& keys, const CameraSkin& skin);
 };
 inline constexpr int kMostHoles = 10000;
 
 /// The arm stays where it is, whatever touches it.
-struct NoReaction {};
+struct NoReaction {
+    void tell(Keys&) {}
+};
 
 /// The arm stops and draws back when it is bumped.
 struct BumpReaction {
-    double speed_mPerS = 0.02; ///< a contact that deepens faster is a bump; > 0
-    double depth_m = 0.0015;   ///< or one that is deeper; > 0
-    double retreat_m = 0.03;   ///< how far it draws back; > 0
+    double speed_mPerS = 0.02; ///< a contact that deepens faster is a bump
+    double depth_m = 0.0015;   ///< or one that is deeper
+    double retreat_m = 0.03;   ///< how far it draws back
+    void tell(Keys& keys);
 };
 
 /// The arm follows what touches it: turns about the tube's axis and moves along it.
 struct FollowReaction {
-    double gain_perS = 8.0; ///< > 0
+    double gain_perS = 8.0;
+    void tell(Keys& keys);
 };
 
 using Reaction = std::variant<NoReaction, BumpReaction, FollowReaction>;
@@ -86,6 +95,7 @@ struct CarrierLimits {
     double acceleration_mPerS2 = 5.0;
     double turn_radPerS = 2.0;
     double turnAcceleration_radPerS2 = 40.0;
+    void tell(Keys& keys);
 };
 
 /// A soft tube that is watched from inside by a camera.
@@ -96,44 +106,7 @@ struct CameraWorld {
     std::optional<Probing> probing; ///< a stick that comes besides the fingers
     Reaction reaction;
     CarrierLimits limits;
-};
-
-/// The lens is no pinhole: k1..k6 and p1, p2 of the rational model, see
-/// vision::RationalDistortion. Without it the image is an ideal
-/// perspective of the same focal length.
-struct LensDistortionSpec {
-    std::array<double, 6> radial{};
-    std::array<double, 2> tangential{};
-};
-
-/// Brightness that waves with the angle (lamps around the tube) and falls along it.
-struct UnevenLightSpec {
-    int lamps = 8;
-    double ripple = 0.0;       ///< 0 .. 1
-    double fallPerMetre = 0.0; ///< share that is lost a metre; >= 0
-};
-
-/// Noise of the image sensor: variance read^2 + shot^2 * brightness, in grey levels of 255.
-struct SensorNoiseSpec {
-    double read = 0.0;
-    double shot = 0.0; ///< standard deviation at full brightness
-};
-
-/// The shutter is open for a part of the frame's time.
-struct MotionBlurSpec {
-    double exposure_s = 0.0; ///< > 0
-    int samples = 4;         ///< 2 .. 32 moments that are averaged
-};
-
-/// Dots are printed beside their places and with other sizes.
-struct MarkerPrintErrorSpec {
-    double sd_m = 0.0;
-    double sizeShare = 0.0; ///< standard deviation of the diameter as a share of it
-};
-
-/// Darkness toward the corners of the image: 1 - share * (r / half diagonal)^2.
-struct VignettingSpec {
-    double share = 0.0; ///< 0 .. 1
+    void tell(Keys& keys);
 };
 
 } // namespace teleta::scene

@@ -18,44 +18,52 @@ inline constexpr std::size_t kServoJoints = 7;
 /// eq. 11). The array looks along the flange's z axis.
 struct ServoArm {
     std::array<double, kServoJoints> start_rad{};
-    double stiffness_NPerM = 1000.0;             ///< of the tool's position; > 0
-    double rotationalStiffness_NmPerRad = 200.0; ///< of its orientation; > 0
-    double dampingRatio = 0.7;                   ///< of every mode of the free arm; >= 0
-    double mountLength_m = 0.03;                 ///< flange to the array's surface; >= 0
+    double stiffness_NPerM = 1000.0;             ///< of the tool's position
+    double rotationalStiffness_NmPerRad = 200.0; ///< of its orientation
+    double dampingRatio = 0.7;                   ///< of every mode of the free arm
+    double mountLength_m = 0.03;                 ///< flange to the array's surface
+    void tell(Keys& keys);
 };
 
 /// The tactile array in the arm's hand and the rates of what happens to its frames (paper, Table 2).
 struct ServoSensor {
     ArraySensor array;
     double acquisition_Hz = 200.0; ///< > 0; what is faster than the scene's rate happens at that rate
-    double images_Hz = 140.0;      ///< > 0
-    double servo_Hz = 100.0;       ///< > 0
+    double images_Hz = 140.0;
+    double servo_Hz = 100.0;
+    void tell(Keys& keys);
 };
 
 /// A round bar. Its line of contact runs along x; from straight_m on its slope grows evenly over bend_m to
 /// the given angles and stays there: it falls away from the array and turns aside. Behind straight_m it bends
 /// in the same way over bendBehind_m, as an arch does.
 struct BarShape {
-    double radius_m = 0.0; ///< > 0
-    double behind_m = 0.0; ///< how far it reaches to -x; >= 0
-    double ahead_m = 0.0;  ///< and to +x; > 0
+    double radius_m = 0.0;
+    double behind_m = 0.0; ///< how far it reaches to -x
+    double ahead_m = 0.0;  ///< and to +x
     double straight_m = 0.0;
-    double bend_m = 0.0;       ///< 0: straight throughout
-    double bendBehind_m = 0.0; ///< >= 0
-    double fall_rad = 0.0;     ///< (-1.2, 1.2)
-    double turn_rad = 0.0;     ///< (-1.2, 1.2)
+    double bend_m = 0.0; ///< 0: straight throughout
+    double bendBehind_m = 0.0;
+    double fall_rad = 0.0; ///< (-1.2, 1.2)
+    double turn_rad = 0.0; ///< (-1.2, 1.2)
+    void tell(Keys& keys);
 };
 
 /// The sharp edge of a box between two faces at 45 degrees to the array, along x and without end.
-struct EdgeShape {};
+struct EdgeShape {
+    void tell(Keys&) {}
+};
 
 /// A ball; its topmost point is the object's origin.
 struct BallShape {
-    double radius_m = 0.0; ///< > 0
+    double radius_m = 0.0;
+    void tell(Keys& keys);
 };
 
 /// A flat face without end.
-struct WallShape {};
+struct WallShape {
+    void tell(Keys&) {}
+};
 
 using ServoShape = std::variant<BarShape, EdgeShape, BallShape, WallShape>;
 
@@ -68,10 +76,11 @@ struct MassKeyframe {
 /// The object turns about a hinge across its line of contact, and a mass is moved on it.
 struct TrayHinge {
     double height_m = 0.0;     ///< of the hinge behind the line of contact; any
-    double inertia_kgm2 = 0.0; ///< about the hinge, without the mass; > 0
+    double inertia_kgm2 = 0.0; ///< about the hinge, without the mass
     double damping_NmsPerRad = 0.0;
-    double mass_kg = 0.0;               ///< >= 0
+    double mass_kg = 0.0;
     std::vector<MassKeyframe> motion{}; ///< at least one, times strictly increasing
+    void tell(Keys& keys);
 };
 
 /// How far the object may lie from where the scene says: every value is drawn evenly from within its bounds,
@@ -81,6 +90,7 @@ struct PoseSpread {
     double gap_m = 0.0;
     double yaw_rad = 0.0;
     double pitch_rad = 0.0;
+    void tell(Keys& keys);
 };
 
 /// What the array touches. Its pose is told in the frame {s} of the array at the start: x_m and y_m of its
@@ -96,6 +106,7 @@ struct ServoObject {
     double pitch_rad = 0.0;
     PoseSpread spread;
     std::optional<TrayHinge> hinge;
+    void tell(Keys& keys);
 };
 
 /// What the servo is to do; each is built from the tasks of servo/servo_task.h.
@@ -108,13 +119,14 @@ enum class ServoTaskKind {
 
 struct ServoTaskSettings {
     ServoTaskKind kind = ServoTaskKind::exploreEdge;
-    double force_N = 5.0;         ///< > 0
-    double copY_m = 0.0;          ///< where the array keeps the contact
-    double approach_mPerS = 0.01; ///< > 0
-    double slide_mPerS = 0.005;   ///< >= 0
-    double rollAngle_rad = 0.0;   ///< amplitude of rolling
-    double rollPeriod_s = 0.0;    ///< >= 0
-    bool moment = true;           ///< false: without the DZMP, as the baseline
+    double force_N = 5.0;
+    double copY_m = 0.0; ///< where the array keeps the contact
+    double approach_mPerS = 0.01;
+    double slide_mPerS = 0.005;
+    double rollAngle_rad = 0.0; ///< amplitude of rolling
+    double rollPeriod_s = 0.0;
+    bool moment = true; ///< false: without the DZMP, as the baseline
+    void tell(Keys& keys);
 };
 
 /// An arm that servoes on what its tactile array feels.
@@ -123,6 +135,7 @@ struct ServoWorld {
     ServoSensor sensor;
     ServoObject object;
     ServoTaskSettings task;
+    void tell(Keys& keys);
 };
 
 } // namespace teleta::scene

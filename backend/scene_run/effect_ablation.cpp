@@ -56,12 +56,6 @@ struct Runs {
     std::map<std::string, double> own_s; ///< mean of each effect
 };
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 double mean(const std::vector<double>& values) {
     if (values.empty())
         return std::numeric_limits<double>::quiet_NaN();
@@ -99,17 +93,15 @@ core::Expected<Runs> runSeeds(const Run& runOne, const AblationOptions& options,
             const double done = doneBefore + static_cast<double>(i) + simulated_s / duration_s;
             return !options.goOn || options.goOn(done, allRuns);
         };
-        const core::Expected<SceneSummary> summary = runOne(run);
-        if (!summary)
-            return core::Unexpected(summary.error());
-        if (summary->interrupted)
+        TELETA_TRY(const SceneSummary summary, runOne(run));
+        if (summary.interrupted)
             return core::Unexpected(cancelled());
         FlatMeasures flat;
-        for (const auto& [name, value] : summary->measures.items())
+        for (const auto& [name, value] : summary.measures.items())
             flatten(value, name, flat);
         runs.measures.push_back(std::move(flat));
-        runs.wall_s.push_back(summary->wall_s);
-        for (const SceneSummary::EffectTime& effect : summary->effects)
+        runs.wall_s.push_back(summary.wall_s);
+        for (const SceneSummary::EffectTime& effect : summary.effects)
             runs.own_s[effect.name] += effect.time_s / static_cast<double>(options.seeds);
     }
     return runs;
@@ -190,26 +182,22 @@ core::Expected<Ablation> ablate(const std::vector<std::string>& effects,
     }
     const auto perVariant = static_cast<double>(options.seeds);
     const double allRuns = perVariant * static_cast<double>(effects.size() + 1);
-    const core::Expected<Runs> with = runSeeds(runWithout({}), options, 0.0, allRuns);
-    if (!with)
-        return core::Unexpected(with.error());
+    TELETA_TRY(const Runs with, runSeeds(runWithout({}), options, 0.0, allRuns));
 
     Ablation ablation;
-    ablation.run_s = median(with->wall_s);
+    ablation.run_s = quantile(with.wall_s, 0.5);
     for (std::size_t left = 0; left < effects.size(); ++left) {
-        const core::Expected<Runs> without =
-            runSeeds(runWithout(left), options, perVariant * static_cast<double>(left + 1), allRuns);
-        if (!without)
-            return core::Unexpected(without.error());
+        TELETA_TRY(const Runs without,
+                   runSeeds(runWithout(left), options, perVariant * static_cast<double>(left + 1), allRuns));
         EffectAblation effect;
         effect.effect = effects[left];
-        const auto own = with->own_s.find(effect.effect);
-        effect.own_s = own == with->own_s.end() ? 0.0 : own->second;
-        effect.run_s = median(without->wall_s);
-        for (const std::string& name : namesOf(*with, *without, &FlatMeasures::numbers))
-            effect.changes.push_back(numberChange(name, *with, *without));
-        for (const std::string& name : namesOf(*with, *without, &FlatMeasures::texts))
-            effect.changes.push_back(textChange(name, *with, *without));
+        const auto own = with.own_s.find(effect.effect);
+        effect.own_s = own == with.own_s.end() ? 0.0 : own->second;
+        effect.run_s = quantile(without.wall_s, 0.5);
+        for (const std::string& name : namesOf(with, without, &FlatMeasures::numbers))
+            effect.changes.push_back(numberChange(name, with, without));
+        for (const std::string& name : namesOf(with, without, &FlatMeasures::texts))
+            effect.changes.push_back(textChange(name, with, without));
         ablation.effects.push_back(std::move(effect));
     }
     return ablation;

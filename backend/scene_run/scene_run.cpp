@@ -36,9 +36,7 @@ core::Expected<void> makeFolder(const std::string& path) {
 
 core::Expected<SceneSummary> runScene(const scene::Scene& scene, const RunOptions& options) {
     if (!options.outFolder.empty()) {
-        const core::Expected<void> made = makeFolder(options.outFolder);
-        if (!made)
-            return core::Unexpected(made.error());
+        TELETA_CHECK(makeFolder(options.outFolder));
     }
     const std::int64_t start_ns = core::steadyNow_ns();
     core::Expected<SceneSummary> summary = scene.isCamera()         ? runCameraScene(scene, options)
@@ -54,8 +52,7 @@ core::Expected<SceneSummary> runScene(const scene::Scene& scene, const RunOption
     if (!options.outFolder.empty()) {
         const core::Expected<void> written =
             writeJson(options.outFolder + "/summary.json", summary->toJson());
-        if (!written)
-            return core::Unexpected(written.error());
+        TELETA_CHECK(written);
     }
     return summary;
 }

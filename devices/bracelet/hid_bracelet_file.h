@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/data/keys.h"
 #include "backend/core/error.h"
 #include "devices/bracelet/hid_bracelet_config.h"
 
@@ -13,10 +14,11 @@ namespace teleta::bracelet {
 struct HidBraceletFile {
     std::string name;
     HidBraceletConfig config;
+
+    void tell(core::Keys& keys);
 };
 
-/// kind = "hid_bracelet", name, vendor_id and product_id (1 .. 65535), serial (without it: the first board
-/// with these ids). Error: notFound, ioFailed, badInput with file, line and column. Thread: any.
+/// Error: notFound, ioFailed, badInput with file, line and column. Thread: any.
 [[nodiscard]] core::Expected<HidBraceletFile> readHidBracelet(const std::string& path);
 /// The same of a text; file: named in errors.
 [[nodiscard]] core::Expected<HidBraceletFile> parseHidBracelet(std::string_view text,

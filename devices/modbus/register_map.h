@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/bracelet/tactors.h"
+#include "backend/core/data/keys.h"
 #include "backend/core/device/arm_device.h"
 #include "backend/core/error.h"
 #include "devices/modbus/register_value.h"
@@ -94,6 +95,8 @@ struct RegisterMap {
     std::optional<std::size_t> supply;      ///< input in V
     std::optional<std::size_t> temperature; ///< input in degC
     std::optional<std::array<JointRegisters, core::kArmJoints>> joints;
+
+    void tell(core::Keys& keys);
 };
 
 /// The link as people write it: "tcp://host:port" or the path of the serial port.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/toml_table.h"
+#include "backend/core/data/toml_keys.h"
 #include "devices/modbus/register_map.h"
 
 #include <QCoreApplication>
@@ -14,9 +14,9 @@ namespace teleta::modbus {
 
 namespace {
 
+using core::Keys;
+using core::Need;
 using core::NumberRange;
-using core::TomlDocument;
-using core::TomlTable;
 
 struct RegisterMapReader {
     Q_DECLARE_TR_FUNCTIONS(RegisterMapReader)
@@ -24,241 +24,239 @@ struct RegisterMapReader {
 
 constexpr int kRegisters = 65536;
 constexpr double kFastestInputs_Hz = 1000.0;
+const NumberRange kAny = NumberRange::any();
 
-void fail(TomlTable& table, std::string_view key, const QString& message, const QString& expected) {
-    table.fail(key, message.toStdString(), expected.toStdString());
+void refuse(Keys& keys, std::string_view key, const QString& message, const QString& expected) {
+    keys.refuse(key, message.toStdString(), expected.toStdString());
 }
 
-int address(TomlTable& table) {
-    return static_cast<int>(table.integer("address", 0, kRegisters - 1));
+void tellAddress(Keys& keys, std::uint16_t& address, std::string_view about) {
+    keys.whole("address", address, {0, kRegisters - 1}, about);
 }
 
-RegisterFormat readFormat(TomlTable& table) {
-    RegisterFormat format;
-    constexpr std::array kTypes = {RegisterType::int16, RegisterType::uint16, RegisterType::int32,
-                                   RegisterType::float32};
-    format.type = kTypes.at(table.choice("type", {"int16", "uint16", "int32", "float32"}));
-    if (table.has("word_order") && table.choice("word_order", {"high_first", "low_first"}) == 1)
-        format.order = WordOrder::lowFirst;
-    format.scale = table.number("scale", NumberRange::any(), 1.0);
+void tellFormat(Keys& keys, RegisterFormat& format) {
+    keys.choice("type", format.type, {"int16", "uint16", "int32", "float32"}, "How the value is stored");
+    keys.choice("word_order", format.order, {"high_first", "low_first"}, "Which of two registers comes first",
+                Need::optional);
+    keys.number("scale", format.scale, kAny, "Value of one count, not 0", Need::optional);
     if (format.scale == 0.0)
-        fail(table, "scale", RegisterMapReader::tr("\"scale\" is 0"),
-             RegisterMapReader::tr("the value of one count"));
-    format.offset = table.number("offset", NumberRange::any(), 0.0);
-    return format;
+        refuse(keys, "scale", RegisterMapReader::tr("\"scale\" is 0"),
+               RegisterMapReader::tr("the value of one count"));
+    keys.number("offset", format.offset, kAny, "Value at 0 counts", Need::optional);
 }
 
-/// Registers from `first` on, `count` of them, must exist.
-void checkEnd(TomlTable& table, int first, std::size_t count) {
-    if (first + static_cast<int>(count) > kRegisters)
-        fail(table, "address", RegisterMapReader::tr("the last register would be beyond 65535"),
-             RegisterMapReader::tr("an address of at most %1").arg(kRegisters - static_cast<int>(count)));
+/// Registers from the address on, so many, must exist.
+void checkEnd(Keys& keys, int address, std::size_t count) {
+    if (address + static_cast<int>(count) > kRegisters)
+        refuse(keys, "address", RegisterMapReader::tr("the last register would be beyond 65535"),
+               RegisterMapReader::tr("an address of at most %1").arg(kRegisters - static_cast<int>(count)));
 }
 
-InputRegister readInput(TomlTable& table) {
-    InputRegister input;
-    if (table.has("table") && table.choice("table", {"holding", "input"}) == 1)
-        input.table = RegisterTable::input;
-    const int first = address(table);
-    input.address = static_cast<std::uint16_t>(first);
-    input.format = readFormat(table);
-    checkEnd(table, first, registersOf(input.format.type));
-    return input;
+void tellInput(Keys& keys, InputRegister& input) {
+    keys.choice("table", input.table, {"holding", "input"}, "Which table of registers it is in",
+                Need::optional);
+    tellAddress(keys, input.address, "The register, counted from 0");
+    tellFormat(keys, input.format);
+    checkEnd(keys, input.address, registersOf(input.format.type));
 }
 
-std::variant<TcpLink, RtuLink> readLink(TomlTable table, RegisterMap& map) {
-    const bool rtu = table.choice("kind", {"tcp", "rtu"}) == 1;
-    map.server = static_cast<int>(table.integer("server", rtu ? 1 : 0, rtu ? 247 : 255, 1));
-    map.answerTimeout_s =
-        table.number("answer_timeout_s", NumberRange::between(0.001, 10.0), map.answerTimeout_s);
-    std::variant<TcpLink, RtuLink> link;
-    if (rtu) {
-        RtuLink serial;
-        serial.path = table.text("path");
-        serial.baud = static_cast<int>(table.integer("baud", 300, 4'000'000, serial.baud));
-        if (table.has("parity"))
-            serial.parity = "NEO"[table.choice("parity", {"none", "even", "odd"})];
-        serial.stopBits = static_cast<int>(table.integer("stop_bits", 1, 2, serial.stopBits));
-        link = serial;
-    } else {
-        TcpLink tcp;
-        tcp.host = table.text("host");
-        tcp.port = static_cast<int>(table.integer("port", 1, 65535, tcp.port));
-        link = tcp;
-    }
-    table.finish();
-    return link;
+void tellTcp(Keys& keys, RegisterMap& map) {
+    TcpLink tcp;
+    keys.text("host", tcp.host, "Name or address of the device");
+    keys.whole("port", tcp.port, {1, 65535}, "Its port", Need::optional);
+    keys.whole("server", map.server, {0, 255}, "Unit identifier", Need::optional);
+    map.link = tcp;
 }
 
-TactorRegisters readTactors(TomlTable table) {
-    TactorRegisters tactors;
-    const int first = address(table);
-    tactors.address = static_cast<std::uint16_t>(first);
-    tactors.format = readFormat(table);
-    checkEnd(table, first, tactors.registers());
-    tactors.unit = table.text("unit");
-    tactors.off = table.number("off", NumberRange::any(), 0.0);
-    tactors.full = table.number("full", NumberRange::any());
-    tactors.start = table.number("start", NumberRange::any(), tactors.off);
-    table.finish();
+void tellRtu(Keys& keys, RegisterMap& map) {
+    constexpr std::string_view kParities = "NEO";
+    RtuLink rtu;
+    keys.text("path", rtu.path, "The serial port, as `/dev/ttyUSB0`");
+    keys.whole("baud", rtu.baud, {300, 4'000'000}, "Bits a second", Need::optional);
+    keys.choose("parity", kParities.find(rtu.parity), {"none", "even", "odd"}, "Parity of a byte",
+                Need::optional, [&](Keys&, std::size_t chosen) { rtu.parity = kParities[chosen]; });
+    keys.whole("stop_bits", rtu.stopBits, {1, 2}, "Stop bits of a byte", Need::optional);
+    keys.whole("server", map.server, {1, 247}, "Address of the device on the line", Need::optional);
+    map.link = rtu;
+}
+
+void tellLink(Keys& keys, RegisterMap& map) {
+    keys.choose(
+        "kind", map.link.index(), {{"tcp", "Modbus over a network"}, {"rtu", "Modbus over a serial line"}},
+        "How the device is connected", Need::required,
+        [&map](Keys& same, std::size_t chosen) { chosen == 0 ? tellTcp(same, map) : tellRtu(same, map); });
+    keys.number("answer_timeout_s", map.answerTimeout_s, NumberRange::between(0.001, 10.0),
+                "How long an answer may take; at most 0.2 s for a device with motors", Need::optional);
+}
+
+void tellTactors(Keys& keys, TactorRegisters& tactors) {
+    tellAddress(keys, tactors.address, "Register of the first motor; the others follow");
+    tellFormat(keys, tactors.format);
+    checkEnd(keys, tactors.address, tactors.registers());
+    keys.text("unit", tactors.unit, "Unit of off, start and full");
+    keys.number("off", tactors.off, kAny, "Value at which a motor stands", Need::optional);
+    keys.number("full", tactors.full, kAny, "Value at which it runs as fast as it can");
+    tactors.start = tactors.off;
+    keys.number("start", tactors.start, kAny, "Value of the weakest intensity; otherwise that of off",
+                Need::optional);
     const std::array<std::pair<const char*, double>, 3> levels = {
         {{"off", tactors.off}, {"start", tactors.start}, {"full", tactors.full}}};
     for (const auto& [key, value] : levels) {
         if (!representable(tactors.format, value))
-            fail(table, key,
-                 RegisterMapReader::tr("\"%1\" does not fit into the register").arg(QLatin1String(key)),
-                 RegisterMapReader::tr("a value that type, scale and offset can express"));
+            refuse(keys, key,
+                   RegisterMapReader::tr("\"%1\" does not fit into the register").arg(QLatin1String(key)),
+                   RegisterMapReader::tr("a value that type, scale and offset can express"));
     }
     if (tactors.full == tactors.off)
-        fail(table, "full", RegisterMapReader::tr("\"full\" and \"off\" are the same"),
-             RegisterMapReader::tr("a value at which the motor runs as fast as it can"));
+        refuse(keys, "full", RegisterMapReader::tr("\"full\" and \"off\" are the same"),
+               RegisterMapReader::tr("a value at which the motor runs as fast as it can"));
     // A driver may work the other way round: the more, the slower.
     const double ofFull = (tactors.start - tactors.off) / (tactors.full - tactors.off);
     if (!(ofFull >= 0.0 && ofFull <= 1.0))
-        fail(table, "start", RegisterMapReader::tr("\"start\" is not between \"off\" and \"full\""),
-             RegisterMapReader::tr("the value of the weakest intensity"));
-    return tactors;
+        refuse(keys, "start", RegisterMapReader::tr("\"start\" is not between \"off\" and \"full\""),
+               RegisterMapReader::tr("the value of the weakest intensity"));
 }
 
-StatusRegister readStatus(TomlTable table) {
-    StatusRegister status;
-    status.input = readInput(table);
+void tellStatus(Keys& keys, StatusRegister& status) {
+    tellInput(keys, status.input);
     status.input.name = "status";
-    const auto bit = [&table, &status](std::string_view key) -> std::optional<int> {
-        if (!table.has(key))
-            return std::nullopt;
-        return static_cast<int>(
-            table.integer(key, 0, 16 * static_cast<long long>(registersOf(status.input.format.type)) - 1));
-    };
-    status.timedOutBit = bit("timed_out_bit");
-    status.tooHotBit = bit("too_hot_bit");
-    status.supplyLowBit = bit("supply_low_bit");
-    table.finish();
+    const core::WholeRange bits{0, 16 * static_cast<long long>(registersOf(status.input.format.type)) - 1,
+                                "bits of the type - 1"};
+    keys.whole("timed_out_bit", status.timedOutBit, bits,
+               "Bit that tells that the watchdog has stopped the motors");
+    keys.whole("too_hot_bit", status.tooHotBit, bits, "Bit that tells that the driver is too hot");
+    keys.whole("supply_low_bit", status.supplyLowBit, bits, "Bit that tells that the supply is too low");
     if (status.input.format.type == RegisterType::float32)
-        fail(table, "type", RegisterMapReader::tr("a float has no bits to look at"),
-             RegisterMapReader::tr("one of: %1").arg(QStringLiteral("int16, uint16, int32")));
-    return status;
+        refuse(keys, "type", RegisterMapReader::tr("a float has no bits to look at"),
+               RegisterMapReader::tr("one of: %1").arg(QStringLiteral("int16, uint16, int32")));
 }
 
-/// Index of the input that a key names, which must be in this unit.
-std::size_t inputNamed(TomlTable& table, std::string_view key, const std::string& unit,
+/// Index of the input of this name, which must be in this unit.
+std::size_t inputNamed(Keys& keys, std::string_view key, const std::string& name, const std::string& unit,
                        const std::vector<InputRegister>& inputs) {
-    const std::string name = table.text(key);
     const auto found = std::ranges::find(inputs, name, &InputRegister::name);
     if (found == inputs.end()) {
         // A text that is missing or of the wrong type has its own message.
         if (!name.empty())
-            fail(table, key,
-                 RegisterMapReader::tr("there is no input \"%1\"").arg(QString::fromStdString(name)),
-                 RegisterMapReader::tr("the name of an [[input]]"));
+            refuse(keys, key,
+                   RegisterMapReader::tr("there is no input \"%1\"").arg(QString::fromStdString(name)),
+                   RegisterMapReader::tr("the name of an [[input]]"));
         return 0;
     }
     if (found->unit != unit)
-        fail(table, key,
-             RegisterMapReader::tr("the unit of \"%1\" is \"%2\"")
-                 .arg(QString::fromStdString(name), QString::fromStdString(found->unit)),
-             RegisterMapReader::tr("an input in %1").arg(QString::fromStdString(unit)));
+        refuse(keys, key,
+               RegisterMapReader::tr("the unit of \"%1\" is \"%2\"")
+                   .arg(QString::fromStdString(name), QString::fromStdString(found->unit)),
+               RegisterMapReader::tr("an input in %1").arg(QString::fromStdString(unit)));
     return static_cast<std::size_t>(found - inputs.begin());
 }
 
-void readInputs(TomlTable& root, RegisterMap& map) {
-    for (TomlTable& table : root.tables("input", 0)) {
-        const std::string name = table.text("name");
-        InputRegister input = readInput(table);
-        input.name = name;
-        input.unit = table.text("unit");
-        table.finish();
-        if (std::ranges::find(map.inputs, name, &InputRegister::name) != map.inputs.end())
-            fail(table, "name",
-                 RegisterMapReader::tr("the name \"%1\" is used twice").arg(QString::fromStdString(name)),
-                 RegisterMapReader::tr("a name of its own for each input"));
-        map.inputs.push_back(std::move(input));
-    }
+void tellJoints(Keys& keys, RegisterMap& map) {
+    std::vector<JointRegisters> joints;
+    keys.tables("joint", joints, 0, "The joints of an arm, from the shoulder on",
+                [&map](Keys& table, std::vector<JointRegisters>& all, std::size_t i) {
+                    const auto input = [&](std::string_view key, const char* unit, std::string_view about) {
+                        std::string name;
+                        table.text(key, name, about);
+                        return inputNamed(table, key, name, unit, map.inputs);
+                    };
+                    all[i].angle = input("angle", "rad", "Name of the input with its angle");
+                    all[i].torque = input("torque", "N m", "Name of the input with its torque");
+                });
+    if (joints.empty())
+        return;
+    if (joints.size() != core::kArmJoints)
+        refuse(keys, "joint", RegisterMapReader::tr("the number of joints is wrong: %1").arg(joints.size()),
+               RegisterMapReader::tr("%1, from the shoulder on").arg(core::kArmJoints));
+    else
+        std::ranges::copy(joints, map.joints.emplace().begin());
 }
 
-void readJoints(TomlTable& root, RegisterMap& map) {
-    std::vector<TomlTable> tables = root.tables("joint", 0);
-    if (tables.empty())
-        return;
-    if (tables.size() != core::kArmJoints) {
-        fail(root, "joint", RegisterMapReader::tr("the number of joints is wrong: %1").arg(tables.size()),
-             RegisterMapReader::tr("%1, from the shoulder on").arg(core::kArmJoints));
-        return;
-    }
-    auto& joints = map.joints.emplace();
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        joints[i].angle = inputNamed(tables[i], "angle", "rad", map.inputs);
-        joints[i].torque = inputNamed(tables[i], "torque", "N m", map.inputs);
-        tables[i].finish();
-    }
+void tellWatchdog(Keys& keys, RegisterMap& map) {
+    constexpr std::string_view kAbout = "Register that counts up with every cycle: the driver turns its "
+                                        "motors off when it stands still; not needed "
+                                        "with by_traffic";
+    const core::WholeRange range{0, kRegisters - 1};
+    keys.flag("by_traffic", map.watchedByTraffic, "The driver turns its motors off when nothing is written");
+    if (map.watchedByTraffic)
+        keys.whole("address", map.watchdogAddress, range, kAbout);
+    else
+        keys.whole("address", map.watchdogAddress.emplace(), range, kAbout);
+    const int address = map.watchdogAddress ? *map.watchdogAddress : -1;
+    if (map.tactors && address >= map.tactors->address &&
+        address < map.tactors->address + static_cast<int>(map.tactors->registers()))
+        refuse(keys, "address", RegisterMapReader::tr("the watchdog is a register of a motor"),
+               RegisterMapReader::tr("a register of its own"));
 }
 
-core::Expected<RegisterMap> readDocument(const TomlDocument& document) {
-    TomlTable root = document.root();
-    RegisterMap map;
-    (void)root.choice("kind", {"modbus"});
-    map.name = root.text("name");
-    map.inputRate_Hz =
-        root.number("input_rate_Hz", {.low = 0.0, .high = kFastestInputs_Hz, .lowOpen = true}, 50.0);
-    const TomlTable link = root.table("link");
-    const auto optionalTable = [&root](std::string_view key) -> std::optional<TomlTable> {
-        return root.has(key) ? std::optional(root.table(key)) : std::nullopt;
-    };
-    const auto tactors = optionalTable("tactors");
-    const auto watchdog = optionalTable("watchdog");
-    const auto status = optionalTable("status");
-    map.link = readLink(link, map);
-    readInputs(root, map);
-    readJoints(root, map);
-    if (root.has("supply"))
-        map.supply = inputNamed(root, "supply", "V", map.inputs);
-    if (root.has("temperature"))
-        map.temperature = inputNamed(root, "temperature", "degC", map.inputs);
-    root.finish();
-    if (tactors)
-        map.tactors = readTactors(*tactors);
-    if (status)
-        map.status = readStatus(*status);
-    if (watchdog) {
-        TomlTable table = *watchdog;
-        map.watchedByTraffic = table.boolean("by_traffic", false);
-        const int first = map.watchedByTraffic && !table.has("address") ? -1 : address(table);
-        table.finish();
-        if (first >= 0)
-            map.watchdogAddress = static_cast<std::uint16_t>(first);
-        const bool inTactors = map.tactors && first >= map.tactors->address &&
-                               first < map.tactors->address + static_cast<int>(map.tactors->registers());
-        if (inTactors)
-            fail(table, "address", RegisterMapReader::tr("the watchdog is a register of a motor"),
-                 RegisterMapReader::tr("a register of its own"));
-        if (!map.tactors)
-            fail(root, "watchdog", RegisterMapReader::tr("there is no motor to watch"),
-                 RegisterMapReader::tr("a table [tactors]"));
-    }
-    if (map.tactors && !watchdog)
-        fail(root, "tactors",
-             RegisterMapReader::tr(
-                 "nothing turns the motors off when the program is killed or the line is cut"),
-             RegisterMapReader::tr("[watchdog] with the address of the driver's watchdog register, or with "
-                                   "by_traffic = true where it turns them off when nothing is written"));
-    if (map.tactors && map.answerTimeout_s > kLongestMotorTimeout_s)
-        fail(root, "link",
-             RegisterMapReader::tr(
-                 "\"answer_timeout_s\" is too long for motors: STOP may have to wait for it"),
-             RegisterMapReader::tr("at most %1 s").arg(kLongestMotorTimeout_s));
-    if (!map.tactors && map.inputs.empty())
-        fail(root, "link", RegisterMapReader::tr("the file names no register"),
-             RegisterMapReader::tr("[tactors] or [[input]]"));
-    if (document.firstError())
-        return core::Unexpected(*document.firstError());
-    return map;
+void tellOneInput(Keys& keys, std::vector<InputRegister>& inputs, std::size_t i) {
+    InputRegister& input = inputs[i];
+    keys.text("name", input.name, "Name of the quantity");
+    tellInput(keys, input);
+    keys.text("unit", input.unit, "Its unit, `1` for none");
+    const auto before = inputs.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find_if(inputs.begin(), before,
+                     [&](const InputRegister& other) { return other.name == input.name; }) != before)
+        refuse(keys, "name",
+               RegisterMapReader::tr("the name \"%1\" is used twice").arg(QString::fromStdString(input.name)),
+               RegisterMapReader::tr("a name of its own for each input"));
+}
+
+void tellNamedInput(Keys& keys, std::string_view key, std::optional<std::size_t>& input,
+                    const std::string& unit, const std::vector<InputRegister>& inputs,
+                    std::string_view about) {
+    std::string name;
+    keys.text(key, name, about, Need::optional);
+    if (!name.empty())
+        input = inputNamed(keys, key, name, unit, inputs);
 }
 
 } // namespace
 
+void RegisterMap::tell(Keys& keys) {
+    keys.word("kind", "modbus", "A device with Modbus registers");
+    keys.text("name", name, "Name on the screen");
+    keys.number("input_rate_Hz", inputRate_Hz, NumberRange::positiveUpTo(kFastestInputs_Hz),
+                "How often the inputs are read", Need::optional);
+    keys.table("link", "How the device is reached", Need::required,
+               [this](Keys& table) { tellLink(table, *this); });
+    keys.table("tactors", tactors, "The six motors, in neighbouring registers",
+               [](Keys& table, TactorRegisters& known) { tellTactors(table, known); });
+    bool watched = false;
+    keys.table("watchdog", "What turns the motors off when the program is killed; required with [tactors]",
+               Need::optional, [&](Keys& table) {
+                   watched = true;
+                   tellWatchdog(table, *this);
+               });
+    keys.table("status", status, "Register with bits that tell what is wrong",
+               [](Keys& table, StatusRegister& known) { tellStatus(table, known); });
+    keys.tables("input", inputs, 0, "Quantities that are read", tellOneInput);
+    tellJoints(keys, *this);
+    tellNamedInput(keys, "supply", supply, "V", inputs, "Name of the input with the supply voltage");
+    tellNamedInput(keys, "temperature", temperature, "degC", inputs,
+                   "Name of the input with the temperature");
+    if (watched && !tactors)
+        refuse(keys, "watchdog", RegisterMapReader::tr("there is no motor to watch"),
+               RegisterMapReader::tr("a table [tactors]"));
+    if (tactors && !watched)
+        refuse(keys, "tactors",
+               RegisterMapReader::tr(
+                   "nothing turns the motors off when the program is killed or the line is cut"),
+               RegisterMapReader::tr("[watchdog] with the address of the driver's watchdog register, or with "
+                                     "by_traffic = true where it turns them off when nothing is written"));
+    if (tactors && answerTimeout_s > kLongestMotorTimeout_s)
+        refuse(keys, "link",
+               RegisterMapReader::tr(
+                   "\"answer_timeout_s\" is too long for motors: STOP may have to wait for it"),
+               RegisterMapReader::tr("at most %1 s").arg(kLongestMotorTimeout_s));
+    if (!tactors && inputs.empty())
+        refuse(keys, "link", RegisterMapReader::tr("the file names no register"),
+               RegisterMapReader::tr("[tactors] or [[input]]"));
+}
+
 core::Expected<RegisterMap> readRegisterMap(const std::string& path) {
     if (!path.starts_with(":/"))
-        return TomlDocument::open(path).and_then(readDocument);
+        return core::TomlDocument::open(path).and_then(core::readKeys<RegisterMap>);
     QFile file(QString::fromStdString(path));
     if (!file.open(QIODevice::ReadOnly))
         return core::Unexpected(
@@ -270,7 +268,7 @@ core::Expected<RegisterMap> readRegisterMap(const std::string& path) {
 }
 
 core::Expected<RegisterMap> parseRegisterMap(std::string_view text, const std::string& file) {
-    return TomlDocument::parse(text, file).and_then(readDocument);
+    return core::TomlDocument::parse(text, file).and_then(core::readKeys<RegisterMap>);
 }
 
 } // namespace teleta::modbus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/source_list.h"
 
-#include "backend/core/data/toml_table.h"
+#include "backend/core/data/toml_keys.h"
 #include "devices/camera/camera_feed.h"
 
 #include <QCoreApplication>
@@ -15,6 +15,11 @@ namespace teleta::console {
 
 namespace {
 
+using core::Keys;
+using core::Need;
+using core::NumberRange;
+
+/// Paths in a list are relative to its folder.
 std::string besideList(const std::string& listPath, const std::string& path) {
     if (path.empty() || path.starts_with(":/"))
         return path;
@@ -24,87 +29,141 @@ std::string besideList(const std::string& listPath, const std::string& path) {
         .toStdString();
 }
 
-SceneRequest readSceneSource(core::TomlTable& table, const std::string& listPath) {
-    SceneRequest request;
-    request.path = besideList(listPath, table.text("scene"));
-    request.seed =
-        static_cast<std::uint64_t>(table.integer("seed", 0, std::numeric_limits<long long>::max(), 1));
-    return request;
+/// Tells a path; one that is not given leaves it as it is.
+void tellPath(Keys& keys, std::string_view key, const std::string& listPath, std::string& path,
+              std::string_view about, Need need = Need::required) {
+    std::string given;
+    keys.text(key, given, about, need);
+    if (!given.empty())
+        path = besideList(listPath, given);
 }
 
-RecordingRequest readRecordingSource(core::TomlTable& table, const std::string& listPath) {
-    const std::string path = besideList(listPath, table.text("recording"));
-    RecordingRequest request;
+void refuse(Keys& keys, std::string_view key, const core::Error& error) {
+    keys.refuse(key, error.message, error.expected);
+}
+
+void tellScene(Keys& keys, const std::string& listPath, SceneRequest& request) {
+    tellPath(keys, "scene", listPath, request.path,
+             "Scene file, or `:/scenes/NAME.toml` for one that comes with the program");
+    keys.whole("seed", request.seed, {0}, "Seed of its random numbers", Need::optional);
+}
+
+void tellRecording(Keys& keys, const std::string& listPath, RecordingRequest& request) {
+    std::string path;
+    tellPath(keys, "recording", listPath, path, "CSV file of the frames of an array");
     if (auto guessed = guessRecording(path))
         request = std::move(*guessed);
     else
-        table.fail("recording", guessed.error().message, guessed.error().expected);
-    request.layout.rows =
-        static_cast<int>(table.integer("rows", 1, core::ArrayLayout::kMaximumSide, request.layout.rows));
-    request.layout.columns = static_cast<int>(
-        table.integer("columns", 1, core::ArrayLayout::kMaximumSide, request.layout.columns));
-    request.layout.pitch_m = table.number("pitch_m", core::NumberRange::positive(), request.layout.pitch_m);
-    if (table.has("tare"))
-        request.tarePath = besideList(listPath, table.text("tare"));
-    if (table.has("gains"))
-        request.gainsPath = besideList(listPath, table.text("gains"));
-    request.inverted = table.boolean("inverted", request.inverted);
-    request.gain = table.number("gain", core::NumberRange::positive(), request.gain);
-    request.threshold_N = table.number("threshold", core::NumberRange::positive(), request.threshold_N);
-    request.loadUnit = table.text("unit", request.loadUnit);
-    request.rate_Hz = table.number("rate_Hz", core::NumberRange::notNegative(), request.rate_Hz);
-    request.speed = table.number("speed", core::NumberRange::between(0.01, 100.0), request.speed);
-    request.loop = table.boolean("loop", request.loop);
-    return request;
+        refuse(keys, "recording", guessed.error());
+    const core::WholeRange side{1, core::ArrayLayout::kMaximumSide};
+    const NumberRange positive = NumberRange::positive();
+    keys.whole("rows", request.layout.rows, side, "Rows of taxels; otherwise guessed from the file",
+               Need::optional);
+    keys.whole("columns", request.layout.columns, side, "Taxels in a row; otherwise guessed from the file",
+               Need::optional);
+    keys.number("pitch_m", request.layout.pitch_m, positive,
+                "Distance between neighbouring taxels; otherwise that of the guessed array", Need::optional);
+    tellPath(keys, "tare", listPath, request.tarePath,
+             "Recording of the unloaded array; otherwise a file beside it whose name says empty",
+             Need::optional);
+    tellPath(keys, "gains", listPath, request.gainsPath, "Gains of the taxels", Need::optional);
+    keys.flag("inverted", request.inverted, "Readings fall under load");
+    keys.number("gain", request.gain, positive, "Load units in a count of the file", Need::optional);
+    keys.number("threshold", request.threshold_N, positive, "Load above which a taxel counts as touched",
+                Need::optional);
+    keys.text("unit", request.loadUnit, "Unit that is shown with every load", Need::optional);
+    keys.number("rate_Hz", request.rate_Hz, NumberRange::notNegative(),
+                "Frames a second; 0: at the times in the file", Need::optional);
+    keys.number("speed", request.speed, NumberRange::between(0.01, 100.0),
+                "How many times as fast it is played", Need::optional);
+    keys.flag("loop", request.loop, "It starts again at its end");
 }
 
 /// All sources of a recording of this program.
-void readPlaybacks(core::TomlTable& table, const std::string& listPath,
-                   std::vector<SourceRequest>& requests) {
-    auto playbacks = playbacksOf(besideList(listPath, table.text("recording")));
+void tellPlaybacks(Keys& keys, const std::string& listPath, std::vector<SourceRequest>& requests) {
+    std::string path;
+    tellPath(keys, "recording", listPath, path,
+             "Recording of this program (.teleta), with all of its sources");
+    auto playbacks = playbacksOf(path);
     if (!playbacks)
-        table.fail("recording", playbacks.error().message, playbacks.error().expected);
-    const bool loop = table.boolean("loop", false);
+        refuse(keys, "recording", playbacks.error());
+    bool loop = false;
+    keys.flag("loop", loop, "It starts again at its end");
     for (PlaybackRequest& playback : playbacks.value_or(std::vector<PlaybackRequest>())) {
         playback.loop = loop;
         requests.emplace_back(std::move(playback));
     }
 }
 
-WtsRequest readWtsSource(core::TomlTable& table, const std::string& listPath) {
-    WtsRequest request;
-    if (auto address = wts::parseWtsAddress(table.text("wts")))
+void tellWts(Keys& keys, const std::string& listPath, WtsRequest& request) {
+    std::string text;
+    keys.text("wts", text, "Weiss array: the path of its serial port, or `tcp://HOST:PORT`");
+    if (auto address = wts::parseWtsAddress(text))
         request.config.address = std::move(*address);
     else
-        table.fail("wts", address.error().message, address.error().expected);
+        refuse(keys, "wts", address.error());
     if (auto* serial = std::get_if<wts::SerialAddress>(&request.config.address)) {
         serial->path = besideList(listPath, serial->path);
-        serial->baud = static_cast<int>(table.integer("baud", 9600, 4'000'000, serial->baud));
+        keys.whole("baud", serial->baud, {9600, 4'000'000}, "Bits a second, of a serial port",
+                   Need::optional);
     }
-    request.config.delay_ms =
-        static_cast<std::uint16_t>(table.integer("delay_ms", 0, 65535, request.config.delay_ms));
-    request.config.runLength = table.boolean("run_length", request.config.runLength);
-    request.config.tare = table.boolean("tare", request.config.tare);
-    request.gain = table.number("gain", core::NumberRange::positive(), request.gain);
-    if (table.has("gains"))
-        request.gainsPath = besideList(listPath, table.text("gains"));
-    if (table.has("threshold"))
-        request.threshold = table.number("threshold", core::NumberRange::positive());
-    request.loadUnit = table.text("unit", request.loadUnit);
-    return request;
+    keys.whole("delay_ms", request.config.delay_ms, {0, 65535}, "Time between frames; 0: as fast as possible",
+               Need::optional);
+    keys.flag("run_length", request.config.runLength, "The array compresses its frames");
+    keys.flag("tare", request.config.tare, "The array tares itself at the start");
+    keys.number("gain", request.gain, NumberRange::positive(), "Load units in a count of the array",
+                Need::optional);
+    tellPath(keys, "gains", listPath, request.gainsPath, "Gains of the taxels", Need::optional);
+    keys.number("threshold", request.threshold, NumberRange::positive(),
+                "Load above which a taxel counts as touched; otherwise 1 % of full scale");
+    keys.text("unit", request.loadUnit, "Unit that is shown with every load", Need::optional);
 }
 
-CameraRequest readCameraSource(core::TomlTable& table, const std::string& listPath) {
-    CameraRequest request;
-    request.source = table.text("camera");
+void tellCamera(Keys& keys, const std::string& listPath, CameraRequest& request) {
+    keys.text("camera", request.source,
+              "Number of a camera, a video, or a pattern of numbered pictures, as `frames/%04d.png`");
     if (!camera::isCameraNumber(request.source))
         request.source = besideList(listPath, request.source);
-    request.modelPath = besideList(listPath, table.text("camera_model"));
-    request.loop = table.boolean("loop", request.loop);
-    return request;
+    tellPath(keys, "camera_model", listPath, request.modelPath, "Camera file of its calibration");
+    keys.flag("loop", request.loop, "A file starts again at its end");
+}
+
+template <typename Request>
+void add(Keys& keys, const std::string& listPath, std::vector<SourceRequest>& requests,
+         void (*tell)(Keys&, const std::string&, Request&)) {
+    Request request;
+    tell(keys, listPath, request);
+    requests.emplace_back(std::move(request));
+}
+
+SourceKind kindOf(core::TomlTable& table) {
+    if (table.has("scene"))
+        return SourceKind::scene;
+    if (table.has("wts"))
+        return SourceKind::wts;
+    if (table.has("camera"))
+        return SourceKind::camera;
+    return isRecordingName(QString::fromStdString(table.text("recording"))) ? SourceKind::playback
+                                                                            : SourceKind::recording;
 }
 
 } // namespace
+
+void tellSource(core::Keys& keys, SourceKind kind, const std::string& listPath,
+                std::vector<SourceRequest>& requests) {
+    switch (kind) {
+    case SourceKind::scene:
+        return add(keys, listPath, requests, tellScene);
+    case SourceKind::recording:
+        return add(keys, listPath, requests, tellRecording);
+    case SourceKind::playback:
+        return tellPlaybacks(keys, listPath, requests);
+    case SourceKind::wts:
+        return add(keys, listPath, requests, tellWts);
+    case SourceKind::camera:
+        return add(keys, listPath, requests, tellCamera);
+    }
+}
 
 bool isSourceList(const std::string& path) {
     const auto document = core::TomlDocument::open(path);
@@ -118,17 +177,9 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
     core::TomlTable root = document->root();
     std::vector<SourceRequest> requests;
     for (core::TomlTable& table : root.tables("source", 1)) {
-        if (table.has("scene"))
-            requests.emplace_back(readSceneSource(table, path));
-        else if (table.has("wts"))
-            requests.emplace_back(readWtsSource(table, path));
-        else if (table.has("camera"))
-            requests.emplace_back(readCameraSource(table, path));
-        else if (isRecordingName(QString::fromStdString(table.text("recording"))))
-            readPlaybacks(table, path, requests);
-        else
-            requests.emplace_back(readRecordingSource(table, path));
-        table.finish();
+        core::TomlKeys keys(table);
+        tellSource(keys, kindOf(table), path, requests);
+        keys.finish();
     }
     root.finish();
     if (document->firstError())

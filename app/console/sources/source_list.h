@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/base/source_request.h"
+#include "backend/core/data/keys.h"
 #include "backend/core/error.h"
 
 #include <string>
@@ -9,15 +10,21 @@
 
 namespace teleta::console {
 
+/// What a [[source]] of a list is.
+enum class SourceKind {
+    scene,     ///< a simulated scene
+    recording, ///< frames of an array as CSV; what is missing is guessed as in guessRecording
+    playback,  ///< a recording of this program, all sources of it
+    wts,       ///< a Weiss array
+    camera,    ///< a camera in a soft tube, or a video of one
+};
+
+/// Tells the keys of a source and adds what it opens. Relative paths start at the list's folder.
+void tellSource(core::Keys& keys, SourceKind kind, const std::string& listPath,
+                std::vector<SourceRequest>& requests);
+
 /// Reads a source list (TOML): one [[source]] a tactile array or a camera, in the order in which they open.
-///   recording = "FILE.csv" with rows, columns, pitch_m, tare, gains, inverted, gain, threshold, unit,
-///   rate_Hz, speed, loop, or recording = "FILE.teleta" with loop, which opens all sources of it (what is
-///   missing of CSV is guessed from the file as in guessRecording), or scene = "FILE.toml" with seed, or wts
-///   = "/dev/ttyUSB0" or "tcp://HOST:PORT" with baud (serial ports only), delay_ms, run_length, tare (by the
-///   sensor, when it starts), gains, gain, threshold, unit, or camera = "VIDEO" or "0" with camera_model =
-///   "CAMERA.json" and loop.
-/// Relative paths start at the list's folder. Errors carry file, line and column.
-/// Reads the header of each recording: not on the GUI's thread.
+/// Errors carry file, line and column. Reads the header of each recording: not on the GUI's thread.
 [[nodiscard]] core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path);
 
 /// Whether a TOML file means to be a source list, whatever is wrong with its sources: it has a key "source",

@@ -10,7 +10,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -34,30 +33,6 @@ QString oneOf(const Names& names) {
     return TomlReader::tr("one of: %1").arg(list.join(QStringLiteral(", ")));
 }
 
-QString describe(const NumberRange& range) {
-    const bool low = std::isfinite(range.low);
-    const bool high = std::isfinite(range.high);
-    const QString lowText = QString::number(range.low, 'g', 12);
-    const QString highText = QString::number(range.high, 'g', 12);
-    if (low && high)
-        return (range.lowOpen ? TomlReader::tr("a number above %1, at most %2")
-                              : TomlReader::tr("a number from %1 to %2"))
-            .arg(lowText, highText);
-    if (low)
-        return (range.lowOpen ? TomlReader::tr("a number above %1")
-                              : TomlReader::tr("a number of at least %1"))
-            .arg(lowText);
-    if (high)
-        return TomlReader::tr("a number of at most %1").arg(highText);
-    return range.allowNonFinite ? TomlReader::tr("a number or nan") : TomlReader::tr("a finite number");
-}
-
-bool accepts(const NumberRange& range, double value) {
-    if (!std::isfinite(value))
-        return range.allowNonFinite;
-    return value <= range.high && (range.lowOpen ? value > range.low : value >= range.low);
-}
-
 } // namespace
 
 struct TomlDocument::Data {
@@ -71,8 +46,8 @@ struct TomlDocument::Data {
 
     void report(SourcePlace where, const QString& message, const QString& expected) {
         if (!error)
-            error = Error{ErrorKind::badInput, message.toStdString(), expected.toStdString(),
-                                std::move(where)};
+            error =
+                Error{ErrorKind::badInput, message.toStdString(), expected.toStdString(), std::move(where)};
     }
 };
 
@@ -125,17 +100,17 @@ struct TomlTable::Data {
 
     double number(std::string_view key, const toml::node& node, const NumberRange& range) {
         if (!node.is_number()) {
-            wrongType(key, node, describe(range));
+            wrongType(key, node, QString::fromStdString(range.text()));
             return 0.0;
         }
         const double value = node.value<double>().value_or(0.0);
-        if (!accepts(range, value))
-            outOfRange(key, node, QString::number(value, 'g', 12), describe(range));
+        if (!range.accepts(value))
+            outOfRange(key, node, QString::number(value, 'g', 12), QString::fromStdString(range.text()));
         return value;
     }
 
     long long integer(std::string_view key, const toml::node& node, long long low, long long high) {
-        const QString expected = TomlReader::tr("a whole number from %1 to %2").arg(low).arg(high);
+        const QString expected = QString::fromStdString(WholeRange{low, high}.text());
         const auto value = node.value_exact<std::int64_t>();
         if (!value) {
             wrongType(key, node, expected);
@@ -153,7 +128,8 @@ struct TomlTable::Data {
         const QString meant = asQString(match.name);
         switch (match.kind) {
         case KeyMatch::Kind::unitMissing:
-            document->report(where, TomlReader::tr("\"%1\" has no unit in its name").arg(asQString(key)), meant);
+            document->report(where, TomlReader::tr("\"%1\" has no unit in its name").arg(asQString(key)),
+                             meant);
             return;
         case KeyMatch::Kind::otherUnit:
             document->report(where, TomlReader::tr("\"%1\" has another unit in its name").arg(asQString(key)),
@@ -161,7 +137,8 @@ struct TomlTable::Data {
             return;
         case KeyMatch::Kind::similar:
             document->report(
-                where, TomlReader::tr("unknown key \"%1\"; perhaps \"%2\" is meant").arg(asQString(key), meant),
+                where,
+                TomlReader::tr("unknown key \"%1\"; perhaps \"%2\" is meant").arg(asQString(key), meant),
                 oneOf(asked));
             return;
         case KeyMatch::Kind::none:
@@ -175,16 +152,16 @@ Expected<TomlDocument> TomlDocument::open(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
     if (!stream)
         return Unexpected(Error{ErrorKind::notFound,
-                                            TomlReader::tr("the file cannot be opened").toStdString(),
-                                            TomlReader::tr("a TOML file that can be read").toStdString(),
-                                            {path}});
+                                TomlReader::tr("the file cannot be opened").toStdString(),
+                                TomlReader::tr("a TOML file that can be read").toStdString(),
+                                {path}});
     std::ostringstream text;
     // An empty file sets failbit on the output, which is no read error.
     if (stream.peek() != std::ifstream::traits_type::eof())
         text << stream.rdbuf();
     if (stream.bad() || text.bad() || text.fail())
-        return Unexpected(Error{
-            ErrorKind::ioFailed, TomlReader::tr("the file cannot be read").toStdString(), {}, {path}});
+        return Unexpected(
+            Error{ErrorKind::ioFailed, TomlReader::tr("the file cannot be read").toStdString(), {}, {path}});
     return parse(text.str(), path);
 }
 
@@ -196,9 +173,9 @@ Expected<TomlDocument> TomlDocument::parse(std::string_view text, const std::str
     } catch (const toml::parse_error& error) {
         return Unexpected(
             Error{ErrorKind::badInput,
-                        TomlReader::tr("not valid TOML: %1").arg(asQString(error.description())).toStdString(),
-                        {},
-                        data->placeOf(error.source())});
+                  TomlReader::tr("not valid TOML: %1").arg(asQString(error.description())).toStdString(),
+                  {},
+                  data->placeOf(error.source())});
     }
     return TomlDocument(std::move(data));
 }
@@ -274,9 +251,10 @@ std::size_t TomlTable::choice(std::string_view key, const std::vector<std::strin
     const std::string_view similar = nearestName(*value, names);
     m_data->document->report(
         m_data->document->placeOf(node->source()),
-        similar.empty() ? TomlReader::tr("unknown value \"%1\" of \"%2\"").arg(asQString(*value), asQString(key))
-                        : TomlReader::tr("unknown value \"%1\" of \"%2\"; perhaps \"%3\" is meant")
-                              .arg(asQString(*value), asQString(key), asQString(similar)),
+        similar.empty()
+            ? TomlReader::tr("unknown value \"%1\" of \"%2\"").arg(asQString(*value), asQString(key))
+            : TomlReader::tr("unknown value \"%1\" of \"%2\"; perhaps \"%3\" is meant")
+                  .arg(asQString(*value), asQString(key), asQString(similar)),
         oneOf(names));
     return 0;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/data/keys.h"
 #include "backend/core/error.h"
 
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,20 +13,6 @@
 #include <vector>
 
 namespace teleta::core {
-
-/// Which numbers a key accepts.
-struct NumberRange {
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
-    bool lowOpen = false; ///< low itself is not accepted
-    bool allowNonFinite = false;
-
-    [[nodiscard]] static NumberRange any() { return {}; }
-    [[nodiscard]] static NumberRange anyOrNan() { return {.allowNonFinite = true}; }
-    [[nodiscard]] static NumberRange positive() { return {.low = 0.0, .lowOpen = true}; }
-    [[nodiscard]] static NumberRange notNegative() { return {.low = 0.0}; }
-    [[nodiscard]] static NumberRange between(double low, double high) { return {.low = low, .high = high}; }
-};
 
 class TomlTable;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/cost/ladders/camera_lottery.h"
 #include "backend/cost/ladders/exact_camera.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/ladders/random_camera.h"
 #include "backend/vision/calibration/camera_calibration.h"
 #include "backend/vision/camera/nominal_camera.h"
 
@@ -29,7 +29,7 @@ CalibrationCase calibrationCase(std::size_t number) {
     constexpr int kAlong = 10;
     constexpr double kNoise_px = 0.5;
     constexpr double kWrong = 0.1;
-    CalibrationCase made{drawCamera(random), {}};
+    CalibrationCase made{randomCamera(random), {}};
     for (int i = 0; i < kAround; ++i)
         for (int j = 0; j < kAlong; ++j) {
             const Eigen::Vector3d p_m =

@@ -51,8 +51,7 @@ scene::Scene tubeScene() {
 core::Expected<std::shared_ptr<TubeFrames>> renderFrames(std::size_t contacts) {
     core::Expected<std::unique_ptr<simulation::SimulatedTube>> tube =
         simulation::SimulatedTube::make(tubeScene(), 1);
-    if (!tube)
-        return core::Unexpected(tube.error());
+    TELETA_CHECK(tube);
     auto frames = std::make_shared<TubeFrames>();
     frames->tube = std::move(*tube);
     frames->tube->untouched(frames->reference);
@@ -99,28 +98,24 @@ Ladder contactFlowLadder() {
     ladder.errorUnit = std::string("m");
     ladder.trials = kFewestTrials;
     ladder.makeRungs = []() -> core::Expected<std::vector<Rung>> {
-        const auto frames = renderFrames(kFewestTrials);
-        if (!frames)
-            return core::Unexpected(frames.error());
+        TELETA_TRY(const auto frames, renderFrames(kFewestTrials));
         std::vector<Rung> rungs;
         for (const vision::ContactRung& rung : vision::contactLadder()) {
             core::Expected<std::unique_ptr<vision::ContactFinder>> made =
-                vision::makeContactFinder(rung, (*frames)->tube->camera());
-            if (!made)
-                return core::Unexpected(made.error());
+                vision::makeContactFinder(rung, frames->tube->camera());
+            TELETA_CHECK(made);
             const std::shared_ptr<vision::ContactFinder> finder = std::move(*made);
-            if (const auto set = finder->setReference((*frames)->reference); !set)
-                return core::Unexpected(set.error());
+            TELETA_CHECK(finder->setReference(frames->reference));
             rungs.push_back(
                 {std::string(rung.name), flowParameter(rung), [=, warm = rung.warmStart](Trial& trial) {
-                     TouchedFrame& frame = (*frames)->touched[trial.index() % (*frames)->touched.size()];
+                     TouchedFrame& frame = frames->touched[trial.index() % frames->touched.size()];
                      finder->forget();
                      // Only a warm start knows the frame before.
                      if (warm) {
                          if (frame.half.empty()) {
                              simulation::SkinPress before = frame.press;
                              before.depth_m *= 0.5;
-                             (*frames)->tube->pressed({before}, frame.half);
+                             frames->tube->pressed({before}, frame.half);
                          }
                          static_cast<void>(finder->find(frame.half));
                      }

@@ -33,12 +33,9 @@ using SceneFrames = std::vector<std::vector<float>>;
 
 core::Expected<Rung> effectRung(const std::string& name, const std::string& parameter,
                                 const scene::Scene& scene, const std::shared_ptr<const SceneFrames>& truth) {
-    core::Expected<std::unique_ptr<simulation::SimulatedArray>> made =
-        simulation::SimulatedArray::make(scene, kSceneSeed);
-    if (!made)
-        return core::Unexpected(made.error());
+    TELETA_TRY(auto made, simulation::SimulatedArray::make(scene, kSceneSeed));
     // A restart lets noise go on, so a run from the start needs an array of its own.
-    auto array = std::make_shared<std::unique_ptr<simulation::SimulatedArray>>(std::move(*made));
+    auto array = std::make_shared<std::unique_ptr<simulation::SimulatedArray>>(std::move(made));
     Rung rung{name, parameter, {}};
     rung.run = [=](Trial& trial) {
         const std::size_t part = trial.index() % kParts;
@@ -76,39 +73,29 @@ Ladder sceneEffectsLadder() {
     ladder.errorUnit = std::string("N");
     ladder.trials = kParts;
     ladder.makeRungs = []() -> core::Expected<std::vector<Rung>> {
-        const core::Expected<scene::Scene> scene = indenterScene();
-        if (!scene)
-            return core::Unexpected(scene.error());
-        core::Expected<std::unique_ptr<simulation::SimulatedArray>> all =
-            simulation::SimulatedArray::make(*scene, kSceneSeed);
-        if (!all)
-            return core::Unexpected(all.error());
+        TELETA_TRY(const scene::Scene scene, indenterScene());
+        TELETA_TRY(auto all, simulation::SimulatedArray::make(scene, kSceneSeed));
         auto truth = std::make_shared<SceneFrames>(kParts * kFramesPerPart,
-                                                   std::vector<float>(scene->taxels().taxels()));
+                                                   std::vector<float>(scene.taxels().taxels()));
         for (std::vector<float>& frame : *truth)
-            (*all)->next(frame, false);
+            all->next(frame, false);
         std::vector<Rung> rungs;
         const auto add = [&](const std::string& name, const std::string& parameter,
                              const scene::Scene& variant) -> core::Expected<void> {
-            core::Expected<Rung> rung = effectRung(name, parameter, variant, truth);
-            if (!rung)
-                return core::Unexpected(rung.error());
-            rungs.push_back(std::move(*rung));
+            TELETA_TRY(Rung rung, effectRung(name, parameter, variant, truth));
+            rungs.push_back(std::move(rung));
             return {};
         };
-        if (const auto added = add("all", "all effects", *scene); !added)
-            return core::Unexpected(added.error());
-        for (std::size_t i = 0; i < scene->effects.size(); ++i) {
-            scene::Scene variant = *scene;
+        TELETA_CHECK(add("all", "all effects", scene));
+        for (std::size_t i = 0; i < scene.effects.size(); ++i) {
+            scene::Scene variant = scene;
             variant.effects.erase(variant.effects.begin() + static_cast<std::ptrdiff_t>(i));
-            const std::string name(scene::nameOf(scene->effects[i]));
-            if (const auto added = add("without-" + name, "no " + name, variant); !added)
-                return core::Unexpected(added.error());
+            const std::string name(scene::nameOf(scene.effects[i]));
+            TELETA_CHECK(add("without-" + name, "no " + name, variant));
         }
-        scene::Scene bare = *scene;
+        scene::Scene bare = scene;
         bare.effects.clear();
-        if (const auto added = add("none", "no effects", bare); !added)
-            return core::Unexpected(added.error());
+        TELETA_CHECK(add("none", "no effects", bare));
         return rungs;
     };
     return ladder;

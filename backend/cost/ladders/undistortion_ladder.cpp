@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/cost/ladders/camera_lottery.h"
 #include "backend/cost/ladders/exact_camera.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/ladders/random_camera.h"
 #include "backend/vision/camera/undistortion.h"
 
 #include <Eigen/Geometry>
@@ -73,7 +73,7 @@ Ladder undistortionLadder() {
     ladder.trials = 64;
     ladder.makeRungs = []() -> core::Expected<std::vector<Rung>> {
         simulation::RandomStream random(1, "undistortion ladder");
-        const vision::CameraParameters parameters = drawCamera(random);
+        const vision::CameraParameters parameters = randomCamera(random);
         auto made = std::make_shared<UndistortionInput>(
             UndistortionInput{vision::CameraModel::create(parameters).value(), {}});
         while (made->points.size() < kSeenPoints) {

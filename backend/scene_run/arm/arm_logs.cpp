@@ -13,20 +13,14 @@ core::Expected<ArmLogs> ArmLogs::open(const RunOptions& options, const scene::Sc
         "time_s", "q1", "q2", "q3", "q4", "tau1", "tau2", "tau3", "tau4", "ref1", "ref2", "ref3", "ref4"};
     ArmLogs logs;
     if (!options.outFolder.empty()) {
-        auto joints = core::CsvWriter::create(options.outFolder + "/joints.csv", kColumns);
-        if (!joints)
-            return core::Unexpected(joints.error());
-        logs.m_joints = std::move(*joints);
+        TELETA_TRY(auto joints, core::CsvWriter::create(options.outFolder + "/joints.csv", kColumns));
+        logs.m_joints = std::move(joints);
     }
     const core::SourceDescription skin = arm.skinDescription();
-    auto frames = FrameLog::open(options.outFolder, skin.layout.taxels());
-    if (!frames)
-        return core::Unexpected(frames.error());
-    logs.m_skin = std::move(*frames);
-    auto recording = SceneRecording::open(options, scene);
-    if (!recording)
-        return core::Unexpected(recording.error());
-    logs.m_recording = std::move(*recording);
+    TELETA_TRY(auto frames, FrameLog::open(options.outFolder, skin.layout.taxels()));
+    logs.m_skin = std::move(frames);
+    TELETA_TRY(auto recording, SceneRecording::open(options, scene));
+    logs.m_recording = std::move(recording);
     logs.m_recording.beginArray(skin, scene);
     logs.m_recording.beginArm(arm.description());
     return logs;

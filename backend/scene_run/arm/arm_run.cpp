@@ -7,7 +7,6 @@
 #include "backend/scene_run/arm/arm_logs.h"
 #include "backend/scene_run/arm/touch_log.h"
 #include "backend/simulation/arm/simulated_arm.h"
-#include "backend/simulation/base/effect_time.h"
 
 #include <array>
 #include <cmath>
@@ -59,28 +58,22 @@ void reportContour(const pipeline::ExploredContour& contour, const simulation::S
 
 core::Expected<void> writePoints(const std::string& path, const std::vector<contour::Point>& points_m) {
     constexpr std::array<std::string_view, 2> kColumns{"x_m", "y_m"};
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kColumns));
     for (const contour::Point& point : points_m) {
-        csv->number(point.x());
-        csv->number(point.y());
-        csv->endRow();
+        csv.number(point.x());
+        csv.number(point.y());
+        csv.endRow();
     }
-    return csv->finish();
+    return csv.finish();
 }
 
 } // namespace
 
 core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOptions& options) {
-    auto made = simulation::SimulatedArm::make(scene, options.seed);
-    if (!made)
-        return core::Unexpected(made.error());
-    simulation::SimulatedArm& arm = **made;
+    TELETA_TRY(auto made, simulation::SimulatedArm::make(scene, options.seed));
+    simulation::SimulatedArm& arm = *made;
     const core::ArmDescription description = arm.description();
-    core::Expected<ArmLogs> logs = ArmLogs::open(options, scene, arm);
-    if (!logs)
-        return core::Unexpected(logs.error());
+    TELETA_TRY(ArmLogs logs, ArmLogs::open(options, scene, arm));
 
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto samples = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
@@ -92,7 +85,7 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
     const auto take = [&](const std::optional<pipeline::TouchRecord>& record) {
         if (!record)
             return;
-        logs->addTouch(*record);
+        logs.addTouch(*record);
         touches.push_back(compared(*record, arm));
         summary.events.push_back(touchEvent(touches.back()));
         if (record->located)
@@ -101,39 +94,34 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
 
     core::JointSample sample;
     std::vector<float> values(arm.skinDescription().layout.taxels());
-    for (std::uint64_t i = 0; i < samples && !logs->failed(); ++i) {
-        if (i % kSamplesBetweenReports == 0 && options.goOn && !options.goOn(arm.time_s(), duration_s)) {
-            summary.interrupted = true;
+    for (std::uint64_t i = 0; i < samples && !logs.failed(); ++i) {
+        summary.interrupted = options.endsAt(i, kSamplesBetweenReports, arm.time_s(), duration_s);
+        if (summary.interrupted)
             break;
-        }
         arm.next({.drive = core::ArmDrive::program}, sample);
         sample.time_ns = std::llround(sample.sourceTime_s * 1e9);
-        logs->add(sample);
+        logs.add(sample);
         take(estimator.update(sample));
         if (!arm.skinFrame(values))
             continue;
-        logs->addFrame(sample.sourceTime_s, values);
+        logs.addFrame(sample.sourceTime_s, values);
         take(estimator.update(reader.read(values, sample)));
     }
-    if (const auto written = logs->finish(); !written)
-        return core::Unexpected(written.error());
+    TELETA_CHECK(logs.finish());
     if (!options.outFolder.empty()) {
         for (const core::Expected<void>& written :
              {writeTouches(options.outFolder + "/touches.csv", touches),
               writePoints(options.outFolder + "/contour.csv", explorer.contour().points_m)})
-            if (!written)
-                return core::Unexpected(written.error());
+            TELETA_CHECK(written);
     }
 
-    summary.simulated_s = arm.time_s();
-    for (const simulation::EffectTime& effect : arm.effectTimes())
-        summary.effects.push_back({std::string(effect.name), effect.time_s});
+    summary.takeTimes(arm);
     if (std::holds_alternative<scene::TouchProgram>(scene.arm().program))
         reportStiffness(touches, summary.measures);
     if (std::holds_alternative<scene::ContourProgram>(scene.arm().program))
         reportContour(explorer.contour(), arm, summary.measures);
     reportContacts(touches, summary.measures);
-    summary.measures["frames"] = logs->frames();
+    summary.measures["frames"] = logs.frames();
     summary.measures["frames_lost"] = 0;
     return summary;
 }

@@ -168,86 +168,73 @@ core::Expected<void> OperatorSide::writeObjects(const std::string& path) const {
         "y_m",       "force_n", "stiffness_n_per_m", "stiffness_lower_95", "stiffness_upper_95",
         "material",  "shape",   "confidence",        "true_object",        "true_stiffness_n_per_m",
         "true_shape"};
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kColumns));
     for (const pipeline::FoundObject& object : m_found.objects()) {
         const simulation::ArmObjectTruth* known = truthOf(object);
         const stiffness::Stiffness stiffness = object.stiffness.value_or(stiffness::Stiffness{});
-        csv->integer(static_cast<long long>(object.number));
-        csv->number(object.first_s);
-        csv->integer(static_cast<long long>(object.touches));
-        csv->text(contact::toString(object.contact));
-        csv->number(object.p_Base_Centre_m.x());
-        csv->number(object.p_Base_Centre_m.y());
-        csv->number(object.highestForce_N);
-        csv->number(stiffness.value_NPerM);
-        csv->number(stiffness.lower95_NPerM);
-        csv->number(stiffness.upper95_NPerM);
-        csv->text(object.material ? stiffness::toString(*object.material) : "NA");
-        csv->text(object.recognition ? contour::toString(object.recognition->shape) : "NA");
-        csv->number(object.recognition ? std::optional(object.recognition->confidence) : std::nullopt);
-        csv->text(known != nullptr ? known->name : "NA");
-        csv->number(known != nullptr ? std::optional(known->stiffness_NPerM) : std::nullopt);
-        csv->text(known != nullptr ? trueShape(known->shape) : "NA");
-        csv->endRow();
+        csv.integer(static_cast<long long>(object.number));
+        csv.number(object.first_s);
+        csv.integer(static_cast<long long>(object.touches));
+        csv.text(contact::toString(object.contact));
+        csv.number(object.p_Base_Centre_m.x());
+        csv.number(object.p_Base_Centre_m.y());
+        csv.number(object.highestForce_N);
+        csv.number(stiffness.value_NPerM);
+        csv.number(stiffness.lower95_NPerM);
+        csv.number(stiffness.upper95_NPerM);
+        csv.text(object.material ? stiffness::toString(*object.material) : "NA");
+        csv.text(object.recognition ? contour::toString(object.recognition->shape) : "NA");
+        csv.number(object.recognition ? std::optional(object.recognition->confidence) : std::nullopt);
+        csv.text(known != nullptr ? known->name : "NA");
+        csv.number(known != nullptr ? std::optional(known->stiffness_NPerM) : std::nullopt);
+        csv.text(known != nullptr ? trueShape(known->shape) : "NA");
+        csv.endRow();
     }
-    return csv->finish();
+    return csv.finish();
 }
 
 } // namespace
 
 core::Expected<SceneSummary> runTeleoperation(const scene::Scene& scene, const RunOptions& options) {
-    auto made = simulation::TeleoperatedArm::make(scene, options.seed);
-    if (!made)
-        return core::Unexpected(made.error());
-    simulation::TeleoperatedArm& arm = **made;
+    TELETA_TRY(auto made, simulation::TeleoperatedArm::make(scene, options.seed));
+    simulation::TeleoperatedArm& arm = *made;
     const core::ArmDescription description = arm.description();
-    core::Expected<ArmLogs> logs = ArmLogs::open(options, scene, arm);
-    if (!logs)
-        return core::Unexpected(logs.error());
-    core::Expected<SimulatedPlayer> player = SimulatedPlayer::open(options.outFolder);
-    if (!player)
-        return core::Unexpected(player.error());
+    TELETA_TRY(ArmLogs logs, ArmLogs::open(options, scene, arm));
+    TELETA_TRY(SimulatedPlayer player, SimulatedPlayer::open(options.outFolder));
 
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto samples = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
     SceneSummary summary;
-    OperatorSide side(scene, arm, *player, *logs, summary);
+    OperatorSide side(scene, arm, player, logs, summary);
     core::JointSample atArm;
     core::ArmArrival arrival;
-    for (std::uint64_t i = 0; i < samples && !logs->failed(); ++i) {
-        if (i % kSamplesBetweenReports == 0 && options.goOn && !options.goOn(arm.time_s(), duration_s)) {
-            summary.interrupted = true;
+    for (std::uint64_t i = 0; i < samples && !logs.failed(); ++i) {
+        summary.interrupted = options.endsAt(i, kSamplesBetweenReports, arm.time_s(), duration_s);
+        if (summary.interrupted)
             break;
-        }
         arm.next({.drive = core::ArmDrive::program}, atArm);
         while (arm.takeArrival(arrival)) {
             core::JointSample& sample = arrival.sample;
             sample.time_ns = std::llround(sample.sourceTime_s * 1e9);
-            logs->add(sample);
+            logs.add(sample);
             if (arrival.hasFrame)
-                logs->addFrame(sample.sourceTime_s, arrival.frame);
+                logs.addFrame(sample.sourceTime_s, arrival.frame);
             side.take(arrival, arm.time_s());
         }
         side.playUntil(arm.time_s());
     }
-    for (const core::Expected<void>& written : {logs->finish(), player->finish()})
-        if (!written)
-            return core::Unexpected(written.error());
+    for (const core::Expected<void>& written : {logs.finish(), player.finish()})
+        TELETA_CHECK(written);
     if (!options.outFolder.empty()) {
         for (const core::Expected<void>& written :
              {writeTouches(options.outFolder + "/touches.csv", side.touches()),
               side.writeObjects(options.outFolder + "/objects.csv")})
-            if (!written)
-                return core::Unexpected(written.error());
+            TELETA_CHECK(written);
     }
 
-    summary.simulated_s = arm.time_s();
-    for (const simulation::EffectTime& effect : arm.effectTimes())
-        summary.effects.push_back({std::string(effect.name), effect.time_s});
+    summary.takeTimes(arm);
     side.report();
-    summary.measures["frames"] = logs->frames();
+    summary.measures["frames"] = logs.frames();
     summary.measures["frames_lost"] = arm.linkCounters().framesLost;
     return summary;
 }

@@ -77,27 +77,25 @@ const std::vector<std::string>& touchColumns() {
 
 core::Expected<void> writeTouches(const std::string& path, const std::vector<ComparedTouch>& touches) {
     const std::vector<std::string_view> columns(touchColumns().begin(), touchColumns().end());
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, columns);
-    if (!csv)
-        return core::Unexpected(csv.error());
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, columns));
     for (const ComparedTouch& touch : touches) {
         const pipeline::TouchRecord& record = touch.record;
-        csv->integer(static_cast<long long>(record.number));
-        csv->number(record.start_s);
-        csv->number(record.ready_s);
-        csv->number(record.located ? record.contactDistance_m : kUnknown);
-        csv->number(record.located ? record.side_rad : kUnknown);
+        csv.integer(static_cast<long long>(record.number));
+        csv.number(record.start_s);
+        csv.number(record.ready_s);
+        csv.number(record.located ? record.contactDistance_m : kUnknown);
+        csv.number(record.located ? record.side_rad : kUnknown);
         for (const double coordinate : record.p_Base_Contact_m)
-            csv->number(record.located ? coordinate : kUnknown);
-        writeForce(*csv, record.force);
-        writeStiffness(*csv, record.stiffness);
-        csv->text(touch.object.empty() ? "NA" : touch.object);
-        csv->number(touch.object.empty() ? kUnknown : touch.trueStiffness_NPerM);
+            csv.number(record.located ? coordinate : kUnknown);
+        writeForce(csv, record.force);
+        writeStiffness(csv, record.stiffness);
+        csv.text(touch.object.empty() ? "NA" : touch.object);
+        csv.number(touch.object.empty() ? kUnknown : touch.trueStiffness_NPerM);
         for (const double coordinate : touch.p_Base_Truth_m)
-            csv->number(touch.object.empty() ? kUnknown : coordinate);
-        csv->endRow();
+            csv.number(touch.object.empty() ? kUnknown : coordinate);
+        csv.endRow();
     }
-    return csv->finish();
+    return csv.finish();
 }
 
 nlohmann::ordered_json touchEvent(const ComparedTouch& touch) {

@@ -34,7 +34,7 @@ std::optional<double> gainError(const scene::Scene& scene, const scene::GainSpre
     if (!gains)
         return std::nullopt;
     const std::vector<double> factors =
-        simulation::gainFactors(spec, layout.taxels(), simulation::RandomStream(seed, "gain_spread"));
+        simulation::gainFactors(spec, layout.taxels(), simulation::RandomStream(seed, spec.kRow.name));
     // Nobody knows the load: the gains are right when all products are the same.
     double sum = 0.0;
     double squares = 0.0;
@@ -51,18 +51,12 @@ std::optional<double> gainError(const scene::Scene& scene, const scene::GainSpre
 } // namespace
 
 core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunOptions& options) {
-    auto array = simulation::SimulatedArray::make(scene, options.seed);
-    if (!array)
-        return core::Unexpected(array.error());
-    const core::SourceDescription description = (*array)->description();
+    TELETA_TRY(auto array, simulation::SimulatedArray::make(scene, options.seed));
+    const core::SourceDescription description = array->description();
     const core::ArrayLayout& layout = description.layout;
-    core::Expected<FrameLog> log = FrameLog::open(options.outFolder, layout.taxels());
-    if (!log)
-        return core::Unexpected(log.error());
-    core::Expected<SceneRecording> recording = SceneRecording::open(options, scene);
-    if (!recording)
-        return core::Unexpected(recording.error());
-    recording->beginArray(description, scene);
+    TELETA_TRY(FrameLog log, FrameLog::open(options.outFolder, layout.taxels()));
+    TELETA_TRY(SceneRecording recording, SceneRecording::open(options, scene));
+    recording.beginArray(description, scene);
 
     const double duration_s = options.duration_s.value_or(scene.duration_s);
     const auto frames = static_cast<std::uint64_t>(std::llround(duration_s * description.nominalRate_Hz));
@@ -80,43 +74,37 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
     const auto* spread = scene.listed<scene::GainSpreadSpec>();
     std::vector<float> press;
     std::uint64_t frame = 0;
-    for (; frame < frames && !log->failed(); ++frame) {
-        if (frame % kFramesBetweenReports == 0 && options.goOn &&
-            !options.goOn((*array)->time_s(), duration_s)) {
-            summary.interrupted = true;
+    for (; frame < frames && !log.failed(); ++frame) {
+        summary.interrupted = options.endsAt(frame, kFramesBetweenReports, array->time_s(), duration_s);
+        if (summary.interrupted)
             break;
-        }
-        (*array)->next(values, false);
-        log->add((*array)->time_s(), values);
-        recording->addFrame((*array)->time_s(), values);
+        array->next(values, false);
+        log.add(array->time_s(), values);
+        recording.addFrame(array->time_s(), values);
         if (spread != nullptr && frame < kMostGainFrames)
             press.insert(press.end(), values.begin(), values.end());
         conditioner.apply(values, load_N, dead);
         const auto found = segmenter.segment(load_N, dead);
         if (!found.empty() && !firstContact_s)
-            firstContact_s = (*array)->time_s();
+            firstContact_s = array->time_s();
 
-        const auto& truths = (*array)->truth().indenters;
+        const auto& truths = array->truth().indenters;
         for (std::size_t i = 0; i < truths.size(); ++i) {
             const simulation::IndenterTruth& truth = truths[i];
             const bool presses = truth.load.force_N >= settings.threshold_N && truth.load.copX_m;
             if (presses)
                 errors.add(*truth.load.copX_m, *truth.load.copY_m, found);
             if (presses != pressing[i])
-                summary.events.push_back({{"time_s", (*array)->time_s()},
+                summary.events.push_back({{"time_s", array->time_s()},
                                           {"event", presses ? "contact_begins" : "contact_ends"},
                                           {"object", truth.name}});
             pressing[i] = presses;
         }
     }
-    for (const core::Expected<void>& written : {log->finish(), recording->finish()}) {
-        if (!written)
-            return core::Unexpected(written.error());
-    }
+    for (const core::Expected<void>& written : {log.finish(), recording.finish()})
+        TELETA_CHECK(written);
 
-    summary.simulated_s = (*array)->time_s();
-    for (const simulation::EffectTime& effect : (*array)->effectTimes())
-        summary.effects.push_back({std::string(effect.name), effect.time_s});
+    summary.takeTimes(*array);
     errors.report(summary.measures);
     if (spread != nullptr)
         summary.measures["taxel_gain_error_rms"] = orNull(gainError(scene, *spread, options.seed, press));

@@ -16,10 +16,8 @@ core::Expected<FrameLog> FrameLog::open(const std::string& outFolder, std::size_
     for (std::size_t taxel = 0; taxel < taxels; ++taxel)
         names.emplace_back("t").append(core::NumberText(taxel).view());
     const std::vector<std::string_view> columns(names.begin(), names.end());
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(outFolder + "/frames.csv", columns);
-    if (!csv)
-        return core::Unexpected(csv.error());
-    log.m_csv = std::move(*csv);
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(outFolder + "/frames.csv", columns));
+    log.m_csv = std::move(csv);
     return log;
 }
 

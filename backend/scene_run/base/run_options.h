@@ -17,6 +17,12 @@ struct RunOptions {
     std::string sceneText;            ///< the scene file, kept in the recording
     /// Called now and then with the simulated time; false ends the run early and completes its files.
     std::function<bool(double simulated_s, double duration_s)> goOn;
+
+    /// Whether the run is to end early; asks goOn every so many steps.
+    [[nodiscard]] bool endsAt(std::uint64_t step, std::uint64_t every, double simulated_s,
+                              double duration_s) const {
+        return step % every == 0 && goOn && !goOn(simulated_s, duration_s);
+    }
 };
 
 } // namespace teleta::scene_run

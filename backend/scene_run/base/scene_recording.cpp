@@ -81,8 +81,7 @@ core::Expected<SceneRecording> SceneRecording::open(const RunOptions& options, c
                                     .configuration = configuration.dump(),
                                     .start_ns = 0},
                                    {.simulatedTime = true, .queueBlocks = kBlocksAtMost});
-    if (!recorder)
-        return core::Unexpected(recorder.error());
+    TELETA_CHECK(recorder);
     log.m_recorder = std::move(*recorder);
     return log;
 }

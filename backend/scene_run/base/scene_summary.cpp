@@ -56,12 +56,10 @@ double quantile(std::vector<double> values, double probability) {
 }
 
 core::Expected<void> writeJson(const std::string& path, const ordered_json& document) {
-    core::Expected<core::OutputFile> file = core::OutputFile::create(path);
-    if (!file)
-        return core::Unexpected(file.error());
-    file->write(document.dump(2));
-    file->write("\n");
-    return file->finish();
+    TELETA_TRY(core::OutputFile file, core::OutputFile::create(path));
+    file.write(document.dump(2));
+    file.write("\n");
+    return file.finish();
 }
 
 } // namespace teleta::scene_run

@@ -34,6 +34,14 @@ struct SceneSummary {
     nlohmann::ordered_json events = nlohmann::ordered_json::array();
     bool interrupted = false; ///< it was ended before its time; not in the file
 
+    /// Takes the simulated time and the times of the effects from a simulated world at the end of its run.
+    template <typename World>
+    void takeTimes(const World& world) {
+        simulated_s = world.time_s();
+        for (const auto& effect : world.effectTimes())
+            effects.push_back({std::string(effect.name), effect.time_s});
+    }
+
     /// {"scene","seed","simulated_s","wall_s","effects":[{"name","time_s"}],"measures":{...},"events":[...]},
     /// and after "effects" with parts: "parts":[{"name","time_s"}]
     [[nodiscard]] nlohmann::ordered_json toJson() const;

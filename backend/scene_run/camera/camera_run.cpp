@@ -34,14 +34,10 @@ public:
             return log;
         constexpr std::array<std::string_view, 5> kArmColumns{"time_s", "turn_rad", "along_m", "aside_x_m",
                                                               "aside_y_m"};
-        auto contacts = core::CsvWriter::create(folder + "/contacts.csv", vision::kContactColumns);
-        if (!contacts)
-            return core::Unexpected(contacts.error());
-        auto arm = core::CsvWriter::create(folder + "/arm.csv", kArmColumns);
-        if (!arm)
-            return core::Unexpected(arm.error());
-        log.m_contacts = std::move(*contacts);
-        log.m_arm = std::move(*arm);
+        TELETA_TRY(auto contacts, core::CsvWriter::create(folder + "/contacts.csv", vision::kContactColumns));
+        TELETA_TRY(auto arm, core::CsvWriter::create(folder + "/arm.csv", kArmColumns));
+        log.m_contacts = std::move(contacts);
+        log.m_arm = std::move(arm);
         return log;
     }
 
@@ -165,33 +161,23 @@ private:
 core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const RunOptions& options) {
     if (scene.camera().probing)
         return runProbingScene(scene, options);
-    auto made = simulation::SimulatedTube::make(scene, options.seed);
-    if (!made)
-        return core::Unexpected(made.error());
-    simulation::SimulatedTube& tube = **made;
+    TELETA_TRY(auto made, simulation::SimulatedTube::make(scene, options.seed));
+    simulation::SimulatedTube& tube = *made;
     const scene::CameraWorld& world = scene.camera();
     cv::Mat1b frame;
     tube.untouched(frame);
     if (!options.outFolder.empty()) {
-        if (auto written = writeImage(options.outFolder + "/reference.png", frame); !written)
-            return core::Unexpected(written.error());
+        TELETA_CHECK(writeImage(options.outFolder + "/reference.png", frame));
     }
     SceneSummary summary;
-    auto finder = vision::makeContactFinder(vision::contactLadder().front(), tube.camera());
-    if (!finder)
-        return core::Unexpected(finder.error());
-    vision::CameraTracker tracker(std::move(*finder), trackerSettings(world));
-    if (auto taken = tracker.next(frame, 0.0); !taken)
-        return core::Unexpected(taken.error());
-    core::Expected<CameraLog> log = CameraLog::open(options.outFolder);
-    if (!log)
-        return core::Unexpected(log.error());
+    TELETA_TRY(auto finder, vision::makeContactFinder(vision::contactLadder().front(), tube.camera()));
+    vision::CameraTracker tracker(std::move(finder), trackerSettings(world));
+    TELETA_CHECK(tracker.next(frame, 0.0));
+    TELETA_TRY(CameraLog log, CameraLog::open(options.outFolder));
 
-    core::Expected<SceneRecording> recording = SceneRecording::open(options, scene);
-    if (!recording)
-        return core::Unexpected(recording.error());
-    if (recording->isOpen())
-        recording->beginCamera(
+    TELETA_TRY(SceneRecording recording, SceneRecording::open(options, scene));
+    if (recording.isOpen())
+        recording.beginCamera(
             {.name = options.name, .nominalRate_Hz = scene.rate_Hz, .simulated = true, .recorded = false},
             tube.camera(), trackerSettings(world).bump, core::greyImageOf(cv::Mat1b(frame.clone())));
 
@@ -203,17 +189,13 @@ core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const Run
     std::optional<double> firstContact_s;
     std::uint64_t done = 0;
     for (; done < frames; ++done) {
-        if (done % kCameraFramesBetweenReports == 0 && options.goOn &&
-            !options.goOn(tube.time_s(), duration_s)) {
-            summary.interrupted = true;
+        summary.interrupted = options.endsAt(done, kCameraFramesBetweenReports, tube.time_s(), duration_s);
+        if (summary.interrupted)
             break;
-        }
         tube.next(asked, frame);
         const double time_s = tube.time_s();
-        const auto contacts = tracker.next(frame, time_s);
-        if (!contacts)
-            return core::Unexpected(contacts.error());
-        for (const vision::FollowedContact& followed : *contacts) {
+        TELETA_TRY(const auto contacts, tracker.next(frame, time_s));
+        for (const vision::FollowedContact& followed : contacts) {
             if (followed.event == vision::ContactEvent::none)
                 continue;
             const bool begins = followed.event == vision::ContactEvent::begins;
@@ -226,28 +208,24 @@ core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const Run
         if (tracker.bump())
             summary.events.push_back(
                 {{"time_s", time_s}, {"event", "bump"}, {"contact", tracker.bump()->contact}});
-        asked = reaction.decide(*contacts, tracker.bump(), tube.arm().pose());
+        asked = reaction.decide(contacts, tracker.bump(), tube.arm().pose());
         if (reaction.stopped())
             measures.stopCommanded(time_s);
-        measures.add(time_s, tube.truth(), *contacts, tube.arm().pose());
-        log->add(done + 1, time_s, *contacts, tracker.bump() ? tracker.bump()->contact : 0,
-                 tube.arm().pose());
-        if (recording->isOpen())
-            recording->addPicture(time_s, core::greyImageOf(cv::Mat1b(frame.clone())));
-        for (const vision::FollowedContact& followed : *contacts) {
+        measures.add(time_s, tube.truth(), contacts, tube.arm().pose());
+        log.add(done + 1, time_s, contacts, tracker.bump() ? tracker.bump()->contact : 0, tube.arm().pose());
+        if (recording.isOpen())
+            recording.addPicture(time_s, core::greyImageOf(cv::Mat1b(frame.clone())));
+        for (const vision::FollowedContact& followed : contacts) {
             if (followed.seen || followed.event == vision::ContactEvent::ends)
-                recording->addContact(time_s, followed);
+                recording.addContact(time_s, followed);
         }
-        if (log->failed())
+        if (log.failed())
             break;
     }
-    for (const core::Expected<void>& written : {log->finish(), recording->finish()}) {
-        if (!written)
-            return core::Unexpected(written.error());
+    for (const core::Expected<void>& written : {log.finish(), recording.finish()}) {
+        TELETA_CHECK(written);
     }
-    summary.simulated_s = tube.time_s();
-    for (const simulation::EffectTime& effect : tube.effectTimes())
-        summary.effects.push_back({std::string(effect.name), effect.time_s});
+    summary.takeTimes(tube);
     measures.report(summary.measures);
     summary.measures["first_contact_s"] = orNull(firstContact_s);
     summary.measures["frames"] = done;

@@ -102,16 +102,13 @@ core::Expected<void> writeFiles(const std::string& folder, const std::vector<vis
 } // namespace
 
 core::Expected<SceneSummary> runProbingScene(const scene::Scene& scene, const RunOptions& options) {
-    auto made = SimulatedProbing::make(scene, options.seed);
-    if (!made)
-        return core::Unexpected(made.error());
-    SimulatedProbing& probing = **made;
+    TELETA_TRY(auto made, SimulatedProbing::make(scene, options.seed));
+    SimulatedProbing& probing = *made;
     simulation::SimulatedTube& tube = probing.tube();
     const simulation::ProbingPlan& plan = probing.plan();
     const vision::CylinderCamera& truth = tube.camera();
     if (!options.outFolder.empty()) {
-        if (auto written = writeImage(options.outFolder + "/reference.png", probing.reference()); !written)
-            return core::Unexpected(written.error());
+        TELETA_CHECK(writeImage(options.outFolder + "/reference.png", probing.reference()));
     }
 
     SceneSummary summary;
@@ -120,17 +117,13 @@ core::Expected<SceneSummary> runProbingScene(const scene::Scene& scene, const Ru
     const auto frames = static_cast<std::uint64_t>(std::llround(duration_s * scene.rate_Hz));
     std::uint64_t done = 0;
     for (; done < frames; ++done) {
-        if (done % kProbingFramesBetweenReports == 0 && options.goOn &&
-            !options.goOn(tube.time_s(), duration_s)) {
-            summary.interrupted = true;
+        summary.interrupted = options.endsAt(done, kProbingFramesBetweenReports, tube.time_s(), duration_s);
+        if (summary.interrupted)
             break;
-        }
         if (const auto one = probing.next())
             taken.push_back(*one);
     }
-    summary.simulated_s = tube.time_s();
-    for (const simulation::EffectTime& effect : tube.effectTimes())
-        summary.effects.push_back({std::string(effect.name), effect.time_s});
+    summary.takeTimes(tube);
 
     std::vector<vision::CalibrationPair> pairs;
     std::size_t mistaken = 0;
@@ -153,8 +146,7 @@ core::Expected<SceneSummary> runProbingScene(const scene::Scene& scene, const Ru
     }
     summary.measures["frames"] = done;
     summary.measures["frames_lost"] = probing.unusable();
-    if (auto written = writeFiles(options.outFolder, pairs, calibration ? &*calibration : nullptr); !written)
-        return core::Unexpected(written.error());
+    TELETA_CHECK(writeFiles(options.outFolder, pairs, calibration ? &*calibration : nullptr));
     return summary;
 }
 

@@ -7,21 +7,16 @@ namespace teleta::scene_run {
 
 core::Expected<std::unique_ptr<SimulatedProbing>> SimulatedProbing::make(const scene::Scene& scene,
                                                                          std::uint64_t seed) {
-    auto tube = simulation::SimulatedTube::make(scene, seed);
-    if (!tube)
-        return core::Unexpected(tube.error());
-    if (!(*tube)->probing())
+    TELETA_TRY(auto tube, simulation::SimulatedTube::make(scene, seed));
+    if (!tube->probing())
         return core::Unexpected(
             core::Error{core::ErrorKind::badInput, "nobody probes the tube in this scene", {}, {}});
     std::unique_ptr<SimulatedProbing> probing(new SimulatedProbing);
-    probing->m_tube = std::move(*tube);
+    probing->m_tube = std::move(tube);
     probing->m_tube->untouched(probing->m_reference);
-    auto watcher = vision::ProbeWatcher::make(probing->settings());
-    if (!watcher)
-        return core::Unexpected(watcher.error());
-    probing->m_watcher = std::move(*watcher);
-    if (auto taken = probing->m_watcher->setReference(probing->m_reference); !taken)
-        return core::Unexpected(taken.error());
+    TELETA_TRY(auto watcher, vision::ProbeWatcher::make(probing->settings()));
+    probing->m_watcher = std::move(watcher);
+    TELETA_CHECK(probing->m_watcher->setReference(probing->m_reference));
     return probing;
 }
 

@@ -67,10 +67,8 @@ core::Expected<ServoLog> ServoLog::open(const std::string& outFolder) {
     ServoLog log;
     if (outFolder.empty())
         return log;
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(outFolder + "/servo.csv", kColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
-    log.m_csv = std::move(*csv);
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(outFolder + "/servo.csv", kColumns));
+    log.m_csv = std::move(csv);
     return log;
 }
 

@@ -24,15 +24,13 @@ constexpr std::uint64_t kCyclesBetweenReports = 1024;
 
 core::Expected<void> writePoints(const std::string& path, const std::vector<Eigen::Vector3d>& points_m) {
     constexpr std::array<std::string_view, 3> kPointColumns{"x_m", "y_m", "z_m"};
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(path, kPointColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kPointColumns));
     for (const Eigen::Vector3d& point_m : points_m) {
         for (const double value : point_m)
-            csv->number(value);
-        csv->endRow();
+            csv.number(value);
+        csv.endRow();
     }
-    return csv->finish();
+    return csv.finish();
 }
 
 /// What happens in a run that is worth a line in its summary.
@@ -71,20 +69,12 @@ private:
 } // namespace
 
 core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunOptions& options) {
-    auto made = simulation::ServoLoop::make(scene, options.seed);
-    if (!made)
-        return core::Unexpected(made.error());
-    simulation::ServoLoop& loop = **made;
-    core::Expected<FrameLog> frameLog = FrameLog::open(options.outFolder, scene.taxels().taxels());
-    if (!frameLog)
-        return core::Unexpected(frameLog.error());
-    core::Expected<ServoLog> servoLog = ServoLog::open(options.outFolder);
-    if (!servoLog)
-        return core::Unexpected(servoLog.error());
-    core::Expected<SceneRecording> recording = SceneRecording::open(options, scene);
-    if (!recording)
-        return core::Unexpected(recording.error());
-    recording->beginArray(
+    TELETA_TRY(auto made, simulation::ServoLoop::make(scene, options.seed));
+    simulation::ServoLoop& loop = *made;
+    TELETA_TRY(FrameLog frameLog, FrameLog::open(options.outFolder, scene.taxels().taxels()));
+    TELETA_TRY(ServoLog servoLog, ServoLog::open(options.outFolder));
+    TELETA_TRY(SceneRecording recording, SceneRecording::open(options, scene));
+    recording.beginArray(
         {.name = scene.name,
          .layout = scene.taxels(),
          .unit = "N",
@@ -98,36 +88,30 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
     ServoMeasures measures(scene);
     ServoEvents events(summary.events);
     std::uint64_t frames = 0;
-    for (std::uint64_t i = 0; i < cycles && !frameLog->failed() && !servoLog->failed(); ++i) {
-        if (i % kCyclesBetweenReports == 0 && options.goOn &&
-            !options.goOn(loop.world().time_s(), duration_s)) {
-            summary.interrupted = true;
+    for (std::uint64_t i = 0; i < cycles && !frameLog.failed() && !servoLog.failed(); ++i) {
+        summary.interrupted = options.endsAt(i, kCyclesBetweenReports, loop.world().time_s(), duration_s);
+        if (summary.interrupted)
             break;
-        }
         loop.next();
         const bool newPhase = measures.add(loop);
         events.add(loop, newPhase, measures.phase());
         if (loop.frameCame()) {
             ++frames;
-            frameLog->add(loop.world().time_s(), loop.frame());
-            recording->addFrame(loop.world().time_s(), loop.frame());
+            frameLog.add(loop.world().time_s(), loop.frame());
+            recording.addFrame(loop.world().time_s(), loop.frame());
         }
         if (loop.servoed())
-            servoLog->add(loop, measures.phase(), measures.desiredForce_N());
+            servoLog.add(loop, measures.phase(), measures.desiredForce_N());
     }
-    for (const core::Expected<void>& written : {frameLog->finish(), servoLog->finish(), recording->finish()})
-        if (!written)
-            return core::Unexpected(written.error());
+    for (const core::Expected<void>& written : {frameLog.finish(), servoLog.finish(), recording.finish()})
+        TELETA_CHECK(written);
     if (!options.outFolder.empty()) {
         const core::Expected<void> written =
             writePoints(options.outFolder + "/points.csv", measures.points_m());
-        if (!written)
-            return core::Unexpected(written.error());
+        TELETA_CHECK(written);
     }
 
-    summary.simulated_s = loop.world().time_s();
-    for (const simulation::EffectTime& effect : loop.world().effectTimes())
-        summary.effects.push_back({std::string(effect.name), effect.time_s});
+    summary.takeTimes(loop.world());
     const double cyclesPerTimed =
         static_cast<double>(loop.world().cycle()) / std::max(1.0, static_cast<double>(loop.times().cycles));
     for (std::size_t i = 0; i < servo::kCycleParts; ++i)

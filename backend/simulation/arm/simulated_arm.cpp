@@ -2,11 +2,9 @@
 #include "backend/simulation/arm/simulated_arm.h"
 
 #include "backend/simulation/arm/unknown_places.h"
-#include "backend/simulation/effects/effect_factory.h"
-#include "backend/simulation/effects/joint_effect_factory.h"
+#include "backend/simulation/base/listed_effects.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -16,7 +14,6 @@ namespace teleta::simulation {
 namespace {
 
 using arm::JointVector;
-using Clock = std::chrono::steady_clock;
 
 JointVector toVector(const core::JointArray& values) {
     return Eigen::Map<const JointVector>(values.data());
@@ -74,8 +71,7 @@ std::uint64_t samplesPerFrame(const scene::Scene& scene) {
 
 core::Expected<std::unique_ptr<SimulatedArm>> SimulatedArm::make(const scene::Scene& scene,
                                                                  std::uint64_t seed) {
-    if (const auto valid = checkArmScene(scene); !valid)
-        return core::Unexpected(valid.error());
+    TELETA_CHECK(checkArmScene(scene));
     scene::Scene drawn = scene;
     drawn.arm().objects = drawPlaces(scene.arm(), seed);
     return std::unique_ptr<SimulatedArm>(new SimulatedArm(drawn, seed));
@@ -95,7 +91,8 @@ SimulatedArm::SimulatedArm(const scene::Scene& scene, std::uint64_t seed)
     , m_arm(scene.arm().body, scene.arm().control, bodiesOf(scene))
     , m_program(makeProgram(scene.arm(), m_arm))
     , m_sheet(scene.arm().skin.layout, m_description.skin)
-    , m_skinEffects(makeEffects(scene, m_skinDescription.nominalRate_Hz, seed))
+    , m_jointEffects(makeEffects<scene::ActsOn::joints>(scene, seed))
+    , m_skinEffects(makeEffects<scene::ActsOn::taxels>(scene, seed, 1.0 / m_skinDescription.nominalRate_Hz))
     , m_nonlinearObjects(scene.listed<scene::NonlinearObjectSpec>() != nullptr)
     , m_load_N(scene.arm().skin.layout.taxels()) {
     for (const scene::ArmObject& object : scene.arm().objects)
@@ -103,8 +100,6 @@ SimulatedArm::SimulatedArm(const scene::Scene& scene, std::uint64_t seed)
                              .stiffness_NPerM = object.stiffness_NPerM,
                              .shape = object.outline,
                              .outline = OutlineGeometry(object)});
-    for (std::unique_ptr<JointEffect>& effect : makeJointEffects(scene, seed))
-        m_jointEffects.push_back({.effect = std::move(effect)});
     restart();
 }
 
@@ -121,10 +116,7 @@ void SimulatedArm::restart() {
     updatePresence();
     m_arm.rest(m_reference_rad);
     updateTruth();
-    for (TimedJointEffect& timed : m_jointEffects) {
-        timed.effect->restart();
-        timed.time_s = 0.0;
-    }
+    m_jointEffects.restart();
     m_skinEffects.restart();
 }
 
@@ -141,11 +133,8 @@ void SimulatedArm::next(const core::ArmDemand& demand, core::JointSample& sample
     updateTruth();
 
     JointReading reading{.angle_rad = m_arm.state().motor_rad, .torque_Nm = m_arm.torque_Nm()};
-    for (TimedJointEffect& timed : m_jointEffects) {
-        const Clock::time_point start = Clock::now();
-        timed.effect->apply(m_arm.state().link_rad, m_arm.state().motor_rad, reading);
-        timed.time_s += std::chrono::duration<double>(Clock::now() - start).count();
-    }
+    m_jointEffects.apply(
+        [&](JointEffect& effect) { effect.apply(m_arm.state().link_rad, m_arm.state().motor_rad, reading); });
     m_reading_Nm = reading.torque_Nm;
     sample.sourceTime_s = time_s();
     toArray(reading.angle_rad, sample.angle_rad);
@@ -254,9 +243,8 @@ std::vector<EffectTime> SimulatedArm::effectTimes() const {
     std::vector<EffectTime> times;
     // Part of the contact itself, which is not timed apart.
     if (m_nonlinearObjects)
-        times.push_back({.name = "nonlinear_object", .time_s = 0.0});
-    for (const TimedJointEffect& timed : m_jointEffects)
-        times.push_back({.name = timed.effect->name(), .time_s = timed.time_s});
+        times.push_back({.name = scene::NonlinearObjectSpec::kRow.name, .time_s = 0.0});
+    m_jointEffects.appendTimes(times);
     m_skinEffects.appendTimes(times);
     return times;
 }

@@ -7,7 +7,6 @@
 #include "backend/simulation/arm/arm_program.h"
 #include "backend/simulation/arm/flexible_arm.h"
 #include "backend/simulation/arm/skin_sheet.h"
-#include "backend/simulation/base/effect_time.h"
 #include "backend/simulation/base/joint_effect.h"
 #include "backend/simulation/effects/effect_chain.h"
 
@@ -84,11 +83,6 @@ public:
     [[nodiscard]] std::vector<EffectTime> effectTimes() const;
 
 private:
-    struct TimedJointEffect {
-        std::unique_ptr<JointEffect> effect;
-        double time_s = 0.0;
-    };
-
     SimulatedArm(const scene::Scene& scene, std::uint64_t seed);
     void moveReference(const core::ArmDemand& demand);
     void jog(const core::JointArray& rate_radPerS);
@@ -106,7 +100,7 @@ private:
     FlexibleArm m_arm;
     std::unique_ptr<ArmProgram> m_program;
     SkinSheet m_sheet;
-    std::vector<TimedJointEffect> m_jointEffects;
+    TimedEffects<JointEffect> m_jointEffects;
     EffectChain m_skinEffects;
     bool m_nonlinearObjects = false;
 

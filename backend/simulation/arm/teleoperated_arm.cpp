@@ -25,12 +25,9 @@ std::optional<LinkDelay> delayOf(const scene::Scene& scene, std::uint64_t seed, 
 
 core::Expected<std::unique_ptr<TeleoperatedArm>> TeleoperatedArm::make(const scene::Scene& scene,
                                                                        std::uint64_t seed) {
-    if (const auto valid = checkTeleoperatedScene(scene); !valid)
-        return core::Unexpected(valid.error());
-    auto arm = SimulatedArm::make(scene, seed);
-    if (!arm)
-        return core::Unexpected(arm.error());
-    return std::unique_ptr<TeleoperatedArm>(new TeleoperatedArm(std::move(*arm), scene, seed));
+    TELETA_CHECK(checkTeleoperatedScene(scene));
+    TELETA_TRY(auto arm, SimulatedArm::make(scene, seed));
+    return std::unique_ptr<TeleoperatedArm>(new TeleoperatedArm(std::move(arm), scene, seed));
 }
 
 TeleoperatedArm::TeleoperatedArm(std::unique_ptr<SimulatedArm> arm, const scene::Scene& scene,
@@ -121,7 +118,7 @@ core::Expected<std::unique_ptr<core::ArmGenerator>> makeArm(const scene::Scene& 
 std::vector<EffectTime> TeleoperatedArm::effectTimes() const {
     std::vector<EffectTime> times = m_arm->effectTimes();
     if (m_timed)
-        times.push_back({.name = "link_delay", .time_s = m_linkTime_s});
+        times.push_back({.name = scene::LinkDelaySpec::kRow.name, .time_s = m_linkTime_s});
     return times;
 }
 

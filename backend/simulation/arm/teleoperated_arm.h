@@ -7,7 +7,7 @@
 #include "backend/simulation/arm/delayed_line.h"
 #include "backend/simulation/arm/scripted_operator.h"
 #include "backend/simulation/arm/simulated_arm.h"
-#include "backend/simulation/base/effect_time.h"
+#include "backend/simulation/base/timed_effects.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/array/simulated_array.h"
 
-#include "backend/simulation/effects/effect_factory.h"
+#include "backend/simulation/base/listed_effects.h"
 
 #include <algorithm>
 
@@ -9,8 +9,7 @@ namespace teleta::simulation {
 
 core::Expected<std::unique_ptr<SimulatedArray>> SimulatedArray::make(const scene::Scene& scene,
                                                                      std::uint64_t seed) {
-    if (const auto valid = checkArrayScene(scene); !valid)
-        return core::Unexpected(valid.error());
+    TELETA_CHECK(checkArrayScene(scene));
     return std::unique_ptr<SimulatedArray>(new SimulatedArray(scene, seed));
 }
 
@@ -22,7 +21,7 @@ SimulatedArray::SimulatedArray(const scene::Scene& scene, std::uint64_t seed)
                     .simulated = true}
     , m_firingThreshold_N(scene.array().sensor.firingThreshold_N)
     , m_contact(scene.array().sensor.layout, scene.array().sensor.stiffness_NPerM)
-    , m_effects(makeEffects(scene, scene.rate_Hz, seed))
+    , m_effects(makeEffects<scene::ActsOn::taxels>(scene, seed, 1.0 / scene.rate_Hz))
     , m_load_N(scene.array().sensor.layout.taxels())
     , m_loads(scene.array().indenters.size()) {
     for (const scene::Indenter& indenter : scene.array().indenters) {

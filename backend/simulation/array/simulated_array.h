@@ -7,7 +7,6 @@
 #include "backend/simulation/array/foundation_contact.h"
 #include "backend/simulation/array/keyframe_motion.h"
 #include "backend/simulation/array/rigid_indenter.h"
-#include "backend/simulation/base/effect_time.h"
 #include "backend/simulation/effects/effect_chain.h"
 
 #include <cstdint>

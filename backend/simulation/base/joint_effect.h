@@ -2,8 +2,7 @@
 #pragma once
 
 #include "backend/arm/arm4_kinematics.h"
-
-#include <string_view>
+#include "backend/simulation/base/effect.h"
 
 namespace teleta::simulation {
 
@@ -13,25 +12,14 @@ struct JointReading {
     arm::JointVector torque_Nm = arm::JointVector::Zero();
 };
 
-/// One imperfection of the joints' sensors, applied to each reading in turn. Thread: one.
-class JointEffect {
+/// One imperfection of the joints' sensors, applied to each reading in turn.
+class JointEffect : public Effect {
 public:
-    explicit JointEffect(std::string_view name)
-        : m_name(name) {}
-    virtual ~JointEffect() = default;
-    JointEffect(const JointEffect&) = delete;
-    JointEffect& operator=(const JointEffect&) = delete;
+    using Effect::Effect;
 
     /// Angles of links and motors as they truly are; reading: changed in place.
     virtual void apply(const arm::JointVector& trueLink_rad, const arm::JointVector& trueMotor_rad,
                        JointReading& reading) = 0;
-    /// Forgets all readings: the same readings then give the same result again.
-    virtual void restart() {}
-
-    [[nodiscard]] std::string_view name() const { return m_name; }
-
-private:
-    std::string_view m_name;
 };
 
 } // namespace teleta::simulation

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/camera/simulated_tube.h"
 
-#include "backend/simulation/camera/effects/camera_effect_factory.h"
+#include "backend/simulation/base/listed_effects.h"
 
 #include <QCoreApplication>
 #include <QString>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -57,28 +56,11 @@ void addPart(std::vector<cv::Rect>& parts, cv::Rect part) {
     parts.push_back(part);
 }
 
-class Stopwatch {
-public:
-    explicit Stopwatch(double& total_s)
-        : m_total_s(total_s)
-        , m_start(std::chrono::steady_clock::now()) {}
-    ~Stopwatch() {
-        m_total_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-    }
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-
-private:
-    double& m_total_s;
-    std::chrono::steady_clock::time_point m_start;
-};
-
 } // namespace
 
 core::Expected<std::unique_ptr<SimulatedTube>> SimulatedTube::make(const scene::Scene& scene,
                                                                    std::uint64_t seed) {
-    if (const auto valid = checkCameraScene(scene); !valid)
-        return core::Unexpected(valid.error());
+    TELETA_CHECK(checkCameraScene(scene));
     std::unique_ptr<SimulatedTube> tube(new SimulatedTube(scene, seed));
     if (!tube->m_renderer)
         return core::Unexpected(
@@ -92,6 +74,7 @@ core::Expected<std::unique_ptr<SimulatedTube>> SimulatedTube::make(const scene::
 SimulatedTube::SimulatedTube(const scene::Scene& scene, std::uint64_t seed)
     : m_world(scene.camera())
     , m_rate_Hz(scene.rate_Hz)
+    , m_effects(makeEffects<scene::ActsOn::camera>(scene, seed))
     , m_arm(m_world.limits) {
     if (m_world.probing) {
         m_probing.emplace(*m_world.probing, m_world.skin, seed);
@@ -99,15 +82,17 @@ SimulatedTube::SimulatedTube(const scene::Scene& scene, std::uint64_t seed)
     }
     for (const scene::Finger& finger : m_world.fingers)
         m_motions.emplace_back(keyframes(finger), false);
-    for (std::unique_ptr<CameraEffect>& effect : makeCameraEffects(scene, seed))
-        m_effects.push_back({.effect = std::move(effect)});
     vision::CameraParameters parameters = ideal(m_world.camera);
     PrintedDots dots(m_world.skin);
-    for (TimedEffect& timed : m_effects) {
-        const Stopwatch stopwatch(timed.time_s);
-        timed.effect->changeLens(parameters);
-        timed.effect->changePrint(dots);
-    }
+    m_effects.apply([&](CameraEffect& effect) {
+        effect.changeLens(parameters);
+        effect.changePrint(dots);
+        m_changesRows = m_changesRows || effect.changesRows();
+        if (effect.moments() > 1)
+            m_before_s.clear();
+        for (int i = 0; effect.moments() > 1 && i < effect.moments(); ++i)
+            m_before_s.push_back(effect.before_s(i));
+    });
     const auto camera = vision::CameraModel::create(parameters);
     if (!camera)
         return;
@@ -117,10 +102,7 @@ SimulatedTube::SimulatedTube(const scene::Scene& scene, std::uint64_t seed)
                                          .highest_z_m = m_world.skin.begin_m + m_world.skin.length_m}),
         m_world.skin, std::move(dots));
     cv::Mat1f light(parameters.height_px, parameters.width_px, 1.0F);
-    for (TimedEffect& timed : m_effects) {
-        const Stopwatch stopwatch(timed.time_s);
-        timed.effect->changeLight(light, m_renderer->places());
-    }
+    m_effects.apply([&](CameraEffect& effect) { effect.changeLight(light, m_renderer->places()); });
     m_renderer->setLight(light);
     m_image = m_renderer->atRest().clone();
     for (std::size_t i = 0; i < m_motions.size(); ++i)
@@ -173,20 +155,12 @@ void SimulatedTube::next(const TubeVelocity& asked, cv::Mat1b& frame) {
     for (int i = 0; i < kArmSteps; ++i)
         m_arm.step(asked, 1.0 / (m_rate_Hz * kArmSteps));
     ++m_frame;
-    std::vector<double> before_s{0.0};
-    for (const TimedEffect& timed : m_effects) {
-        if (timed.effect->moments() <= 1)
-            continue;
-        before_s.clear();
-        for (int i = 0; i < timed.effect->moments(); ++i)
-            before_s.push_back(timed.effect->before_s(i));
-    }
-    std::vector<std::vector<SkinPress>> moments(before_s.size());
+    std::vector<std::vector<SkinPress>> moments(m_before_s.size());
     for (std::size_t i = 0; i < m_motions.size(); ++i) {
         FingerTruth now = fingerAt(i, time_s());
         drag(now, m_truth[i]);
-        for (std::size_t moment = 0; moment < before_s.size(); ++moment) {
-            FingerTruth then = fingerAt(i, time_s() - before_s[moment]);
+        for (std::size_t moment = 0; moment < m_before_s.size(); ++moment) {
+            FingerTruth then = fingerAt(i, time_s() - m_before_s[moment]);
             then.press.dragAround_m = now.press.dragAround_m;
             then.press.dragAlong_m = now.press.dragAlong_m;
             if (then.touches)
@@ -228,10 +202,8 @@ void SimulatedTube::expose(const std::vector<std::vector<SkinPress>>& moments, c
             m_renderer->draw(deformations.front(), part, m_image);
             continue;
         }
-        for (TimedEffect& timed : m_effects) {
-            if (timed.effect->moments() <= 1)
-                continue;
-            const Stopwatch stopwatch(timed.time_s);
+        const auto blurs = [](const CameraEffect& effect) { return effect.moments() > 1; };
+        m_effects.apply(blurs, [&](CameraEffect&) {
             m_part.create(m_image.size());
             m_sum.create(part.size());
             m_sum.setTo(0.0F);
@@ -241,14 +213,13 @@ void SimulatedTube::expose(const std::vector<std::vector<SkinPress>>& moments, c
             }
             m_sum *= 1.0 / static_cast<double>(deformations.size());
             m_sum.copyTo(m_image(part));
-        }
+        });
     }
     finish(frame);
 }
 
 void SimulatedTube::finish(cv::Mat1b& frame) {
-    const auto changes = [](const TimedEffect& timed) { return timed.effect->changesRows(); };
-    if (std::ranges::none_of(m_effects, changes)) {
+    if (!m_changesRows) {
         m_image.convertTo(frame, CV_8U);
         return;
     }
@@ -258,12 +229,8 @@ void SimulatedTube::finish(cv::Mat1b& frame) {
     for (int v = 0; v < m_image.rows; v += kRows) {
         const cv::Range rows(v, std::min(v + kRows, m_image.rows));
         m_image.rowRange(rows).copyTo(m_rows);
-        for (TimedEffect& timed : m_effects) {
-            if (!changes(timed))
-                continue;
-            const Stopwatch stopwatch(timed.time_s);
-            timed.effect->changeRows(m_rows);
-        }
+        m_effects.apply([](const CameraEffect& effect) { return effect.changesRows(); },
+                        [this](CameraEffect& effect) { effect.changeRows(m_rows); });
         cv::Mat1b finished = frame.rowRange(rows);
         m_rows.convertTo(finished, CV_8U);
     }
@@ -271,8 +238,7 @@ void SimulatedTube::finish(cv::Mat1b& frame) {
 
 std::vector<EffectTime> SimulatedTube::effectTimes() const {
     std::vector<EffectTime> times;
-    for (const TimedEffect& timed : m_effects)
-        times.push_back({.name = timed.effect->name(), .time_s = timed.time_s});
+    m_effects.appendTimes(times);
     return times;
 }
 

@@ -4,7 +4,7 @@
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
 #include "backend/simulation/array/keyframe_motion.h"
-#include "backend/simulation/base/effect_time.h"
+#include "backend/simulation/base/timed_effects.h"
 #include "backend/simulation/camera/carrier_arm.h"
 #include "backend/simulation/camera/effects/camera_effect.h"
 #include "backend/simulation/camera/probing_plan.h"
@@ -58,10 +58,6 @@ public:
     [[nodiscard]] std::vector<EffectTime> effectTimes() const;
 
 private:
-    struct TimedEffect {
-        std::unique_ptr<CameraEffect> effect;
-        double time_s = 0.0;
-    };
     SimulatedTube(const scene::Scene& scene, std::uint64_t seed);
     /// A finger against the tube as it is now; without drag.
     [[nodiscard]] FingerTruth fingerAt(std::size_t finger, double time_s) const;
@@ -75,7 +71,9 @@ private:
     double m_rate_Hz;
     std::optional<ProbingPlan> m_probing;
     std::vector<KeyframeMotion> m_motions;
-    std::vector<TimedEffect> m_effects;
+    TimedEffects<CameraEffect> m_effects;
+    bool m_changesRows = false;          ///< any of them
+    std::vector<double> m_before_s{0.0}; ///< when, before the end of the exposure, the moments of a frame are
     std::unique_ptr<SkinRenderer> m_renderer;
     CarrierArm m_arm;
     std::vector<FingerTruth> m_truth;

@@ -89,13 +89,11 @@ private:
 core::Expected<TubeCameraSource> makeTubeCamera(const scene::Scene& scene, std::uint64_t seed,
                                                 std::shared_ptr<CarrierLink> link,
                                                 std::shared_ptr<core::SceneControl> control) {
-    auto tube = SimulatedTube::make(scene, seed);
-    if (!tube)
-        return core::Unexpected(tube.error());
-    const vision::CylinderCamera& exact = (*tube)->camera();
+    TELETA_TRY(auto tube, SimulatedTube::make(scene, seed));
+    const vision::CylinderCamera& exact = tube->camera();
     const vision::CylinderCamera camera(exact.camera(), exact.surface(), exact.covariance(), kPixelNoise_px);
     return TubeCameraSource{
-        std::make_unique<TubeCameraGenerator>(scene, std::move(*tube), std::move(link), std::move(control)),
+        std::make_unique<TubeCameraGenerator>(scene, std::move(tube), std::move(link), std::move(control)),
         camera};
 }
 

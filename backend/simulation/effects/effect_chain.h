@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/simulation/base/effect.h"
-#include "backend/simulation/base/effect_time.h"
+#include "backend/simulation/base/timed_effects.h"
 
 #include <memory>
 #include <span>
@@ -16,24 +16,19 @@ namespace teleta::simulation {
 class EffectChain {
 public:
     /// effects: in the order in which they act within their stage.
-    explicit EffectChain(std::vector<std::unique_ptr<Effect>> effects);
+    explicit EffectChain(std::vector<std::unique_ptr<TaxelEffect>> effects);
 
     /// load_N: the array's taxels, changed in place; what is under the threshold does not fire and reads 0.
     void read(std::span<double> load_N, double firingThreshold_N);
     /// Forgets all frames and times.
-    void restart();
-
-    /// Adds those of the effects, in their order.
-    void appendTimes(std::vector<EffectTime>& times) const;
+    void restart() { m_effects.restart(); }
+    /// Adds the times of the effects, in their order.
+    void appendTimes(std::vector<EffectTime>& times) const { m_effects.appendTimes(times); }
 
 private:
-    struct TimedEffect {
-        std::unique_ptr<Effect> effect;
-        double time_s = 0.0;
-    };
     void apply(EffectStage stage, std::span<double> load_N);
 
-    std::vector<TimedEffect> m_effects;
+    TimedEffects<TaxelEffect> m_effects;
 };
 
 } // namespace teleta::simulation

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/effects/gain_spread.h"
 
+#include "backend/simulation/base/listed_effects.h"
+
 #include <cmath>
-#include <utility>
 
 namespace teleta::simulation {
 
@@ -13,14 +14,28 @@ std::vector<double> gainFactors(const scene::GainSpreadSpec& spec, std::size_t t
     return factors;
 }
 
-GainSpread::GainSpread(std::string_view name, std::vector<double> factors)
-    : Effect(name, EffectStage::readout)
-    , m_factors(std::move(factors)) {
-}
+namespace {
 
-void GainSpread::apply(std::span<double> load_N) {
-    for (std::size_t i = 0; i < load_N.size(); ++i)
-        load_N[i] *= m_factors[i];
+/// Multiplies the load of each taxel with its factor, the same in every frame.
+class GainSpread : public TaxelEffect {
+public:
+    explicit GainSpread(const Listed<scene::GainSpreadSpec>& listed)
+        : TaxelEffect(listed.name())
+        , m_factors(gainFactors(listed.spec, listed.scene.taxels().taxels(), listed.random())) {}
+
+    void apply(std::span<double> load_N) override {
+        for (std::size_t i = 0; i < load_N.size(); ++i)
+            load_N[i] *= m_factors[i];
+    }
+
+private:
+    std::vector<double> m_factors;
+};
+
+} // namespace
+
+std::unique_ptr<TaxelEffect> makeEffect(const Listed<scene::GainSpreadSpec>& listed) {
+    return std::make_unique<GainSpread>(listed);
 }
 
 } // namespace teleta::simulation

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "backend/scene/scene.h"
-#include "backend/simulation/base/effect.h"
 #include "backend/simulation/base/random_stream.h"
 
 #include <cstddef>
@@ -13,16 +12,5 @@ namespace teleta::simulation {
 /// The factors by which so many taxels read more or less than their load: exp(sd z), z normal.
 [[nodiscard]] std::vector<double> gainFactors(const scene::GainSpreadSpec& spec, std::size_t taxels,
                                               RandomStream random);
-
-/// Multiplies the load of each taxel with its factor, the same in every frame.
-class GainSpread : public Effect {
-public:
-    GainSpread(std::string_view name, std::vector<double> factors);
-
-    void apply(std::span<double> load_N) override;
-
-private:
-    std::vector<double> m_factors;
-};
 
 } // namespace teleta::simulation

@@ -1,21 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/simulation/effects/noise.h"
+#include "backend/simulation/base/listed_effects.h"
 
 namespace teleta::simulation {
 
-Noise::Noise(std::string_view name, const scene::NoiseSpec& spec, RandomStream random)
-    : Effect(name, EffectStage::readout)
-    , m_spec(spec)
-    , m_random(random) {
-}
+namespace {
 
-void Noise::apply(std::span<double> load_N) {
-    for (double& value_N : load_N)
-        value_N += m_spec.sd_N * m_random.normal();
-}
+/// Adds Gaussian noise of a given standard deviation, independent in every taxel and frame. Readings may be
+/// negative.
+class Noise : public TaxelEffect {
+public:
+    explicit Noise(const Listed<scene::NoiseSpec>& listed)
+        : TaxelEffect(listed.name())
+        , m_sd_N(listed.spec.sd_N)
+        , m_random(listed.random()) {}
 
-void Noise::restart() {
-    m_random.restart();
+    void apply(std::span<double> load_N) override {
+        for (double& value_N : load_N)
+            value_N += m_sd_N * m_random.normal();
+    }
+
+    void restart() override { m_random.restart(); }
+
+private:
+    double m_sd_N;
+    RandomStream m_random;
+};
+
+} // namespace
+
+std::unique_ptr<TaxelEffect> makeEffect(const Listed<scene::NoiseSpec>& listed) {
+    return std::make_unique<Noise>(listed);
 }
 
 } // namespace teleta::simulation

@@ -154,10 +154,8 @@ private:
 
 core::Expected<std::unique_ptr<core::FrameGenerator>>
 makeServoArray(const scene::Scene& scene, std::uint64_t seed, std::shared_ptr<servo::ServoLink> link) {
-    auto loop = ServoLoop::make(scene, seed);
-    if (!loop)
-        return core::Unexpected(loop.error());
-    return std::make_unique<ServoArray>(scene, std::move(*loop), std::move(link));
+    TELETA_TRY(auto loop, ServoLoop::make(scene, seed));
+    return std::make_unique<ServoArray>(scene, std::move(loop), std::move(link));
 }
 
 } // namespace teleta::simulation

@@ -58,13 +58,11 @@ contact::FeatureSettings servoFeatures(const scene::Scene& scene) {
 }
 
 core::Expected<std::unique_ptr<ServoLoop>> ServoLoop::make(const scene::Scene& scene, std::uint64_t seed) {
-    core::Expected<std::unique_ptr<SimulatedServoWorld>> world = SimulatedServoWorld::make(scene, seed);
-    if (!world)
-        return core::Unexpected(world.error());
+    TELETA_TRY(std::unique_ptr<SimulatedServoWorld> world, SimulatedServoWorld::make(scene, seed));
     auto controller =
-        servo::ServoController::create(servoPlan(scene), servo::ArmGuard{(*world)->arm().kinematics(), {}});
+        servo::ServoController::create(servoPlan(scene), servo::ArmGuard{world->arm().kinematics(), {}});
     // checkServoScene keeps the task within the controller's range.
-    return std::unique_ptr<ServoLoop>(new ServoLoop(scene, std::move(*world), std::move(controller).value()));
+    return std::unique_ptr<ServoLoop>(new ServoLoop(scene, std::move(world), std::move(controller).value()));
 }
 
 ServoLoop::ServoLoop(const scene::Scene& scene, std::unique_ptr<SimulatedServoWorld> world,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/servo/servo_world.h"
 
+#include "backend/simulation/base/listed_effects.h"
 #include "backend/simulation/effects/border_stiffening.h"
-#include "backend/simulation/effects/effect_factory.h"
 #include "backend/simulation/effects/housing_rim.h"
 
 #include <algorithm>
@@ -102,8 +102,7 @@ double halfTurn(double angle_rad) {
 
 core::Expected<std::unique_ptr<SimulatedServoWorld>> SimulatedServoWorld::make(const scene::Scene& scene,
                                                                                std::uint64_t seed) {
-    if (const auto valid = checkServoScene(scene); !valid)
-        return core::Unexpected(valid.error());
+    TELETA_CHECK(checkServoScene(scene));
     return std::unique_ptr<SimulatedServoWorld>(new SimulatedServoWorld(scene, seed));
 }
 
@@ -118,10 +117,10 @@ SimulatedServoWorld::SimulatedServoWorld(const scene::Scene& scene, std::uint64_
              .contactDampingTime_s = contactDamping_s(scene),
              .friction = frictionOf(scene)},
             arrayOf(scene), objectOf(m_world, seed))
-    , m_effects(makeEffects(scene, m_world.sensor.acquisition_Hz, seed))
+    , m_effects(makeEffects<scene::ActsOn::taxels>(scene, seed, 1.0 / m_world.sensor.acquisition_Hz))
     , m_load_N(m_world.sensor.array.layout.taxels()) {
     for (const scene::Effect& effect : scene.effects) {
-        if (effect.parameters.index() >= scene::kTaxelEffectKinds)
+        if (rowOf(effect).actsOn == scene::ActsOn::carriedArray)
             m_contactEffects.push_back(scene::nameOf(effect));
     }
     restart();

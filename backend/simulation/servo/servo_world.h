@@ -3,8 +3,8 @@
 
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
-#include "backend/simulation/base/effect_time.h"
 #include "backend/simulation/base/random_stream.h"
+#include "backend/simulation/base/timed_effects.h"
 #include "backend/simulation/effects/effect_chain.h"
 #include "backend/simulation/servo/impedance_arm.h"
 

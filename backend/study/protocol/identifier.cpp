@@ -23,16 +23,16 @@ bool isIdentifier(const std::string& text) {
 
 } // namespace
 
-std::string readIdentifier(core::TomlTable& table, std::string_view key, std::set<std::string>& used) {
-    std::string text = table.text(key);
-    if (!isIdentifier(text))
-        table.fail(key,
-                   IdentifierText::tr("\"%1\" cannot be part of a file name").arg(text.c_str()).toStdString(),
-                   IdentifierText::tr("letters, digits, - and _").toStdString());
-    else if (!text.empty() && !used.insert(text).second)
-        table.fail(key, IdentifierText::tr("\"%1\" occurs twice").arg(text.c_str()).toStdString(),
-                   IdentifierText::tr("each one once").toStdString());
-    return text;
+void tellIdentifier(core::Keys& keys, std::string_view key, std::string& value, std::set<std::string>& used,
+                    std::string_view about) {
+    keys.text(key, value, about);
+    if (!isIdentifier(value))
+        keys.refuse(
+            key, IdentifierText::tr("\"%1\" cannot be part of a file name").arg(value.c_str()).toStdString(),
+            IdentifierText::tr("letters, digits, - and _").toStdString());
+    else if (!value.empty() && !used.insert(value).second)
+        keys.refuse(key, IdentifierText::tr("\"%1\" occurs twice").arg(value.c_str()).toStdString(),
+                    IdentifierText::tr("each one once").toStdString());
 }
 
 } // namespace teleta::study

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/toml_table.h"
+#include "backend/core/data/keys.h"
 
 #include <set>
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace teleta::study {
 
-/// Reads a name that is safe in file names and in identifiers of every export: letters, digits, - and _, not
-/// in `used`, to which it is added. Anything else is an error of the document.
-[[nodiscard]] std::string readIdentifier(core::TomlTable& table, std::string_view key,
-                                         std::set<std::string>& used);
+/// Tells a name that may stand in file names and in identifiers of every export: letters, digits, - and _,
+/// not among `used`, to which it is added. Anything else is refused.
+void tellIdentifier(core::Keys& keys, std::string_view key, std::string& value, std::set<std::string>& used,
+                    std::string_view about);
 
 } // namespace teleta::study

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/protocol/protocol.h"
 
-#include "backend/core/data/toml_table.h"
+#include "backend/core/data/toml_keys.h"
 #include "backend/study/protocol/identifier.h"
 #include "backend/study/protocol/protocol_text.h"
 
@@ -19,8 +19,9 @@ namespace teleta::study {
 
 namespace {
 
+using core::Keys;
+using core::Need;
 using core::NumberRange;
-using core::TomlTable;
 
 struct ProtocolText {
     Q_DECLARE_TR_FUNCTIONS(StudyProtocol)
@@ -28,97 +29,99 @@ struct ProtocolText {
 
 constexpr long long kMostRepetitions = 1000;
 constexpr long long kMostTrials = 100'000;
+constexpr double kLongest_s = 3600.0;
 constexpr char kBuiltIn[] = ":/studies";
 constexpr char kPaper[] = "teleta.toml";
 
-PhaseSettings readPhase(TomlTable table) {
-    PhaseSettings phase;
-    phase.repetitions = static_cast<std::size_t>(table.integer("repetitions", 0, kMostRepetitions));
-    phase.feedback = table.boolean("feedback", false);
-    phase.diagram = table.boolean("diagram", false);
-    table.finish();
-    return phase;
+void tellPhase(Keys& keys, PhaseSettings& phase) {
+    keys.whole("repetitions", phase.repetitions, {0, kMostRepetitions},
+               "Trials of each pattern; 0 leaves the phase out");
+    keys.flag("feedback", phase.feedback, "Show the right answer after each trial");
+    keys.flag("diagram", phase.diagram, "Show the pictures of the patterns during the trials");
 }
 
-RestSettings readRest(TomlTable table) {
-    constexpr double kLongest_s = 3600.0;
-    RestSettings rest;
-    rest.everyTrials = static_cast<std::size_t>(table.integer("every_trials", 1, kMostTrials));
-    rest.atLeast_s = table.number("at_least_s", NumberRange::between(0.0, kLongest_s), 0.0);
-    table.finish();
-    return rest;
+void tellRest(Keys& keys, RestSettings& rest) {
+    keys.whole("every_trials", rest.everyTrials, {1, kMostTrials}, "Completed trials between two rests");
+    keys.number("at_least_s", rest.atLeast_s, NumberRange::between(0.0, kLongest_s), "Shortest rest",
+                Need::optional);
 }
 
-StudyTask readTask(TomlTable& table, std::set<std::string>& usedIds) {
-    StudyTask task;
-    task.id = readIdentifier(table, "id", usedIds);
-    task.name = table.text("name", task.id);
+void tellPattern(Keys& keys, StudyPattern& pattern, std::set<std::string>& letters,
+                 const std::vector<std::string>& conditions) {
+    tellIdentifier(keys, "letter", pattern.letter, letters,
+                   "The pattern's letter in results; not `NA` or `NONE`");
+    // These words stand for something else in the columns stimulus and response.
+    if (pattern.letter == "NA" || pattern.letter == "NONE")
+        keys.refuse("letter",
+                    ProtocolText::tr("\"%1\" means no answer").arg(pattern.letter.c_str()).toStdString(),
+                    ProtocolText::tr("another letter").toStdString());
+    pattern.name = pattern.letter;
+    keys.text("name", pattern.name, "What the participant reads; otherwise the letter", Need::optional);
+    keys.table("stimulus", "Pattern files by condition; otherwise the built-in patterns", Need::optional,
+               [&](Keys& files) {
+                   for (const std::string& condition : conditions) {
+                       std::string file;
+                       files.text(condition.empty() ? "CONDITION" : condition, file,
+                                  "File of the tactile pattern, relative to the protocol", Need::optional);
+                       if (!file.empty())
+                           pattern.files[condition] = file;
+                   }
+               });
+}
+
+void tellTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds) {
+    tellIdentifier(keys, "id", task.id, usedIds, "The task's name in results");
+    task.name = task.id;
+    keys.text("name", task.name, "What the participant reads; otherwise the id", Need::optional);
     std::set<std::string> conditions;
-    for (TomlTable& entry : table.tables("condition", 1)) {
-        task.conditions.push_back(readIdentifier(entry, "id", conditions));
-        entry.finish();
-    }
+    keys.tables("condition", task.conditions, 1, "Conditions, whose order is balanced between participants",
+                [&conditions](Keys& entry, std::vector<std::string>& ids, std::size_t i) {
+                    tellIdentifier(entry, "id", ids[i], conditions, "The condition's name in results");
+                });
     std::set<std::string> letters;
-    for (TomlTable& entry : table.tables("pattern", 2)) {
-        if (task.patterns.size() == kMostPatterns)
-            entry.fail("letter", ProtocolText::tr("there are too many patterns").toStdString(),
-                       ProtocolText::tr("at most %1, one digit each").arg(kMostPatterns).toStdString());
-        StudyPattern pattern;
-        pattern.letter = readIdentifier(entry, "letter", letters);
-        // These words have another meaning in the columns stimulus and response.
-        if (pattern.letter == "NA" || pattern.letter == "NONE")
-            entry.fail("letter",
-                       ProtocolText::tr("\"%1\" means no answer").arg(pattern.letter.c_str()).toStdString(),
-                       ProtocolText::tr("another letter").toStdString());
-        pattern.name = entry.text("name", pattern.letter);
-        if (entry.has("stimulus")) {
-            TomlTable files = entry.table("stimulus");
-            for (const std::string& condition : task.conditions) {
-                if (files.has(condition))
-                    pattern.files[condition] = files.text(condition);
-            }
-            files.finish();
-        }
-        entry.finish();
-        task.patterns.push_back(std::move(pattern));
-    }
-    table.finish();
-    return task;
-}
-
-core::Expected<Protocol> readDocument(const core::TomlDocument& document) {
-    TomlTable root = document.root();
-    Protocol protocol;
-    protocol.name = root.text("name");
-    protocol.description = root.text("description", "-");
-    protocol.stimulus_s = root.number("stimulus_s", {.low = 0.0, .high = 3600.0, .lowOpen = true});
-    protocol.responseLimit_s = root.number("response_limit_s", {.low = 0.0, .high = 3600.0, .lowOpen = true});
-    protocol.window = root.choice("response_window", {"from_onset", "from_end"}) == 0
-                          ? ResponseWindow::fromOnset
-                          : ResponseWindow::fromEnd;
-    protocol.replays = static_cast<std::size_t>(root.integer("replays", 0, kMostRepetitions, 0));
-    protocol.order = root.choice("order", {"full_random", "blocked_random"}) == 0
-                         ? OrderMethod::fullRandom
-                         : OrderMethod::blockedRandom;
-    protocol.practice = readPhase(root.table("practice"));
-    protocol.test = readPhase(root.table("test"));
-    if (root.has("pause"))
-        protocol.rest = readRest(root.table("pause"));
-    TomlTable noise = root.table("masking_noise");
-    protocol.noiseColour = noise.choice("colour", {"pink", "none"}) == 0 ? "pink" : "none";
-    protocol.noise_dBA = noise.number("level_dBA", NumberRange::between(0.0, 85.0), 0.0);
-    noise.finish();
-    std::set<std::string> ids;
-    for (TomlTable& task : root.tables("task", 1))
-        protocol.tasks.push_back(readTask(task, ids));
-    protocol.questionnaires = readQuestionnaires(root);
-    root.finish();
-    if (const std::optional<core::Error>& error = document.firstError())
-        return core::Unexpected(*error);
-    return protocol;
+    keys.tables("pattern", task.patterns, 2, "Patterns to be told apart, at most 9",
+                [&](Keys& entry, std::vector<StudyPattern>& patterns, std::size_t i) {
+                    if (i == kMostPatterns)
+                        entry.refuse(
+                            "letter", ProtocolText::tr("there are too many patterns").toStdString(),
+                            ProtocolText::tr("at most %1, one digit each").arg(kMostPatterns).toStdString());
+                    tellPattern(entry, patterns[i], letters, task.conditions);
+                });
 }
 
 } // namespace
+
+void Protocol::tell(Keys& keys) {
+    const NumberRange time = NumberRange::positiveUpTo(kLongest_s);
+    keys.text("name", name, "Name of the protocol");
+    description = "-";
+    keys.text("description", description, "What is studied", Need::optional);
+    keys.number("stimulus_s", stimulus_s, time, "How long a stimulus lasts");
+    keys.number("response_limit_s", responseLimit_s, time, "Time to answer");
+    keys.choice("response_window", window, {"from_onset", "from_end"},
+                "Whether that time begins with the stimulus or at its end");
+    keys.whole("replays", replays, {0, kMostRepetitions}, "How often a stimulus may be felt again",
+               Need::optional);
+    keys.choice("order", order, {"full_random", "blocked_random"},
+                "Whether all trials are shuffled together or repetition by repetition");
+    keys.table("practice", "Trials before the test", Need::required,
+               [this](Keys& table) { tellPhase(table, practice); });
+    keys.table("test", "Trials that count", Need::required, [this](Keys& table) { tellPhase(table, test); });
+    keys.table("pause", "Rests within a session; without it there are none", Need::optional,
+               [this](Keys& table) { tellRest(table, rest); });
+    keys.table("masking_noise", "Noise in the participant's headphones", Need::required, [this](Keys& table) {
+        table.choose("colour", noiseColour == "none" ? 1 : 0, {"pink", "none"}, "Kind of noise",
+                     Need::required,
+                     [this](Keys&, std::size_t chosen) { noiseColour = chosen == 0 ? "pink" : "none"; });
+        table.number("level_dBA", noise_dBA, NumberRange::between(0.0, 85.0),
+                     "Level, as noted in the results", Need::optional);
+    });
+    std::set<std::string> ids;
+    keys.tables(
+        "task", tasks, 1, "What participants have to tell apart",
+        [&ids](Keys& table, std::vector<StudyTask>& all, std::size_t i) { tellTask(table, all[i], ids); });
+    tellQuestionnaires(keys, questionnaires);
+}
 
 std::size_t Protocol::testTrials() const {
     std::size_t trials = 0;
@@ -128,8 +131,8 @@ std::size_t Protocol::testTrials() const {
 }
 
 core::Expected<Protocol> parseProtocol(std::string_view text, const std::string& file) {
-    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::parse(text, file));
-    core::Expected<Protocol> protocol = readDocument(document);
+    core::Expected<Protocol> protocol =
+        core::TomlDocument::parse(text, file).and_then(core::readKeys<Protocol>);
     if (protocol)
         protocol->source = text;
     return protocol;

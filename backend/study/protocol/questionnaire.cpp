@@ -15,7 +15,8 @@ namespace teleta::study {
 
 namespace {
 
-using core::TomlTable;
+using core::Keys;
+using core::Need;
 
 struct ItemText {
     Q_DECLARE_TR_FUNCTIONS(StudyQuestionnaire)
@@ -29,29 +30,33 @@ core::Unexpected misfit(const std::string& item, const QString& message, const Q
         core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {item}});
 }
 
-QuestionnaireItem readItem(TomlTable& table, std::set<std::string>& used) {
-    QuestionnaireItem item;
-    item.id = readIdentifier(table, "id", used);
-    item.kind = static_cast<ItemKind>(table.choice("kind", {"text", "likert", "choice"}));
-    item.question = table.text("question");
-    item.required = table.boolean("required", true);
-    if (item.kind == ItemKind::likert) {
-        item.points = static_cast<std::size_t>(table.integer("points", 2, kMostPoints, 7));
-        item.low = table.has("low") ? table.text("low") : std::string();
-        item.high = table.has("high") ? table.text("high") : std::string();
-    }
-    if (item.kind == ItemKind::choice) {
-        std::set<std::string> ids;
-        for (TomlTable& entry : table.tables("choice", 2)) {
-            ItemChoice choice;
-            choice.id = readIdentifier(entry, "id", ids);
-            choice.text = entry.text("text", choice.id);
-            entry.finish();
-            item.choices.push_back(std::move(choice));
-        }
-    }
-    table.finish();
-    return item;
+void tellItem(Keys& keys, QuestionnaireItem& item, std::set<std::string>& used) {
+    tellIdentifier(keys, "id", item.id, used, "The question's name in results");
+    keys.choose(
+        "kind", static_cast<std::size_t>(item.kind),
+        {{"text", "Answered in the participant's own words"},
+         {"likert", "Answered by a point on a scale"},
+         {"choice", "Answered by one of some choices"}},
+        "Kind of question", Need::required, [&item](Keys& same, std::size_t chosen) {
+            item.kind = static_cast<ItemKind>(chosen);
+            if (item.kind == ItemKind::likert) {
+                same.whole("points", item.points, {2, kMostPoints}, "Points of the scale", Need::optional);
+                same.text("low", item.low, "What the first point means", Need::optional);
+                same.text("high", item.high, "What the last point means", Need::optional);
+            } else if (item.kind == ItemKind::choice) {
+                std::set<std::string> ids;
+                same.tables("choice", item.choices, 2, "The choices",
+                            [&ids](Keys& entry, std::vector<ItemChoice>& choices, std::size_t i) {
+                                tellIdentifier(entry, "id", choices[i].id, ids,
+                                               "The choice's name in results");
+                                choices[i].text = choices[i].id;
+                                entry.text("text", choices[i].text,
+                                           "What the participant reads; otherwise the id", Need::optional);
+                            });
+            }
+        });
+    keys.text("question", item.question, "The question");
+    keys.flag("required", item.required, "It has to be answered");
 }
 
 bool isPoint(const std::string& value, std::size_t points) {
@@ -122,24 +127,23 @@ const char* toString(ItemKind kind) {
     return "choice";
 }
 
-std::vector<Questionnaire> readQuestionnaires(TomlTable& root) {
-    std::vector<Questionnaire> questionnaires;
-    if (!root.has("questionnaire"))
-        return questionnaires;
+void tellQuestionnaires(Keys& keys, std::vector<Questionnaire>& questionnaires) {
     std::set<std::string> ids;
-    for (TomlTable& table : root.tables("questionnaire", 1)) {
-        Questionnaire questionnaire;
-        questionnaire.id = readIdentifier(table, "id", ids);
-        questionnaire.title = table.text("title", questionnaire.id);
-        questionnaire.when = static_cast<QuestionnaireTime>(
-            table.choice("when", {"before_study", "before_session", "after_session", "after_study"}));
-        std::set<std::string> items;
-        for (TomlTable& item : table.tables("item", 1))
-            questionnaire.items.push_back(readItem(item, items));
-        table.finish();
-        questionnaires.push_back(std::move(questionnaire));
-    }
-    return questionnaires;
+    keys.tables("questionnaire", questionnaires, 0, "Questions to the participants",
+                [&ids](Keys& table, std::vector<Questionnaire>& all, std::size_t q) {
+                    Questionnaire& questionnaire = all[q];
+                    tellIdentifier(table, "id", questionnaire.id, ids, "The questionnaire's name in results");
+                    questionnaire.title = questionnaire.id;
+                    table.text("title", questionnaire.title, "Its heading; otherwise the id", Need::optional);
+                    table.choice("when", questionnaire.when,
+                                 {"before_study", "before_session", "after_session", "after_study"},
+                                 "When it is filled in");
+                    std::set<std::string> used;
+                    table.tables("item", questionnaire.items, 1, "Its questions",
+                                 [&used](Keys& item, std::vector<QuestionnaireItem>& items, std::size_t i) {
+                                     tellItem(item, items[i], used);
+                                 });
+                });
 }
 
 core::Expected<void> checkAnswers(const Questionnaire& questionnaire,

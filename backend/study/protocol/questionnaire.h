@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/toml_table.h"
+#include "backend/core/data/keys.h"
 #include "backend/core/error.h"
 
 #include <cstddef>
@@ -58,8 +58,8 @@ struct ItemAnswer {
     std::optional<std::string> value;
 };
 
-/// Reads [[questionnaire]] tables; errors are kept by the document. Ids: as in the protocol.
-[[nodiscard]] std::vector<Questionnaire> readQuestionnaires(core::TomlTable& root);
+/// Tells [[questionnaire]]. Ids: as in the protocol.
+void tellQuestionnaires(core::Keys& keys, std::vector<Questionnaire>& questionnaires);
 
 /// Checks answers: one per item in the items' order, required items answered, valid values, texts of at most
 /// 10000 characters. Error: refused, naming the item in Error::where.file.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/session/study_scene.h"
 
-#include "backend/core/data/toml_table.h"
+#include "backend/core/data/toml_keys.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -9,15 +9,15 @@
 #include <QString>
 
 #include <algorithm>
-#include <iterator>
-#include <set>
+#include <array>
 
 namespace teleta::study {
 
 namespace {
 
+using core::Keys;
+using core::Need;
 using core::NumberRange;
-using core::TomlTable;
 
 struct StudySceneText {
     Q_DECLARE_TR_FUNCTIONS(StudyScene)
@@ -26,45 +26,94 @@ struct StudySceneText {
 constexpr long long kMostParticipants = 1000;
 constexpr double kHighestRate_Hz = 1000.0;
 
-const std::vector<std::string_view>& effectNames() {
-    static const std::vector<std::string_view> kNames{"confusion", "lapses",    "reaction_time",
-                                                      "motor_lag", "dead_zone", "dropped_frames"};
-    return kNames;
+/// What simulated participants and their bracelet can have: name, what it stands for, its keys, and how to do
+/// without.
+struct EffectRow {
+    std::string_view name;
+    std::string_view why;
+    void (*tell)(Keys& keys, StudyScene& scene);
+    void (*leaveOut)(StudyScene& scene);
+};
+
+void tellShare(Keys& keys, std::string_view key, std::optional<double>& share, std::string_view about) {
+    keys.number(key, share.emplace(0.0), NumberRange::between(0.0, 1.0), about);
 }
 
-void readEffect(TomlTable table, StudyScene& scene, std::set<std::size_t>& listed) {
-    const std::size_t kind = table.choice("name", effectNames());
-    if (!listed.insert(kind).second)
-        table.fail("name", StudySceneText::tr("the effect is listed twice").toStdString(),
-                   StudySceneText::tr("each effect at most once").toStdString());
-    scene.effects.push_back({std::string(effectNames()[kind]), table.text("why")});
-    const NumberRange share = NumberRange::between(0.0, 1.0);
-    switch (kind) {
-    case 0:
-        (void)table.choice("matrix", {"paper"});
-        scene.confusion = true;
-        break;
-    case 1:
-        scene.lapses = table.number("probability", share);
-        break;
-    case 2:
-        scene.reactionTime = {table.number("median_s", NumberRange::positive()),
-                              table.number("log_spread", NumberRange::notNegative())};
-        break;
-    case 3:
-        scene.motorLag = {table.number("rise_s", NumberRange::positive()),
-                          table.number("fall_s", NumberRange::positive())};
-        break;
-    case 4:
-        scene.deadZone = table.number("start_share", share);
-        break;
-    default:
-        scene.droppedFrames = table.number("share", share);
-    }
-    table.finish();
+constexpr std::array kEffects{
+    EffectRow{"confusion", "Participants confuse patterns",
+              [](Keys& keys, StudyScene& scene) {
+                  keys.word("matrix", "paper", "As the participants of the paper did");
+                  scene.confusion = true;
+              },
+              [](StudyScene& scene) { scene.confusion = false; }},
+    EffectRow{"lapses", "Participants do not always answer",
+              [](Keys& keys, StudyScene& scene) {
+                  tellShare(keys, "probability", scene.lapses, "Probability of no answer");
+              },
+              [](StudyScene& scene) { scene.lapses.reset(); }},
+    EffectRow{"reaction_time", "Answers take time",
+              [](Keys& keys, StudyScene& scene) {
+                  StudyScene::ReactionTime& time = scene.reactionTime.emplace();
+                  keys.number("median_s", time.median_s, NumberRange::positive(), "Median time of an answer");
+                  keys.number("log_spread", time.logSpread, NumberRange::notNegative(),
+                              "Standard deviation of its logarithm");
+              },
+              [](StudyScene& scene) { scene.reactionTime.reset(); }},
+    EffectRow{"motor_lag", "Motors take time to speed up and to slow down",
+              [](Keys& keys, StudyScene& scene) {
+                  StudyScene::MotorLag& lag = scene.motorLag.emplace();
+                  keys.number("rise_s", lag.rise_s, NumberRange::positive(), "From rest to 90 % of a speed");
+                  keys.number("fall_s", lag.fall_s, NumberRange::positive(), "From a speed to 10 % of it");
+              },
+              [](StudyScene& scene) { scene.motorLag.reset(); }},
+    EffectRow{"dead_zone", "A motor stands at a weak drive",
+              [](Keys& keys, StudyScene& scene) {
+                  tellShare(keys, "start_share", scene.deadZone,
+                            "Share of the full drive at which a motor starts");
+              },
+              [](StudyScene& scene) { scene.deadZone.reset(); }},
+    EffectRow{"dropped_frames", "Not all commands reach the bracelet",
+              [](Keys& keys, StudyScene& scene) {
+                  tellShare(keys, "share", scene.droppedFrames, "Share of the frames that are lost");
+              },
+              [](StudyScene& scene) { scene.droppedFrames.reset(); }},
+};
+
+void tellEffect(Keys& keys, StudyScene& scene, std::size_t i) {
+    core::KeyNames names;
+    for (const EffectRow& row : kEffects)
+        names.push_back({row.name, row.why});
+    keys.choose("name", 0, names, "Which effect", Need::required,
+                [&scene, i](Keys& same, std::size_t chosen) {
+                    StudyScene::Effect& effect = scene.effects[i];
+                    effect.name = kEffects[chosen].name;
+                    const auto before = scene.effects.begin() + static_cast<std::ptrdiff_t>(i);
+                    if (std::find_if(scene.effects.begin(), before, [&](const StudyScene::Effect& other) {
+                            return other.name == effect.name;
+                        }) != before)
+                        same.refuse("name", StudySceneText::tr("the effect is listed twice").toStdString(),
+                                    StudySceneText::tr("each effect at most once").toStdString());
+                    same.text("why", effect.why, "What the scene would lose without the effect");
+                    kEffects[chosen].tell(same, scene);
+                });
 }
 
 } // namespace
+
+void StudyScene::tell(Keys& keys) {
+    keys.text("name", name, "Name of the scene");
+    keys.text("description", description, "What happens in it");
+    keys.number("duration_s", duration_s, NumberRange::positive(),
+                "Longest simulated time; the rehearsal ends when all sessions are done");
+    keys.number("rate_Hz", frameRate_Hz, NumberRange::positiveUpTo(kHighestRate_Hz),
+                "Frames of the bracelet a second");
+    keys.table("study", "The study that is rehearsed", Need::required, [this](Keys& table) {
+        table.text("protocol", protocolPath, "Protocol file, relative to the scene; `paper` for the paper's");
+        table.whole("participants", participants, {1, kMostParticipants}, "Simulated participants");
+    });
+    keys.tables("effects", effects, 0, "Imperfections; what is not listed is not simulated",
+                [this](Keys& table, std::vector<Effect>&, std::size_t i) { tellEffect(table, *this, i); });
+}
 
 bool isStudyScene(std::string_view text) {
     const core::Expected<core::TomlDocument> document = core::TomlDocument::parse(text, {});
@@ -72,60 +121,22 @@ bool isStudyScene(std::string_view text) {
 }
 
 core::Expected<StudyScene> parseStudyScene(std::string_view text, const std::string& file) {
-    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::parse(text, file));
-    TomlTable root = document.root();
-    StudyScene scene;
-    scene.name = root.text("name");
-    scene.description = root.text("description");
-    scene.duration_s = root.number("duration_s", NumberRange::positive());
-    scene.frameRate_Hz = root.number("rate_Hz", {.low = 0.0, .high = kHighestRate_Hz, .lowOpen = true});
-    TomlTable study = root.table("study");
-    const std::vector<TomlTable> effects = root.tables("effects", 0);
-    root.finish();
-    const std::string protocol = study.text("protocol");
-    scene.participants = static_cast<std::size_t>(study.integer("participants", 1, kMostParticipants));
-    study.finish();
-    std::set<std::size_t> listed;
-    for (const TomlTable& table : effects)
-        readEffect(table, scene, listed);
-    if (document.firstError())
-        return core::Unexpected(document.firstError());
-    TELETA_TRY(Protocol read, protocol == "paper"
-                                  ? paperProtocol()
-                                  : readProtocol(QFileInfo(QString::fromStdString(file))
-                                                     .dir()
-                                                     .filePath(QString::fromStdString(protocol))
-                                                     .toStdString()));
-    scene.protocol = std::move(read);
+    TELETA_TRY(StudyScene scene, core::TomlDocument::parse(text, file).and_then(core::readKeys<StudyScene>));
+    TELETA_TRY(scene.protocol, scene.protocolPath == "paper"
+                                   ? paperProtocol()
+                                   : readProtocol(QFileInfo(QString::fromStdString(file))
+                                                      .dir()
+                                                      .filePath(QString::fromStdString(scene.protocolPath))
+                                                      .toStdString()));
     return scene;
 }
 
 StudyScene StudyScene::without(const std::string& effect) const {
     StudyScene others = *this;
     std::erase_if(others.effects, [&](const Effect& listed) { return listed.name == effect; });
-    const std::vector<std::string_view>& names = effectNames();
-    switch (std::distance(names.begin(), std::ranges::find(names, effect))) {
-    case 0:
-        others.confusion = false;
-        break;
-    case 1:
-        others.lapses.reset();
-        break;
-    case 2:
-        others.reactionTime.reset();
-        break;
-    case 3:
-        others.motorLag.reset();
-        break;
-    case 4:
-        others.deadZone.reset();
-        break;
-    case 5:
-        others.droppedFrames.reset();
-        break;
-    default:
-        break;
-    }
+    const auto row = std::ranges::find(kEffects, effect, &EffectRow::name);
+    if (row != kEffects.end())
+        row->leaveOut(others);
     return others;
 }
 

@@ -21,6 +21,7 @@ struct StudyScene {
     std::string description;
     double duration_s = 0.0;   ///< simulated; the rehearsal ends earlier when all sessions are done
     double frameRate_Hz = 0.0; ///< of the bracelet
+    std::string protocolPath;  ///< as the file names it
     Protocol protocol;
     std::size_t participants = 1;
 
@@ -44,6 +45,8 @@ struct StudyScene {
         std::string why; ///< what the scene would lose without it
     };
     std::vector<Effect> effects; ///< in the order of the file
+
+    void tell(core::Keys& keys);
 
     /// The same scene without one of its effects; unlisted effects change nothing.
     [[nodiscard]] StudyScene without(const std::string& effect) const;

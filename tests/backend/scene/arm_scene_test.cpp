@@ -136,10 +136,9 @@ TEST(ArmScene, readsAnOperatorHisLinkAndWhatHeDoesNotKnow) {
 
     EXPECT_EQ(
         errorOf(kHead + kArm + kSkin + kProgram + kObject + link),
-        "s.toml:35:8: unknown value \"link_delay\" of \"name\" (expected one of: noise, quantization, "
-        "saturation, dead_taxels, crosstalk, hysteresis, drift, latency, nonlinear_response, gain_spread, "
-        "torque_noise, encoder_quantization, "
-        "gravity_error, gear_ripple, nonlinear_object)");
+        "s.toml:35:8: unknown value \"link_delay\" of \"name\" (expected one of: crosstalk, hysteresis, "
+        "nonlinear_response, gain_spread, drift, noise, saturation, quantization, dead_taxels, latency, "
+        "gravity_error, gear_ripple, torque_noise, encoder_quantization, nonlinear_object)");
     Scene copy = *scene;
     copy.arm().program = YieldProgram{};
     EXPECT_FALSE(checkScene(copy)); // nobody is at the other end of the link
@@ -170,8 +169,8 @@ why = "w"
 )";
     EXPECT_EQ(
         errorOf(kHead + array),
-        "s.toml:18:8: unknown value \"torque_noise\" of \"name\" (expected one of: noise, quantization, "
-        "saturation, dead_taxels, crosstalk, hysteresis, drift, latency, nonlinear_response, gain_spread)");
+        "s.toml:18:8: unknown value \"torque_noise\" of \"name\" (expected one of: crosstalk, hysteresis, "
+        "nonlinear_response, gain_spread, drift, noise, saturation, quantization, dead_taxels, latency)");
 }
 
 TEST(CheckScene, refusesAnArmThatNoFileCouldDescribe) {

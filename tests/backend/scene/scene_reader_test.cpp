@@ -168,9 +168,8 @@ TEST(SceneReader, placesWhatIsWrongInAnIndenter) {
 TEST(SceneReader, placesWhatIsWrongInAnEffect) {
     EXPECT_EQ(errorOf(withEffect("name = \"nosie\"\nwhy = \"w\"\n")),
               "s.toml:18:8: unknown value \"nosie\" of \"name\"; perhaps \"noise\" is meant (expected one "
-              "of: noise, "
-              "quantization, saturation, dead_taxels, crosstalk, hysteresis, drift, latency, "
-              "nonlinear_response, gain_spread)");
+              "of: crosstalk, hysteresis, nonlinear_response, gain_spread, drift, noise, saturation, "
+              "quantization, dead_taxels, latency)");
     EXPECT_EQ(errorOf(withEffect("name = \"noise\"\nsd_N = 1\n")), "s.toml:17:1: \"why\" is missing");
     EXPECT_EQ(errorOf(withEffect("name = \"noise\"\nwhy = \"\"\nsd_N = 1\n")),
               "s.toml:19:7: \"why\" is empty (expected a text in quotes)");

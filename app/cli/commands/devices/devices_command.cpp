@@ -2,10 +2,10 @@
 #include "app/cli/commands/devices/devices_command.h"
 
 #include "app/cli/base/command_io.h"
+#include "app/cli/commands/devices/device_files.h"
 #include "backend/core/data/output_file.h"
-#include "backend/core/data/toml_table.h"
+#include "backend/core/data/toml_keys.h"
 #include "backend/core/threads/stop_switch.h"
-#include "backend/vision/camera/camera_model.h"
 #include "devices/bracelet/hid_bracelet.h"
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/camera/camera_list.h"
@@ -102,19 +102,11 @@ core::Expected<FoundDevice> probeBracelet(const std::string& path) {
     return found;
 }
 
-core::Expected<FoundDevice> probeArray(const core::TomlDocument& document, core::TomlTable& root) {
-    const std::string name = root.text("name");
-    const std::string text = root.text("address");
-    const auto baud = static_cast<int>(root.integer("baud", 9600, 4'000'000, 115200));
-    root.finish();
-    const auto address = wts::parseWtsAddress(text, baud);
-    if (!address)
-        root.fail("address", address.error().message, address.error().expected);
-    if (document.firstError())
-        return core::Unexpected(*document.firstError());
-    FoundDevice found{.kind = "wts", .name = name, .where = text};
+core::Expected<FoundDevice> probeArray(const core::TomlDocument& document) {
+    TELETA_TRY(const ArrayFile file, core::readKeys<ArrayFile>(document));
+    FoundDevice found{.kind = "wts", .name = file.name, .where = file.address};
     wts::WtsConfig config;
-    config.address = *address;
+    config.address = wts::parseWtsAddress(file.address, file.baud).value();
     const auto opened = wts::WtsDevice::open(std::move(config));
     found.error = errorOf(opened);
     if (opened) {
@@ -127,15 +119,10 @@ core::Expected<FoundDevice> probeArray(const core::TomlDocument& document, core:
     return found;
 }
 
-core::Expected<FoundDevice> probeCamera(const core::TomlDocument& document, core::TomlTable& root) {
-    FoundDevice found{.kind = "camera", .name = root.text("name"), .where = root.text("source")};
-    const auto width_px = static_cast<int>(root.integer("width_px", 0, vision::kLargestSide_px, 0));
-    const auto height_px = static_cast<int>(root.integer("height_px", 0, vision::kLargestSide_px, 0));
-    const double rate_Hz = root.number("rate_Hz", {.low = 0.0, .high = 10'000.0}, 0.0);
-    root.finish();
-    if (document.firstError())
-        return core::Unexpected(*document.firstError());
-    const auto probe = camera::probeCamera(found.where, width_px, height_px, rate_Hz);
+core::Expected<FoundDevice> probeCamera(const core::TomlDocument& document) {
+    TELETA_TRY(const CameraFile file, core::readKeys<CameraFile>(document));
+    FoundDevice found{.kind = "camera", .name = file.name, .where = file.source};
+    const auto probe = camera::probeCamera(file.source, file.width_px, file.height_px, file.rate_Hz);
     found.error = errorOf(probe);
     if (probe) {
         if (probe->measuredRate_Hz)
@@ -169,7 +156,7 @@ core::Expected<FoundDevice> probeFile(const std::string& path) {
         return probeRegisters(path);
     if (kind == 3)
         return probeBracelet(path);
-    return kind == 1 ? probeArray(*document, root) : probeCamera(*document, root);
+    return kind == 1 ? probeArray(*document) : probeCamera(*document);
 }
 
 nlohmann::ordered_json toJson(const FoundDevice& device) {

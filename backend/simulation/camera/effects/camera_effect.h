@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/simulation/base/effect.h"
 #include "backend/simulation/camera/skin/printed_dots.h"
 #include "backend/vision/camera/camera_model.h"
 
 #include <opencv2/core.hpp>
 
-#include <string_view>
-
 namespace teleta::simulation {
 
-/// One imperfection of the camera inside the tube. Each overrides what it acts on. Thread: one.
-class CameraEffect {
+/// One imperfection of the camera inside the tube. Each overrides what it acts on.
+class CameraEffect : public Effect {
 public:
-    explicit CameraEffect(std::string_view name)
-        : m_name(name) {}
-    virtual ~CameraEffect() = default;
-    CameraEffect(const CameraEffect&) = delete;
-    CameraEffect& operator=(const CameraEffect&) = delete;
+    using Effect::Effect;
 
     /// Once, in this order.
     virtual void changeLens(vision::CameraParameters& /*camera*/) {}
@@ -32,11 +27,6 @@ public:
     /// Each frame from top to bottom, a few rows a call, in grey levels, for an effect that says so.
     [[nodiscard]] virtual bool changesRows() const { return false; }
     virtual void changeRows(cv::Mat1f& /*rows*/) {}
-
-    [[nodiscard]] std::string_view name() const { return m_name; }
-
-private:
-    std::string_view m_name;
 };
 
 } // namespace teleta::simulation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/scene/camera_world.h"
+#include "backend/scene/effects.h"
 #include "backend/simulation/base/random_stream.h"
 #include "backend/simulation/camera/skin/skin_deformation.h"
 

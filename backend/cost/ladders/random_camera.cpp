@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/cost/ladders/camera_lottery.h"
+#include "backend/cost/ladders/random_camera.h"
 
 #include "backend/vision/camera/nominal_camera.h"
 
@@ -9,7 +9,7 @@
 
 namespace teleta::cost {
 
-vision::CameraParameters drawCamera(simulation::RandomStream& random) {
+vision::CameraParameters randomCamera(simulation::RandomStream& random) {
     const auto between = [&](double low, double high) { return low + (high - low) * random.uniform(); };
     vision::CameraParameters camera = vision::nominalCamera(1640, 1232).camera().parameters();
     camera.fx_px *= between(0.9, 1.1);

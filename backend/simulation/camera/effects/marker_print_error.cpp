@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
-
-#include "backend/scene/camera_world.h"
-#include "backend/simulation/base/random_stream.h"
+#include "backend/simulation/base/listed_effects.h"
 #include "backend/simulation/camera/effects/camera_effect.h"
 
-#include <utility>
-
 namespace teleta::simulation {
+
+namespace {
 
 /// See scene::MarkerPrintErrorSpec.
 class MarkerPrintError : public CameraEffect {
 public:
-    MarkerPrintError(std::string_view name, const scene::MarkerPrintErrorSpec& spec, RandomStream random)
-        : CameraEffect(name)
-        , m_spec(spec)
-        , m_random(std::move(random)) {}
+    explicit MarkerPrintError(const Listed<scene::MarkerPrintErrorSpec>& listed)
+        : CameraEffect(listed.name())
+        , m_spec(listed.spec)
+        , m_random(listed.random()) {}
 
     void changePrint(PrintedDots& dots) override { dots.misprint(m_spec, m_random); }
 
@@ -23,5 +20,11 @@ private:
     scene::MarkerPrintErrorSpec m_spec;
     RandomStream m_random;
 };
+
+} // namespace
+
+std::unique_ptr<CameraEffect> makeEffect(const Listed<scene::MarkerPrintErrorSpec>& listed) {
+    return std::make_unique<MarkerPrintError>(listed);
+}
 
 } // namespace teleta::simulation

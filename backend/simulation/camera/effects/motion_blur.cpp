@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
-
-#include "backend/scene/camera_world.h"
+#include "backend/simulation/base/listed_effects.h"
 #include "backend/simulation/camera/effects/camera_effect.h"
 
 namespace teleta::simulation {
 
+namespace {
+
 /// See scene::MotionBlurSpec.
 class MotionBlur : public CameraEffect {
 public:
-    MotionBlur(std::string_view name, const scene::MotionBlurSpec& spec)
-        : CameraEffect(name)
-        , m_spec(spec) {}
+    explicit MotionBlur(const Listed<scene::MotionBlurSpec>& listed)
+        : CameraEffect(listed.name())
+        , m_spec(listed.spec) {}
 
     [[nodiscard]] int moments() const override { return m_spec.samples; }
     [[nodiscard]] double before_s(int moment) const override {
@@ -21,5 +21,11 @@ public:
 private:
     scene::MotionBlurSpec m_spec;
 };
+
+} // namespace
+
+std::unique_ptr<CameraEffect> makeEffect(const Listed<scene::MotionBlurSpec>& listed) {
+    return std::make_unique<MotionBlur>(listed);
+}
 
 } // namespace teleta::simulation

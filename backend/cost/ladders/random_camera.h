@@ -8,6 +8,6 @@ namespace teleta::cost {
 
 /// A camera like the data sheet's (160 degrees over 1640 x 1232), as one would mount it: another focal length
 /// and principal point, a bent and decentred lens, any roll, a little tilt and offset, either handedness.
-[[nodiscard]] vision::CameraParameters drawCamera(simulation::RandomStream& random);
+[[nodiscard]] vision::CameraParameters randomCamera(simulation::RandomStream& random);
 
 } // namespace teleta::cost

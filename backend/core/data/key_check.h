@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/data/keys.h"
+#include "backend/core/error.h"
+
+namespace teleta::core {
+
+/// Checks the values that are told against what their keys accept. A program's own value may leave out what
+/// only a file has to give: texts, and the tables of its top.
+class KeyCheck : public Keys {
+public:
+    explicit KeyCheck(std::string path = {})
+        : m_path(std::move(path)) {}
+
+    [[nodiscard]] const std::optional<Error>& firstError() const { return m_error; }
+
+    using Keys::number;
+    void number(std::string_view key, double& value, const NumberRange& range, std::string_view about,
+                Need need) override;
+    void numbers(std::string_view key, std::span<const std::string_view> names, std::span<double> values,
+                 const NumberRange& range, std::string_view about, Need need) override;
+    void flag(std::string_view, bool&, std::string_view) override {}
+    void text(std::string_view, std::string&, std::string_view, Need) override {}
+    void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,
+                Need need, const std::function<void(Keys&, std::size_t)>& tell) override;
+    using Keys::table;
+    void table(std::string_view key, std::string_view about, Need need, const Tell& tell) override;
+    void oneOf(std::string_view, std::string_view, const std::string&, const std::string&) override {}
+    void refuse(std::string_view key, const std::string& message, const std::string& expected) override;
+
+protected:
+    void wholeNumber(std::string_view key, long long& value, const WholeRange& range, std::string_view about,
+                     Need need) override;
+    void tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t count,
+                   const std::function<void(std::size_t)>& resize,
+                   const std::function<void(Keys&, std::size_t)>& tell) override;
+    bool isThere(std::string_view, bool known) override { return known; }
+
+private:
+    [[nodiscard]] std::string pathOf(std::string_view key) const;
+    void outOfRange(std::string_view key, double value, const std::string& expected);
+    void inTable(const std::string& path, const Tell& tell);
+
+    std::string m_path;
+    std::optional<Error> m_error;
+};
+
+/// Error: badInput for the first value that its key does not accept; without a place, the key's path in the
+/// message. Thread: any (pure).
+template <typename T>
+[[nodiscard]] Expected<void> checkKeys(T value) {
+    KeyCheck check;
+    value.tell(check);
+    if (check.firstError())
+        return Unexpected(*check.firstError());
+    return {};
+}
+
+} // namespace teleta::core

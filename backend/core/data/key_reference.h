@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/data/keys.h"
+
+#include <memory>
+
+namespace teleta::core {
+
+/// The words of a reference's tables, in its reader's language.
+struct ReferenceWords {
+    std::string key = "Key";
+    std::string unit = "Unit";
+    std::string accepts = "Accepts";
+    std::string fallback = "Without it";
+    std::string meaning = "Meaning";
+    std::string required = "required";
+    std::string number = "a number";
+    std::string whole = "whole";
+    std::string text = "text";
+    std::string table = "a table";
+    std::string tables = "tables";
+};
+
+/// A table of a file as a page shows it.
+struct ReferenceTable {
+    struct Row {
+        std::string key;
+        std::string unit; ///< from the key's name
+        std::string accepts;
+        std::string fallback;
+        std::string meaning;
+        std::string when; ///< choices with which alone the key is there; empty: always
+    };
+    std::string path; ///< "[sensor]", "[[indenter.keyframes]]"; empty: the top of the file
+    std::vector<Row> rows;
+};
+
+/// Collects the keys that are told of values as they are by default: each table with its rows, the tables in
+/// it behind it.
+class KeyReference : public Keys {
+public:
+    explicit KeyReference(ReferenceWords words = {});
+
+    [[nodiscard]] const std::vector<ReferenceTable>& tables() const { return *m_tables; }
+    /// The tables as Markdown, each under a heading of that level.
+    [[nodiscard]] std::string markdown(int level) const;
+
+    using Keys::number;
+    void number(std::string_view key, double& value, const NumberRange& range, std::string_view about,
+                Need need) override;
+    void numbers(std::string_view key, std::span<const std::string_view> names, std::span<double> values,
+                 const NumberRange& range, std::string_view about, Need need) override;
+    void flag(std::string_view key, bool& value, std::string_view about) override;
+    void text(std::string_view key, std::string& value, std::string_view about, Need need) override;
+    void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,
+                Need need, const std::function<void(Keys&, std::size_t)>& tell) override;
+    using Keys::table;
+    void table(std::string_view key, std::string_view about, Need need, const Tell& tell) override;
+    void oneOf(std::string_view, std::string_view, const std::string&, const std::string&) override {}
+    void refuse(std::string_view, const std::string&, const std::string&) override {}
+
+protected:
+    void wholeNumber(std::string_view key, long long& value, const WholeRange& range, std::string_view about,
+                     Need need) override;
+    void tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t count,
+                   const std::function<void(std::size_t)>& resize,
+                   const std::function<void(Keys&, std::size_t)>& tell) override;
+    bool isThere(std::string_view, bool) override { return m_unset = true; }
+
+private:
+    KeyReference(const KeyReference& parent, const std::string& path, bool list);
+    void add(std::string_view key, std::string accepts, Need need, std::string fallback,
+             std::string_view about);
+
+    std::shared_ptr<std::vector<ReferenceTable>> m_tables;
+    ReferenceWords m_words;
+    std::string m_path; ///< "indenter.keyframes"
+    std::size_t m_table = 0;
+    std::string m_when;
+    bool m_unset = false; ///< the next key has no stand-in
+};
+
+} // namespace teleta::core

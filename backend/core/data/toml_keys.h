@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/data/keys.h"
+#include "backend/core/data/toml_table.h"
+
+namespace teleta::core {
+
+/// Reads the keys that are told from a table of a TOML document, which keeps the first error.
+class TomlKeys : public Keys {
+public:
+    /// When the tables in the table are read.
+    enum class Nested {
+        atOnce,
+        /// In finish(), after the table itself was checked for unknown keys: a misspelt table is then the
+        /// error to show, not what its absence brings about.
+        afterwards,
+    };
+    explicit TomlKeys(TomlTable table, Nested nested = Nested::atOnce);
+
+    /// Reports unknown and missing keys. Call it after the last key was told.
+    void finish();
+
+    using Keys::number;
+    void number(std::string_view key, double& value, const NumberRange& range, std::string_view about,
+                Need need) override;
+    void numbers(std::string_view key, std::span<const std::string_view> names, std::span<double> values,
+                 const NumberRange& range, std::string_view about, Need need) override;
+    void flag(std::string_view key, bool& value, std::string_view about) override;
+    void text(std::string_view key, std::string& value, std::string_view about, Need need) override;
+    void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,
+                Need need, const std::function<void(Keys&, std::size_t)>& tell) override;
+    using Keys::table;
+    void table(std::string_view key, std::string_view about, Need need, const Tell& tell) override;
+    void oneOf(std::string_view first, std::string_view second, const std::string& message,
+               const std::string& expected) override;
+    void refuse(std::string_view key, const std::string& message, const std::string& expected) override;
+
+protected:
+    void wholeNumber(std::string_view key, long long& value, const WholeRange& range, std::string_view about,
+                     Need need) override;
+    void tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t count,
+                   const std::function<void(std::size_t)>& resize,
+                   const std::function<void(Keys&, std::size_t)>& tell) override;
+    bool isThere(std::string_view key, bool known) override;
+
+private:
+    void readNow(const std::function<void()>& read);
+
+    TomlTable m_table;
+    Nested m_nested;
+    /// What waits for finish(): tables that are read afterwards, and refusals, since a missing value makes
+    /// others look wrong.
+    std::vector<std::function<void()>> m_atEnd;
+};
+
+/// Reads a value from the root of a document by the keys that it tells.
+/// Error: badInput, the first one in the file's order of reading.
+template <typename T>
+[[nodiscard]] Expected<T> readKeys(const TomlDocument& document) {
+    T value;
+    TomlKeys keys(document.root());
+    value.tell(keys);
+    keys.finish();
+    if (document.firstError())
+        return Unexpected(*document.firstError());
+    return value;
+}
+
+} // namespace teleta::core
