@@ -8,8 +8,8 @@
 
 namespace teleta::recording {
 
-/// Whether frames may be one block of a recording: steady times that never fall, source times that are
-/// finite. The reader takes other ones for damage. Thread: any (pure).
+/// Whether frames may form a block of a recording: steady times that never decrease and finite source times.
+/// The reader treats anything else as damage. Thread: any (pure).
 [[nodiscard]] inline bool hasTimesInOrder(const core::TappedFrames& block) {
     return std::ranges::is_sorted(block.time_ns) &&
            std::ranges::all_of(block.sourceTime_s, [](double time_s) { return std::isfinite(time_s); });

@@ -86,18 +86,16 @@ struct WrittenFile {
 
 core::Expected<WrittenFile> exportEvents(const Recording& recording, const std::string& path) {
     constexpr std::array<std::string_view, 5> kColumns{"time_s", "utc", "event", "text", "value"};
-    auto csv = core::CsvWriter::create(path, kColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
+    TELETA_TRY(auto csv, core::CsvWriter::create(path, kColumns));
     for (const RecordingEvent& event : recording.events()) {
-        csv->number(recording.time_s(event.time_ns));
-        csv->text(recording.utcOf(event.time_ns).toString(Qt::ISODateWithMs).toStdString());
-        csv->text(event.kind);
-        csv->text(event.text);
-        csv->number(event.value);
-        csv->endRow();
+        csv.number(recording.time_s(event.time_ns));
+        csv.text(recording.utcOf(event.time_ns).toString(Qt::ISODateWithMs).toStdString());
+        csv.text(event.kind);
+        csv.text(event.text);
+        csv.number(event.value);
+        csv.endRow();
     }
-    return WrittenFile{{path, recording.events().size(), 0}, std::move(*csv)};
+    return WrittenFile{{path, recording.events().size(), 0}, std::move(csv)};
 }
 
 /// Counts frames over all streams.
@@ -128,13 +126,11 @@ core::Expected<WrittenFile> exportStream(const Recording& recording, std::size_t
     const StreamInfo& stream = recording.streams()[index];
     const std::vector<std::string> names = columnNames(stream);
     const std::vector<std::string_view> columns(names.begin(), names.end());
-    auto csv = core::CsvWriter::create(path, columns);
-    if (!csv)
-        return core::Unexpected(csv.error());
+    TELETA_TRY(auto csv, core::CsvWriter::create(path, columns));
     ExportedFile file{path, 0, 0};
     StreamReader reader = recording.reader(index);
     core::TappedFrames block;
-    while (!csv->failed() && !progress.stopped()) {
+    while (!csv.failed() && !progress.stopped()) {
         const core::Expected<bool> any = reader.next(block);
         if (!any && any.error().kind != core::ErrorKind::badInput)
             return core::Unexpected(any.error());
@@ -149,15 +145,15 @@ core::Expected<WrittenFile> exportStream(const Recording& recording, std::size_t
         if (!*any)
             break;
         for (std::size_t frame = 0; frame < block.frames(); ++frame) {
-            csv->number(recording.time_s(block.time_ns[frame]));
-            writeFrame(*csv, stream, block, frame);
+            csv.number(recording.time_s(block.time_ns[frame]));
+            writeFrame(csv, stream, block, frame);
         }
         file.rows += block.frames();
         progress.add(block.frames());
     }
-    if (csv->failed())
-        return core::Unexpected(csv->finish().error());
-    return WrittenFile{std::move(file), std::move(*csv)};
+    if (csv.failed())
+        return core::Unexpected(csv.finish().error());
+    return WrittenFile{std::move(file), std::move(csv)};
 }
 
 /// The name of a stream as that of a file.
@@ -191,23 +187,19 @@ writeAll(const Recording& recording, const std::vector<std::string>& paths, cons
     std::vector<WrittenFile> files;
     Progress progress(recording, options);
     for (std::size_t i = 0; i < recording.streams().size(); ++i) {
-        auto file = exportStream(recording, i, paths[i], progress);
-        if (!file)
-            return core::Unexpected(file.error());
+        TELETA_TRY(auto file, exportStream(recording, i, paths[i], progress));
         if (progress.stopped() && !options.finishesWhenEnded)
             return core::Unexpected(
                 core::Error{core::ErrorKind::cancelled,
                             CsvExportText::tr("interrupted; nothing was written").toStdString(),
                             {},
                             {recording.path()}});
-        files.push_back(std::move(*file));
+        files.push_back(std::move(file));
         if (progress.stopped())
             break;
     }
-    auto events = exportEvents(recording, paths.back());
-    if (!events)
-        return core::Unexpected(events.error());
-    files.push_back(std::move(*events));
+    TELETA_TRY(auto events, exportEvents(recording, paths.back()));
+    files.push_back(std::move(events));
     return files;
 }
 
@@ -220,7 +212,7 @@ core::Expected<std::vector<ExportedFile>> exportCsv(const Recording& recording, 
     if (!QDir().mkpath(path) || !QFileInfo(path).isWritable())
         return core::Unexpected(
             core::Error{core::ErrorKind::ioFailed,
-                        CsvExportText::tr("the folder cannot be made or written to").toStdString(),
+                        CsvExportText::tr("the folder cannot be created or written to").toStdString(),
                         {},
                         {folder}});
     const std::vector<std::string> paths = filePaths(recording, folder);
@@ -229,7 +221,7 @@ core::Expected<std::vector<ExportedFile>> exportCsv(const Recording& recording, 
     if (!options.overwrite && there != paths.end())
         return core::Unexpected(
             core::Error{core::ErrorKind::refused,
-                        CsvExportText::tr("there is a file of this name already").toStdString(),
+                        CsvExportText::tr("a file of this name already exists").toStdString(),
                         CsvExportText::tr("another folder").toStdString(),
                         {*there}});
     std::vector<ExportedFile> files;

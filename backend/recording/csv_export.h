@@ -19,28 +19,27 @@ struct ExportedFile {
 };
 
 struct ExportOptions {
-    /// Called now and then with the frames so far and of all streams; false ends the export.
+    /// Called now and then with the frames done so far and in total; returning false ends the export.
     std::function<bool(double frames, double allFrames)> goOn = {};
-    /// An export that is ended so finishes its files: the rows so far of the stream at hand, no files of
-    /// those after it, and the events. Otherwise it leaves none.
+    /// An export ended by goOn keeps its files: those of the streams so far, the last one incomplete, and the
+    /// events. Otherwise it leaves none.
     bool finishesWhenEnded = false;
-    /// Files that are there already are written over.
+    /// Overwrites existing files.
     bool overwrite = false;
 };
 
-/// Writes each stream as NAME.csv into a folder, which is made when it is missing, and events.csv. Names that
-/// would be the same get numbers. Times are since the start of the recording, from the steady clock.
+/// Writes each stream as NAME.csv, and events.csv, into a folder, which is created if missing. Equal names
+/// get numbers. Times are since the start of the recording, from the steady clock.
 /// - array: time_s,t0,t1,... as `teleta features` reads them
 /// - joints: time_s,joint_angle_rad,joint_torque_nm,q1,... the elbow first, as `teleta stiffness` reads it
 /// - features: time_s,contact_type,force_n,... as `teleta features` writes them
 /// - camera: time_s,frame_time_s,width_px,height_px, the pictures' times
 /// - others: time_s and the stream's own columns; NA where there is no value
 /// - events: time_s,utc,event,text,value
-/// Damaged blocks are left out and counted. The files appear together at the end: a file that is cut short,
-/// or the first of several, would be taken for a whole export.
-/// Error: ioFailed; cancelled by goOn, unless it finishes its files; refused when there is a file already.
-/// Then no file of it is left. Files that were there stay as they were, unless the last step failed, in which
-/// the new ones take their names.
+/// Damaged blocks are skipped and counted. All files appear together at the end, so that a partial export
+/// cannot be mistaken for a whole one.
+/// Error: ioFailed; cancelled by goOn, unless the files are to be kept; refused when a file exists already.
+/// No new file is left then, and existing files are unchanged unless renaming the new ones failed midway.
 [[nodiscard]] core::Expected<std::vector<ExportedFile>>
 exportCsv(const Recording& recording, const std::string& folder, const ExportOptions& options = {});
 

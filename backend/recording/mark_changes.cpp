@@ -26,8 +26,7 @@ core::Expected<void> writeMarkChanges(RecordingDatabase& database, std::span<con
             done = database.run(
                 QStringLiteral("INSERT INTO event (time_ns, kind, text, value) VALUES (?, ?, ?, ?)"),
                 {static_cast<qlonglong>(*change.restored_ns), kind, note, number});
-        if (!done)
-            return core::Unexpected(done.error());
+        TELETA_CHECK(done);
     }
     return {};
 }
@@ -36,8 +35,7 @@ core::Expected<void> changeMarks(const std::string& path, std::span<const MarkCh
     RecordingDatabase database(path);
     if (const core::Expected<void> opened = database.openForWriting(); !opened)
         return opened;
-    if (const auto begun = database.run(QStringLiteral("BEGIN IMMEDIATE")); !begun)
-        return core::Unexpected(begun.error());
+    TELETA_CHECK(database.run(QStringLiteral("BEGIN IMMEDIATE")));
     core::Expected<void> done = writeMarkChanges(database, changes);
     if (done) {
         if (const auto committed = database.run(QStringLiteral("COMMIT")); !committed)

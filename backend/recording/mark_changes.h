@@ -11,13 +11,12 @@ namespace teleta::recording {
 
 class RecordingDatabase;
 
-/// Carries the changes out, in their order, in a transaction of the caller's. Error: ioFailed.
+/// Carries out the changes in order, within the caller's transaction. Error: ioFailed.
 [[nodiscard]] core::Expected<void> writeMarkChanges(RecordingDatabase& database,
                                                     std::span<const MarkChange> changes);
 
-/// Changes the marks of a recording that has ended: all of them, or none. Waits for the disk, and for a
-/// moment for whoever reads the file: not on the GUI's thread. Error: as Recording::open; ioFailed: it cannot
-/// be written.
+/// Changes the marks of a finished recording: all or none. Waits for the disk and briefly for readers of the
+/// file: not on the GUI's thread. Error: as Recording::open; ioFailed: it cannot be written.
 [[nodiscard]] core::Expected<void> changeMarks(const std::string& path, std::span<const MarkChange> changes);
 
 } // namespace teleta::recording

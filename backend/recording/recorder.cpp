@@ -13,10 +13,10 @@ namespace teleta::recording {
 
 namespace {
 
-/// Often enough that no queue fills and a transaction never waits long for its data.
+/// Often enough that no queue fills up and data never waits long for its transaction.
 constexpr std::chrono::milliseconds kDrainPeriod{50};
 constexpr std::int64_t kCommitPeriod_ns = 200'000'000;
-/// So much waits for a commit at most: a slow disk is not to fill the memory.
+/// Most bytes that may wait for a commit, so that a slow disk does not fill the memory.
 constexpr std::size_t kMostWaitingBytes = 16U << 20U;
 
 } // namespace
@@ -31,8 +31,7 @@ core::Expected<std::unique_ptr<Recorder>> Recorder::start(const std::string& pat
                                        begun = std::move(begun)](const std::stop_token& stop) mutable {
         recorder.run(std::move(head), std::move(begun), stop);
     });
-    if (const core::Expected<void> done = result.get(); !done)
-        return core::Unexpected(done.error());
+    TELETA_CHECK(result.get());
     return recorder;
 }
 
@@ -168,8 +167,8 @@ void Recorder::write(RecordingWriter& writer, const std::stop_token& stop) {
     }
 }
 
-/// Takes what waits in a tap, at most as much as fits into it: a producer that waits for room would otherwise
-/// hold the writer at its stream.
+/// Takes what is queued in a tap, at most its capacity: a producer that waits for room could otherwise keep
+/// the writer busy with its stream forever.
 core::Expected<void> Recorder::drain(std::size_t stream, RecordingWriter& writer) {
     core::TappedFrames frames;
     for (std::size_t left = m_taps[stream]->capacity(); left > 0 && m_taps[stream]->pop(frames); --left) {

@@ -20,7 +20,7 @@ namespace teleta::recording {
 
 class RecordingWriter;
 
-/// What a recorder does now.
+/// Progress of a recorder.
 struct RecorderStatus {
     enum class State {
         recording,
@@ -40,8 +40,8 @@ struct RecorderOptions {
     std::function<QDateTime()> utcNow = [] { return QDateTime::currentDateTimeUtc(); };
     /// The frames' times are a simulation's, not the steady clock's.
     bool simulatedTime = false;
-    /// Blocks that may wait for the writer, in a stream: 20 s of an array at 200 Hz, frame by frame. A
-    /// producer of large blocks that can wait takes fewer.
+    /// Blocks of a stream that may wait for the writer: 20 s of an array at 200 Hz, frame by frame. A
+    /// producer of large blocks that can wait needs fewer.
     std::size_t queueBlocks = 4096;
     /// Pictures that may wait, which are large: 1.6 s at 40 Hz.
     std::size_t queuePictures = 64;
@@ -49,12 +49,12 @@ struct RecorderOptions {
 
 /// Writes streams into one file, from a thread of its own.
 ///   data thread -> StreamTap -> writer thread -> a transaction every 0.2 s, or when 16 MB wait
-/// A killed program loses what came after the last transaction. When a write fails (disk full) the recording
-/// ends with an error, what was written stays readable, and the data threads never notice.
+/// A killed program loses what came after the last transaction. If a write fails (disk full), the recording
+/// ends with an error, what was written stays readable, and the data threads are not disturbed.
 /// Thread: any.
 class Recorder {
 public:
-    /// Makes the file and starts the writer. Waits for the disk: not on the GUI's thread.
+    /// Creates the file and starts the writer. Waits for the disk: not on the GUI's thread.
     /// Error: as RecordingDatabase::create.
     [[nodiscard]] static core::Expected<std::unique_ptr<Recorder>>
     start(const std::string& path, RecordingHead head, RecorderOptions options = {});
@@ -63,26 +63,26 @@ public:
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// Adds a stream. A name that is taken gets a number. The tap may outlive the recorder, which then takes
-    /// nothing more. Returns at once.
+    /// Adds a stream. A name that is taken gets a number. The tap may outlive the recorder and is then
+    /// ignored. Returns at once.
     [[nodiscard]] std::shared_ptr<core::StreamTap> addStream(StreamInfo info);
 
-    /// Adds an event; time_ns: steady clock. After the end it is not kept. Returns at once.
+    /// Adds an event; time_ns: steady clock. Ignored after the end. Returns at once.
     void add(RecordingEvent event);
     /// Adds a mark for now, or for another time; returns its number. Returns at once, as the next two.
     std::uint64_t mark(std::string note);
     std::uint64_t mark(std::string note, std::int64_t time_ns);
-    /// Gives a mark another note. It keeps its time.
+    /// Changes the note of a mark; its time stays.
     void renameMark(std::uint64_t number, std::string note);
-    /// Takes a mark out of the recording.
+    /// Removes a mark.
     void removeMark(std::uint64_t number);
-    /// Sets a mark that was taken out again, under its number.
+    /// Restores a removed mark under its number.
     void restoreMark(std::uint64_t number, std::string note, std::int64_t time_ns);
 
     [[nodiscard]] RecorderStatus status() const { return m_status.get(); }
     [[nodiscard]] const std::string& path() const { return m_path; }
 
-    /// Writes what waits, completes the file and waits for that. Idempotent. Error: why the file is not
+    /// Writes what is queued, completes the file and waits for it. Idempotent. Error: why the file is not
     /// complete.
     core::Expected<void> stop();
 

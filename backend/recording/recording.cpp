@@ -108,8 +108,8 @@ std::optional<StreamReader::Position> StreamReader::place(const char* rule, cons
     return placeOf<Position>(*query);
 }
 
-/// A page that cannot be read takes with it the block whose page it is, and no other: which block that is,
-/// the index knows. When that cannot be read either, or the file is gone, the stream ends.
+/// An unreadable page only costs the block that it belongs to, which the index tells. If the index cannot be
+/// read either, or the file is gone, the stream ends.
 core::Unexpected StreamReader::passOver(core::Unexpected error) {
     m_query.reset();
     m_canGoOn = false;
@@ -124,7 +124,7 @@ core::Unexpected StreamReader::passOver(core::Unexpected error) {
     return error;
 }
 
-/// False when the block is not whole.
+/// False when the block is incomplete.
 bool StreamReader::readRow(const QSqlQuery& query, core::TappedFrames& block) {
     const auto frames = query.value(2).toLongLong();
     if (frames < 1 || frames >= static_cast<long long>(kMostValues))
@@ -166,7 +166,7 @@ core::Expected<bool> StreamReader::next(core::TappedFrames& block) {
     m_after = std::max(m_after, placeOf<Position>(*m_query));
     if (!readRow(*m_query, block))
         return m_database->damaged(
-            ReadingText::tr("block %1 of the stream \"%2\" is not whole")
+            ReadingText::tr("block %1 of the stream \"%2\" is incomplete")
                 .arg(m_query->value(0).toString(), QString::fromStdString(m_info.name)));
     return true;
 }
@@ -203,8 +203,7 @@ core::Expected<void> StreamReader::seek(std::int64_t time_ns) {
         m_database->run(QStringLiteral("SELECT first_ns FROM block WHERE stream = ? AND first_ns <= ? "
                                        "ORDER BY first_ns DESC LIMIT 1"),
                         {m_key, static_cast<qlonglong>(time_ns)});
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     m_after = {};
     if (query->next())
         m_after = {query->value(0).toLongLong(), std::numeric_limits<qlonglong>::min()};
@@ -237,8 +236,7 @@ core::Expected<Recording> Recording::open(const std::string& path) {
                                             .and_then([&] { return recording.readStreams(); })
                                             .and_then([&] { return recording.readColumns(); })
                                             .and_then([&] { return recording.readEvents(); });
-    if (!opened)
-        return core::Unexpected(opened.error());
+    TELETA_CHECK(opened);
     return recording;
 }
 
@@ -252,49 +250,48 @@ core::Expected<void> Recording::forEachRow(QSqlQuery& query, const Row& row) con
         if (const core::Expected<void> done = row(); !done)
             return done;
     }
-    // The end of the table and a page that cannot be read look alike.
+    // The end of the table and an unreadable page look alike.
     if (query.lastError().isValid())
         return m_database->failed(query.lastError());
     return {};
 }
 
 core::Expected<void> Recording::readHead() {
-    auto query = m_database->run(
-        QStringLiteral("SELECT app_version, scene, scene_text, configuration, start_ns FROM recording"));
-    if (!query)
-        return core::Unexpected(query.error());
-    if (!query->next() && query->lastError().isValid())
-        return m_database->failed(query->lastError());
-    if (!query->isValid())
+    TELETA_TRY(auto query,
+               m_database->run(QStringLiteral(
+                   "SELECT app_version, scene, scene_text, configuration, start_ns FROM recording")));
+    if (!query.next() && query.lastError().isValid())
+        return m_database->failed(query.lastError());
+    if (!query.isValid())
         return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            ReadingText::tr("the recording was never begun").toStdString(),
+                                            ReadingText::tr("the recording was never started").toStdString(),
                                             {},
                                             {path()}});
-    const auto text = [&](int column) { return query->value(column).toString().toStdString(); };
-    m_head = {text(0), text(1), text(2), text(3), query->value(4).toLongLong()};
+    const auto text = [&](int column) { return query.value(column).toString().toStdString(); };
+    m_head = {text(0), text(1), text(2), text(3), query.value(4).toLongLong()};
     return {};
 }
 
 core::Expected<void> Recording::readAnchors() {
-    auto query = m_database->run(QStringLiteral("SELECT time_ns, utc FROM anchor ORDER BY time_ns, rowid"));
-    if (!query)
-        return core::Unexpected(query.error());
-    return forEachRow(*query, [&]() -> core::Expected<void> {
-        m_anchors.push_back({query->value(0).toLongLong(),
-                             QDateTime::fromString(query->value(1).toString(), Qt::ISODateWithMs)});
+    TELETA_TRY(auto query,
+               m_database->run(QStringLiteral("SELECT time_ns, utc FROM anchor ORDER BY time_ns, rowid")));
+    return forEachRow(query, [&]() -> core::Expected<void> {
+        m_anchors.push_back({query.value(0).toLongLong(),
+                             QDateTime::fromString(query.value(1).toString(), Qt::ISODateWithMs)});
         if (!m_anchors.back().utc.isValid())
-            return m_database->damaged(ReadingText::tr("\"%1\" is no time").arg(query->value(1).toString()));
+            return m_database->damaged(
+                ReadingText::tr("\"%1\" is not a time").arg(query.value(1).toString()));
         return {};
     });
 }
 
 core::Expected<void> Recording::readStreams() {
-    auto query = m_database->run(QStringLiteral(
-        "SELECT key, name, kind, type, source, shape, unit, rate_hz, details FROM stream ORDER BY key"));
-    if (!query)
-        return core::Unexpected(query.error());
-    return forEachRow(*query, [&]() -> core::Expected<void> {
-        const auto text = [&](int column) { return query->value(column).toString(); };
+    TELETA_TRY(
+        auto query,
+        m_database->run(QStringLiteral(
+            "SELECT key, name, kind, type, source, shape, unit, rate_hz, details FROM stream ORDER BY key")));
+    return forEachRow(query, [&]() -> core::Expected<void> {
+        const auto text = [&](int column) { return query.value(column).toString(); };
         const auto kind = named(kKinds, text(2));
         const auto type = named(kTypes, text(3));
         const auto shape = shapeOf(text(5));
@@ -302,7 +299,7 @@ core::Expected<void> Recording::readStreams() {
             return m_database->damaged(
                 ReadingText::tr("the stream \"%1\" is described by \"%2\"")
                     .arg(text(1), QStringList{text(2), text(3), text(5)}.join(QLatin1Char(' '))));
-        m_keys.push_back(query->value(0).toLongLong());
+        m_keys.push_back(query.value(0).toLongLong());
         m_streams.push_back({.name = text(1).toStdString(),
                              .kind = *kind,
                              .type = *type,
@@ -310,22 +307,20 @@ core::Expected<void> Recording::readStreams() {
                              .shape = *shape,
                              .unit = text(6).toStdString(),
                              .columns = {},
-                             .nominalRate_Hz = query->value(7).toDouble(),
+                             .nominalRate_Hz = query.value(7).toDouble(),
                              .details = text(8).toStdString()});
         return {};
     });
 }
 
 core::Expected<void> Recording::readColumns() {
-    auto query = m_database->run(
-        QStringLiteral("SELECT stream, name, unit FROM stream_column ORDER BY stream, number"));
-    if (!query)
-        return core::Unexpected(query.error());
-    const core::Expected<void> read = forEachRow(*query, [&]() -> core::Expected<void> {
-        const auto key = std::ranges::find(m_keys, query->value(0).toLongLong());
+    TELETA_TRY(auto query, m_database->run(QStringLiteral(
+                               "SELECT stream, name, unit FROM stream_column ORDER BY stream, number")));
+    const core::Expected<void> read = forEachRow(query, [&]() -> core::Expected<void> {
+        const auto key = std::ranges::find(m_keys, query.value(0).toLongLong());
         if (key != m_keys.end())
             m_streams[static_cast<std::size_t>(key - m_keys.begin())].columns.push_back(
-                {query->value(1).toString().toStdString(), query->value(2).toString().toStdString()});
+                {query.value(1).toString().toStdString(), query.value(2).toString().toStdString()});
         return {};
     });
     if (!read)
@@ -343,8 +338,7 @@ core::Expected<void> Recording::readColumns() {
 core::Expected<void> Recording::readEvents() {
     auto query =
         m_database->run(QStringLiteral("SELECT time_ns, kind, text, value FROM event ORDER BY time_ns, key"));
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     return forEachRow(*query, [&]() -> core::Expected<void> {
         m_events.push_back({query->value(0).toLongLong(), query->value(1).toString().toStdString(),
                             query->value(2).toString().toStdString(), query->value(3).toDouble()});
@@ -368,8 +362,7 @@ core::Expected<std::optional<Recording::Extent>> Recording::extent(std::size_t s
         {m_keys[stream]});
     if (!query && query.error().kind == core::ErrorKind::badInput)
         return readableExtent(stream);
-    if (!query)
-        return core::Unexpected(query.error());
+    TELETA_CHECK(query);
     if (!query->next())
         return m_database->failed(query->lastError());
     if (query->value(0).isNull())

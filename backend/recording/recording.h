@@ -30,7 +30,7 @@ template <typename Number>
         .subspan(frame * channels, channels);
 }
 
-/// Reads the blocks of one stream in the order of time. Ends with its Recording.
+/// Reads the blocks of one stream in order of time. Must not outlive its Recording.
 /// Thread: the recording's.
 class StreamReader {
 public:
@@ -38,16 +38,16 @@ public:
     StreamReader(StreamReader&&) noexcept;
     StreamReader& operator=(StreamReader&&) noexcept;
 
-    /// The next block; false behind the last one. Error: badInput for a damaged block or file, ioFailed.
-    /// block stays as it was unless there is one. Behind a damaged block, which a page of the file that
-    /// cannot be read makes as well, it can be called again for the one after it.
+    /// The next block; false after the last one, and block is unchanged then. Error: badInput for a damaged
+    /// block or file, ioFailed. After a damaged block (also one on an unreadable page of the file) call it
+    /// again for the one after it.
     [[nodiscard]] core::Expected<bool> next(core::TappedFrames& block);
 
-    /// The block before the one that was read last, without those that are damaged; false before the first
-    /// one. next() goes on from there. Error: badInput for a damaged file, ioFailed.
+    /// The undamaged block before the one that was read last; false before the first one. next() continues
+    /// from there. Error: badInput for a damaged file, ioFailed.
     [[nodiscard]] core::Expected<bool> previous(core::TappedFrames& block);
 
-    /// Whether next() can go on after its error.
+    /// Whether next() can continue after its error.
     [[nodiscard]] bool canGoOn() const { return m_canGoOn; }
 
     /// The next block is the one that holds the first frame at or after a time, or the last one before it.
@@ -79,10 +79,10 @@ private:
     bool m_canGoOn = true;
 };
 
-/// A recording that is read. Thread: the one that opened it.
+/// A recording, opened for reading. Thread: the one that opened it.
 class Recording {
 public:
-    /// Error: as RecordingDatabase::openForReading; badInput: the recording was never begun.
+    /// Error: as RecordingDatabase::openForReading; badInput: the recording was never started.
     [[nodiscard]] static core::Expected<Recording> open(const std::string& path);
     /// A quick look at the file's first bytes: whether open() would take it for a database.
     [[nodiscard]] static bool looksLikeOne(const std::string& path);
@@ -97,15 +97,14 @@ public:
     [[nodiscard]] const std::vector<TimeAnchor>& anchors() const { return m_anchors; }
     /// In order of time.
     [[nodiscard]] const std::vector<RecordingEvent>& events() const { return m_events; }
-    /// Whether it was ended on purpose: by a person, or by the end of a simulated scene. What a killed
-    /// program or a full disk cut off is not.
+    /// Whether it ended on purpose: by a person, or by the end of a simulated scene; not by a killed program
+    /// or a full disk.
     [[nodiscard]] bool isComplete() const;
 
     /// The first stream of a kind; empty: there is none.
     [[nodiscard]] std::optional<std::size_t> first(StreamKind kind) const;
 
-    /// From the first frame of a stream to its last one; empty: it has no frames. Without the blocks that
-    /// cannot be read.
+    /// From the first to the last readable frame of a stream; empty: it has no frames.
     struct Extent {
         std::int64_t first_ns = 0;
         std::int64_t last_ns = 0;

@@ -25,7 +25,7 @@ struct RecordingText {
 
 constexpr int kApplicationId = 0x54544C41; // "TTLA"
 constexpr int kWaitForOthers_ms = 5000;
-/// SQLite does not wait for readers by itself where the log is to be folded in.
+/// SQLite does not wait for readers by itself when it merges the log.
 constexpr int kLooksForReaders = 50;
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 
@@ -53,9 +53,9 @@ const std::vector<QStringList>& steps() {
     return kSteps;
 }
 
-/// Files that this process writes. Closing any descriptor of a file takes away all locks that the process has
-/// on it, those of SQLite too (POSIX): somebody else could then take a file that is written for one that was
-/// cut off. Such a file is opened by SQLite alone. Thread: any.
+/// Files that this process writes. Closing any descriptor of a file drops all locks that the process holds on
+/// it, including SQLite's (POSIX): another process could then take the file for an interrupted recording.
+/// Only SQLite opens such a file. Thread: any.
 class WrittenFiles {
 public:
     void add(const QString& path) {
@@ -130,28 +130,27 @@ core::Expected<void> RecordingDatabase::connect(const QString& options) {
 
 core::Expected<void> RecordingDatabase::create() {
     QFile file(QString::fromStdString(m_path));
-    // Exclusively, so that nobody's recording is written over.
+    // Exclusively, so that no recording is overwritten.
     if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly)) {
         if (file.exists())
             return core::Unexpected(
                 core::Error{core::ErrorKind::refused,
-                            RecordingText::tr("there is a file of this name already").toStdString(),
+                            RecordingText::tr("a file of this name already exists").toStdString(),
                             RecordingText::tr("a new name").toStdString(),
                             {m_path}});
         return core::Unexpected(core::Error{
             core::ErrorKind::ioFailed,
             RecordingText::tr("the recording cannot be written: %1").arg(file.errorString()).toStdString(),
-            RecordingText::tr("a folder that can be written to").toStdString(),
+            RecordingText::tr("a writable folder").toStdString(),
             {m_path}});
     }
     file.close();
-    // The schema is made before the write-ahead log, so that the file itself says what it is.
+    // The schema is created before the write-ahead log, so that the file itself tells what it is.
     core::Expected<void> made =
         connect({}).and_then([&] { return migrate(0); }).and_then([&]() -> core::Expected<void> {
             for (const QString& setting :
                  {QStringLiteral("PRAGMA journal_mode = WAL"), QStringLiteral("PRAGMA synchronous = FULL")}) {
-                if (const auto done = run(setting); !done)
-                    return core::Unexpected(done.error());
+                TELETA_CHECK(run(setting));
             }
             return {};
         });
@@ -179,26 +178,22 @@ core::Expected<void> RecordingDatabase::checkFile() const {
             core::Error{core::ErrorKind::ioFailed, file.errorString().toStdString(), {}, {m_path}});
     if (!beginsLikeOne(file))
         return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            RecordingText::tr("this is no recording").toStdString(),
+                                            RecordingText::tr("this is not a recording").toStdString(),
                                             RecordingText::tr("a recording of this program").toStdString(),
                                             {m_path}});
     return {};
 }
 
 core::Expected<void> RecordingDatabase::checkKind(int& schema) {
-    auto kind = run(QStringLiteral("PRAGMA application_id"));
-    if (!kind)
-        return core::Unexpected(kind.error());
-    if (!kind->next() || kind->value(0).toInt() != kApplicationId)
+    TELETA_TRY(auto kind, run(QStringLiteral("PRAGMA application_id")));
+    if (!kind.next() || kind.value(0).toInt() != kApplicationId)
         return core::Unexpected(
             core::Error{core::ErrorKind::badInput,
-                        RecordingText::tr("this is an SQLite database, but no recording").toStdString(),
+                        RecordingText::tr("this is an SQLite database, but not a recording").toStdString(),
                         RecordingText::tr("a recording of this program").toStdString(),
                         {m_path}});
-    auto version = run(QStringLiteral("PRAGMA user_version"));
-    if (!version)
-        return core::Unexpected(version.error());
-    schema = version->next() ? version->value(0).toInt() : 0;
+    TELETA_TRY(auto version, run(QStringLiteral("PRAGMA user_version")));
+    schema = version.next() ? version.value(0).toInt() : 0;
     if (schema > currentSchema())
         return core::Unexpected(core::Error{
             core::ErrorKind::badInput,
@@ -208,12 +203,12 @@ core::Expected<void> RecordingDatabase::checkKind(int& schema) {
             RecordingText::tr("format %1 or older").arg(currentSchema()).toStdString(),
             {m_path}});
     if (schema < 1)
-        return damaged(RecordingText::tr("it has no format"));
+        return damaged(RecordingText::tr("its format version is missing"));
     return {};
 }
 
-/// Whoever copies a recording that was cut off takes the file alone: its log goes into it. Does nothing where
-/// that cannot be; what is recorded or read at the moment keeps its log, and is not waited for.
+/// Merges the log of an interrupted recording, since people copy the file alone. Does nothing if that is not
+/// possible, and does not wait for files that are being recorded or read.
 void RecordingDatabase::foldLog() {
     const QString path = QString::fromStdString(m_path);
     if (isWrittenHere(m_path) || !QFile::exists(path + QStringLiteral("-wal")) ||
@@ -233,7 +228,7 @@ core::Expected<void> RecordingDatabase::openForReading() {
                                           return connect(QStringLiteral(";QSQLITE_OPEN_READONLY"));
                                       })
                                       .and_then([&] { return checkKind(schema); });
-    // Killed while the file was made or completed: what it had begun has to be taken back, which is writing.
+    // Killed while the file was created or completed: its transaction must be rolled back, which writes.
     if (!opened && opened.error().kind == core::ErrorKind::ioFailed &&
         QFile::exists(QString::fromStdString(m_path) + QStringLiteral("-journal")))
         opened = connect({}).and_then([&] { return checkKind(schema); });
@@ -256,9 +251,7 @@ core::Expected<void> RecordingDatabase::openForWriting() {
 }
 
 core::Expected<void> RecordingDatabase::migrate(int from) {
-    auto begun = run(QStringLiteral("BEGIN IMMEDIATE"));
-    if (!begun)
-        return core::Unexpected(begun.error());
+    TELETA_CHECK(run(QStringLiteral("BEGIN IMMEDIATE")));
     QStringList statements;
     for (std::size_t step = static_cast<std::size_t>(from); step < steps().size(); ++step)
         statements += steps()[step];
@@ -281,7 +274,7 @@ core::Expected<void> RecordingDatabase::finish() {
         if (look > 0)
             std::this_thread::sleep_for(kBetweenLooks);
         QSqlQuery query(m_database);
-        // Somebody who reads keeps the log: the recording is whole with it.
+        // A reader keeps the log alive; together with it the recording is complete.
         if (query.exec(fold) && query.next() && query.value(0).toString() == QLatin1String("delete"))
             break;
         const QSqlError error = query.lastError();
@@ -321,7 +314,7 @@ core::Expected<void> RecordingDatabase::execute(QSqlQuery& query) {
 }
 
 core::Unexpected RecordingDatabase::failed(const QSqlError& error) const {
-    // SQLite's primary code says whose fault it is; extended codes have it in their low byte.
+    // The low byte of an extended code is SQLite's primary code, which tells the kind of failure.
     constexpr int kCorrupt = 11;
     constexpr int kFull = 13;
     constexpr int kNotADatabase = 26;

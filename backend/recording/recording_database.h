@@ -24,21 +24,20 @@ public:
     RecordingDatabase(const RecordingDatabase&) = delete;
     RecordingDatabase& operator=(const RecordingDatabase&) = delete;
 
-    /// Makes the file with the present schema and a write-ahead log. Error: refused when there is such a file
-    /// already; ioFailed, and then there is no file.
+    /// Creates the file with the current schema and a write-ahead log. Error: refused when the file exists;
+    /// ioFailed, and no file is left then.
     [[nodiscard]] core::Expected<void> create();
 
-    /// Opens a file for reading, also one whose writer was killed: its write-ahead log goes into it when the
-    /// file can be written and nobody else has it open. An older schema is brought up to date when the file
-    /// can be written. Error: notFound; badInput: no recording, damaged, or of a newer version; ioFailed.
+    /// Opens a file for reading, also one whose writer was killed: its write-ahead log is merged if the file
+    /// is writable and nobody else has it open. An older schema is upgraded if the file is writable. Error:
+    /// notFound; badInput: not a recording, damaged, or of a newer version; ioFailed.
     [[nodiscard]] core::Expected<void> openForReading();
 
-    /// Opens a file that is complete, to change it. Error: as openForReading().
+    /// Opens a finished file to change it. Error: as openForReading().
     [[nodiscard]] core::Expected<void> openForWriting();
 
-    /// Makes the file complete by itself: without a write-ahead log. While somebody else reads it the log
-    /// cannot be folded in; after a second it is left, and goes into the file when it is opened for writing
-    /// again.
+    /// Completes the file by merging its write-ahead log. While somebody else reads the file the log cannot
+    /// be merged; after a second it is left, and merged when the file is next opened for writing.
     [[nodiscard]] core::Expected<void> finish();
 
     [[nodiscard]] core::Expected<QSqlQuery> run(const QString& sql, const QVariantList& values = {});

@@ -11,7 +11,7 @@
 
 namespace teleta::recording {
 
-/// What the frames of a stream are; decides who reads them again.
+/// What the frames of a stream are; decides how they are read back.
 enum class StreamKind {
     array,    ///< raw values of a tactile array, float32, shape rows x columns
     features, ///< what was computed of them, float64
@@ -38,7 +38,7 @@ struct Column {
     std::string unit; ///< "N"; empty: none
 };
 
-/// Who a stream is; constant within a recording.
+/// Describes a stream; constant within a recording.
 struct StreamInfo {
     std::string name; ///< unique in the recording; the name of its CSV file
     StreamKind kind = StreamKind::array;
@@ -49,14 +49,14 @@ struct StreamInfo {
     std::string unit;            ///< of all values; empty when the columns say it
     std::vector<Column> columns; ///< empty: t0, t1, ...
     double nominalRate_Hz = 0.0;
-    std::string details; ///< JSON: what is needed to use it as a source again; may be empty
+    std::string details; ///< JSON: what playback needs to know of the source; may be empty
 
     /// Values of a frame; of a picture, 0.
     [[nodiscard]] std::size_t channels() const;
     [[nodiscard]] std::size_t bytesPerValue() const { return type == ValueType::float64 ? 8 : 4; }
 };
 
-/// What is known of a recording as a whole.
+/// Describes a recording as a whole.
 struct RecordingHead {
     std::string appVersion;
     std::string scene;         ///< name of the scene; empty: no simulation
@@ -65,13 +65,13 @@ struct RecordingHead {
     std::int64_t start_ns = 0; ///< steady clock: zero of all times in exported files
 };
 
-/// What the wall clock said at a steady time. There is a new one whenever it was set.
+/// Wall clock time at a steady time. A new one is written whenever the wall clock was set.
 struct TimeAnchor {
     std::int64_t time_ns = 0;
     QDateTime utc;
 };
 
-/// Something that happened.
+/// An event during the recording.
 struct RecordingEvent {
     std::int64_t time_ns = 0;
     std::string kind; ///< "mark", "stopped", "dropped", ...
@@ -79,14 +79,14 @@ struct RecordingEvent {
     double value = 0.0;
 };
 
-/// Kind of the events that a person sets; value: number of the mark, by which it can be changed.
+/// Kind of the marks that people set; value: number of the mark, by which it can be changed.
 inline constexpr char kMark[] = "mark";
 /// Frames of a stream (text) that the writer could not take: value.
 inline constexpr char kDropped[] = "dropped";
 /// The recording was ended, not cut off.
 inline constexpr char kStopped[] = "stopped";
 
-/// What becomes of a mark after it was set.
+/// A change to a mark.
 struct MarkChange {
     std::uint64_t number = 0;
     std::optional<std::string> note;                        ///< empty: the mark is taken away

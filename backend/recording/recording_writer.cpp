@@ -3,6 +3,7 @@
 
 #include "backend/core/steady_time.h"
 #include "backend/recording/block_times.h"
+#include "backend/recording/mark_changes.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -21,7 +22,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "blocks are written as they lie in memory");
 
 constexpr std::size_t kFramesPerBlock = 512;
-/// The wall clock was set when it is this far from where the steady clock says that it should be.
+/// If the wall clock deviates this far from the steady clock, it was set.
 constexpr std::int64_t kClockStep_ms = 50;
 constexpr int kFastestDeflation = 1;
 
@@ -73,13 +74,12 @@ core::Expected<void> RecordingWriter::begin(const RecordingHead& head) {
                      textOf(head.configuration), static_cast<qlonglong>(head.start_ns)})
                .and_then([&](const QSqlQuery&) { return writeAnchor(); })
                .and_then([&]() -> core::Expected<void> {
-                   auto insert = m_database.prepare(
-                       QStringLiteral("INSERT INTO block (stream, first_ns, last_ns, frames, width, height, "
-                                      "discontinuity, time_ns, source_time_s, data) "
-                                      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
-                   if (!insert)
-                       return core::Unexpected(insert.error());
-                   m_insertBlock = std::move(*insert);
+                   TELETA_TRY(auto insert,
+                              m_database.prepare(QStringLiteral(
+                                  "INSERT INTO block (stream, first_ns, last_ns, frames, width, height, "
+                                  "discontinuity, time_ns, source_time_s, data) "
+                                  "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")));
+                   m_insertBlock = std::move(insert);
                    return {};
                });
     if (!made)
@@ -88,28 +88,22 @@ core::Expected<void> RecordingWriter::begin(const RecordingHead& head) {
 }
 
 core::Expected<void> RecordingWriter::addStream(const StreamInfo& info) {
-    auto begun = m_database.run(QStringLiteral("BEGIN IMMEDIATE"));
-    if (!begun)
-        return core::Unexpected(begun.error());
+    TELETA_CHECK(m_database.run(QStringLiteral("BEGIN IMMEDIATE")));
     auto made = m_database.run(
         QStringLiteral("INSERT INTO stream (name, kind, type, source, shape, unit, rate_hz, details) "
                        "VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
         {textOf(info.name), QString::fromLatin1(toString(info.kind)),
          QString::fromLatin1(toString(info.type)), textOf(info.source), shapeText(info.shape),
          textOf(info.unit), numberOf(info.nominalRate_Hz), textOf(info.details)});
-    if (!made)
-        return core::Unexpected(made.error());
+    TELETA_CHECK(made);
     const long long key = made->lastInsertId().toLongLong();
     for (std::size_t i = 0; i < info.columns.size(); ++i) {
         const auto column = m_database.run(
             QStringLiteral("INSERT INTO stream_column VALUES (?, ?, ?, ?)"),
             {key, static_cast<qlonglong>(i), textOf(info.columns[i].name), textOf(info.columns[i].unit)});
-        if (!column)
-            return core::Unexpected(column.error());
+        TELETA_CHECK(column);
     }
-    auto committed = m_database.run(QStringLiteral("COMMIT"));
-    if (!committed)
-        return core::Unexpected(committed.error());
+    TELETA_CHECK(m_database.run(QStringLiteral("COMMIT")));
     m_streams.push_back({.info = info, .key = key, .blocks = {}, .newest_ns = {}});
     return {};
 }
@@ -170,9 +164,7 @@ void RecordingWriter::take(MarkChange change) {
 }
 
 core::Expected<void> RecordingWriter::commit() {
-    auto begun = m_database.run(QStringLiteral("BEGIN IMMEDIATE"));
-    if (!begun)
-        return core::Unexpected(begun.error());
+    TELETA_CHECK(m_database.run(QStringLiteral("BEGIN IMMEDIATE")));
     core::Expected<void> done = writeAll();
     if (done) {
         if (auto committed = m_database.run(QStringLiteral("COMMIT")); !committed)
@@ -215,8 +207,7 @@ core::Expected<void> RecordingWriter::writeAll() {
             QStringLiteral("INSERT INTO event (time_ns, kind, text, value) VALUES (?, ?, ?, ?)"),
             {static_cast<qlonglong>(event.time_ns), textOf(event.kind), textOf(event.text),
              numberOf(event.value)});
-        if (!done)
-            return core::Unexpected(done.error());
+        TELETA_CHECK(done);
     }
     // After the marks themselves.
     return writeMarkChanges(m_database, m_markChanges);
@@ -260,8 +251,7 @@ core::Expected<void> RecordingWriter::writeAnchor() {
     const auto done =
         m_database.run(QStringLiteral("INSERT INTO anchor VALUES (?, ?)"),
                        {static_cast<qlonglong>(now.time_ns), now.utc.toString(Qt::ISODateWithMs)});
-    if (!done)
-        return core::Unexpected(done.error());
+    TELETA_CHECK(done);
     m_anchor = now;
     return {};
 }

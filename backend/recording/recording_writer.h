@@ -14,29 +14,28 @@
 
 namespace teleta::recording {
 
-/// Gathers frames and events and writes them, one transaction at a time.
+/// Collects frames and events and writes them, one transaction at a time.
 /// Thread: one.
 class RecordingWriter {
 public:
     RecordingWriter(std::string path, std::function<QDateTime()> utcNow, bool simulatedTime);
 
-    /// Makes the file and writes what is known of the recording. A file that could not be begun is removed.
+    /// Creates the file and writes its head. On failure the file is removed.
     [[nodiscard]] core::Expected<void> begin(const RecordingHead& head);
 
     /// The next stream; they are counted from 0.
     [[nodiscard]] core::Expected<void> addStream(const StreamInfo& info);
-    /// Frames that do not have the stream's shape, or whose times a reader would refuse, are dropped. Frames
-    /// that are older than the ones before them are a jump.
+    /// Frames of the wrong shape, or with times that a reader would refuse, are dropped. Frames older than
+    /// their predecessors are a jump.
     void take(std::size_t stream, core::TappedFrames&& frames);
-    /// Frames of the stream that were dropped on their way here so far. An event tells of each time that
-    /// there are more.
+    /// Total frames of the stream that were dropped on their way here. Each increase is recorded as an event.
     void setDropped(std::size_t stream, std::uint64_t frames);
     void take(RecordingEvent event);
     void take(MarkChange change);
 
-    /// Writes what was taken since the last time: all of it or nothing.
+    /// Writes what was taken since the last commit: all or nothing.
     [[nodiscard]] core::Expected<void> commit();
-    /// After the last commit: makes the file complete by itself.
+    /// After the last commit: merges the write-ahead log.
     [[nodiscard]] core::Expected<void> finish();
 
     [[nodiscard]] std::uint64_t frames() const { return m_frames; }

@@ -14,10 +14,10 @@ namespace teleta::recording {
 /// Values of a joint sample: angles, torques, references.
 inline constexpr std::size_t kJointValues = 3 * core::kArmJoints;
 
-/// The stream of an arm's joints, but for name, source and details.
+/// The stream of an arm's joints, without name, source and details.
 [[nodiscard]] StreamInfo jointStream(double nominalRate_Hz);
 
-/// A joint sample as its stream has it.
+/// A joint sample as recorded in its stream.
 [[nodiscard]] std::array<double, kJointValues> jointValues(const core::JointSample& sample);
 
 /// The columns of a stream of features, in order.
@@ -29,7 +29,7 @@ inline constexpr std::size_t kJointValues = 3 * core::kArmJoints;
 /// The columns of a stream of camera contacts, in order.
 [[nodiscard]] const std::vector<Column>& contactColumns();
 
-/// Words that a number in a stream of features stands for: none, point, edge.
+/// Words for the numbers in a stream of features: none, point, edge.
 inline constexpr std::array<const char*, 3> kContactTypes{"none", "point", "edge"};
 
 } // namespace teleta::recording

@@ -59,14 +59,12 @@ std::vector<HidDeviceInfo> listHidBracelets(const HidBraceletConfig& config) {
 
 core::Expected<std::unique_ptr<core::BraceletLink>> openHidBracelet(const HidBraceletConfig& config,
                                                                     const core::StopSwitch& stopSwitch) {
-    auto opened = openOnce(config);
-    if (!opened)
-        return core::Unexpected(opened.error());
-    // From now on it is this board and no other one.
+    TELETA_TRY(auto opened, openOnce(config));
+    // From now on only this board is accepted.
     HidBraceletConfig same = config;
-    same.serial = opened->description.serial;
+    same.serial = opened.description.serial;
     return std::make_unique<core::BraceletLink>(
-        std::move(*opened), [same] { return openOnce(same); }, stopSwitch, config.link);
+        std::move(opened), [same] { return openOnce(same); }, stopSwitch, config.link);
 }
 
 } // namespace teleta::bracelet

@@ -15,8 +15,8 @@ namespace teleta::bracelet {
 /// The bracelets that are plugged in. Thread: any, one at a time.
 [[nodiscard]] std::vector<HidDeviceInfo> listHidBracelets(const HidBraceletConfig& config = {});
 
-/// Opens a bracelet over USB HID, which keeps itself connected to the same board. stopSwitch must outlive it.
-/// Error: none is plugged in, it may not be opened, or it speaks another layout.
+/// Opens a bracelet over USB HID that reconnects to the same board by itself. stopSwitch must outlive it.
+/// Error: none is plugged in, access is denied, or it uses another report layout.
 [[nodiscard]] core::Expected<std::unique_ptr<core::BraceletLink>>
 openHidBracelet(const HidBraceletConfig& config, const core::StopSwitch& stopSwitch);
 

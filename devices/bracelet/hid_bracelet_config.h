@@ -8,8 +8,8 @@
 
 namespace teleta::bracelet {
 
-/// Which bracelet is opened. The default ids are those that pid.codes leaves to everybody for tests; a board
-/// with ids of its own has them in a file (readHidBracelet) and in the udev rule.
+/// Which bracelet is opened. The default ids are the ones that pid.codes reserves for tests; a board with its
+/// own ids lists them in a file (readHidBracelet) and in the udev rule.
 struct HidBraceletConfig {
     std::uint16_t vendorId = 0x1209;
     std::uint16_t productId = 0x0001;

@@ -15,7 +15,7 @@ bool HidBraceletPort::write(std::uint16_t sequence, const core::Drive& drive, st
 }
 
 core::BraceletPort::Read HidBraceletPort::read(core::BoardReport& report) {
-    // Longer than any report of the bracelet, so that a wrong one shows by its length.
+    // Longer than any report of the bracelet, so that a wrong report can be told by its length.
     std::array<std::uint8_t, 64> bytes{};
     const int size = m_transport->read(bytes);
     if (size < 0)
@@ -38,7 +38,7 @@ core::Expected<core::OpenedBracelet> openHidBraceletPort(std::unique_ptr<HidTran
     if (!identity)
         return core::Unexpected(core::Error{
             core::ErrorKind::unavailable,
-            QCoreApplication::translate("Bracelet", "The device does not answer as a bracelet does.")
+            QCoreApplication::translate("Bracelet", "The device does not respond like a bracelet.")
                 .toStdString(),
             QCoreApplication::translate("Bracelet", "a feature report of layout version %1")
                 .arg(kLayoutVersion)

@@ -72,19 +72,18 @@ std::vector<HidDeviceInfo> listHidDevices(std::uint16_t vendorId, std::uint16_t 
 
 core::Expected<std::unique_ptr<HidTransport>> openHidTransport(const std::string& path) {
     if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0) {
-        core::Error error =
-            refusal(QCoreApplication::translate("Bracelet", "The bracelet at %1 may not be opened."), path,
-                    QCoreApplication::translate("Bracelet",
-                                                "read and write access to it, which the udev rule gives"));
+        core::Error error = refusal(
+            QCoreApplication::translate("Bracelet", "No permission to open the bracelet at %1."), path,
+            QCoreApplication::translate("Bracelet", "read and write access, which the udev rule grants"));
         error.kind = core::ErrorKind::ioFailed;
         return core::Unexpected(error);
     }
-    // Before the device: two programs must not both set its motors, not for one frame.
+    // Claimed before it is opened: two programs must not drive the motors, not even for one frame.
     auto claim = core::NodeClaim::take(path);
     if (claim && !*claim)
         return core::Unexpected(
             refusal(QCoreApplication::translate("Bracelet", "Another program uses the bracelet at %1."), path,
-                    QCoreApplication::translate("Bracelet", "that it is closed there first")));
+                    QCoreApplication::translate("Bracelet", "it to be closed there first")));
     hid_device* device = claim ? openPath(path) : nullptr;
     if (device == nullptr)
         return core::Unexpected(

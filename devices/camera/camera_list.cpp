@@ -39,7 +39,7 @@ std::optional<int> nodeNumber(const std::string& name) {
     return error == std::errc() && last == end ? std::optional(number) : std::nullopt;
 }
 
-/// Empty: it gives no pictures.
+/// Empty: it is not a camera.
 std::optional<CameraInfo> ask(int number) {
     CameraInfo info{.number = number, .name = {}};
     const std::string path = "/dev/video" + std::to_string(number);
@@ -85,8 +85,7 @@ core::Expected<CameraProbe> probeCamera(const std::string& source, int width_px,
                                         double rate_Hz) {
     auto stream =
         VideoStream::open(source, {.width_px = width_px, .height_px = height_px, .rate_Hz = rate_Hz});
-    if (!stream)
-        return core::Unexpected(stream.error());
+    TELETA_CHECK(stream);
     CameraProbe probe{.nominalRate_Hz = stream->rate_Hz()};
     std::int64_t first_ns = 0;
     std::uint64_t frames = 0;
@@ -113,8 +112,10 @@ core::Expected<CameraProbe> probeCamera(const std::string& source, int width_px,
             break;
     }
     if (frames == 0)
-        return core::Unexpected(core::Error{
-            core::ErrorKind::unavailable, ListText::tr("no frame comes").toStdString(), {}, {source, 0, 0}});
+        return core::Unexpected(core::Error{core::ErrorKind::unavailable,
+                                            ListText::tr("no frame arrived").toStdString(),
+                                            {},
+                                            {source, 0, 0}});
     if (stream->isCamera() && frames > 1)
         probe.measuredRate_Hz =
             1e9 * static_cast<double>(frames - 1) / static_cast<double>(now_ns - first_ns);

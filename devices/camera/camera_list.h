@@ -16,11 +16,11 @@ struct CameraInfo {
     std::optional<core::Error> error{}; ///< why it cannot be opened
 };
 
-/// Nodes of V4L2 that give pictures, in order of number; a camera's nodes for other data are passed over.
-/// Asks each driver what it is and takes no picture. Thread: any but the GUI's.
+/// V4L2 nodes that deliver pictures, in order of number; a camera's nodes for other data are skipped.
+/// Queries each driver without taking a picture. Thread: any but the GUI's.
 [[nodiscard]] std::vector<CameraInfo> listCameras();
 
-/// What a camera or a video says of itself and what its first frames show.
+/// What a camera or a video reports and what its first frames show.
 struct CameraProbe {
     int width_px = 0;
     int height_px = 0;
@@ -28,9 +28,9 @@ struct CameraProbe {
     std::optional<double> measuredRate_Hz{}; ///< of a camera, over its first frames
 };
 
-/// Opens a camera, or a video, and takes frames for a second at most. width_px, height_px, rate_Hz: asked of
-/// a camera; 0: its own. Waits as long as the driver does for a camera that gives no frame. Error: as
-/// VideoStream::open; unavailable when no frame comes.
+/// Opens a camera, or a video, and takes frames for a second at most. width_px, height_px, rate_Hz: requested
+/// of a camera; 0: its own. Waits as long as the driver does for a camera without frames. Error: as
+/// VideoStream::open; unavailable when no frame arrives.
 [[nodiscard]] core::Expected<CameraProbe> probeCamera(const std::string& source, int width_px, int height_px,
                                                       double rate_Hz);
 

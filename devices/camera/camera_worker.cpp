@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/camera/camera_worker.h"
 
+#include "backend/core/device/backoff.h"
+
 #include <QCoreApplication>
 #include <QString>
 
-#include <algorithm>
 #include <utility>
 
 namespace teleta::camera {
@@ -24,40 +25,28 @@ constexpr std::int64_t kFullQueue_ns = 2 * kMs_ns; ///< how long a file waits fo
 
 CameraWorker::CameraWorker(VideoStream stream, CameraConfig config)
     : m_config(std::move(config))
-    , m_frames(m_config.queueFrames)
+    , m_outlet(m_config.queueFrames)
+    , m_wait(m_config.clock)
     , m_stream(std::move(stream)) {
 }
 
 void CameraWorker::open(core::Wakeup& consumer) {
-    m_consumer = &consumer;
-    m_status = {};
     m_number = 0;
     m_undecodable = 0;
-    m_skipped = 0;
-    m_rate.reset();
-    enter(DeviceState::connecting);
-}
-
-void CameraWorker::wake() {
-    const std::scoped_lock lock(m_mutex);
-    m_condition.notify_all();
+    m_outlet.open(consumer, now_ns());
 }
 
 void CameraWorker::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         if (!m_stream) { // started again
-            auto opened =
-                VideoStream::open(m_config.source, {m_config.width_px, m_config.height_px, m_config.rate_Hz});
-            if (!opened) {
+            if (const auto opened = openStream(); !opened) {
                 reconnect(opened.error().message, stop);
                 continue;
             }
-            m_stream = std::move(*opened);
         }
         const bool camera = m_stream->isCamera();
         std::string reason = stream(stop);
         const bool played = m_stream->framesRead() > 0;
-        m_skipped += m_stream->framesSkipped();
         m_stream.reset();
         m_discontinuity = true;
         if (stop.stop_requested())
@@ -65,39 +54,46 @@ void CameraWorker::run(const std::stop_token& stop) {
         if (camera) {
             reconnect(std::move(reason), stop);
         } else if (!m_config.loop || !played) {
-            enter(DeviceState::finished);
+            m_outlet.setState(DeviceState::finished, now_ns());
             break;
         }
     }
-    if (m_status.state != DeviceState::finished)
-        enter(DeviceState::closed);
+    if (m_outlet.state() != DeviceState::finished)
+        m_outlet.setState(DeviceState::closed, now_ns());
 }
 
 std::string CameraWorker::stream(const std::stop_token& stop) {
     const std::int64_t begin_ns = now_ns();
     const bool camera = m_stream->isCamera();
+    std::uint64_t skipped = 0;
     while (!stop.stop_requested()) {
         cv::Mat1b image;
         double capture_s = 0.0;
-        switch (m_stream->next(image, capture_s)) {
+        const VideoStream::Outcome outcome = m_stream->next(image, capture_s);
+        if (const std::uint64_t more = m_stream->framesSkipped() - skipped; more > 0) {
+            skipped += more;
+            m_outlet.lose(more);
+        }
+        switch (outcome) {
         case VideoStream::Outcome::late:
             continue;
         case VideoStream::Outcome::ended:
             return {};
         case VideoStream::Outcome::gone:
-            return CameraText::tr("The camera gives no frames any more.").toStdString();
+            return CameraText::tr("The camera stopped sending frames.").toStdString();
         case VideoStream::Outcome::undecodable:
             image.release();
             ++m_undecodable;
+            m_outlet.lose(1);
             break;
         case VideoStream::Outcome::frame:
             break;
         }
         if (!camera && m_config.paced)
-            waitUntil(begin_ns + static_cast<std::int64_t>(capture_s * 1e9), stop);
-        // What is played as fast as it is taken loses nothing.
-        while (!camera && !m_config.paced && m_frames.size() >= m_frames.capacity() && !stop.stop_requested())
-            waitUntil(now_ns() + kFullQueue_ns, stop);
+            m_wait.until(begin_ns + static_cast<std::int64_t>(capture_s * 1e9), stop);
+        // As fast as possible, playing waits for the consumer and loses nothing.
+        while (!camera && !m_config.paced && m_outlet.isFull() && !stop.stop_requested())
+            m_wait.until(now_ns() + kFullQueue_ns, stop);
         if (!stop.stop_requested())
             deliver(std::move(image), capture_s);
     }
@@ -111,58 +107,29 @@ void CameraWorker::deliver(cv::Mat1b image, double capture_s) {
     frame.capture_s = capture_s;
     frame.number = m_number++;
     frame.discontinuity = std::exchange(m_discontinuity, false);
-    m_status.lastData_ns = frame.time_ns;
-    ++m_status.framesRead;
-    m_rate.add(frame.time_ns);
-    m_frames.push(std::move(frame));
-    if (m_status.state != DeviceState::live)
-        enter(DeviceState::live);
-    else
-        publish();
+    m_outlet.deliver(std::move(frame));
+}
+
+core::Expected<void> CameraWorker::openStream() {
+    auto opened =
+        VideoStream::open(m_config.source, {m_config.width_px, m_config.height_px, m_config.rate_Hz});
+    TELETA_CHECK(opened);
+    m_stream = std::move(*opened);
+    return {};
 }
 
 void CameraWorker::reconnect(std::string reason, const std::stop_token& stop) {
-    enter(DeviceState::lost, reason);
-    int retry_ms = m_config.firstRetry_ms;
-    while (!stop.stop_requested()) {
-        waitUntil(now_ns() + retry_ms * kMs_ns, stop);
-        retry_ms = std::min(2 * retry_ms, m_config.longestRetry_ms);
-        if (stop.stop_requested())
-            return;
-        enter(DeviceState::reconnecting, reason);
-        auto opened =
-            VideoStream::open(m_config.source, {m_config.width_px, m_config.height_px, m_config.rate_Hz});
+    m_outlet.setState(DeviceState::lost, now_ns(), reason);
+    core::Backoff retry(m_config.firstRetry_ms * kMs_ns, m_config.longestRetry_ms * kMs_ns);
+    while (m_wait.until(now_ns() + retry.next_ns(), stop)) {
+        m_outlet.setState(DeviceState::reconnecting, now_ns(), reason);
+        const auto opened = openStream();
         if (opened) {
-            m_stream = std::move(*opened);
-            enter(DeviceState::connecting);
+            m_outlet.setState(DeviceState::connecting, now_ns());
             return;
         }
         reason = opened.error().message;
     }
-}
-
-void CameraWorker::waitUntil(std::int64_t deadline_ns, const std::stop_token& stop) {
-    std::unique_lock lock(m_mutex);
-    while (!stop.stop_requested() && now_ns() < deadline_ns)
-        m_config.clock->waitUntil(m_condition, lock, deadline_ns);
-}
-
-void CameraWorker::enter(DeviceState state, std::string message) {
-    m_status.state = state;
-    m_status.since_ns = now_ns();
-    m_status.message = std::move(message);
-    if (state != DeviceState::live)
-        m_rate.reset();
-    publish();
-}
-
-void CameraWorker::publish() {
-    m_status.rate_Hz = m_rate.rate_Hz(m_status.lastData_ns);
-    m_status.framesLost = m_undecodable + m_skipped + (m_stream ? m_stream->framesSkipped() : 0);
-    m_published.set(m_status);
-    m_publishedUndecodable.set(m_undecodable);
-    if (m_consumer != nullptr)
-        m_consumer->notify();
 }
 
 } // namespace teleta::camera

@@ -37,14 +37,13 @@ constexpr int kMostFailures = 25; ///< pictures in a row that cannot be decoded 
 constexpr double kHighestRate_Hz = 10000.0;
 constexpr double kLongestGap = 1e6; ///< frames; what is longer is a damaged time stamp
 
-/// OpenCV waits ten seconds for a frame of a camera that hangs, and whoever ends it waits with it. It reads
-/// the variable at the first frame; it is set before there are threads that read the environment.
+/// OpenCV waits ten seconds for a frame of a camera that hangs, which also delays stopping it. It reads the
+/// variable at the first frame; it is set before any thread reads the environment.
 const bool kWaitIsLimited [[maybe_unused]] =
     ::setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", std::to_string(VideoStream::kLongestWait_s).c_str(), 0) ==
     0;
 
-/// What is wrong is told as an error; OpenCV would write more beside it. Who looks for a fault in OpenCV sets
-/// its variable.
+/// Problems are returned as errors; OpenCV would log them as well. To debug OpenCV, set its variable.
 const bool kIsQuiet [[maybe_unused]] = [] {
     if (std::getenv("OPENCV_LOG_LEVEL") == nullptr)
         cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
@@ -59,7 +58,7 @@ std::optional<int> cameraNumber(const std::string& source) {
     return number;
 }
 
-/// Of the pictures that a camera gives as it is set now; empty: unknown.
+/// Frame rate of a camera with its present settings; empty: unknown.
 cv::Size ownSize(int number) {
     const int node = ::open(("/dev/video" + std::to_string(number)).c_str(), O_RDWR | O_CLOEXEC);
     if (node < 0)
@@ -72,7 +71,7 @@ cv::Size ownSize(int number) {
                  : cv::Size();
 }
 
-/// Why a camera does not open: while one program reads it, no other can set what it gives.
+/// Why a camera does not open: while one program reads it, no other can change its format.
 bool isTaken(int number) {
     const int node = ::open(("/dev/video" + std::to_string(number)).c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
     if (node < 0)
@@ -134,7 +133,7 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
             stream.m_capture.open(source, cv::CAP_ANY);
             if (!stream.m_capture.isOpened())
                 return failed(
-                    core::ErrorKind::badInput, VideoText::tr("the file is no video that can be read"),
+                    core::ErrorKind::badInput, VideoText::tr("the file is not a readable video"),
                     VideoText::tr("a video, a pattern like frame_%04d.png, or the number of a camera"),
                     source);
         }
@@ -156,7 +155,7 @@ VideoStream::Outcome VideoStream::next(cv::Mat1b& frame, double& time_s) {
         if (!m_capture.grab()) {
             if (m_isCamera && m_read == 0 && isEarly(asked_ns, core::steadyNow_ns()))
                 return Outcome::late;
-            // The reader takes a damaged picture for the end; the file says how many there should be.
+            // OpenCV takes a damaged picture for the end; the file tells how many there should be.
             if (m_isCamera || m_read >= m_total || ++m_failures > kMostFailures)
                 return m_isCamera ? Outcome::gone : Outcome::ended;
             time_s = m_last_s += m_read == 0 ? 0.0 : 1.0 / (m_rate_Hz > 0.0 ? m_rate_Hz : kUnknownRate_Hz);
@@ -181,7 +180,7 @@ VideoStream::Outcome VideoStream::next(cv::Mat1b& frame, double& time_s) {
     }
 }
 
-/// A camera that is gone says so at once, one that is slow to begin keeps the reader waiting.
+/// A camera that is gone fails at once; one that starts slowly keeps the reader waiting.
 bool VideoStream::isEarly(std::int64_t asked_ns, std::int64_t now_ns) const {
     return core::elapsed_s(asked_ns, now_ns) > 0.5 * kLongestWait_s &&
            core::elapsed_s(m_asked_ns, now_ns) < kLongestFirstWait_s;
@@ -195,7 +194,7 @@ double VideoStream::captureTime_s() {
         m_last_s = 0.0;
         return 0.0;
     }
-    // A container without time stamps says 0, one with damaged ones goes back or far ahead.
+    // Without timestamps a container gives 0; damaged ones go back or far ahead.
     const double stamped_s = (time_ms - m_first_ms) * 1e-3;
     if (!std::isfinite(stamped_s) || stamped_s <= m_last_s ||
         (stamped_s - m_last_s) * rate_Hz >= kLongestGap) {

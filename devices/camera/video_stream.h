@@ -11,8 +11,8 @@
 
 namespace teleta::camera {
 
-/// Frames of a camera (V4L2) or of a file that OpenCV reads, in grey levels, with the time of their capture:
-/// the driver's, the file's, and where neither gives one that rises, the number of the frame over the rate.
+/// Greyscale frames of a camera (V4L2) or of a file that OpenCV reads, with their capture times: the driver's
+/// or the file's, or where those do not rise, the number of the frame over the rate.
 /// Thread: one.
 class VideoStream {
 public:
@@ -28,18 +28,17 @@ public:
         return open(source, {});
     }
 
-    /// For a frame of a camera; the variable OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT (seconds), where it is set,
-    /// says otherwise.
+    /// For a frame of a camera, unless the variable OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT (seconds) is set.
     static constexpr int kLongestWait_s = 2;
-    /// For the first one: a camera that begins may have to find its exposure, or wake up.
+    /// For the first one: a camera may have to wake up and find its exposure.
     static constexpr int kLongestFirstWait_s = 10;
 
     enum class Outcome {
         frame,
         undecodable, ///< there was a frame, but it could not be decoded
         ended,       ///< of a file
-        late,        ///< the first frame of a camera has not come yet: ask again
-        gone,        ///< the camera gives no frames any more, or none for kLongestWait_s
+        late,        ///< the first frame of a camera has not arrived yet: ask again
+        gone,        ///< the camera sends no frames any more, or none for kLongestWait_s
     };
     /// Waits for the next frame. frame: changed only when there is one.
     [[nodiscard]] Outcome next(cv::Mat1b& frame, double& time_s);
@@ -48,8 +47,8 @@ public:
     [[nodiscard]] double rate_Hz() const { return m_rate_Hz; }          ///< 0: unknown
     [[nodiscard]] std::uint64_t framesTotal() const { return m_total; } ///< 0: unknown
     [[nodiscard]] std::uint64_t framesRead() const { return m_read; }
-    /// Frames that are missing by the time stamps: the reader passed over what it could not decode, or the
-    /// driver dropped them. 0 when the rate is unknown.
+    /// Frames that are missing according to the timestamps: the decoder skipped them, or the driver dropped
+    /// them. 0 when the rate is unknown.
     [[nodiscard]] std::uint64_t framesSkipped() const { return m_skipped; }
 
 private:

@@ -10,24 +10,18 @@ namespace teleta::described {
 
 core::Expected<std::unique_ptr<core::BraceletLink>> openBracelet(const std::string& path,
                                                                  const core::StopSwitch& stop) {
-    const auto document = core::TomlDocument::open(path);
-    if (!document)
-        return core::Unexpected(document.error());
-    core::TomlTable root = document->root();
+    TELETA_TRY(const auto document, scene::TomlDocument::open(path));
+    scene::TomlTable root = document.root();
     const bool named = root.has("kind");
     const std::size_t kind = named ? root.choice("kind", {"modbus", "hid_bracelet"}) : 0;
-    if (document->firstError())
-        return core::Unexpected(*document->firstError());
+    if (document.firstError())
+        return core::Unexpected(document.firstError());
     if (kind == 1) {
-        const auto file = bracelet::readHidBracelet(path);
-        if (!file)
-            return core::Unexpected(file.error());
-        return bracelet::openHidBracelet(file->config, stop);
+        TELETA_TRY(const auto file, bracelet::readHidBracelet(path));
+        return bracelet::openHidBracelet(file.config, stop);
     }
-    const auto map = modbus::readRegisterMap(path);
-    if (!map)
-        return core::Unexpected(map.error());
-    return modbus::openModbusBracelet(*map, stop);
+    TELETA_TRY(const auto map, modbus::readRegisterMap(path));
+    return modbus::openModbusBracelet(map, stop);
 }
 
 } // namespace teleta::described

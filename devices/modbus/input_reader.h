@@ -14,8 +14,8 @@ class InputReader {
 public:
     explicit InputReader(std::vector<InputRegister> inputs);
 
-    /// values: one for each input, in its unit. Ends at the first request that fails; the values of that and
-    /// the later ones are then NaN.
+    /// values: one for each input, in its unit. Stops at the first request that fails, whose values and all
+    /// later ones are NaN.
     [[nodiscard]] Answer read(RegisterLink& link, std::span<double> values);
 
     [[nodiscard]] std::size_t inputs() const { return m_inputs.size(); }

@@ -13,19 +13,19 @@
 
 namespace teleta::modbus {
 
-/// The motors of a bracelet in the registers of a Modbus server. A frame is one write of all six; then the
-/// watchdog register counts up; ten times a second the status and the board's own inputs are read, with
-/// motors that turn only when the frame took no longer than 20 ms: the next one may be that of STOP. The
-/// server's answer to the write is the echo of the frame. Whatever fails is a loss of the connection, and the
-/// motors are set to zero on the way out: answered where the server still answers, else sent blindly.
-/// Thread: one at a time; write waits for the answers.
+/// The motors of a bracelet in the registers of a Modbus server. A frame is one write of all six, followed by
+/// the watchdog register, which counts up. The status and the board's inputs are read ten times a second, but
+/// while motors turn only if the frame took at most 20 ms, since the next one may be that of STOP. The
+/// server's answer to the write is the frame's echo. Any failure ends the connection and zeroes the motors:
+/// with an answer if the server still answers, otherwise blindly. Thread: one at a time; write waits for the
+/// answers.
 class ModbusBraceletPort : public core::BraceletPort {
 public:
     /// map: with tactors. clock: not null.
     ModbusBraceletPort(const RegisterMap& map, std::unique_ptr<RegisterLink> link,
                        std::shared_ptr<const core::PacingClock> clock);
 
-    /// The server's own watchdog stops the motors, so that the time-out of the frame is not sent.
+    /// The frame's timeout is not sent: the server's own watchdog stops the motors.
     [[nodiscard]] bool write(std::uint16_t sequence, const core::Drive& drive,
                              std::uint16_t timeout_ms) override;
     [[nodiscard]] Read read(core::BoardReport& report) override;

@@ -29,24 +29,12 @@ ModbusJoints::ModbusJoints(const RegisterMap& map, LinkOpener opener, const core
     , m_worker(map, std::move(opener), std::move(config)) {
 }
 
-ModbusJoints::~ModbusJoints() {
-    stop();
-}
-
-void ModbusJoints::start(core::Wakeup& consumer) {
-    m_thread.start(m_worker, consumer);
-}
-
-void ModbusJoints::stop() {
-    m_thread.stop(m_worker);
-}
-
 core::Expected<std::unique_ptr<core::ArmSource>>
 makeModbusJoints(const RegisterMap& map, const core::ArmDescription& arm, ModbusJointsConfig config) {
     if (!map.joints)
         return core::Unexpected(core::Error{
             core::ErrorKind::refused,
-            QCoreApplication::translate("Modbus", "The device tells no joints.").toStdString(),
+            QCoreApplication::translate("Modbus", "The device reports no joints.").toStdString(),
             QCoreApplication::translate("Modbus", "four tables [[joint]] in its file").toStdString(),
             {}});
     return std::make_unique<ModbusJoints>(map, libmodbusOpener(map), arm, std::move(config));

@@ -7,22 +7,20 @@
 
 namespace teleta::modbus {
 
-/// Joint angles and torques of an arm that a Modbus server tells: read-only. The arm cannot be moved through
-/// it, so the description's fastest_radPerS is 0 and commands have no effect; there is no skin. The reference
-/// of a sample is its angle, since the server does not tell another one.
+/// Joint angles and torques of an arm, read from a Modbus server. Read-only: the description's
+/// fastest_radPerS is 0, commands have no effect, and there is no skin. A sample's reference is its angle,
+/// since the server reports no other one.
 ///   connecting -> live <-> stale; lost -> reconnecting -> connecting; stop(): closed
 /// Thread: as core::ArmSource.
 class ModbusJoints : public core::ArmSource {
 public:
-    /// map: with joints. arm: the geometry, which no register tells; name, rate and what says that it moves
-    /// are the device's.
+    /// map: with joints. arm: the geometry, which no register holds; its name, rate and limits are replaced.
     ModbusJoints(const RegisterMap& map, LinkOpener opener, const core::ArmDescription& arm,
                  ModbusJointsConfig config = {});
-    ~ModbusJoints() override;
 
     [[nodiscard]] const core::ArmDescription& description() const override { return m_description; }
-    void start(core::Wakeup& consumer) override;
-    void stop() override;
+    void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
+    void stop() override { m_thread.stop(); }
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override { return m_worker.joints(); }
     [[nodiscard]] core::DeviceStatus status() const override { return m_worker.status(); }
     [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::held; }
@@ -34,7 +32,7 @@ public:
 private:
     core::ArmDescription m_description;
     ModbusJointsWorker m_worker;
-    core::DeviceThread m_thread;
+    core::DeviceThread<ModbusJointsWorker> m_thread{m_worker};
 };
 
 /// Joints of the map's server by libmodbus. Error: the map names no joints.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/modbus/modbus_joints_worker.h"
 
+#include "backend/core/device/backoff.h"
 #include "backend/core/device/device_state.h"
 
 #include <algorithm>
@@ -30,74 +31,47 @@ ModbusJointsWorker::ModbusJointsWorker(const RegisterMap& map, LinkOpener opener
     , m_rate_Hz(map.inputRate_Hz)
     , m_reader(jointInputs(map))
     , m_staleAfter_ns(core::staleAfter_ns(m_rate_Hz))
-    , m_joints(m_config.queueSamples)
+    , m_joints(m_config.queueSamples, 1)
+    , m_wait(m_config.clock)
     , m_values(2 * kJoints) {
 }
 
 void ModbusJointsWorker::open(core::Wakeup& consumer) {
-    m_consumer = &consumer;
     m_opened_ns = now_ns();
-    m_lost = 0;
-    m_overflowAtOpen = m_joints.overflow();
-    m_rate.reset();
-    m_status = {};
-    setState(core::DeviceState::connecting);
+    m_joints.open(consumer, m_opened_ns);
 }
 
 void ModbusJointsWorker::run(const std::stop_token& stop) {
-    Lock lock(m_mutex);
-    while (connect(lock, stop)) {
-        while (!stop.stop_requested()) {
-            if (!waitUntil(lock, stop, due_ns()))
-                break;
-            lock.unlock();
-            const bool connected = readOnce();
-            lock.lock();
-            if (!connected)
-                break;
+    while (connect(stop)) {
+        while (m_wait.until(due_ns(), stop) && readOnce()) {
         }
         m_link.reset();
     }
-    setState(core::DeviceState::closed);
+    m_joints.setState(core::DeviceState::closed, now_ns());
     m_discontinuity = true;
 }
 
-void ModbusJointsWorker::wake() {
-    const std::scoped_lock lock(m_mutex);
-    m_condition.notify_all();
-}
-
 /// Tries until there is a connection, less and less often. False: stopped.
-bool ModbusJointsWorker::connect(Lock& lock, const std::stop_token& stop) {
-    std::int64_t retry_ns = m_config.firstRetry_ns;
+bool ModbusJointsWorker::connect(const std::stop_token& stop) {
+    core::Backoff retry(m_config.firstRetry_ns, m_config.longestRetry_ns);
     while (!stop.stop_requested()) {
-        if (m_status.state == core::DeviceState::lost) {
-            if (!waitUntil(lock, stop, now_ns() + retry_ns))
+        if (m_joints.state() == core::DeviceState::lost) {
+            if (!m_wait.until(now_ns() + retry.next_ns(), stop))
                 return false;
-            retry_ns = std::min(2 * retry_ns, m_config.longestRetry_ns);
-            setState(core::DeviceState::reconnecting, m_status.message);
+            m_joints.setState(core::DeviceState::reconnecting, now_ns(), m_joints.status().message);
         }
-        lock.unlock();
         auto link = m_opener();
-        lock.lock();
         if (link) {
             m_link = std::move(*link);
             m_failures = 0;
             m_epoch_ns = now_ns();
             m_sinceEpoch = 0;
-            setState(core::DeviceState::connecting);
+            m_joints.setState(core::DeviceState::connecting, m_epoch_ns);
             return !stop.stop_requested();
         }
-        setState(core::DeviceState::lost, link.error().message);
+        m_joints.setState(core::DeviceState::lost, now_ns(), link.error().message);
     }
     return false;
-}
-
-/// False: stopped.
-bool ModbusJointsWorker::waitUntil(Lock& lock, const std::stop_token& stop, std::int64_t deadline_ns) {
-    while (!stop.stop_requested() && now_ns() < deadline_ns)
-        m_config.clock->waitUntil(m_condition, lock, deadline_ns);
-    return !stop.stop_requested();
 }
 
 std::int64_t ModbusJointsWorker::due_ns() const {
@@ -113,23 +87,22 @@ bool ModbusJointsWorker::readOnce() {
         deliver();
         return true;
     }
-    ++m_lost;
+    m_joints.lose(1);
     ++m_failures;
-    if (answer.kind != Answer::Kind::lost && m_failures < m_config.failuresUntilLost) {
-        setState(core::observedState(m_status.state, m_status.lastData_ns, now_ns(), m_staleAfter_ns),
-                 describe(answer));
-        return true;
-    }
-    m_discontinuity = true;
-    setState(core::DeviceState::lost, describe(answer));
-    return false;
+    const bool lost = answer.kind == Answer::Kind::lost || m_failures >= m_config.failuresUntilLost;
+    m_discontinuity = m_discontinuity || lost;
+    m_joints.setState(
+        lost ? core::DeviceState::lost
+             : core::observedState(m_joints.state(), m_joints.lastData_ns(), now_ns(), m_staleAfter_ns),
+        now_ns(), describe(answer));
+    return !lost;
 }
 
 void ModbusJointsWorker::countSkipped() {
     const double late_s = static_cast<double>(now_ns() - due_ns()) * 1e-9;
     const double periods = std::floor(late_s * m_rate_Hz);
     if (periods >= 1.0) {
-        m_lost += static_cast<std::uint64_t>(periods);
+        m_joints.lose(static_cast<std::uint64_t>(periods));
         m_sinceEpoch += static_cast<std::uint64_t>(periods);
     }
 }
@@ -142,29 +115,7 @@ void ModbusJointsWorker::deliver() {
     std::copy_n(m_values.begin() + kJoints, kJoints, sample.torque_Nm.begin());
     sample.reference_rad = sample.angle_rad;
     sample.discontinuity = std::exchange(m_discontinuity, false);
-    m_rate.add(sample.time_ns);
-    m_status.lastData_ns = sample.time_ns;
-    ++m_status.framesRead;
-    (void)m_joints.push(std::move(sample));
-    if (m_status.state != core::DeviceState::live || !m_status.message.empty())
-        setState(core::DeviceState::live);
-    else
-        publish();
-}
-
-void ModbusJointsWorker::setState(core::DeviceState state, std::string message) {
-    if (m_status.state != state)
-        m_status.since_ns = now_ns();
-    m_status.state = state;
-    m_status.message = std::move(message);
-    publish();
-}
-
-void ModbusJointsWorker::publish() {
-    m_status.rate_Hz = m_rate.rate_Hz(now_ns());
-    m_status.framesLost = m_lost + (m_joints.overflow() - m_overflowAtOpen);
-    m_published.set(m_status);
-    m_consumer->notify();
+    m_joints.deliver(std::move(sample));
 }
 
 } // namespace teleta::modbus

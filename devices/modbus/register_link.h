@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "backend/core/interface.h"
 #include "devices/modbus/register_map.h"
 
 #include <cstdint>
@@ -17,8 +18,8 @@ struct Answer {
     enum class Kind {
         done,
         exception, ///< the server refused; the connection is sound
-        timedOut,  ///< nothing, or not all, came in time
-        damaged,   ///< an answer came that does not belong to the request, or with a wrong checksum
+        timedOut,  ///< no complete answer in time
+        damaged,   ///< the answer does not match the request, or has a wrong checksum
         lost,      ///< the connection is gone
     };
     Kind kind = Kind::done;
@@ -31,23 +32,18 @@ struct Answer {
 /// The answer as a sentence for people, translated; empty when it was done. Thread: any.
 [[nodiscard]] std::string describe(const Answer& answer);
 
-/// One open connection to a Modbus server. A test puts one in its place that it plays itself. Every call
-/// waits for the answer, at most for the time-out. Thread: one at a time.
-class RegisterLink {
+/// One open connection to a Modbus server. Tests replace it with one that they play themselves. Every call
+/// waits for the answer, at most for the timeout. Thread: one at a time.
+class RegisterLink : public core::Interface {
 public:
-    virtual ~RegisterLink() = default;
-    RegisterLink() = default;
-    RegisterLink(const RegisterLink&) = delete;
-    RegisterLink& operator=(const RegisterLink&) = delete;
-
     /// Writes neighbouring holding registers in one request; 1 .. 123 words.
     [[nodiscard]] virtual Answer write(std::uint16_t address, std::span<const std::uint16_t> words) = 0;
-    /// The same without waiting for an answer: what is left to do for a server that does not answer.
+    /// The same without waiting for an answer, as a last resort for a server that does not answer.
     virtual void writeUnanswered(std::uint16_t address, std::span<const std::uint16_t> words) = 0;
     /// Reads words.size() neighbouring registers, 1 .. 125; on failure words are untouched or partly written.
     [[nodiscard]] virtual Answer read(RegisterTable table, std::uint16_t address,
                                       std::span<std::uint16_t> words) = 0;
-    /// Answers that came after their time-out and were thrown away, as far as they can be told.
+    /// Answers that were discarded because they arrived after their timeout, as far as that can be detected.
     [[nodiscard]] virtual std::uint64_t lateAnswers() const = 0;
 };
 

@@ -59,7 +59,7 @@ struct TactorRegisters {
     [[nodiscard]] std::size_t registers() const { return core::kTactors * registersOf(format.type); }
 };
 
-/// Bits of the status register, 0 the lowest; none: the driver does not tell.
+/// Bits of the status register, 0 the lowest; empty: the driver has none.
 struct StatusRegister {
     InputRegister input;
     std::optional<int> timedOutBit;
@@ -73,11 +73,11 @@ struct JointRegisters {
     std::size_t torque = 0; ///< in N m
 };
 
-/// A frame that is under way may wait so long for an answer, and STOP with it.
+/// A frame may wait this long for its answer, and STOP may have to wait for the frame.
 inline constexpr double kLongestMotorTimeout_s = 0.2;
 
-/// A Modbus device as its TOML file describes it. One with motors has a watchdog of its own: nothing else
-/// stops them when the program is killed.
+/// A Modbus device as its TOML file describes it. A device with motors must have its own watchdog: nothing
+/// else stops them when the program is killed.
 struct RegisterMap {
     std::string name;
     std::variant<TcpLink, RtuLink> link;
@@ -115,12 +115,12 @@ struct ReadRequest {
     std::vector<std::size_t> inputs; ///< indices of those that it brings
 };
 
-/// The fewest reads that bring these inputs. Only registers that are listed are read, since a server answers
-/// with an exception where it has none; at most 125 a read, as the protocol allows. Thread: any (pure).
+/// The fewest reads that cover these inputs. Only listed registers are read, since a server answers an
+/// unknown one with an exception; at most 125 per read, as the protocol allows. Thread: any (pure).
 [[nodiscard]] std::vector<ReadRequest> planReads(const std::vector<InputRegister>& inputs);
 
-/// Reads the description of a device. path: a TOML file, or ":/devices/NAME.toml" for one that comes with the
-/// program. Error: notFound, ioFailed, or badInput with line and column. Thread: any.
+/// Reads the description of a device. path: a TOML file, or ":/devices/NAME.toml" for a built-in one.
+/// Error: notFound, ioFailed, or badInput with line and column. Thread: any.
 [[nodiscard]] core::Expected<RegisterMap> readRegisterMap(const std::string& path);
 [[nodiscard]] core::Expected<RegisterMap> parseRegisterMap(std::string_view text, const std::string& file);
 

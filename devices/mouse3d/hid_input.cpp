@@ -68,11 +68,11 @@ core::Expected<std::unique_ptr<HidInput>> openMouse(const Mouse3dInfo& mouse) {
         return std::make_unique<HidapiInput>(device, mouse.product);
     const QString where = QString::fromStdString(mouse.path);
     if (access(mouse.path.c_str(), F_OK) == 0 && access(mouse.path.c_str(), R_OK | W_OK) != 0)
-        return core::Unexpected(core::Error{
-            core::ErrorKind::ioFailed,
-            MouseTexts::tr("The 3D mouse at %1 may not be opened.").arg(where).toStdString(),
-            MouseTexts::tr("read and write access to it, which the udev rule gives").toStdString(),
-            {}});
+        return core::Unexpected(
+            core::Error{core::ErrorKind::ioFailed,
+                        MouseTexts::tr("No permission to open the 3D mouse at %1.").arg(where).toStdString(),
+                        MouseTexts::tr("read and write access, which the udev rule grants").toStdString(),
+                        {}});
     return core::Unexpected(
         core::Error{core::ErrorKind::unavailable,
                     MouseTexts::tr("The 3D mouse at %1 cannot be opened.").arg(where).toStdString(),

@@ -5,6 +5,7 @@
 #include "devices/mouse3d/mouse3d_worker.h"
 
 #include <string>
+#include <utility>
 
 namespace teleta::mouse3d {
 
@@ -14,18 +15,18 @@ namespace teleta::mouse3d {
 class Mouse3d {
 public:
     /// opener: by default the first mouse that hidapi finds.
-    explicit Mouse3d(Mouse3dConfig config = {}, HidInputOpener opener = openFirstMouse);
-    ~Mouse3d();
+    explicit Mouse3d(Mouse3dConfig config = {}, HidInputOpener opener = openFirstMouse)
+        : m_worker(std::move(opener), std::move(config)) {}
     Mouse3d(const Mouse3d&) = delete;
     Mouse3d& operator=(const Mouse3d&) = delete;
 
     /// Starts the worker, which notifies the consumer of reports and changes of state.
-    void start(core::Wakeup& consumer);
+    void start(core::Wakeup& consumer) { m_thread.start(consumer); }
     /// Ends the worker and waits for it, at most readTimeout_ms. Idempotent.
-    void stop();
+    void stop() { m_thread.stop(); }
 
-    /// Motion that counts now: zero without the dead-man button, without a mouse, and when the reports of a
-    /// deflected cap stop; then the button has to be pressed anew.
+    /// Motion to apply now: zero without the dead-man button, without a mouse, and when the reports of a
+    /// deflected cap stop; the button has to be pressed again then.
     [[nodiscard]] SixAxes motion() const { return m_worker.motion(); }
     [[nodiscard]] Mouse3dReading reading() const { return m_worker.reading(); }
     [[nodiscard]] core::DeviceStatus status() const { return m_worker.status(); }
@@ -34,7 +35,7 @@ public:
 
 private:
     Mouse3dWorker m_worker;
-    core::DeviceThread m_thread;
+    core::DeviceThread<Mouse3dWorker> m_thread{m_worker};
 };
 
 } // namespace teleta::mouse3d

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/mouse3d/mouse3d_worker.h"
 
+#include "backend/core/device/backoff.h"
+
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -11,32 +12,22 @@ namespace teleta::mouse3d {
 
 Mouse3dWorker::Mouse3dWorker(HidInputOpener opener, Mouse3dConfig config)
     : m_opener(std::move(opener))
-    , m_config(std::move(config)) {
+    , m_config(std::move(config))
+    , m_wait(m_config.clock) {
 }
 
 void Mouse3dWorker::open(core::Wakeup& consumer) {
-    m_consumer = &consumer;
-    m_status = {};
-    m_rate.reset();
     forget();
-    setState(core::DeviceState::connecting);
+    m_status.open(consumer, now_ns());
 }
 
 void Mouse3dWorker::run(const std::stop_token& stop) {
-    Lock lock(m_mutex);
-    while (connect(lock, stop)) {
-        lock.unlock();
+    while (connect(stop)) {
         readReports(stop);
-        lock.lock();
         m_input.reset();
         forget();
     }
-    setState(core::DeviceState::closed);
-}
-
-void Mouse3dWorker::wake() {
-    const std::scoped_lock lock(m_mutex);
-    m_condition.notify_all();
+    m_status.setState(core::DeviceState::closed, now_ns());
 }
 
 SixAxes Mouse3dWorker::motion() const {
@@ -66,8 +57,7 @@ bool Mouse3dWorker::isSilent(const Mouse3dReading& reading) const {
     return silent_ns > (atRest ? m_config.restLifetime_ns : m_config.axesLifetime_ns);
 }
 
-/// A release may be among what did not come, and where the hand is nobody knows: the button has to be let go
-/// and pressed anew.
+/// The release of the button may be among the missing reports: it has to be released and pressed again.
 void Mouse3dWorker::letGoIfSilent() {
     if (!isSilent(m_now))
         return;
@@ -75,33 +65,27 @@ void Mouse3dWorker::letGoIfSilent() {
     m_now.deadManHeld = false;
     m_now.axes = {};
     m_reading.set(m_now);
-    publish();
+    m_status.publishAndWake();
 }
 
 /// Tries until there is a mouse, less and less often. False: stopped.
-bool Mouse3dWorker::connect(Lock& lock, const std::stop_token& stop) {
-    std::int64_t retry_ns = m_config.firstRetry_ns;
+bool Mouse3dWorker::connect(const std::stop_token& stop) {
+    core::Backoff retry(m_config.firstRetry_ns, m_config.longestRetry_ns);
     while (!stop.stop_requested()) {
-        if (m_status.state == core::DeviceState::lost) {
-            const std::int64_t deadline_ns = now_ns() + retry_ns;
-            retry_ns = std::min(2 * retry_ns, m_config.longestRetry_ns);
-            while (!stop.stop_requested() && now_ns() < deadline_ns)
-                m_config.clock->waitUntil(m_condition, lock, deadline_ns);
-            if (stop.stop_requested())
+        if (m_status.state() == core::DeviceState::lost) {
+            if (!m_wait.until(now_ns() + retry.next_ns(), stop))
                 return false;
-            setState(core::DeviceState::reconnecting, m_status.message);
+            m_status.setState(core::DeviceState::reconnecting, now_ns(), m_status.current().message);
         }
-        lock.unlock();
         auto input = m_opener();
-        lock.lock();
         if (input) {
             m_input = std::move(*input);
             m_name.set(m_input->name());
-            // A mouse at rest is silent: it is live as soon as it is there.
-            setState(core::DeviceState::live);
+            // A mouse at rest is silent, so it is live as soon as it is connected.
+            m_status.setState(core::DeviceState::live, now_ns());
             return !stop.stop_requested();
         }
-        setState(core::DeviceState::lost, input.error().message);
+        m_status.setState(core::DeviceState::lost, now_ns(), input.error().message);
     }
     return false;
 }
@@ -110,11 +94,12 @@ void Mouse3dWorker::readReports(const std::stop_token& stop) {
     std::array<std::uint8_t, 64> report{};
     while (!stop.stop_requested()) {
         const int size = m_input->read(report, m_config.readTimeout_ms);
-        // Before a report that ends the silence counts.
+        // First: a report that ends the silence must not revive the old state.
         letGoIfSilent();
         if (size < 0) {
-            setState(core::DeviceState::lost,
-                     QCoreApplication::translate("Mouse3d", "The 3D mouse was unplugged.").toStdString());
+            m_status.setState(
+                core::DeviceState::lost, now_ns(),
+                QCoreApplication::translate("Mouse3d", "The 3D mouse was unplugged.").toStdString());
             return;
         }
         if (size > 0)
@@ -132,7 +117,7 @@ void Mouse3dWorker::take(std::span<const std::uint8_t> report) {
     case ReportKind::buttons: {
         const bool held = ((m_raw.buttons >> static_cast<unsigned>(m_config.deadManButton)) & 1U) != 0;
         m_now.buttons = m_raw.buttons;
-        // A button that was held when the mouse was connected shows with the first change of any other one.
+        // If the button was held while the mouse was connected, the first change of any button shows it.
         m_deadManSeenReleased = m_deadManSeenReleased || !held;
         m_now.deadManHeld = held && m_deadManSeenReleased;
         break;
@@ -140,39 +125,23 @@ void Mouse3dWorker::take(std::span<const std::uint8_t> report) {
     case ReportKind::other:
         return;
     case ReportKind::damaged:
-        ++m_status.framesLost;
-        publish();
+        m_status.lose(1);
+        m_status.publishAndWake();
         return;
     }
     m_now.time_ns = time_ns;
     m_now.suspended_ns = m_config.clock->suspended_ns();
     m_reading.set(m_now);
-    ++m_status.framesRead;
-    m_status.lastData_ns = time_ns;
-    m_rate.add(time_ns);
-    publish();
+    m_status.receive(core::DeviceState::live, time_ns);
+    m_status.publishAndWake();
 }
 
-/// Nothing of an earlier connection moves anything: the dead-man button must be pressed anew.
+/// Nothing carries over from an earlier connection: the dead-man button must be pressed again.
 void Mouse3dWorker::forget() {
     m_raw = {};
     m_now = {};
     m_deadManSeenReleased = false;
     m_reading.set(m_now);
-}
-
-void Mouse3dWorker::setState(core::DeviceState state, std::string message) {
-    if (m_status.state != state)
-        m_status.since_ns = now_ns();
-    m_status.state = state;
-    m_status.message = std::move(message);
-    publish();
-}
-
-void Mouse3dWorker::publish() {
-    m_status.rate_Hz = m_rate.rate_Hz(now_ns());
-    m_published.set(m_status);
-    m_consumer->notify();
 }
 
 } // namespace teleta::mouse3d

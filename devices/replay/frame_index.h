@@ -16,8 +16,8 @@ struct FramePlace {
     long long line = 0;
 };
 
-/// Places of some frames of a recording, evenly spaced and few however long the file is: when there are too
-/// many, every second one goes.
+/// Places of some frames of a recording, evenly spaced; when there are too many, every second one is removed,
+/// so that they stay few for any length of file.
 /// Thread: add() and complete() from one; the others from any.
 class FrameIndex {
 public:

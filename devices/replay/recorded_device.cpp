@@ -1,30 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/recorded_device.h"
 
-#include <QCoreApplication>
+#include "devices/replay/csv_recording.h"
+#include "devices/replay/teleta_recording.h"
 
+#include <filesystem>
 #include <utility>
 
 namespace teleta::replay {
 
 core::Expected<std::shared_ptr<RecordedPlayer>> RecordedPlayer::open(RecordedConfig config) {
-    const core::Expected<recording::Recording> recording = recording::Recording::open(config.path);
-    if (!recording)
-        return core::Unexpected(recording.error());
-    const auto extent = recording->extent(config.stream);
-    if (!extent)
-        return core::Unexpected(extent.error());
-    if (!*extent)
-        return core::Unexpected(core::Error{
-            core::ErrorKind::refused,
-            QCoreApplication::translate("ReplayDevice", "the recording has no frames").toStdString(),
-            {},
-            {config.path}});
-    RecordedFacts facts{.extent = **extent, .start_ns = recording->head().start_ns, .marks = {}};
-    for (const recording::RecordingEvent& event : recording->events())
-        if (event.kind == recording::kMark)
-            facts.marks.push_back({event.time_ns, event.text});
-    return std::make_shared<RecordedPlayer>(std::move(config), std::move(facts));
+    TELETA_TRY(std::unique_ptr<PlaybackRecording> recording, TeletaRecording::open(config));
+    return std::make_shared<RecordedPlayer>(std::move(config), std::move(recording));
+}
+
+core::Expected<std::shared_ptr<RecordedPlayer>> RecordedPlayer::open(CsvConfig config) {
+    TELETA_TRY(std::unique_ptr<CsvRecording> recording, CsvRecording::open(config));
+    config.array = {.name = std::filesystem::path(config.path).filename().string(),
+                    .layout = config.layout,
+                    .unit = config.unit,
+                    .nominalRate_Hz = recording->nominalRate_Hz(),
+                    .simulated = false,
+                    .recorded = true};
+    config.startsQuietly = true;
+    return std::make_shared<RecordedPlayer>(std::move(config), std::move(recording));
+}
+
+void RecordedPlayer::start(core::Wakeup& consumer) {
+    m_thread.start(consumer);
+    m_worker.recording().startIndexing();
+}
+
+void RecordedPlayer::stop() {
+    m_thread.stop();
+    m_worker.recording().stopIndexing();
 }
 
 } // namespace teleta::replay

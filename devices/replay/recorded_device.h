@@ -5,9 +5,8 @@
 #include "backend/core/device/camera_source.h"
 #include "backend/core/device/device.h"
 #include "backend/core/error.h"
-#include "backend/core/threads/device_thread.h"
-#include "devices/replay/recorded_config.h"
-#include "devices/replay/recorded_worker.h"
+#include "devices/replay/playback_config.h"
+#include "devices/replay/playback_worker.h"
 
 #include <memory>
 #include <utility>
@@ -15,56 +14,63 @@
 
 namespace teleta::replay {
 
-/// What plays a recording for an array and the arm that wears it, or for a camera. Thread: one controlling
-/// thread.
+/// Plays a recording for an array and the arm that wears it, or for a camera.
+///   connecting -> live <-> paused -> finished; unreadable: lost, with the place; stop(): closed
+/// At a finite speed a full queue loses frames, as it would with a device; at infinity playing waits for the
+/// consumer. A playback that is finished or lost starts over with play(), and can still be searched.
+/// Thread: one controlling thread.
 class RecordedPlayer {
 public:
     /// Error: as recording::Recording::open; refused when the stream has no frames.
     [[nodiscard]] static core::Expected<std::shared_ptr<RecordedPlayer>> open(RecordedConfig config);
+    /// The array is described by the file. Error: the file cannot be opened or read, has no frames, or does
+    /// not fit the layout.
+    [[nodiscard]] static core::Expected<std::shared_ptr<RecordedPlayer>> open(CsvConfig config);
 
-    RecordedPlayer(RecordedConfig config, RecordedFacts facts)
-        : m_worker(std::move(config), std::move(facts)) {}
+    RecordedPlayer(PlaybackConfig config, std::unique_ptr<PlaybackRecording> recording)
+        : m_worker(std::move(config), std::move(recording)) {}
     ~RecordedPlayer() { stop(); }
     RecordedPlayer(const RecordedPlayer&) = delete;
     RecordedPlayer& operator=(const RecordedPlayer&) = delete;
 
-    void start(core::Wakeup& consumer) { m_thread.start(m_worker, consumer); }
-    void stop() { m_thread.stop(m_worker); }
-    [[nodiscard]] RecordedWorker& worker() { return m_worker; }
+    void start(core::Wakeup& consumer);
+    void stop();
+    [[nodiscard]] PlaybackWorker& worker() { return m_worker; }
 
 private:
-    RecordedWorker m_worker;
-    core::DeviceThread m_thread;
+    PlaybackWorker m_worker;
+    core::DeviceThread<PlaybackWorker> m_thread{m_worker};
 };
 
-/// The controls of a recording that is played.
+/// The controls of a playback.
 class RecordedControl : public core::PlaybackControl {
 public:
     explicit RecordedControl(std::shared_ptr<RecordedPlayer> player)
         : m_player(std::move(player)) {}
 
-    void play() override { worker().play(); }
-    void pause() override { worker().pause(); }
-    void step(int frames) override { worker().step(frames); }
-    void setSpeed(double factor) override { worker().setSpeed(factor); }
-    void seek(double time_s) override { worker().seek(time_s); }
-    void setLoop(bool loop) override { worker().setLoop(loop); }
+    void play() override { worker().commands().setPlaying(true); }
+    void pause() override { worker().commands().setPlaying(false); }
+    void step(int frames) override { worker().commands().step(frames); }
+    void setSpeed(double factor) override { worker().commands().setSpeed(factor); }
+    /// Goes to the first frame at or after a time, or to the last frame, and shows it, also when paused.
+    void seek(double time_s) override { worker().commands().seek(time_s); }
+    void setLoop(bool loop) override { worker().commands().setLoop(loop); }
     [[nodiscard]] core::PlaybackPosition position() const override { return worker().position(); }
     [[nodiscard]] std::vector<core::PlaybackMark> marks() const override { return worker().marks(); }
 
-    /// As RecordedWorker's.
+    /// As PlaybackWorker's.
     [[nodiscard]] std::uint64_t damagedBlocks() const { return worker().damagedBlocks(); }
     [[nodiscard]] core::Error error() const { return worker().error(); }
 
 protected:
     [[nodiscard]] RecordedPlayer& player() const { return *m_player; }
-    [[nodiscard]] RecordedWorker& worker() const { return m_player->worker(); }
+    [[nodiscard]] PlaybackWorker& worker() const { return m_player->worker(); }
 
 private:
     std::shared_ptr<RecordedPlayer> m_player;
 };
 
-/// The array of a recording as a device, with its playback control. States as ReplayDevice.
+/// The array of a recording as a device, with its playback control.
 class RecordedArray : public core::TactileSource, public RecordedControl {
 public:
     using RecordedControl::RecordedControl;
@@ -76,7 +82,7 @@ public:
     void start(core::Wakeup& consumer) override { player().start(consumer); }
     void stop() override { player().stop(); }
     [[nodiscard]] core::BoundedQueue<core::SampleBlock>& blocks() override {
-        return static_cast<RecordedArrayOutlet&>(worker().outlet()).blocks();
+        return static_cast<ArrayPlaybackOutlet&>(worker().outlet()).blocks();
     }
     [[nodiscard]] core::DeviceStatus status() const override { return worker().outlet().status(); }
     [[nodiscard]] core::PlaybackControl* playback() override { return this; }
@@ -94,14 +100,13 @@ public:
     void start(core::Wakeup& consumer) override { player().start(consumer); }
     void stop() override { player().stop(); }
     bool pop(core::CameraFrame& frame) override {
-        return static_cast<RecordedCameraOutlet&>(worker().outlet()).frames().pop(frame);
+        return static_cast<CameraPlaybackOutlet&>(worker().outlet()).frames().pop(frame);
     }
     [[nodiscard]] core::DeviceStatus status() const override { return worker().outlet().status(); }
     [[nodiscard]] core::PlaybackControl* playback() override { return this; }
 };
 
-/// The arm of a recording as a device, played in step with its skin. It cannot be moved: what is asked of it
-/// is ignored.
+/// The arm of a recording as a device, played in step with its skin. It ignores commands.
 class RecordedArm : public core::ArmSource {
 public:
     explicit RecordedArm(std::shared_ptr<RecordedPlayer> player)
@@ -119,7 +124,7 @@ public:
     void restartProgram() override {}
 
 private:
-    [[nodiscard]] RecordedWorker& worker() const { return m_player->worker(); }
+    [[nodiscard]] PlaybackWorker& worker() const { return m_player->worker(); }
 
     std::shared_ptr<RecordedPlayer> m_player;
 };

@@ -12,16 +12,16 @@
 
 namespace teleta::replay {
 
-/// Which reference the pictures of a recorded camera are compared with: it may have been renewed while they
-/// were recorded. Keeps the references' times alone; one that is damaged is passed over.
+/// The reference pictures of a recorded camera, which may have been renewed during the recording. Keeps only
+/// their times; damaged ones are skipped.
 /// Thread: the recording's.
 class RecordedReferences {
 public:
     /// stream: of the references; empty: there are none. recording must outlive it.
     RecordedReferences(const recording::Recording& recording, std::optional<std::size_t> stream);
 
-    /// The reference of a picture of this time when that is another one than for the last call, at the
-    /// beginning than the first one; otherwise empty.
+    /// The reference of a picture of this time if it differs from that of the last call (initially: from the
+    /// first one); otherwise empty.
     [[nodiscard]] core::GreyImage changeAt(std::int64_t time_ns);
 
 private:

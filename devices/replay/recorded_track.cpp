@@ -7,7 +7,12 @@ namespace teleta::replay {
 
 RecordedTrack::RecordedTrack(const recording::Recording& recording, std::size_t stream)
     : m_reader(recording.reader(stream))
-    , m_channels(recording.streams()[stream].channels()) {
+    , m_start_ns(recording.head().start_ns) {
+}
+
+std::span<const std::byte> RecordedTrack::bytes() const {
+    const std::size_t size = m_block.values.size() / m_block.frames();
+    return std::span(m_block.values).subspan(m_index * size, size);
 }
 
 core::Expected<void> RecordedTrack::seek(std::int64_t time_ns) {
@@ -32,14 +37,12 @@ core::Expected<std::uint64_t> RecordedTrack::back(std::uint64_t frames) {
     std::uint64_t left = frames;
     while (left > m_index) {
         const std::uint64_t here = m_index;
-        const core::Expected<bool> any = m_reader.previous(m_block);
+        TELETA_TRY(const bool any, m_reader.previous(m_block));
         if (!any)
-            return core::Unexpected(any.error());
-        if (!*any)
             break;
         left -= here;
         m_index = m_block.frames();
-        m_passedOver = false;
+        m_skipped = false;
     }
     const std::uint64_t last = std::min<std::uint64_t>(left, m_index);
     m_index -= last;
@@ -48,19 +51,18 @@ core::Expected<std::uint64_t> RecordedTrack::back(std::uint64_t frames) {
 }
 
 core::Expected<void> RecordedTrack::nextBlock() {
-    m_passedOver = false;
+    m_skipped = false;
     for (;;) {
         const core::Expected<bool> any = m_reader.next(m_block);
         const bool isDamage = !any && m_reader.canGoOn() && any.error().kind == core::ErrorKind::badInput;
         if (isDamage) {
             ++m_damaged;
-            m_passedOver = true;
+            m_skipped = true;
             continue;
         }
         m_atEnd = !any || !*any;
         m_index = m_atEnd ? m_block.frames() : 0;
-        if (!any)
-            return core::Unexpected(any.error());
+        TELETA_CHECK(any);
         return {};
     }
 }

@@ -3,6 +3,7 @@
 
 #include "backend/core/error.h"
 #include "backend/recording/recording.h"
+#include "devices/replay/playback_track.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,42 +11,38 @@
 
 namespace teleta::replay {
 
-/// One stream of a recording, frame by frame. A damaged block is passed over and counted.
+/// A stream of a .teleta recording. Damaged blocks are skipped and counted.
 /// Thread: the recording's.
-class RecordedTrack {
+class RecordedTrack : public PlaybackTrack {
 public:
     /// recording must outlive the track.
     RecordedTrack(const recording::Recording& recording, std::size_t stream);
 
-    /// Goes to the first frame at or after a time; behind the last one there is none.
-    [[nodiscard]] core::Expected<void> seek(std::int64_t time_ns);
-    /// Goes to the next frame.
-    [[nodiscard]] core::Expected<void> advance();
-    /// Goes back by so many frames, at most to the first one. Returns by how many.
-    [[nodiscard]] core::Expected<std::uint64_t> back(std::uint64_t frames);
+    [[nodiscard]] core::Expected<void> seek(std::int64_t time_ns) override;
+    [[nodiscard]] core::Expected<void> advance() override;
+    [[nodiscard]] core::Expected<std::uint64_t> back(std::uint64_t frames) override;
 
-    [[nodiscard]] bool atEnd() const { return m_atEnd; }
-    [[nodiscard]] std::int64_t time_ns() const { return m_block.time_ns[m_index]; }
-    template <typename Number>
-    [[nodiscard]] std::span<const Number> values() const {
-        return recording::valuesOf<Number>(m_block, m_index, m_channels);
+    [[nodiscard]] bool atEnd() const override { return m_atEnd; }
+    [[nodiscard]] std::int64_t time_ns() const override { return m_block.time_ns[m_index]; }
+    [[nodiscard]] double sourceTime_s() const override {
+        return static_cast<double>(time_ns() - m_start_ns) / 1e9;
     }
-    /// Of a stream of pictures.
-    [[nodiscard]] const core::GreyImage& image() const { return m_block.image; }
-    /// The stream had jumped before this frame when it was recorded, or frames before it are damaged.
-    [[nodiscard]] bool jumps() const { return (m_block.discontinuity || m_passedOver) && m_index == 0; }
-    /// Blocks that were passed over, all passes together.
-    [[nodiscard]] std::uint64_t damagedBlocks() const { return m_damaged; }
+    [[nodiscard]] core::GreyImage image() const override { return m_block.image; }
+    [[nodiscard]] bool jumps() const override { return (m_block.discontinuity || m_skipped) && m_index == 0; }
+    [[nodiscard]] std::uint64_t damagedBlocks() const override { return m_damaged; }
+
+protected:
+    [[nodiscard]] std::span<const std::byte> bytes() const override;
 
 private:
     [[nodiscard]] core::Expected<void> nextBlock();
 
     recording::StreamReader m_reader;
-    std::size_t m_channels;
+    std::int64_t m_start_ns; ///< of the recording
     core::TappedFrames m_block;
-    std::size_t m_index = 0;   ///< behind the last one at the end
-    bool m_atEnd = true;       ///< also where nothing was sought yet, or a seek failed
-    bool m_passedOver = false; ///< damage right before this block
+    std::size_t m_index = 0; ///< behind the last one at the end
+    bool m_atEnd = true;     ///< also before the first seek, and after one that failed
+    bool m_skipped = false;  ///< damage right before this block
     std::uint64_t m_damaged = 0;
 };
 

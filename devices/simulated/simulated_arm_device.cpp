@@ -33,20 +33,8 @@ SimulatedArmDevice::SimulatedArmDevice(std::unique_ptr<core::ArmGenerator> gener
     : m_worker(std::make_shared<SimulatedArmWorker>(std::move(generator), stopSwitch, std::move(config))) {
 }
 
-SimulatedArmDevice::~SimulatedArmDevice() {
-    stop();
-}
-
 std::unique_ptr<core::TactileSource> SimulatedArmDevice::makeSkin() {
     return std::make_unique<SimulatedArmSkin>(m_worker);
-}
-
-void SimulatedArmDevice::start(core::Wakeup& consumer) {
-    m_thread.start(*m_worker, consumer);
-}
-
-void SimulatedArmDevice::stop() {
-    m_thread.stop(*m_worker);
 }
 
 } // namespace teleta::simulated

@@ -22,15 +22,14 @@ public:
     /// generator: not null, with rates above 0. stopSwitch must outlive the device and its skin.
     SimulatedArmDevice(std::unique_ptr<core::ArmGenerator> generator, const core::StopSwitch& stopSwitch,
                        SimulatedArmConfig config = {});
-    ~SimulatedArmDevice() override;
 
     /// The skin as a source of its own: it is started and stopped by this device, its own start() and stop()
     /// do nothing. It may outlive the device, and then stays closed. One at a time.
     [[nodiscard]] std::unique_ptr<core::TactileSource> makeSkin();
 
     [[nodiscard]] const core::ArmDescription& description() const override { return m_worker->description(); }
-    void start(core::Wakeup& consumer) override;
-    void stop() override;
+    void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
+    void stop() override { m_thread.stop(); }
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override {
         return m_worker->joints().samples();
     }
@@ -50,7 +49,7 @@ public:
 
 private:
     std::shared_ptr<SimulatedArmWorker> m_worker; ///< shared with the skin
-    core::DeviceThread m_thread;
+    core::DeviceThread<SimulatedArmWorker> m_thread{*m_worker};
 };
 
 } // namespace teleta::simulated

@@ -23,11 +23,16 @@ std::size_t samplesIn(double duration_s, double rate_Hz) {
     return samples >= 1.0 && samples < 1e6 ? static_cast<std::size_t>(std::llround(samples)) : 1;
 }
 
+std::int64_t staleAfter(const SimulatedArmConfig& config, double rate_Hz) {
+    return config.staleAfter_s ? toNs(*config.staleAfter_s) : core::staleAfter_ns(rate_Hz);
+}
+
 } // namespace
 
 SimulatedArmWorker::SimulatedArmWorker(std::unique_ptr<core::ArmGenerator> generator,
                                        const core::StopSwitch& stopSwitch, SimulatedArmConfig config)
-    : m_generator(std::move(generator))
+    : SimulatedWorker(config.clock, generator->description().nominalRate_Hz, config.faults, config.faultSeed)
+    , m_generator(std::move(generator))
     , m_stopSwitch(stopSwitch)
     , m_config(std::move(config))
     , m_description(m_generator->description())
@@ -35,67 +40,35 @@ SimulatedArmWorker::SimulatedArmWorker(std::unique_ptr<core::ArmGenerator> gener
     , m_drive(m_description)
     , m_joints(m_config.queueSamples, samplesIn(m_config.batch_s, m_description.nominalRate_Hz))
     , m_skin(m_config.queueBlocks)
-    , m_link(m_config.clock, m_description.nominalRate_Hz, m_config.faults, m_config.faultSeed)
+    , m_jointsStaleAfter_ns(staleAfter(m_config, m_description.nominalRate_Hz))
+    , m_skinStaleAfter_ns(staleAfter(m_config, m_skinDescription.nominalRate_Hz))
     , m_values(m_skinDescription.layout.taxels()) {
 }
 
 void SimulatedArmWorker::open(core::Wakeup& consumer) {
     m_drive.begin(m_config.startProgram);
-    m_joints.open(consumer, m_link.now_ns());
-    m_skin.open(consumer, m_link.now_ns());
+    m_joints.open(consumer, now_ns());
+    m_skin.open(consumer, now_ns());
 }
 
-void SimulatedArmWorker::run(const std::stop_token& stop) {
-    const auto staleAfter = [&](double rate_Hz) {
-        return m_config.staleAfter_s ? toNs(*m_config.staleAfter_s) : core::staleAfter_ns(rate_Hz);
-    };
-    const std::int64_t jointsStaleAfter_ns = staleAfter(m_description.nominalRate_Hz);
-    const std::int64_t skinStaleAfter_ns = staleAfter(m_skinDescription.nominalRate_Hz);
-
-    SimulatedLink::Lock lock = m_link.lock();
-    connect();
-    bool silent = false;
-    while (!stop.stop_requested()) {
-        const SimulatedFaults faults = m_link.faults(lock);
-        if (faults.unplugged) {
-            waitForPlug(lock, stop);
-            continue;
-        }
-        const std::int64_t now_ns = m_link.now_ns();
-        if (std::exchange(silent, faults.silent) != faults.silent) {
-            m_joints.flush();
-            m_link.restart();
-        }
-        if (faults.silent)
-            obeyStop(now_ns);
-        const std::int64_t next_ns =
-            faults.silent ? core::PacingClock::kNever_ns : m_link.due_ns(faults.lag_s);
-        if (next_ns <= now_ns) {
-            lock.unlock();
-            stepDue(faults, now_ns);
-            lock.lock();
-            continue;
-        }
-        std::int64_t deadline_ns = faults.silent ? now_ns + kSilentLook_ns : next_ns;
-        const auto watchAge = [&](auto& outlet, std::int64_t staleAfter_ns) {
-            if (outlet.state() != core::DeviceState::live)
-                return;
-            const std::int64_t stale_ns = outlet.lastData_ns() + staleAfter_ns;
-            if (now_ns >= stale_ns)
-                outlet.setState(core::DeviceState::stale, now_ns);
-            else
-                deadline_ns = std::min(deadline_ns, stale_ns);
-        };
-        watchAge(m_joints, jointsStaleAfter_ns);
-        watchAge(m_skin, skinStaleAfter_ns);
-        m_link.waitUntil(lock, deadline_ns);
-    }
+void SimulatedArmWorker::disconnected() {
     m_drive.begin(false);
-    setState(core::DeviceState::closed);
     m_jointDiscontinuity = m_skinDiscontinuity = true;
 }
 
-/// An arm that tells nothing still stops, and does not go on by itself when it tells again.
+std::string SimulatedArmWorker::unpluggedMessage() const {
+    return QCoreApplication::translate("SimulatedArmDevice", "The arm was unplugged.").toStdString();
+}
+
+std::int64_t SimulatedArmWorker::idle(const SimulatedFaults& faults, std::int64_t now_ns) {
+    if (faults.silent)
+        obeyStop(now_ns);
+    return std::min({faults.silent ? now_ns + kSilentLook_ns : core::PacingClock::kNever_ns,
+                     watchAge(m_joints, m_jointsStaleAfter_ns, now_ns),
+                     watchAge(m_skin, m_skinStaleAfter_ns, now_ns)});
+}
+
+/// An arm that sends nothing still stops, and does not resume by itself when it sends again.
 void SimulatedArmWorker::obeyStop(std::int64_t now_ns) {
     if (m_stopSwitch.engaged())
         (void)m_drive.decide(true, m_generator->programDone(), now_ns, m_reference_rad);
@@ -104,33 +77,16 @@ void SimulatedArmWorker::obeyStop(std::int64_t now_ns) {
 }
 
 void SimulatedArmWorker::setState(core::DeviceState state, const std::string& message) {
-    const std::int64_t now_ns = m_link.now_ns();
-    m_joints.setState(state, now_ns, message);
-    m_skin.setState(state, now_ns, message);
+    const std::int64_t now = now_ns();
+    m_joints.setState(state, now, message);
+    m_skin.setState(state, now, message);
 }
 
-void SimulatedArmWorker::connect() {
-    m_link.restart();
-    setState(core::DeviceState::connecting);
-}
-
-/// The arm is held when it is back: what it was told before is too old to move it.
-void SimulatedArmWorker::waitForPlug(SimulatedLink::Lock& lock, const std::stop_token& stop) {
-    const std::string message =
-        QCoreApplication::translate("SimulatedArmDevice", "The arm was unplugged.").toStdString();
-    m_drive.begin(false);
-    if (!m_link.waitForPlug(lock, stop, [&](core::DeviceState state) { setState(state, message); }))
-        return;
-    m_drive.begin(false);
-    m_jointDiscontinuity = m_skinDiscontinuity = true;
-    connect();
-}
-
-void SimulatedArmWorker::stepDue(const SimulatedFaults& faults, std::int64_t now_ns) {
-    const std::int64_t late_ns = now_ns - m_link.due_ns(faults.lag_s);
+void SimulatedArmWorker::makeDue(const SimulatedFaults& faults, std::int64_t now_ns) {
+    const std::int64_t late_ns = now_ns - due_ns(faults.lag_s);
     if (late_ns > toNs(m_config.longestCatchUp_s))
-        m_link.standStill(late_ns);
-    for (std::size_t i = 0; i < kStepsAtOnce && m_link.due_ns(faults.lag_s) <= now_ns; ++i)
+        standStill(late_ns);
+    for (std::size_t i = 0; i < kStepsAtOnce && due_ns(faults.lag_s) <= now_ns; ++i)
         step(faults);
 }
 
@@ -143,26 +99,26 @@ void SimulatedArmWorker::step(const SimulatedFaults& faults) {
         m_jointDiscontinuity = m_skinDiscontinuity = true;
     }
     const core::ArmDemand demand =
-        m_drive.decide(stopped, m_generator->programDone(), m_link.now_ns(), m_reference_rad);
+        m_drive.decide(stopped, m_generator->programDone(), now_ns(), m_reference_rad);
 
     core::JointSample sample;
     m_generator->next(demand, sample);
     if (m_generator->isRemote()) {
-        m_link.count();
+        count();
         deliverArrivals(faults);
         return;
     }
     const bool hasFrame = m_generator->skinFrame(m_values);
-    m_link.count();
+    count();
     m_reference_rad = sample.reference_rad;
-    sample.time_ns = m_link.now_ns();
+    sample.time_ns = now_ns();
 
-    // The skin first: who has the sample can have the frame that was read with it.
-    if (hasFrame && m_link.happens(faults.dropShare))
+    // The skin first: whoever has the sample can then get the frame that was read with it.
+    if (hasFrame && happens(faults.dropShare))
         m_skin.lose(1);
     else if (hasFrame)
         deliverFrame(sample.time_ns, m_generator->time_s());
-    if (m_link.happens(faults.dropShare)) {
+    if (happens(faults.dropShare)) {
         m_joints.lose(1);
         return;
     }
@@ -171,26 +127,25 @@ void SimulatedArmWorker::step(const SimulatedFaults& faults) {
 }
 
 void SimulatedArmWorker::deliverArrivals(const SimulatedFaults& faults) {
-    const std::int64_t now_ns = m_link.now_ns();
+    const std::int64_t now = now_ns();
     while (m_generator->takeArrival(m_arrival)) {
         core::JointSample& sample = m_arrival.sample;
         // Steps that catch up share a time: stamps must not run back.
-        m_newestRead_ns =
-            std::max(m_newestRead_ns, now_ns - toNs(m_generator->time_s() - sample.sourceTime_s));
+        m_newestRead_ns = std::max(m_newestRead_ns, now - toNs(m_generator->time_s() - sample.sourceTime_s));
         sample.time_ns = m_newestRead_ns;
         m_reference_rad = sample.reference_rad;
-        if (m_arrival.hasFrame && m_link.happens(faults.dropShare)) {
+        if (m_arrival.hasFrame && happens(faults.dropShare)) {
             m_skin.lose(1);
         } else if (m_arrival.hasFrame) {
             m_values = m_arrival.frame;
-            deliverFrame(sample.time_ns, sample.sourceTime_s, now_ns);
+            deliverFrame(sample.time_ns, sample.sourceTime_s, now);
         }
-        if (m_link.happens(faults.dropShare)) {
+        if (happens(faults.dropShare)) {
             m_joints.lose(1);
             continue;
         }
         sample.discontinuity = std::exchange(m_jointDiscontinuity, false);
-        m_joints.deliver(std::move(sample), now_ns);
+        m_joints.deliver(std::move(sample), now);
     }
     const core::ArmLinkCounters counters = m_generator->linkCounters();
     if (counters.samplesLost != m_linkCounted.samplesLost)

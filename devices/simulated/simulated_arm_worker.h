@@ -2,55 +2,49 @@
 #pragma once
 
 #include "backend/core/device/arm_device.h"
+#include "backend/core/device/joint_outlet.h"
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/threads/stop_switch.h"
 #include "devices/simulated/arm_drive_control.h"
-#include "devices/simulated/joint_outlet.h"
 #include "devices/simulated/simulated_arm_config.h"
-#include "devices/simulated/simulated_link.h"
+#include "devices/simulated/simulated_worker.h"
 
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <stop_token>
+#include <string>
 #include <vector>
 
 namespace teleta::simulated {
 
-/// Moves a simulated arm in real time: one step a joint period, when it is due,
-///   due_k = epoch + (k + 1) / rate + lag
-/// so that a late step does not delay the next ones. Each step looks at STOP first. What comes from an arm at
-/// another place is stamped with the time at which it was read there.
-/// Thread: run() is the worker's; open() before it; the others from any.
-class SimulatedArmWorker {
+/// Moves a simulated arm in real time, one step per joint period; each step looks at STOP first. Samples of
+/// an arm at another site are stamped with the time at which they were read there. Thread: as
+/// SimulatedWorker; open() before run().
+class SimulatedArmWorker : public SimulatedWorker {
 public:
     SimulatedArmWorker(std::unique_ptr<core::ArmGenerator> generator, const core::StopSwitch& stopSwitch,
                        SimulatedArmConfig config);
 
     void open(core::Wakeup& consumer);
-    void run(const std::stop_token& stop);
-    /// Ends a wait of run(), so that it looks at its stop token and its faults.
-    void wake() { m_link.wake(); }
-
-    void setFaults(const SimulatedFaults& faults) { m_link.setFaults(faults); }
-    [[nodiscard]] SimulatedFaults faults() const { return m_link.faults(); }
 
     [[nodiscard]] const core::ArmDescription& description() const { return m_description; }
     [[nodiscard]] const core::SourceDescription& skinDescription() const { return m_skinDescription; }
     [[nodiscard]] ArmDriveControl& drive() { return m_drive; }
     [[nodiscard]] const ArmDriveControl& drive() const { return m_drive; }
-    [[nodiscard]] std::int64_t now_ns() const { return m_link.now_ns(); }
-    [[nodiscard]] JointOutlet& joints() { return m_joints; }
-    [[nodiscard]] const JointOutlet& joints() const { return m_joints; }
+    [[nodiscard]] core::JointOutlet& joints() { return m_joints; }
+    [[nodiscard]] const core::JointOutlet& joints() const { return m_joints; }
     [[nodiscard]] core::SourceOutlet& skin() { return m_skin; }
     [[nodiscard]] const core::SourceOutlet& skin() const { return m_skin; }
 
 private:
-    void connect();
+    void setState(core::DeviceState state, const std::string& message) override;
+    void disconnected() override;
+    void makeDue(const SimulatedFaults& faults, std::int64_t now_ns) override;
+    std::int64_t idle(const SimulatedFaults& faults, std::int64_t now_ns) override;
+    [[nodiscard]] std::string unpluggedMessage() const override;
+    void silenceChanged() override { m_joints.flush(); }
+
     void obeyStop(std::int64_t now_ns);
-    void waitForPlug(SimulatedLink::Lock& lock, const std::stop_token& stop);
-    void setState(core::DeviceState state, const std::string& message = {});
-    void stepDue(const SimulatedFaults& faults, std::int64_t now_ns);
     void step(const SimulatedFaults& faults);
     void deliverArrivals(const SimulatedFaults& faults);
     void deliverFrame(std::int64_t time_ns, double sourceTime_s, std::optional<std::int64_t> arrived_ns = {});
@@ -61,9 +55,10 @@ private:
     core::ArmDescription m_description;
     core::SourceDescription m_skinDescription;
     ArmDriveControl m_drive;
-    JointOutlet m_joints;
+    core::JointOutlet m_joints;
     core::SourceOutlet m_skin;
-    SimulatedLink m_link;
+    std::int64_t m_jointsStaleAfter_ns;
+    std::int64_t m_skinStaleAfter_ns;
 
     std::vector<float> m_values;
     core::ArmArrival m_arrival;       ///< of an arm at another place

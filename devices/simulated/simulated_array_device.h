@@ -8,6 +8,7 @@
 #include "devices/simulated/simulated_array_worker.h"
 
 #include <memory>
+#include <utility>
 
 namespace teleta::simulated {
 
@@ -19,12 +20,13 @@ class SimulatedArrayDevice : public core::TactileSource {
 public:
     /// generator: not null, with a frame rate above 0. stopSwitch must outlive the device.
     SimulatedArrayDevice(std::unique_ptr<core::FrameGenerator> generator, const core::StopSwitch& stopSwitch,
-                         SimulatedArrayConfig config = {});
-    ~SimulatedArrayDevice() override;
+                         SimulatedArrayConfig config = {})
+        : m_description(generator->description())
+        , m_worker(std::move(generator), stopSwitch, std::move(config)) {}
 
     [[nodiscard]] const core::SourceDescription& description() const override { return m_description; }
-    void start(core::Wakeup& consumer) override;
-    void stop() override;
+    void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
+    void stop() override { m_thread.stop(); }
     [[nodiscard]] core::BoundedQueue<core::SampleBlock>& blocks() override {
         return m_worker.outlet().blocks();
     }
@@ -36,7 +38,7 @@ public:
 private:
     core::SourceDescription m_description;
     SimulatedArrayWorker m_worker;
-    core::DeviceThread m_thread;
+    core::DeviceThread<SimulatedArrayWorker> m_thread{m_worker};
 };
 
 } // namespace teleta::simulated

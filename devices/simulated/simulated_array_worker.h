@@ -5,11 +5,11 @@
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/threads/stop_switch.h"
 #include "devices/simulated/simulated_array_config.h"
-#include "devices/simulated/simulated_link.h"
+#include "devices/simulated/simulated_worker.h"
 
 #include <cstdint>
 #include <memory>
-#include <stop_token>
+#include <string>
 #include <vector>
 
 namespace teleta::simulated {
@@ -18,26 +18,23 @@ namespace teleta::simulated {
 ///   due_k = epoch + (k + 1) / rate + lag
 /// so that a late frame does not delay the next ones. A block holds the frames that are due together.
 /// Thread: run() is the worker's; open() before it; the others from any.
-class SimulatedArrayWorker {
+class SimulatedArrayWorker : public SimulatedWorker {
 public:
     SimulatedArrayWorker(std::unique_ptr<core::FrameGenerator> generator, const core::StopSwitch& stopSwitch,
                          SimulatedArrayConfig config);
 
     void open(core::Wakeup& consumer);
-    void run(const std::stop_token& stop);
-    /// Ends a wait of run(), so that it looks at its stop token and its faults.
-    void wake() { m_link.wake(); }
-
-    void setFaults(const SimulatedFaults& faults) { m_link.setFaults(faults); }
-    [[nodiscard]] SimulatedFaults faults() const { return m_link.faults(); }
 
     [[nodiscard]] core::SourceOutlet& outlet() { return m_outlet; }
     [[nodiscard]] const core::SourceOutlet& outlet() const { return m_outlet; }
 
 private:
-    void connect();
-    void waitForPlug(SimulatedLink::Lock& lock, const std::stop_token& stop);
-    void readDue(const SimulatedFaults& faults, std::int64_t now_ns);
+    void setState(core::DeviceState state, const std::string& message) override;
+    void disconnected() override { m_discontinuity = true; }
+    void makeDue(const SimulatedFaults& faults, std::int64_t now_ns) override;
+    std::int64_t idle(const SimulatedFaults& faults, std::int64_t now_ns) override;
+    [[nodiscard]] std::string unpluggedMessage() const override;
+
     void deliver(core::SampleBlock& block);
     [[nodiscard]] bool lookAtStop();
 
@@ -47,7 +44,6 @@ private:
     core::SourceDescription m_description;
     std::int64_t m_staleAfter_ns;
     core::SourceOutlet m_outlet;
-    SimulatedLink m_link;
 
     std::vector<float> m_values;
     bool m_discontinuity = false; ///< of the next block

@@ -13,8 +13,8 @@
 
 namespace teleta::simulated {
 
-/// The board and motors of a simulated bracelet: takes frames, turns the motors off by itself after the
-/// time-out of the last frame, answers. Lives on while it is unplugged, powered. Thread: any.
+/// The board and motors of a simulated bracelet: accepts and answers frames and turns the motors off after
+/// the timeout of the last frame. Stays powered while it is unplugged. Thread: any.
 class SimulatedBoard {
 public:
     explicit SimulatedBoard(const SimulatedBraceletConfig& config);

@@ -42,7 +42,7 @@ core::BraceletDescription describe(const SimulatedBraceletConfig& config) {
 
 core::OpenedBracelet plugIn(const std::shared_ptr<SimulatedBoard>& board,
                             const core::BraceletDescription& description) {
-    // What the last connection did not fetch is gone with it.
+    // Answers that the last connection did not fetch are lost.
     for (core::BoardReport old; board->answer(old);) {
     }
     return {std::make_unique<SimulatedPort>(board), description};

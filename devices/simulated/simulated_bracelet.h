@@ -10,9 +10,8 @@
 
 namespace teleta::simulated {
 
-/// A simulated bracelet that behaves like a connected one, with faults on demand, and tells how strongly its
-/// motors turn.
-/// Thread: as core::BraceletSource; setFaults(), faults(), drive() and motors() from any.
+/// A simulated bracelet that behaves like a connected one, with faults on demand, and reports how strongly
+/// its motors turn. Thread: as core::BraceletSource; setFaults(), faults(), drive() and motors() from any.
 class SimulatedBracelet : public core::BraceletSource {
 public:
     /// stopSwitch must outlive the bracelet.

@@ -26,8 +26,8 @@ struct BraceletFaults {
 
 /// How a motor turns: it stands below a drive, has a speed for every drive above it,
 ///   steady = fullSpeed_Hz drive^bend
-/// and reaches it late: x' = (steady - x) / rise_s upwards, / fall_s downwards; > 0. What a real motor does
-/// has to be measured; this is an assumption, which the calibration must find out.
+/// and lags behind it: x' = (steady - x) / rise_s upwards, / fall_s downwards; > 0. Real motors have to be
+/// measured; this model is an assumption, and calibration must recover its parameters.
 struct SimulatedMotor {
     double rise_s = 0.024;
     double fall_s = 0.033;
@@ -37,7 +37,7 @@ struct SimulatedMotor {
 };
 using SimulatedMotors = std::array<SimulatedMotor, core::kTactors>;
 
-/// Six motors of one kind as they come out of the box: none starts, follows or ends like another.
+/// Six motors of one type with the usual spread: each starts, follows and saturates differently.
 [[nodiscard]] inline SimulatedMotors unequalMotors() {
     return {
         SimulatedMotor{.rise_s = 0.024, .fall_s = 0.033, .start = 0.163, .fullSpeed_Hz = 250.0, .bend = 0.80},

@@ -23,7 +23,7 @@ inline constexpr std::size_t kFrameHeaderBytes = 5; ///< timestamp, flags
 inline constexpr std::uint8_t kRunLengthFlag = 0x01;
 
 enum class Command : std::uint8_t {
-    periodicFrame = 0x00, ///< sent by the sensor alone
+    periodicFrame = 0x00, ///< only sent by the sensor
     loop = 0x06,
     readFrame = 0x20,
     startFrames = 0x21,
@@ -41,7 +41,7 @@ enum class Command : std::uint8_t {
     tag = 0x52,
 };
 
-/// What the sensor says of a request. Numbers without a name are kept.
+/// The sensor's verdict on a request. Unknown codes are kept as numbers.
 enum class Status : std::uint16_t {
     success = 0,
     notAvailable = 1,

@@ -36,21 +36,21 @@ using WtsAddress = std::variant<SerialAddress, TcpAddress>;
 /// "ttyUSB0" or "host:port": the name under which people know the link.
 [[nodiscard]] std::string displayName(const WtsAddress& address);
 
-/// How long the device waits for what, in ms; all > 0 but where 0 has a meaning.
+/// Timeouts in ms; all > 0 unless 0 has a meaning.
 struct WtsTimes {
     int connect_ms = 2000;    ///< TCP connection
     int answer_ms = 300;      ///< answer to one request; asked up to three times
     int tare_ms = 3000;       ///< answer to a tare request, which measures first
-    int lineSilence_ms = 200; ///< the rest of a message is not to be expected after this
+    int lineSilence_ms = 200; ///< after this, the rest of a message is not expected any more
     int stale_ms = 0;       ///< age of the newest frame that is stale; 0: by the rate, as core::staleAfter_ns
-    int noFrames_ms = 2000; ///< without a good frame for so long the sensor is lost; at least 5 periods
+    int noFrames_ms = 2000; ///< time without a good frame after which the sensor is lost; at least 5 periods
     int firstRetry_ms = 100;    ///< wait before connecting again; doubles
     int longestRetry_ms = 2000; ///< up to this
 };
 
 struct WtsConfig {
     WtsAddress address;
-    bool runLength = false;     ///< the sensor compresses its frames; values are then cut to 12 bits
+    bool runLength = false;     ///< the sensor compresses its frames; values are then limited to 12 bits
     std::uint16_t delay_ms = 0; ///< between frames; 0: as fast as the sensor and the link can
     bool tare = false;          ///< the sensor tares itself when the source is started (not on reconnecting)
     double timestampUnit_s = 1e-3;

@@ -10,9 +10,9 @@
 
 namespace teleta::wts {
 
-/// Finds the messages in a stream of bytes that may hold anything else: boot texts, damaged and cut messages,
-/// surplus preamble bytes. After what looked like a message and was none, the search goes on at its second
-/// byte, so that a whole message is never lost to a damaged one before it.
+/// Finds the messages in a stream of bytes that may contain anything else: boot texts, damaged and truncated
+/// messages, surplus preamble bytes. After a false start the search resumes at its second byte, so that an
+/// intact message is never lost to a damaged one before it.
 ///   bytes fed = bytes of messages + droppedBytes + pendingBytes
 /// Depends only on the bytes, not on how they were cut into calls of feed(). Thread: one (pure).
 class MessageDecoder {
@@ -33,14 +33,14 @@ public:
     /// Whether the bytes of an incomplete message may still follow.
     enum class Rest { mayCome, willNotCome };
 
-    /// A larger size in a header is noise. bytes: 0 .. 65535.
+    /// Headers with a larger size are taken for noise. bytes: 0 .. 65535.
     void setMaximumPayload(std::size_t bytes) { m_maximumPayload = bytes; }
 
-    /// Appends bytes as they were read. Ends the validity of the messages given out before.
+    /// Appends bytes as they were read. Invalidates the messages returned before.
     void feed(std::span<const std::uint8_t> bytes);
 
-    /// The next message; false when there is none (yet). With willNotCome, after a silence of the line, an
-    /// incomplete message is searched for others as if it were damaged, and nothing stays pending.
+    /// The next message; false when there is none (yet). With willNotCome (the line went silent) an
+    /// incomplete message counts as damaged and is searched for others, and nothing stays pending.
     [[nodiscard]] bool next(Message& message, Rest rest = Rest::mayCome);
 
     [[nodiscard]] const Counters& counters() const { return m_counters; }

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kBitsPerByte = 10.0; // with start and stop bit
 
-/// What the delay and the serial line allow at most; 0 (unknown) when neither limits it. The sensor may need
-/// longer.
+/// Highest frame rate that the delay and the serial line allow; 0 (unknown) when neither limits it. The
+/// sensor may be slower.
 double nominalRate_Hz(const WtsConfig& config, const MatrixInfo& matrix) {
     double period_s = config.delay_ms * 1e-3;
     if (const auto* serial = std::get_if<SerialAddress>(&config.address)) {
@@ -25,34 +25,20 @@ double nominalRate_Hz(const WtsConfig& config, const MatrixInfo& matrix) {
 } // namespace
 
 core::Expected<std::unique_ptr<WtsDevice>> WtsDevice::open(WtsConfig config) {
-    auto session = WtsSession::open(config, nullptr);
-    if (!session)
-        return core::Unexpected(session.error());
-    const MatrixInfo& matrix = session->matrix();
+    TELETA_TRY(auto session, WtsSession::open(config, nullptr));
+    const MatrixInfo& matrix = session.matrix();
     core::SourceDescription description{.name = displayName(config.address),
                                         .layout = {matrix.rows, matrix.columns, matrix.cellWidth_10um / 1e5},
                                         .unit = "counts",
                                         .nominalRate_Hz = nominalRate_Hz(config, matrix)};
     return std::unique_ptr<WtsDevice>(
-        new WtsDevice(std::move(*session), std::move(description), std::move(config)));
+        new WtsDevice(std::move(session), std::move(description), std::move(config)));
 }
 
 WtsDevice::WtsDevice(WtsSession session, core::SourceDescription description, WtsConfig config)
     : m_description(std::move(description))
     , m_matrix(session.matrix())
     , m_worker(std::move(session), m_description, std::move(config)) {
-}
-
-WtsDevice::~WtsDevice() {
-    stop();
-}
-
-void WtsDevice::start(core::Wakeup& consumer) {
-    m_thread.start(m_worker, consumer);
-}
-
-void WtsDevice::stop() {
-    m_thread.stop(m_worker);
 }
 
 } // namespace teleta::wts

@@ -14,8 +14,8 @@ namespace teleta::wts {
 /// A Weiss WTS tactile array on a serial port or over TCP.
 ///   connecting -> live <-> stale; unplugged, closed or silent: lost -> reconnecting -> connecting; stop():
 ///   closed
-/// Values are the sensor's counts. Connecting again takes only an array of the same layout. When stopped, the
-/// sensor was told to send nothing more.
+/// Values are the sensor's counts. Reconnects only to an array of the same layout. stop() tells the sensor to
+/// send no more frames.
 /// Thread: open, start and stop from one controlling thread, counters from any; otherwise as
 /// core::TactileSource.
 class WtsDevice : public core::TactileSource {
@@ -24,11 +24,9 @@ public:
     /// Error: as WtsSession::open.
     [[nodiscard]] static core::Expected<std::unique_ptr<WtsDevice>> open(WtsConfig config);
 
-    ~WtsDevice() override;
-
     [[nodiscard]] const core::SourceDescription& description() const override { return m_description; }
-    void start(core::Wakeup& consumer) override;
-    void stop() override;
+    void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
+    void stop() override { m_thread.stop(); }
     [[nodiscard]] core::BoundedQueue<core::SampleBlock>& blocks() override {
         return m_worker.outlet().blocks();
     }
@@ -43,7 +41,7 @@ private:
     core::SourceDescription m_description;
     MatrixInfo m_matrix;
     WtsWorker m_worker;
-    core::DeviceThread m_thread;
+    core::DeviceThread<WtsWorker> m_thread{m_worker};
 };
 
 } // namespace teleta::wts

@@ -62,7 +62,8 @@ core::ErrorKind kindOf(int error) {
     return error == ENOENT ? core::ErrorKind::notFound : core::ErrorKind::unavailable;
 }
 
-/// Waits until the descriptor is ready for these events, or has an error that the next call on it will tell.
+/// Waits until the descriptor is ready for these events, or has an error that the next call on it will
+/// report.
 Outcome waitFor(int descriptor, short events, std::int64_t deadline_ns, const WakePipe* wake, int& error) {
     for (;;) {
         std::array<pollfd, 2> polled{pollfd{descriptor, events, 0},
@@ -130,7 +131,7 @@ core::Expected<WtsLink> WtsLink::openSerial(const SerialAddress& address) {
         return errno == EBUSY ? core::usedByAnother(address.path) : cannotOpen(errno);
     if (::isatty(port.get()) == 0)
         return failure(core::ErrorKind::refused, WtsText::tr("%1 is not a serial port").arg(path));
-    // Terminal programs lock so, and TIOCEXCL keeps no privileged program out.
+    // Terminal programs lock like this; TIOCEXCL would not keep privileged programs out.
     if (::flock(port.get(), LOCK_EX | LOCK_NB) != 0)
         return errno == EWOULDBLOCK ? core::usedByAnother(address.path) : cannotOpen(errno);
     if (::ioctl(port.get(), TIOCEXCL) != 0)

@@ -12,9 +12,9 @@
 
 namespace teleta::wts {
 
-/// An open byte stream to a sensor, a serial port or a TCP connection. Every wait has a deadline and can be
-/// ended. Plain POSIX: poll() over one descriptor serves both kinds and the wake-up alike, which an event
-/// loop of Qt's serial port and socket would need three ways for, and it sees an unplugged adapter at once.
+/// An open byte stream to a sensor: a serial port or a TCP connection. Every wait has a deadline and can be
+/// ended. Plain POSIX, because poll() handles both kinds and the wake-up in one way and notices an unplugged
+/// adapter at once; Qt's event loop, serial port and socket would need three ways.
 /// Thread: one.
 class WtsLink {
 public:
@@ -25,7 +25,7 @@ public:
         gone,     ///< unplugged, closed or failed; goneReason() says why
     };
 
-    /// Opens the port (raw, 8N1, no flow control, for us alone) or connects.
+    /// Opens the port (raw, 8N1, no flow control, exclusively) or connects.
     /// wake: may be null. Error: notFound, unavailable or refused (not a serial port, unknown baud rate);
     /// cancelled. The name of a TCP host is looked up with the system's own time-out.
     [[nodiscard]] static core::Expected<WtsLink> open(const WtsAddress& address, std::int64_t deadline_ns,

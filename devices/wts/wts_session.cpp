@@ -32,12 +32,11 @@ core::Expected<void> checkMatrix(const MatrixInfo& matrix) {
     const auto sideFits = [](int side) { return side >= 1 && side <= core::ArrayLayout::kMaximumSide; };
     if (!sideFits(matrix.rows) || !sideFits(matrix.columns) ||
         kFrameHeaderBytes + 2 * matrix.cells() > kLargestPayload)
-        return error(core::ErrorKind::refused,
-                     WtsText::tr("the sensor says that it has %1 rows and %2 columns")
-                         .arg(matrix.rows)
-                         .arg(matrix.columns),
-                     WtsText::tr("an array of 1 to %1 rows and columns whose frame fits into one message")
-                         .arg(core::ArrayLayout::kMaximumSide));
+        return error(
+            core::ErrorKind::refused,
+            WtsText::tr("the sensor reports %1 rows and %2 columns").arg(matrix.rows).arg(matrix.columns),
+            WtsText::tr("an array of 1 to %1 rows and columns whose frame fits into one message")
+                .arg(core::ArrayLayout::kMaximumSide));
     if (matrix.cellWidth_10um == 0 || matrix.cellWidth_10um != matrix.cellHeight_10um)
         return error(core::ErrorKind::refused,
                      WtsText::tr("the sensor's cells are %1 mm wide and %2 mm high")
@@ -67,7 +66,7 @@ std::string describe(Status status) {
         case Status::inconsistentData:
             return WtsText::tr("inconsistent data");
         case Status::timeOut:
-            return WtsText::tr("time-out in the sensor");
+            return WtsText::tr("timeout in the sensor");
         case Status::readError:
             return WtsText::tr("read error in the sensor");
         case Status::writeError:
@@ -87,17 +86,14 @@ std::string describe(Status status) {
 }
 
 core::Expected<WtsSession> WtsSession::open(const WtsConfig& config, const WakePipe* wake) {
-    auto link = WtsLink::open(config.address, deadlineIn(config.times.connect_ms), wake);
-    if (!link)
-        return core::Unexpected(link.error());
-    WtsSession session(std::move(*link), config);
-    // Whether there was something to stop does not matter, only that the sensor answers.
+    TELETA_TRY(auto link, WtsLink::open(config.address, deadlineIn(config.times.connect_ms), wake));
+    WtsSession session(std::move(link), config);
+    // It does not matter whether frames were running, only that the sensor answers.
     if (auto stopped =
             session.request(encodeRequest(Command::stopFrames), config.times.answer_ms, kAttempts, wake);
         !stopped)
         return core::Unexpected(stopped.error());
-    if (auto matrix = session.readMatrix(wake); !matrix)
-        return core::Unexpected(matrix.error());
+    TELETA_CHECK(session.readMatrix(wake));
     return session;
 }
 
@@ -125,20 +121,16 @@ core::Expected<void> WtsSession::tare(const WakePipe* wake) {
 
 core::Expected<void> WtsSession::startFrames(const WakePipe* wake) {
     const std::vector<std::uint8_t> start = encodeStartFrames(m_config.runLength, m_config.delay_ms);
-    const auto status = request(start, m_config.times.answer_ms, kAttempts, wake);
-    if (!status)
-        return core::Unexpected(status.error());
-    // It may run because the answer to the first attempt was lost: then with the settings that were asked
-    // for.
-    if (*status == Status::success || *status == Status::alreadyRunning)
+    TELETA_TRY(const auto status, request(start, m_config.times.answer_ms, kAttempts, wake));
+    // If it already runs, the answer to the first attempt was lost; the settings are those requested.
+    if (status == Status::success || status == Status::alreadyRunning)
         return {};
-    return error(
-        core::ErrorKind::unavailable,
-        WtsText::tr("the sensor sends no frames: %1").arg(QString::fromStdString(describe(*status))));
+    return error(core::ErrorKind::unavailable,
+                 WtsText::tr("the sensor sends no frames: %1").arg(QString::fromStdString(describe(status))));
 }
 
 void WtsSession::stopFrames() {
-    // Whatever comes of it, the link is closed next.
+    // The result does not matter: the link is closed next.
     (void)request(encodeRequest(Command::stopFrames), m_config.times.answer_ms, 1, nullptr);
 }
 
@@ -188,13 +180,11 @@ core::Expected<Status> WtsSession::request(std::span<const std::uint8_t> bytes, 
 
 core::Expected<void> WtsSession::demand(std::span<const std::uint8_t> bytes, int answer_ms, int attempts,
                                         const WakePipe* wake) {
-    const auto status = request(bytes, answer_ms, attempts, wake);
-    if (!status)
-        return core::Unexpected(status.error());
-    if (*status != Status::success)
+    TELETA_TRY(const auto status, request(bytes, answer_ms, attempts, wake));
+    if (status != Status::success)
         return error(
             core::ErrorKind::unavailable,
-            WtsText::tr("the sensor refused a request: %1").arg(QString::fromStdString(describe(*status))));
+            WtsText::tr("the sensor refused a request: %1").arg(QString::fromStdString(describe(status))));
     return {};
 }
 

@@ -47,7 +47,8 @@ WtsWorker::WtsWorker(WtsSession session, const core::SourceDescription& descript
     , m_outlet(m_config.queueBlocks)
     , m_session(std::make_unique<WtsSession>(std::move(session)))
     , m_clock(m_config.timestampUnit_s)
-    , m_values(m_matrix.cells()) {
+    , m_values(m_matrix.cells())
+    , m_retry(m_config.times.firstRetry_ms * kMs_ns, m_config.times.longestRetry_ms * kMs_ns) {
 }
 
 void WtsWorker::open(core::Wakeup& consumer) {
@@ -57,7 +58,7 @@ void WtsWorker::open(core::Wakeup& consumer) {
     m_counters = {};
     m_closedLines = {};
     m_tarePending = m_config.tare;
-    m_retry_ms = m_config.times.firstRetry_ms;
+    m_retry.reset();
     publish();
     m_outlet.open(consumer, m_begin_ns);
 }
@@ -84,10 +85,8 @@ void WtsWorker::run(const std::stop_token& stop) {
 core::Expected<void> WtsWorker::connect() {
     if (m_session)
         return {};
-    auto session = WtsSession::open(m_config, &m_wake);
-    if (!session)
-        return core::Unexpected(session.error());
-    const MatrixInfo& found = session->matrix();
+    TELETA_TRY(auto session, WtsSession::open(m_config, &m_wake));
+    const MatrixInfo& found = session.matrix();
     if (found.rows != m_matrix.rows || found.columns != m_matrix.columns ||
         found.cellWidth_10um != m_matrix.cellWidth_10um)
         return core::Unexpected(core::Error{
@@ -103,7 +102,7 @@ core::Expected<void> WtsWorker::connect() {
                 .toStdString(),
             {},
             {}});
-    m_session = std::make_unique<WtsSession>(std::move(*session));
+    m_session = std::make_unique<WtsSession>(std::move(session));
     ++m_counters.connections;
     return {};
 }
@@ -191,7 +190,7 @@ void WtsWorker::appendFrame(const Message& message, core::SampleBlock& block) {
         m_discontinuity = true;
     }
     m_lastFrame_ns = time_ns;
-    m_retry_ms = m_config.times.firstRetry_ms;
+    m_retry.reset();
     block.time_ns.push_back(time_ns);
     block.sourceTime_s.push_back(step.time_s);
     block.values.insert(block.values.end(), m_values.begin(), m_values.end());
@@ -209,8 +208,7 @@ void WtsWorker::reconnect(std::string reason, const std::stop_token& stop) {
     m_discontinuity = true;
     m_outlet.setState(DeviceState::lost, core::steadyNow_ns(), reason);
     while (!stop.stop_requested()) {
-        m_wake.waitUntil(core::steadyNow_ns() + m_retry_ms * kMs_ns);
-        m_retry_ms = std::min(2 * m_retry_ms, m_config.times.longestRetry_ms);
+        m_wake.waitUntil(core::steadyNow_ns() + m_retry.next_ns());
         if (stop.stop_requested())
             return;
         m_outlet.setState(DeviceState::reconnecting, core::steadyNow_ns(), reason);

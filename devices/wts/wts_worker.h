@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/backoff.h"
 #include "backend/core/device/device.h"
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/threads/latest_copy.h"
@@ -74,7 +75,7 @@ private:
     std::vector<float> m_values;
     std::int64_t m_begin_ns = 0;     ///< of the stream
     std::int64_t m_lastFrame_ns = 0; ///< or the begin of the connection
-    int m_retry_ms = 0;              ///< wait before the next attempt to connect
+    core::Backoff m_retry;           ///< before the next attempt to connect
     bool m_tarePending = false;
     bool m_discontinuity = false; ///< of the next block
 };

@@ -12,9 +12,9 @@
 #include "backend/simulation/camera/tube_camera.h"
 #include "backend/simulation/servo/servo_array.h"
 #include "backend/vision/calibration/camera_file.h"
-#include "devices/camera/camera_feed.h"
-#include "devices/replay/replay_config.h"
-#include "devices/replay/replay_device.h"
+#include "devices/camera/camera_device.h"
+#include "devices/replay/playback_config.h"
+#include "devices/replay/recorded_device.h"
 #include "devices/simulated/simulated_arm_device.h"
 #include "devices/simulated/simulated_array_device.h"
 #include "devices/simulated/simulated_camera_device.h"
@@ -112,7 +112,7 @@ core::Expected<pipeline::OpenedSource> openRecording(const RecordingRequest& req
     }
     if (const auto taken = takeGains(request.gainsPath, request.layout, settings); !taken)
         return core::Unexpected(taken.error());
-    replay::ReplayConfig config;
+    replay::CsvConfig config;
     config.path = request.path;
     config.layout = request.layout;
     config.unit = request.loadUnit;
@@ -120,10 +120,10 @@ core::Expected<pipeline::OpenedSource> openRecording(const RecordingRequest& req
         config.rate_Hz = request.rate_Hz;
     config.speed = request.speed;
     config.loop = request.loop;
-    auto source = replay::ReplayDevice::open(std::move(config));
-    if (!source)
-        return core::Unexpected(source.error());
-    return pipeline::OpenedSource{std::move(*source), std::move(settings)};
+    auto player = replay::RecordedPlayer::open(std::move(config));
+    if (!player)
+        return core::Unexpected(player.error());
+    return pipeline::OpenedSource{std::make_unique<replay::RecordedArray>(*player), std::move(settings)};
 }
 
 core::Expected<pipeline::OpenedSource> openArm(const scene::Scene& scene, std::uint64_t seed,
@@ -196,7 +196,7 @@ core::Expected<pipeline::OpenedSource> openCamera(const CameraRequest& request,
     config.width_px = model->camera.camera().parameters().width_px;
     config.height_px = model->camera.camera().parameters().height_px;
     config.loop = request.loop;
-    auto feed = camera::CameraFeed::open(std::move(config));
+    auto feed = camera::CameraDevice::open(std::move(config));
     if (!feed)
         return core::Unexpected(feed.error());
     auto channel = pipeline::CameraChannel::make(std::move(*feed), model->camera, stop);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/camera_dialog.h"
 
-#include "devices/camera/camera_feed.h"
+#include "devices/camera/camera_device.h"
 #include "widgets/base/controls/form_row.h"
 #include "widgets/base/theme.h"
 

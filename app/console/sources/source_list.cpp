@@ -2,7 +2,7 @@
 #include "app/console/sources/source_list.h"
 
 #include "backend/core/data/toml_keys.h"
-#include "devices/camera/camera_feed.h"
+#include "devices/camera/camera_device.h"
 
 #include <QCoreApplication>
 #include <QDir>

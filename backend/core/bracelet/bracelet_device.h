@@ -3,6 +3,7 @@
 
 #include "backend/core/bracelet/tactors.h"
 #include "backend/core/device/device.h"
+#include "backend/core/interface.h"
 #include "backend/core/threads/wakeup.h"
 
 #include <algorithm>
@@ -17,8 +18,8 @@ namespace teleta::core {
 /// Intensity 1 in a frame: 12 bits.
 inline constexpr std::uint16_t kFullDrive = 4095;
 
-/// What each tactor is told: 0 off, kFullDrive as strong as it can. The board maps what is above 0 to the
-/// range from start voltage to full voltage.
+/// Command for each tactor: 0 off, kFullDrive full strength. The board maps values above 0 to the range from
+/// start voltage to full voltage.
 using Drive = std::array<std::uint16_t, kTactors>;
 
 [[nodiscard]] inline bool isOff(const Drive& drive) {
@@ -40,15 +41,15 @@ struct BraceletDescription {
 /// All tactors at one instant.
 struct BraceletFrame {
     Drive drive{};
-    /// The board turns its motors off by itself when no frame came for so long. 0 is taken as 1, above the
-    /// board's limit as that limit.
+    /// The board turns its motors off by itself when no frame arrives for this long. Clamped to 1 .. the
+    /// board's limit.
     std::uint16_t timeout_ms = 100;
     /// BraceletSource::connection() for which the frame was made.
     std::uint64_t connection = 0;
 };
 
 enum class WriteOutcome {
-    written, ///< the kernel took it; whether the board did is told by its echo
+    written, ///< the kernel accepted it; whether the board did shows in its echo
     refused, ///< made for an earlier connection; nothing was written
     lost,    ///< there is no connection, or it was lost in this write
 };
@@ -66,7 +67,7 @@ struct BoardReport {
     bool tooHot = false;
     bool supplyLow = false;
     bool frameRefused = false; ///< the frame that it answers was not understood
-    double supply_V = std::numeric_limits<double>::quiet_NaN();         ///< not a number: not told
+    double supply_V = std::numeric_limits<double>::quiet_NaN();         ///< NaN: not reported
     double temperature_degC = std::numeric_limits<double>::quiet_NaN(); ///< likewise
 };
 
@@ -96,18 +97,13 @@ struct MotorSpeeds {
 /// Safety, below whatever drives it:
 ///   - the first frame of every connection is zero, and so is the last one before it is closed;
 ///   - while STOP is engaged every frame is written as zero, and a driven bracelet is zeroed unasked;
-///   - when no frame was written for 100 ms the device writes a zero frame, and so on while it is idle,
-///     which also keeps the telemetry fresh;
-///   - a frame other than zero that was made for an earlier connection is refused: after a loss nothing goes
-///     on unless somebody asks for it.
+///   - the device writes a zero frame whenever none was written for 100 ms, which also keeps the telemetry
+///     fresh;
+///   - a nonzero frame that was made for an earlier connection is refused: after a loss nothing resumes
+///     unless somebody asks for it.
 /// Thread: start and stop from one controlling thread; write() from one thread; the rest by any.
-class BraceletSource {
+class BraceletSource : public Interface {
 public:
-    virtual ~BraceletSource() = default;
-    BraceletSource() = default;
-    BraceletSource(const BraceletSource&) = delete;
-    BraceletSource& operator=(const BraceletSource&) = delete;
-
     [[nodiscard]] virtual const BraceletDescription& description() const = 0;
     /// Starts the worker, which notifies the consumer of changes of state and of reports.
     virtual void start(Wakeup& consumer) = 0;
@@ -118,9 +114,10 @@ public:
     [[nodiscard]] virtual BraceletTelemetry telemetry() const = 0;
     /// Number of the present connection, counted from 1; 0 while there is none.
     [[nodiscard]] virtual std::uint64_t connection() const = 0;
-    /// Writes all tactors in one report and returns when the kernel has it. Waits for nothing else.
+    /// Writes all tactors in one report and returns as soon as the kernel has accepted it.
     virtual WriteResult write(const BraceletFrame& frame) = 0;
-    /// How fast the motors turn now. Empty: the bracelet has no sensor for it. Never waits for the device.
+    /// Present speeds of the motors; empty when the bracelet has no sensor for them. Never waits for the
+    /// device.
     [[nodiscard]] virtual std::optional<MotorSpeeds> motorSpeeds() const { return std::nullopt; }
 };
 

@@ -6,23 +6,25 @@
 #include "backend/core/bracelet/bracelet_worker.h"
 #include "backend/core/threads/device_thread.h"
 
+#include <utility>
+
 namespace teleta::core {
 
 /// A bracelet over any kind of port.
 ///   connecting -> live <-> stale; lost -> reconnecting -> connecting; stop(): closed
-/// Attempts to connect again wait 0.1 s and ever longer, up to 2 s, and take the same board only, by its
-/// serial number. Frames can be written from connecting on.
+/// Reconnects after 0.1 s, then at intervals that grow to 2 s, and only to the same board (by its serial
+/// number). Frames can be written from the state connecting on.
 /// Thread: as core::BraceletSource.
 class BraceletLink : public BraceletSource {
 public:
-    /// opened: what opener gave, or would have given. stopSwitch must outlive the link.
+    /// opened: the first result of opener. stopSwitch must outlive the link.
     BraceletLink(OpenedBracelet opened, BraceletOpener opener, const StopSwitch& stopSwitch,
-                 BraceletLinkConfig config = {});
-    ~BraceletLink() override;
+                 BraceletLinkConfig config = {})
+        : m_worker(std::move(opened), std::move(opener), stopSwitch, std::move(config)) {}
 
     [[nodiscard]] const BraceletDescription& description() const override { return m_worker.description(); }
-    void start(Wakeup& consumer) override;
-    void stop() override;
+    void start(Wakeup& consumer) override { m_thread.start(consumer); }
+    void stop() override { m_thread.stop(); }
     [[nodiscard]] DeviceStatus status() const override { return m_worker.status(); }
     [[nodiscard]] BraceletTelemetry telemetry() const override { return m_worker.telemetry(); }
     [[nodiscard]] std::uint64_t connection() const override { return m_worker.connection(); }
@@ -30,7 +32,7 @@ public:
 
 private:
     BraceletWorker m_worker;
-    DeviceThread m_thread;
+    DeviceThread<BraceletWorker> m_thread{m_worker};
 };
 
 } // namespace teleta::core

@@ -3,6 +3,7 @@
 
 #include "backend/core/bracelet/bracelet_device.h"
 #include "backend/core/error.h"
+#include "backend/core/interface.h"
 
 #include <cstdint>
 #include <functional>
@@ -11,29 +12,24 @@
 
 namespace teleta::core {
 
-/// One open connection to a bracelet's board, whatever it goes over: what a driver of a new kind of bracelet
-/// has to write. BraceletLink does the rest. Thread: one at a time.
-class BraceletPort {
+/// One open connection to a bracelet's board, over any medium. This is all that the driver of a new kind of
+/// bracelet implements; BraceletLink does the rest. Thread: one at a time.
+class BraceletPort : public Interface {
 public:
     enum class Read {
-        nothing, ///< none has come
+        nothing, ///< none has arrived
         report,
-        damaged, ///< one came that is not understood
+        damaged, ///< one arrived that cannot be decoded
         lost,
     };
 
-    virtual ~BraceletPort() = default;
-    BraceletPort() = default;
-    BraceletPort(const BraceletPort&) = delete;
-    BraceletPort& operator=(const BraceletPort&) = delete;
-
-    /// Hands a frame over; false: the connection is lost.
+    /// Sends a frame; false: the connection is lost.
     /// drive: within the board's limit. timeout_ms: 1 .. the board's limit.
     [[nodiscard]] virtual bool write(std::uint16_t sequence, const Drive& drive,
                                      std::uint16_t timeout_ms) = 0;
-    /// The next report that has come. Does not wait.
+    /// The next report that has arrived. Does not wait.
     [[nodiscard]] virtual Read read(BoardReport& report) = 0;
-    /// Why the connection was lost, a translated sentence; empty when no more is known than that.
+    /// Why the connection was lost, a translated sentence; empty when the reason is unknown.
     [[nodiscard]] virtual std::string failure() const { return {}; }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/bracelet/bracelet_worker.h"
 
+#include "backend/core/device/backoff.h"
 #include "backend/core/device/device_state.h"
 
 #include <QCoreApplication>
@@ -12,7 +13,7 @@ namespace teleta::core {
 
 namespace {
 
-/// Reports of one look; a board that sends without end does not keep the worker.
+/// Most reports read at a time, so that a board that sends endlessly does not block the worker.
 constexpr int kReportsAtOnce = 256;
 constexpr std::uint16_t kIdleTimeout_ms = 1000;
 
@@ -36,12 +37,10 @@ BraceletWorker::BraceletWorker(OpenedBracelet opened, BraceletOpener opener, con
 
 void BraceletWorker::open(Wakeup& consumer) {
     const std::scoped_lock lock(m_mutex);
-    m_consumer = &consumer;
     m_ledger = {};
-    m_rate.reset();
-    m_statusNow = {};
     m_telemetryNow = {};
-    setState(DeviceState::connecting);
+    publishTelemetry();
+    m_status.open(consumer, now_ns());
 }
 
 void BraceletWorker::run(const std::stop_token& stop) {
@@ -88,30 +87,24 @@ WriteResult BraceletWorker::write(const BraceletFrame& frame) {
     if (!send(drive, frame.timeout_ms))
         return {WriteOutcome::lost, now_ns()};
     const std::int64_t written_ns = now_ns();
-    // STOP came while the device took its time: nobody else has to notice first.
+    // STOP may have been engaged during the write; zero the motors right away.
     if (!isOff(drive) && m_stopSwitch.engaged() && !send({}, kIdleTimeout_ms))
         return {WriteOutcome::lost, now_ns()};
     readReports();
     return {WriteOutcome::written, written_ns};
 }
 
-/// False when the worker shall end instead.
+/// False: stop was requested.
 bool BraceletWorker::reconnect(Lock& lock, const std::stop_token& stop) {
     m_port.reset();
-    const bool first = m_statusNow.state == DeviceState::connecting;
-    std::int64_t retry_ns = first ? 0 : m_config.firstRetry_ns;
-    for (;;) {
-        const std::int64_t deadline_ns = now_ns() + retry_ns;
-        while (now_ns() < deadline_ns) {
-            if (stop.stop_requested())
-                return false;
-            m_config.clock->waitUntil(m_condition, lock, deadline_ns);
-        }
-        if (stop.stop_requested())
+    Backoff retry(m_config.firstRetry_ns, m_config.longestRetry_ns);
+    for (bool atOnce = m_status.state() == DeviceState::connecting;; atOnce = false) {
+        const std::int64_t deadline_ns = now_ns() + (atOnce ? 0 : retry.next_ns());
+        if (!m_config.clock->sleepUntil(m_condition, lock, deadline_ns, stop))
             return false;
-        if (m_statusNow.state == DeviceState::lost)
-            setState(DeviceState::reconnecting, m_statusNow.message);
-        // Looking for a device takes its time; write() tells meanwhile that there is none.
+        if (m_status.state() == DeviceState::lost)
+            setState(DeviceState::reconnecting, m_status.current().message);
+        // Opening may take a while; meanwhile write() reports that there is no connection.
         lock.unlock();
         Expected<OpenedBracelet> opened = m_opener();
         lock.lock();
@@ -119,12 +112,11 @@ bool BraceletWorker::reconnect(Lock& lock, const std::stop_token& stop) {
             adopt(std::move(opened->port));
             if (m_connected)
                 return true;
-            // A board may bear one connection only: an open one would keep the next one out.
+            // Some boards accept a single connection: close this one before the next attempt.
             m_port.reset();
-        } else if (m_statusNow.state == DeviceState::connecting) {
+        } else if (m_status.state() == DeviceState::connecting) {
             setState(DeviceState::reconnecting, opened ? lostMessage() : opened.error().message);
         }
-        retry_ns = std::clamp(2 * retry_ns, m_config.firstRetry_ns, m_config.longestRetry_ns);
     }
 }
 
@@ -132,7 +124,7 @@ void BraceletWorker::adopt(std::unique_ptr<BraceletPort> port) {
     m_port = std::move(port);
     m_connected = true;
     setState(DeviceState::connecting);
-    // Before anybody can write: motors that went on turning do not any more.
+    // Before anybody else can write: stops motors that kept turning.
     if (send({}, kIdleTimeout_ms))
         m_publishedConnection.store(++m_connections, std::memory_order_release);
 }
@@ -187,44 +179,40 @@ void BraceletWorker::readReports() {
             lose();
             break;
         case BraceletPort::Read::report:
-            // A frame that was not understood is not felt: the board's answer to it confirms nothing.
+            // The answer to a frame that the board did not understand confirms nothing.
             if (report.frameRefused)
                 m_ledger.refuse(report.sequence);
             else
                 m_ledger.echo(report.sequence);
             m_telemetryNow.board = report;
             m_telemetryNow.reported_ns = now_ns();
-            m_rate.add(m_telemetryNow.reported_ns);
-            ++m_statusNow.framesRead;
-            m_statusNow.lastData_ns = m_telemetryNow.reported_ns;
+            m_status.receive(DeviceState::live, m_telemetryNow.reported_ns);
             any = true;
-            if (m_statusNow.state != DeviceState::live)
-                setState(DeviceState::live);
             break;
         }
     }
     if (any) {
         publish();
-        m_consumer->notify();
+        m_status.wakeConsumer();
     }
 }
 
 void BraceletWorker::checkAge() {
-    if (m_statusNow.state == DeviceState::live && now_ns() - m_statusNow.lastData_ns > m_staleAfter_ns)
+    if (m_status.state() == DeviceState::live && now_ns() - m_status.current().lastData_ns > m_staleAfter_ns)
         setState(DeviceState::stale);
 }
 
 void BraceletWorker::setState(DeviceState state, std::string message) {
-    m_statusNow.state = state;
-    m_statusNow.since_ns = now_ns();
-    m_statusNow.message = std::move(message);
-    if (state != DeviceState::live)
-        m_rate.reset();
-    publish();
-    m_consumer->notify();
+    publishTelemetry();
+    m_status.setState(state, now_ns(), std::move(message));
 }
 
 void BraceletWorker::publish() {
+    publishTelemetry();
+    m_status.publish();
+}
+
+void BraceletWorker::publishTelemetry() {
     m_telemetryNow.framesEchoed = m_ledger.echoed();
     m_telemetryNow.newestSent = m_ledger.sent();
     m_telemetryNow.newestEchoed = m_ledger.newestEchoed();
@@ -232,9 +220,7 @@ void BraceletWorker::publish() {
     m_telemetryNow.framesRefused = m_ledger.refused();
     m_telemetryNow.strayEchoes = m_ledger.stray();
     m_telemetry.set(m_telemetryNow);
-    m_statusNow.rate_Hz = m_rate.rate_Hz(m_statusNow.lastData_ns);
-    m_statusNow.framesLost = m_ledger.lost();
-    m_status.set(m_statusNow);
+    m_status.setLost(m_ledger.lost());
 }
 
 } // namespace teleta::core

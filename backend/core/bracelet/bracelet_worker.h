@@ -4,7 +4,7 @@
 #include "backend/core/bracelet/bracelet_device.h"
 #include "backend/core/bracelet/bracelet_port.h"
 #include "backend/core/bracelet/echo_ledger.h"
-#include "backend/core/device/rate_meter.h"
+#include "backend/core/device/status_publisher.h"
 #include "backend/core/threads/latest_copy.h"
 #include "backend/core/threads/pacing_clock.h"
 #include "backend/core/threads/stop_switch.h"
@@ -27,7 +27,7 @@ struct BraceletLinkConfig {
     std::shared_ptr<PacingClock> clock = std::make_shared<PacingClock>();
 };
 
-/// Keeps the connection of a BraceletLink and what that interface promises of its frames.
+/// Maintains the connection of a BraceletLink and guarantees what BraceletSource promises about frames.
 /// Thread: run() is the worker's; open() before it; write() from one; the rest by any.
 class BraceletWorker {
 public:
@@ -42,7 +42,7 @@ public:
     WriteResult write(const BraceletFrame& frame);
 
     [[nodiscard]] const BraceletDescription& description() const { return m_description; }
-    [[nodiscard]] DeviceStatus status() const { return m_status.get(); }
+    [[nodiscard]] DeviceStatus status() const { return m_status.status(); }
     [[nodiscard]] BraceletTelemetry telemetry() const { return m_telemetry.get(); }
     [[nodiscard]] std::uint64_t connection() const {
         return m_publishedConnection.load(std::memory_order_acquire);
@@ -60,6 +60,7 @@ private:
     void checkAge();
     void setState(DeviceState state, std::string message = {});
     void publish();
+    void publishTelemetry();
     [[nodiscard]] std::int64_t now_ns() const { return m_config.clock->now_ns(); }
 
     BraceletDescription m_description;
@@ -67,7 +68,6 @@ private:
     const StopSwitch& m_stopSwitch;
     BraceletLinkConfig m_config;
     std::int64_t m_staleAfter_ns;
-    Wakeup* m_consumer = nullptr;
 
     std::mutex m_mutex; ///< of what follows
     std::condition_variable m_condition;
@@ -76,11 +76,9 @@ private:
     std::uint64_t m_connections = 0;
     std::int64_t m_lastWrite_ns = 0;
     EchoLedger m_ledger;
-    RateMeter m_rate;
-    DeviceStatus m_statusNow;
+    StatusPublisher m_status;
     BraceletTelemetry m_telemetryNow;
 
-    LatestCopy<DeviceStatus> m_status;
     LatestCopy<BraceletTelemetry> m_telemetry;
     std::atomic<std::uint64_t> m_publishedConnection{0};
 };

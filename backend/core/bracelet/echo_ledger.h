@@ -5,22 +5,22 @@
 
 namespace teleta::core {
 
-/// Numbers the frames to a board and finds out from its echoes which of them were lost. A write that succeeds
-/// says only that the kernel took the frame. A frame is lost when the echo of a later one comes first, when
-/// the board refuses it, when its connection ends, or when kLongestFlight later ones were sent without any
-/// echo. Thread: one.
+/// Numbers the frames to a board and finds the lost ones from the board's echoes. (A successful write only
+/// means that the kernel accepted the frame.) A frame is lost when the echo of a later one arrives first,
+/// when the board refuses it, when its connection ends, or when kLongestFlight later ones were sent without
+/// any echo. Thread: one.
 class EchoLedger {
 public:
     static constexpr std::uint64_t kLongestFlight = 256;
 
     /// Number of the frame that is sent now; counts on from 1 and wraps.
     [[nodiscard]] std::uint16_t send();
-    /// An echo that nothing waits for (a second one, an old one, one of another program) is counted as stray.
+    /// An unexpected echo (a second one, an old one, another program's) is counted as stray.
     void echo(std::uint16_t sequence);
-    /// An answer that says that the board did not understand the frame: it came, and counts as lost. One that
-    /// nothing waits for is stray, too.
+    /// The board did not understand the frame, which then counts as lost. An unexpected refusal is stray,
+    /// too.
     void refuse(std::uint16_t sequence);
-    /// What is in flight will not be answered any more.
+    /// Frames in flight will not be answered any more.
     void endConnection();
 
     [[nodiscard]] std::uint64_t sent() const { return m_sent; }
@@ -28,7 +28,7 @@ public:
     /// Number of the newest frame that was echoed, not wrapped; 0: none.
     [[nodiscard]] std::uint64_t newestEchoed() const { return m_newestEchoed; }
     [[nodiscard]] std::uint64_t lost() const { return m_lost; }
-    /// Of the lost ones those that the board refused.
+    /// Lost frames that the board refused.
     [[nodiscard]] std::uint64_t refused() const { return m_refused; }
     [[nodiscard]] std::uint64_t stray() const { return m_stray; }
     [[nodiscard]] std::uint64_t inFlight() const { return m_sent - m_settled; }

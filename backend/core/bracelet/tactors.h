@@ -9,8 +9,8 @@ namespace teleta::core {
 /// Vibration motors of the bracelet, numbered around the forearm: at 0, 60, ... 300 degrees.
 inline constexpr std::size_t kTactors = 6;
 
-/// What each tactor shall do: 0 off, 1 as strong as it can. One scalar a motor, since the speed of an
-/// eccentric mass motor and its strength rise together.
+/// Intensity of each tactor: 0 off, 1 full strength. One scalar per motor, since the speed and the strength
+/// of an eccentric mass motor rise together.
 using Intensities = std::array<double, kTactors>;
 
 } // namespace teleta::core

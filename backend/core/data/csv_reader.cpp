@@ -160,13 +160,13 @@ public:
 
     [[nodiscard]] Unexpected tooLong(const char* position) const {
         return badInput(CsvReaderText::tr("the row is too long: more than %1 values").arg(header.size()),
-                        CsvReaderText::tr("one value a column: %1").arg(header.size()), placeOf(position));
+                        CsvReaderText::tr("one value per column: %1").arg(header.size()), placeOf(position));
     }
 
     [[nodiscard]] Unexpected tooShort(std::size_t values, const char* position) const {
         return badInput(
             CsvReaderText::tr("the row is too short: %1 of %2 values").arg(values).arg(header.size()),
-            CsvReaderText::tr("one value a column: %1").arg(header.size()), placeOf(position));
+            CsvReaderText::tr("one value per column: %1").arg(header.size()), placeOf(position));
     }
 
     [[nodiscard]] SourcePlace placeOfField(std::size_t index) const {
@@ -229,10 +229,8 @@ Expected<void> CsvReader::Private::openFile() {
 }
 
 Expected<void> CsvReader::Private::readHeader() {
-    const Expected<bool> any = readRow();
+    TELETA_TRY(const bool any, readRow());
     if (!any)
-        return Unexpected(any.error());
-    if (!*any)
         return badInput(CsvReaderText::tr("the file is empty"),
                         CsvReaderText::tr("a header line with the names of the columns"), {path, 1, 1});
     if (rowLength >= 2 && (std::memcmp(row(), "\xFF\xFE", 2) == 0 || std::memcmp(row(), "\xFE\xFF", 2) == 0))
@@ -240,8 +238,8 @@ Expected<void> CsvReader::Private::readHeader() {
     for (const char* p = row();; ++p) {
         Field field = readField(p, rowEnd());
         if (!field.wellFormed)
-            return badInput(CsvReaderText::tr("text outside of the quotes of a column name"),
-                            CsvReaderText::tr("a comma behind the closing quote"), placeOf(p));
+            return badInput(CsvReaderText::tr("text outside the quotes of a column name"),
+                            CsvReaderText::tr("a comma after the closing quote"), placeOf(p));
         header.push_back(std::move(field.text));
         p = field.end;
         if (p == rowEnd())
@@ -352,10 +350,8 @@ CsvReader& CsvReader::operator=(CsvReader&&) noexcept = default;
 Expected<CsvReader> CsvReader::open(const std::string& path) {
     auto d = std::make_unique<Private>();
     d->path = path;
-    if (const Expected<void> opened = d->openFile(); !opened)
-        return Unexpected(opened.error());
-    if (const Expected<void> read = d->readHeader(); !read)
-        return Unexpected(read.error());
+    TELETA_CHECK(d->openFile());
+    TELETA_CHECK(d->readHeader());
     return CsvReader(std::move(d));
 }
 
@@ -369,8 +365,7 @@ const std::string& CsvReader::path() const {
 
 Expected<std::size_t> CsvReader::column(std::string_view name) const {
     const Expected<std::vector<std::size_t>> found = columns({&name, 1});
-    if (!found)
-        return Unexpected(found.error());
+    TELETA_CHECK(found);
     return found->front();
 }
 
@@ -384,8 +379,8 @@ Expected<std::vector<std::size_t>> CsvReader::columns(std::span<const std::strin
             continue;
         }
         if (std::find(first + 1, d->header.end(), name) != d->header.end())
-            return d->badInput(CsvReaderText::tr("the column %1 is there twice").arg(shown(name)),
-                               CsvReaderText::tr("each name once"), {d->path, 1, 1});
+            return d->badInput(CsvReaderText::tr("the column %1 appears twice").arg(shown(name)),
+                               CsvReaderText::tr("each name only once"), {d->path, 1, 1});
         found.push_back(static_cast<std::size_t>(first - d->header.begin()));
     }
     if (!missing.empty())
@@ -411,10 +406,8 @@ Expected<bool> CsvReader::next(std::vector<double>& values, bool allowNonFinite)
             (allowNonFinite || std::isfinite(values[i]))) {
             p = stop;
         } else {
-            const Expected<double> value = d->slowField(p, p, allowNonFinite);
-            if (!value)
-                return Unexpected(value.error());
-            values[i] = *value;
+            TELETA_TRY(const double value, d->slowField(p, p, allowNonFinite));
+            values[i] = value;
         }
         if (p == rowEnd) {
             if (i + 1 < columns)
@@ -440,8 +433,8 @@ Expected<bool> CsvReader::nextText(std::vector<std::string_view>& fields) {
         if (first != rowEnd && *first == '"') {
             Field field = readField(p, rowEnd);
             if (!field.wellFormed)
-                return d->badInput(CsvReaderText::tr("text outside of the quotes of a value"),
-                                   CsvReaderText::tr("a comma behind the closing quote"), d->placeOf(p));
+                return d->badInput(CsvReaderText::tr("text outside the quotes of a value"),
+                                   CsvReaderText::tr("a comma after the closing quote"), d->placeOf(p));
             p = field.end;
             fields[i] = d->quoted.emplace_back(std::move(field.text));
         } else {
@@ -483,7 +476,7 @@ std::uint64_t CsvReader::bytesTotal() const {
 Expected<void> CsvReader::seek(std::uint64_t byteOffset, long long line) {
     if (!d->seekable)
         return Unexpected(Error{ErrorKind::refused,
-                                CsvReaderText::tr("a pipe has no positions to go to").toStdString(),
+                                CsvReaderText::tr("a pipe cannot be rewound").toStdString(),
                                 CsvReaderText::tr("a file").toStdString(),
                                 {d->path}});
     if (byteOffset >= d->bufferOffset && byteOffset - d->bufferOffset <= d->end) {

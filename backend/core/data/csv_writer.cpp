@@ -15,10 +15,8 @@ CsvWriter::CsvWriter(OutputFile output, std::span<const std::string_view> column
 }
 
 Expected<CsvWriter> CsvWriter::create(const std::string& path, std::span<const std::string_view> columns) {
-    Expected<OutputFile> output = OutputFile::create(path);
-    if (!output)
-        return Unexpected(output.error());
-    return CsvWriter(std::move(*output), columns);
+    TELETA_TRY(OutputFile output, OutputFile::create(path));
+    return CsvWriter(std::move(output), columns);
 }
 
 void CsvWriter::text(std::string_view value) {

@@ -30,8 +30,7 @@ bool isTaxelName(const std::string& name, std::size_t index) {
 /// Number of taxel columns when the header is time_s,t0,t1,...
 Expected<std::size_t> checkHeader(const CsvReader& csv) {
     const std::vector<std::string>& header = csv.header();
-    if (const Expected<std::size_t> time = csv.column("time_s"); !time)
-        return Unexpected(time.error());
+    TELETA_CHECK(csv.column("time_s"));
     for (std::size_t i = 0; i < header.size(); ++i) {
         if (i == 0 ? header[i] == "time_s" : isTaxelName(header[i], i - 1))
             continue;
@@ -60,27 +59,22 @@ FrameFile::FrameFile(CsvReader csv, const ArrayLayout& layout)
 }
 
 Expected<FrameFile> FrameFile::open(const std::string& path, const ArrayLayout& layout) {
-    Expected<CsvReader> csv = CsvReader::open(path);
-    if (!csv)
-        return Unexpected(csv.error());
-    const Expected<std::size_t> taxels = checkHeader(*csv);
-    if (!taxels)
-        return Unexpected(taxels.error());
+    TELETA_TRY(CsvReader csv, CsvReader::open(path));
+    const Expected<std::size_t> taxels = checkHeader(csv);
+    TELETA_CHECK(taxels);
     if (*taxels != layout.taxels())
         return badInput(FrameFileText::tr("the file has %1 taxel columns").arg(*taxels),
                         FrameFileText::tr("%1 = %2 rows x %3 columns")
                             .arg(layout.taxels())
                             .arg(layout.rows)
                             .arg(layout.columns),
-                        csv->place(std::min(*taxels, layout.taxels()) + 1));
-    return FrameFile(std::move(*csv), layout);
+                        csv.place(std::min(*taxels, layout.taxels()) + 1));
+    return FrameFile(std::move(csv), layout);
 }
 
 Expected<std::size_t> FrameFile::countTaxels(const std::string& path) {
-    const Expected<CsvReader> csv = CsvReader::open(path);
-    if (!csv)
-        return Unexpected(csv.error());
-    return checkHeader(*csv);
+    TELETA_TRY(const CsvReader csv, CsvReader::open(path));
+    return checkHeader(csv);
 }
 
 Expected<bool> FrameFile::next(double& time_s, std::span<float> values) {
@@ -90,7 +84,7 @@ Expected<bool> FrameFile::next(double& time_s, std::span<float> values) {
     if (!*any) {
         if (!m_anyFrame)
             return badInput(FrameFileText::tr("the recording has no frames"),
-                            FrameFileText::tr("at least one row behind the header"),
+                            FrameFileText::tr("at least one row after the header"),
                             {m_csv.path(), m_csv.nextLine(), 1});
         return false;
     }
@@ -121,17 +115,13 @@ Expected<void> FrameFile::seek(std::uint64_t offset, long long line) {
 
 Expected<std::vector<float>> readFrames(const std::string& path, const ArrayLayout& layout,
                                         const std::function<bool()>& goOn) {
-    Expected<FrameFile> file = FrameFile::open(path, layout);
-    if (!file)
-        return Unexpected(file.error());
+    TELETA_TRY(FrameFile file, FrameFile::open(path, layout));
     std::vector<float> frame(layout.taxels());
     std::vector<float> frames;
     double time_s = 0.0;
     for (;;) {
-        const Expected<bool> any = file->next(time_s, frame);
+        TELETA_TRY(const bool any, file.next(time_s, frame));
         if (!any)
-            return Unexpected(any.error());
-        if (!*any)
             return frames;
         if (goOn && !goOn())
             return Unexpected(Error{ErrorKind::cancelled, {}, {}, {}});
@@ -140,19 +130,15 @@ Expected<std::vector<float>> readFrames(const std::string& path, const ArrayLayo
 }
 
 Expected<std::vector<float>> readTare(const std::string& path, const ArrayLayout& layout) {
-    Expected<FrameFile> file = FrameFile::open(path, layout);
-    if (!file)
-        return Unexpected(file.error());
+    TELETA_TRY(FrameFile file, FrameFile::open(path, layout));
     const std::size_t taxels = layout.taxels();
     std::vector<float> values(taxels);
     std::vector<double> sum(taxels, 0.0);
     std::vector<std::size_t> count(taxels, 0);
     double time_s = 0.0;
     for (;;) {
-        const Expected<bool> any = file->next(time_s, values);
+        TELETA_TRY(const bool any, file.next(time_s, values));
         if (!any)
-            return Unexpected(any.error());
-        if (!*any)
             break;
         for (std::size_t i = 0; i < taxels; ++i) {
             if (std::isfinite(values[i])) {

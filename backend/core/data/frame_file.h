@@ -48,12 +48,12 @@ private:
     bool m_anyFrame = false; ///< also true after seek(): an offset was known, so there was a frame
 };
 
-/// All frames of a recording one after another, layout.taxels() values each. goOn is asked now and then; when
-/// it says no, the error is ErrorKind::cancelled without a text.
+/// All frames of a recording one after another, layout.taxels() values each. goOn is asked now and then; once
+/// it returns false, reading fails with ErrorKind::cancelled and no text.
 [[nodiscard]] Expected<std::vector<float>> readFrames(const std::string& path, const ArrayLayout& layout,
                                                       const std::function<bool()>& goOn = {});
 
-/// Mean of all finite frames of an unloaded recording, taxel by taxel: what is subtracted as tare.
+/// The tare to subtract: mean over an unloaded recording of each taxel's finite values.
 /// A taxel that is never finite gets NaN and is dead from then on.
 [[nodiscard]] Expected<std::vector<float>> readTare(const std::string& path, const ArrayLayout& layout);
 

@@ -194,7 +194,7 @@ Expected<JsonDocument> JsonDocument::parse(std::string text, const std::string& 
                            JsonText::tr("an object has the key \"%1\" twice")
                                .arg(QString::fromStdString(*inspection.repeated)),
                            JsonText::tr("each key once"));
-        return failure(inspection.damage, JsonText::tr("the JSON text is damaged or cut off"),
+        return failure(inspection.damage, JsonText::tr("the JSON text is damaged or truncated"),
                        JsonText::tr("JSON in UTF-8"));
     }
     JsonDocument document;
@@ -275,7 +275,7 @@ JsonReader::Value JsonReader::array(Value value, std::size_t atLeast, std::size_
                                  ? JsonText::tr("an array of length %1").arg(atLeast)
                                  : JsonText::tr("an array of length %1 to %2").arg(atLeast).arg(atMost);
     fail(value,
-         (value.is_array() ? JsonText::tr("the array has a wrong length")
+         (value.is_array() ? JsonText::tr("the array has the wrong length")
                            : JsonText::tr("this is not an array"))
              .toStdString(),
          expected.toStdString());

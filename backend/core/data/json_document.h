@@ -13,7 +13,7 @@
 
 namespace teleta::core {
 
-/// A JSON text, read with limits, that can say where each of its values stands.
+/// A JSON text, read with limits, that knows the line and column of each value.
 /// Thread: one.
 class JsonDocument {
 public:
@@ -38,8 +38,8 @@ private:
     std::unique_ptr<nlohmann::ordered_json> m_root; ///< keeps its address when the document is moved
 };
 
-/// Reads the values of a document one by one. The first thing that is wrong is kept in error(); from then on
-/// all answers are harmless defaults, so that a reader looks at error() once at its end.
+/// Reads the values of a document one by one. The first error is kept in error(); from then on all results
+/// are harmless defaults, so that a reader needs to check error() only once, at its end.
 class JsonReader {
 public:
     explicit JsonReader(const JsonDocument& document)

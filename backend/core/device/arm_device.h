@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/device.h"
+#include "backend/core/interface.h"
 #include "backend/core/threads/bounded_queue.h"
 #include "backend/core/threads/wakeup.h"
 
@@ -72,8 +73,8 @@ enum class ArmDrive {
     jog,     ///< the operator
 };
 
-/// A wish of the operator: rates of the joints. It counts for kJogLifetime_ns only, so that the arm stands
-/// still when the hand lets go of the dead-man switch, the program hangs or the link breaks.
+/// Joint rates that the operator asks for. A command expires after kJogLifetime_ns, so that the arm stops
+/// when the operator releases the dead-man switch, the program hangs or the link breaks.
 struct ArmCommand {
     static constexpr std::int64_t kJogLifetime_ns = 100'000'000;
 
@@ -85,13 +86,8 @@ struct ArmCommand {
 /// Thread: start and stop from one controlling thread; joints() is drained by one consumer; post(),
 /// setProgramRunning() and restartProgram() from one commanding thread (the GUI's), they return at once;
 /// the rest by any.
-class ArmSource {
+class ArmSource : public Interface {
 public:
-    virtual ~ArmSource() = default;
-    ArmSource() = default;
-    ArmSource(const ArmSource&) = delete;
-    ArmSource& operator=(const ArmSource&) = delete;
-
     [[nodiscard]] virtual const ArmDescription& description() const = 0;
     /// Starts the worker, which notifies the consumer after each batch of samples. The skin starts with it.
     virtual void start(Wakeup& consumer) = 0;
@@ -105,26 +101,26 @@ public:
     /// The latest command wins. NaN counts as zero, speeds are limited to the description's, a joint at the
     /// end of its range moves back only. A rate other than zero takes the arm from its program.
     virtual void post(const ArmCommand& command) = 0;
-    /// Lets the program go on, or holds it. Ignored without a program.
+    /// Resumes or holds the program. Ignored without a program.
     virtual void setProgramRunning(bool running) = 0;
-    /// Begins the program, and the world of a simulation, anew.
+    /// Restarts the program, and the world of a simulation.
     virtual void restartProgram() = 0;
 };
 
-/// What a simulated arm is told for one step.
+/// What a simulated arm has to do in one step.
 struct ArmDemand {
     ArmDrive drive = ArmDrive::held;
     JointArray rate_radPerS{}; ///< with jog
 };
 
-/// What a simulated arm at another place has told, and has come over the link between the two.
+/// What a simulated arm at another site has sent and the link has delivered.
 struct ArmArrival {
     JointSample sample;
     bool hasFrame = false;
     std::vector<float> frame; ///< of the skin, read with the sample
 };
 
-/// How messages fared on that link since the start.
+/// Losses on that link since the start.
 struct ArmLinkCounters {
     std::uint64_t commandsLost = 0;
     std::uint64_t samplesLost = 0;
@@ -145,14 +141,14 @@ public:
     /// none was due, values are untouched.
     virtual bool skinFrame(std::span<float> values) = 0;
     [[nodiscard]] virtual double time_s() const = 0;
-    /// The program has come to its end; a further program step holds the arm.
+    /// The program has ended; further program steps hold the arm.
     [[nodiscard]] virtual bool programDone() const = 0;
     virtual void restart() = 0;
 
-    /// The arm is at another place: what reaches the operator is handed out by takeArrival(), what next() and
-    /// skinFrame() say does not count.
+    /// The arm is at another site: takeArrival() gives what reaches the operator; ignore the samples and
+    /// frames of next() and skinFrame().
     [[nodiscard]] virtual bool isRemote() const { return false; }
-    /// Takes the next that has arrived by now: older by time_s() - sample.sourceTime_s. False: nothing.
+    /// Takes the next arrival, which is time_s() - sample.sourceTime_s old. False: there is none.
     virtual bool takeArrival(ArmArrival&) { return false; }
     [[nodiscard]] virtual ArmLinkCounters linkCounters() const { return {}; }
 };

@@ -11,8 +11,8 @@
 
 namespace teleta::core {
 
-/// Frames between a camera and who works on them. When it is full the oldest frame is dropped, and the next
-/// one tells how many went before it: a picture of what is now is worth more than one of what was.
+/// Frames on their way from a camera to their consumer. A full queue drops its oldest frame, since a current
+/// picture is worth more than an old one; the next frame tells how many were dropped before it.
 /// Thread: any.
 class CameraFrameQueue {
 public:

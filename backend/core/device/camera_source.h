@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/device.h"
+#include "backend/core/interface.h"
 #include "backend/core/threads/wakeup.h"
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace teleta::core {
 
-/// A picture in grey levels, row by row without gaps. Copies share the pixels, which nobody changes.
+/// A greyscale picture, row by row without gaps. Copies share the immutable pixels.
 struct GreyImage {
     std::shared_ptr<const std::uint8_t> pixels; ///< null: no picture
     int width_px = 0;
@@ -20,7 +21,7 @@ struct GreyImage {
     [[nodiscard]] bool isEmpty() const { return pixels == nullptr || width_px <= 0 || height_px <= 0; }
 };
 
-/// A picture that keeps the pixels of an OpenCV matrix of bytes, which nobody writes to any more.
+/// A picture that shares the pixels of an OpenCV matrix of bytes, which must not be written to afterwards.
 template <typename Matrix>
 [[nodiscard]] GreyImage greyImageOf(Matrix pixels) {
     if (pixels.empty())
@@ -49,23 +50,18 @@ struct CameraFrame {
     }
 };
 
-/// Who a camera is; constant while it is open.
+/// Describes a camera; constant while it is open.
 struct CameraDescription {
     std::string name; ///< shown to people
     double nominalRate_Hz = 0.0;
-    bool simulated = false; ///< the data is not real and every view must say so
+    bool simulated = false; ///< the data is not real, which every view must show
     bool recorded = false;  ///< the data was recorded earlier
 };
 
 /// A camera, real, simulated or recorded: facade over a worker thread that reads and stamps frames.
 /// Thread: start and stop from one controlling thread; pop() by one consumer; status() by any.
-class CameraSource {
+class CameraSource : public Interface {
 public:
-    virtual ~CameraSource() = default;
-    CameraSource() = default;
-    CameraSource(const CameraSource&) = delete;
-    CameraSource& operator=(const CameraSource&) = delete;
-
     [[nodiscard]] virtual const CameraDescription& description() const = 0;
     /// Starts the worker, which notifies the consumer after each frame.
     virtual void start(Wakeup& consumer) = 0;

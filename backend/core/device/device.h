@@ -3,6 +3,7 @@
 
 #include "backend/core/data/array_layout.h"
 #include "backend/core/data/sample_block.h"
+#include "backend/core/interface.h"
 #include "backend/core/threads/bounded_queue.h"
 #include "backend/core/threads/wakeup.h"
 
@@ -24,8 +25,8 @@ enum class DeviceState {
     finished,     ///< a playback that reached its end
 };
 
-/// What a device says of itself. Published by the worker with each block and with each change of state; the
-/// age of the data is the reader's business (now - lastData_ns), so that a stuck worker is seen as well.
+/// Status of a device, published by its worker with each block and with each change of state. Readers compute
+/// the age of the data themselves (now - lastData_ns), so that a stuck worker shows as well.
 struct DeviceStatus {
     DeviceState state = DeviceState::closed;
     std::int64_t since_ns = 0;    ///< steady time at which the state began
@@ -36,20 +37,20 @@ struct DeviceStatus {
     std::string message;          ///< why the device is lost; UTF-8, translated; empty when all is well
 };
 
-/// Who a source is; constant while it is open.
+/// Describes a source; constant while it is open.
 struct SourceDescription {
     std::string name; ///< shown to people: file name, scene name, serial number
     ArrayLayout layout;
     std::string unit; ///< unit of the raw values: "N", "counts"
     double nominalRate_Hz = 0.0;
-    bool simulated = false; ///< the data is not real and every view must say so
+    bool simulated = false; ///< the data is not real, which every view must show
     bool recorded = false;  ///< the data was recorded earlier
 };
 
 /// Where a playback stands. Times are the recording's own, from its first frame, in s.
 struct PlaybackPosition {
     double time_s = 0.0;     ///< of the frame that is shown
-    double target_s = 0.0;   ///< where it goes on: time_s, or what is sought and not reached yet
+    double target_s = 0.0;   ///< where it continues: time_s, or the target of a seek that is under way
     double duration_s = 0.0; ///< grows while the file is still being indexed
     std::uint64_t frame = 0;
     std::uint64_t frames = 0; ///< known so far
@@ -57,10 +58,10 @@ struct PlaybackPosition {
     bool paused = false;
     double speed = 1.0;
     bool loop = false;
-    std::uint64_t damagedBlocks = 0; ///< that were passed over so far
+    std::uint64_t damagedBlocks = 0; ///< skipped so far
 };
 
-/// A moment of a recording that somebody marked.
+/// A mark that somebody set in a recording.
 struct PlaybackMark {
     double time_s = 0.0;       ///< as that of PlaybackPosition
     double sourceTime_s = 0.0; ///< as that of the frames
@@ -74,7 +75,7 @@ public:
     virtual ~PlaybackControl() = default;
     virtual void play() = 0;
     virtual void pause() = 0;
-    /// Moves by so many frames (negative: back) and pauses.
+    /// Moves by this many frames (negative: back) and pauses.
     virtual void step(int frames) = 0;
     /// 0.01 .. 100 times the recorded speed; clamped. Infinity: as fast as the consumer takes them.
     virtual void setSpeed(double factor) = 0;
@@ -87,13 +88,8 @@ public:
 
 /// A tactile array, real, simulated or recorded: facade over a worker thread that reads and stamps frames.
 /// Thread: start and stop from one controlling thread; blocks() is drained by one consumer; status() by any.
-class TactileSource {
+class TactileSource : public Interface {
 public:
-    virtual ~TactileSource() = default;
-    TactileSource() = default;
-    TactileSource(const TactileSource&) = delete;
-    TactileSource& operator=(const TactileSource&) = delete;
-
     [[nodiscard]] virtual const SourceDescription& description() const = 0;
     /// Starts the worker, which notifies the consumer after each block that it put into blocks().
     virtual void start(Wakeup& consumer) = 0;

@@ -7,8 +7,8 @@
 
 namespace teleta::core {
 
-/// State of a device as a reader sees it now: a device that calls itself live but whose newest frame is older
-/// than staleAfter_ns is stale, also when its worker is stuck and can no longer say so. Thread: any.
+/// State of a device as seen by a reader: a device that reports live but whose newest frame is older than
+/// staleAfter_ns is stale, even if its worker is stuck and cannot say so. Thread: any.
 [[nodiscard]] constexpr DeviceState observedState(DeviceState reported, std::int64_t lastData_ns,
                                                   std::int64_t now_ns, std::int64_t staleAfter_ns) {
     if (reported == DeviceState::live && now_ns - lastData_ns > staleAfter_ns)

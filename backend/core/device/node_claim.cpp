@@ -35,7 +35,7 @@ Unexpected usedByAnother(const std::string& what) {
               QCoreApplication::translate("NodeClaim", "another program uses %1", "a device")
                   .arg(QString::fromStdString(what))
                   .toStdString(),
-              QCoreApplication::translate("NodeClaim", "that it is closed there first").toStdString(),
+              QCoreApplication::translate("NodeClaim", "it to be closed there first").toStdString(),
               {}});
 }
 

@@ -32,8 +32,8 @@ private:
     int m_descriptor;
 };
 
-/// Of a device that another program holds, for its opener to return; worth another try. what: as the user
-/// knows it ("/dev/ttyUSB0", "camera 0").
+/// The error for a device that another program uses; a later attempt may succeed. what: as the user knows it
+/// ("/dev/ttyUSB0", "camera 0").
 [[nodiscard]] Unexpected usedByAnother(const std::string& what);
 
 } // namespace teleta::core

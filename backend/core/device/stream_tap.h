@@ -25,9 +25,9 @@ struct TappedFrames {
     [[nodiscard]] std::size_t frames() const { return time_ns.size(); }
 };
 
-/// Where a data thread leaves copies of what passes for somebody who keeps them, and never waits: when the
-/// keeper is late, frames are dropped and counted.
-/// Thread: append() from one data thread, pop() from the keeper's, close() and the counters from any.
+/// Passes copies of a data thread's frames to whoever records them. The data thread never waits: if the
+/// recorder is late, frames are dropped and counted.
+/// Thread: append() from one data thread, pop() from the recorder's, close() and the counters from any.
 class StreamTap {
 public:
     explicit StreamTap(std::size_t capacity)
@@ -72,7 +72,7 @@ public:
         return m_queue.tryPush(frames);
     }
 
-    /// For a thread that can wait: false when there is no room, and then nothing happened.
+    /// For a thread that can wait: returns false and changes nothing when there is no room.
     template <typename Number>
     [[nodiscard]] bool tryAppend(std::span<const std::int64_t> time_ns, std::span<const double> sourceTime_s,
                                  std::span<const Number> values) {
@@ -87,7 +87,7 @@ public:
     [[nodiscard]] std::size_t capacity() const { return m_queue.capacity(); }
     [[nodiscard]] std::uint64_t dropped() const { return m_queue.overflow(); }
 
-    /// Nobody keeps anything any more: what is appended from now on is neither kept nor counted.
+    /// Frames that are appended from now on are discarded and not counted.
     void close() { m_closed.store(true, std::memory_order_relaxed); }
     [[nodiscard]] bool isClosed() const { return m_closed.load(std::memory_order_relaxed); }
 

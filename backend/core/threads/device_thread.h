@@ -8,29 +8,35 @@
 
 namespace teleta::core {
 
-/// The thread on which a device's worker runs: worker.open(consumer) on the caller's, then worker.run(stop)
-/// until stop(), which ends its wait by worker.wake(). Starting what runs, and stopping what does not, does
-/// nothing. The worker must outlive the thread. Thread: one at a time.
+/// The thread of a device's worker. start() calls worker.open(consumer) on the caller's thread and then
+/// worker.run(stop) on its own; stop(), which the destructor calls, ends the worker's wait by worker.wake() and
+/// joins. Both are idempotent. Declare it after the worker, which must outlive it. Thread: one at a time.
+template <typename Worker>
 class DeviceThread {
 public:
-    template <typename Worker>
-    void start(Worker& worker, Wakeup& consumer) {
+    explicit DeviceThread(Worker& worker)
+        : m_worker(worker) {}
+    ~DeviceThread() { stop(); }
+    DeviceThread(const DeviceThread&) = delete;
+    DeviceThread& operator=(const DeviceThread&) = delete;
+
+    void start(Wakeup& consumer) {
         if (m_thread.joinable())
             return;
-        worker.open(consumer);
-        m_thread = std::jthread([&worker](const std::stop_token& stop) { worker.run(stop); });
+        m_worker.open(consumer);
+        m_thread = std::jthread([this](const std::stop_token& stop) { m_worker.run(stop); });
     }
 
-    template <typename Worker>
-    void stop(Worker& worker) {
+    void stop() {
         if (!m_thread.joinable())
             return;
         m_thread.request_stop();
-        worker.wake();
+        m_worker.wake();
         m_thread.join();
     }
 
 private:
+    Worker& m_worker;
     std::jthread m_thread;
 };
 

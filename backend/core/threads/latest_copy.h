@@ -6,8 +6,8 @@
 
 namespace teleta::core {
 
-/// A small value that one thread writes now and then and any thread may copy. The lock is held only while the
-/// value is copied, never around I/O or drawing. Thread: any.
+/// A small value that one thread sets and any thread may copy. The lock is held only while the value is
+/// copied, never around I/O or drawing. Thread: any.
 template <typename T>
 class LatestCopy {
 public:

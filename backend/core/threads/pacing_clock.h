@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/interface.h"
 #include "backend/core/steady_time.h"
 
 #include <condition_variable>
 #include <cstdint>
 #include <limits>
 #include <mutex>
+#include <stop_token>
 
 namespace teleta::core {
 
-/// The clock of a worker that keeps a schedule, and its wait that commands can end. A test puts a clock in
-/// its place that stands still until the test moves it.
+/// The clock of a worker that keeps a schedule, and its wait, which commands can end. Tests replace it with a
+/// clock that they move themselves.
 /// Thread: any.
-class PacingClock {
+class PacingClock : public Interface {
 public:
     /// A deadline that never comes.
     static constexpr std::int64_t kNever_ns = std::numeric_limits<std::int64_t>::max();
-
-    PacingClock() = default;
-    virtual ~PacingClock() = default;
-    PacingClock(const PacingClock&) = delete;
-    PacingClock& operator=(const PacingClock&) = delete;
 
     [[nodiscard]] virtual std::int64_t now_ns() const { return steadyNow_ns(); }
 
@@ -37,6 +34,15 @@ public:
             condition.wait(lock);
         else
             condition.wait_until(lock, toTimePoint(deadline_ns));
+    }
+
+    /// Waits until the deadline has passed, however often the condition is notified; false as soon as stop is
+    /// requested, of which a notification tells.
+    bool sleepUntil(std::condition_variable& condition, std::unique_lock<std::mutex>& lock,
+                    std::int64_t deadline_ns, const std::stop_token& stop) {
+        while (!stop.stop_requested() && now_ns() < deadline_ns)
+            waitUntil(condition, lock, deadline_ns);
+        return !stop.stop_requested();
     }
 };
 

@@ -25,7 +25,7 @@ public:
         return m_engagedSince_ns.load(std::memory_order_acquire);
     }
 
-    /// How often it was engaged: who looks now and then sees by it that it was engaged meanwhile.
+    /// How often it was engaged. Shows a reader that it was engaged and released between two checks.
     [[nodiscard]] std::uint64_t engagements() const { return m_engagements.load(std::memory_order_acquire); }
 
 private:

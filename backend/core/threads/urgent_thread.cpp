@@ -11,7 +11,7 @@ namespace teleta::core {
 
 namespace {
 
-/// Above other real-time work that asks for nothing special, below what keeps the system alive.
+/// Above default real-time work, below the threads that keep the system alive.
 constexpr int kPriority = 10;
 constexpr int kNice = -10;
 constexpr unsigned long kSlack_ns = 1;

@@ -3,16 +3,16 @@
 
 namespace teleta::core {
 
-/// How soon the system lets a thread run that has waited.
+/// How soon the system runs a thread whose wait is over.
 enum class ThreadUrgency {
     realTime, ///< before every ordinary thread (round robin)
     raised,   ///< an ordinary one with a higher priority
     ordinary, ///< the system permits nothing more
 };
 
-/// Lets the calling thread, which waits most of the time, run as soon as its wait is over: as much of
-/// realTime, raised as the user may, and timers that fire on time (the kernel may else gather them over 50
-/// us). Threads that it makes do not inherit it. Returns what was reached.
+/// Makes the calling thread run as soon as its waits are over: with the highest Urgency that the user is
+/// allowed, and with timers that fire on time (the kernel may otherwise delay them by 50 us). Threads that it
+/// starts do not inherit this. Returns what was reached.
 [[nodiscard]] ThreadUrgency makeThreadUrgent();
 
 } // namespace teleta::core

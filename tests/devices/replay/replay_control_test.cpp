@@ -14,7 +14,7 @@ protected:
     /// Shows the first of so many frames and waits.
     void openPaused(int frames) {
         writeFrames(frames);
-        replay::ReplayConfig paused = config();
+        replay::CsvConfig paused = config();
         paused.autoplay = false;
         play(paused);
     }
@@ -132,7 +132,7 @@ TEST_F(ReplayControlTest, goesOnPlayingFromWhereItWasSent) {
 
 TEST_F(ReplayControlTest, seeksAndStepsInAFixedRate) {
     writeFrames(1000);
-    replay::ReplayConfig fixed = config();
+    replay::CsvConfig fixed = config();
     fixed.rate_Hz = 30.0;
     fixed.autoplay = false;
     play(fixed);
@@ -223,7 +223,7 @@ TEST_F(ReplayControlTest, reportsItsControlsAtOnce) {
 
 TEST_F(ReplayControlTest, takesCommandsFromAnotherThreadWhileItPlays) {
     writeFrames(5000);
-    replay::ReplayConfig unpaced = config();
+    replay::CsvConfig unpaced = config();
     unpaced.clock = std::make_shared<core::PacingClock>();
     unpaced.speed = kUnpaced;
     unpaced.loop = true;

@@ -24,13 +24,13 @@ TEST_F(ReplayDeviceTest, describesTheRecording) {
 }
 
 TEST_F(ReplayDeviceTest, refusesWhatIsNoRecordingOfThisLayout) {
-    EXPECT_EQ(replay::ReplayDevice::open(config()).error().kind, core::ErrorKind::notFound);
+    EXPECT_EQ(replay::RecordedPlayer::open(config()).error().kind, core::ErrorKind::notFound);
     write("time_s,t0,t1\n");
-    EXPECT_FALSE(replay::ReplayDevice::open(config())) << "no frames";
+    EXPECT_FALSE(replay::RecordedPlayer::open(config())) << "no frames";
     write("time_s,t0\n0,1\n");
-    EXPECT_FALSE(replay::ReplayDevice::open(config())) << "another layout";
+    EXPECT_FALSE(replay::RecordedPlayer::open(config())) << "another layout";
     write("time_s,t0,t1\n0,1,x\n");
-    const auto broken = replay::ReplayDevice::open(config());
+    const auto broken = replay::RecordedPlayer::open(config());
     ASSERT_FALSE(broken);
     EXPECT_EQ(broken.error().where.line, 2);
     EXPECT_EQ(broken.error().where.column, 5);
@@ -60,7 +60,7 @@ TEST_F(ReplayDeviceTest, playsAtTheRecordedSpeed) {
 
 TEST_F(ReplayDeviceTest, playsFasterAndSlower) {
     writeFrames(2000);
-    replay::ReplayConfig fast = config();
+    replay::CsvConfig fast = config();
     fast.speed = 50.0; // 500 Hz
     fast.queueBlocks = 1000;
     play(fast);
@@ -94,7 +94,7 @@ TEST_F(ReplayDeviceTest, clampsTheSpeed) {
 
 TEST_F(ReplayDeviceTest, takesAFixedRateInsteadOfTheRecordedTimes) {
     writeFrames(400);
-    replay::ReplayConfig fixed = config();
+    replay::CsvConfig fixed = config();
     fixed.rate_Hz = 200.0;
     play(fixed);
     EXPECT_EQ(m_device->description().nominalRate_Hz, 200.0);
@@ -112,7 +112,7 @@ TEST_F(ReplayDeviceTest, takesAFixedRateInsteadOfTheRecordedTimes) {
 TEST_F(ReplayDeviceTest, losesNothingAsFastAsTheConsumerTakesIt) {
     constexpr int kFrames = 30'000;
     writeFrames(kFrames);
-    replay::ReplayConfig unpaced = config();
+    replay::CsvConfig unpaced = config();
     unpaced.clock = std::make_shared<core::PacingClock>();
     unpaced.speed = kUnpaced;
     unpaced.queueBlocks = 2;
@@ -132,7 +132,7 @@ TEST_F(ReplayDeviceTest, losesNothingAsFastAsTheConsumerTakesIt) {
 
 TEST_F(ReplayDeviceTest, countsWhatAFullQueueLosesAtAFiniteSpeed) {
     writeFrames(20);
-    replay::ReplayConfig small = config();
+    replay::CsvConfig small = config();
     small.queueBlocks = 3;
     play(small);
     for (int i = 0; i < 9; ++i)
@@ -148,7 +148,7 @@ TEST_F(ReplayDeviceTest, countsWhatAFullQueueLosesAtAFiniteSpeed) {
 
 TEST_F(ReplayDeviceTest, keepsTheFramesBeforeARowThatCannotBeRead) {
     write("time_s,t0,t1\n" + rows(40) + "104.0,40,oops\n" + rows(10, 41));
-    replay::ReplayConfig unpaced = config();
+    replay::CsvConfig unpaced = config();
     unpaced.clock = std::make_shared<core::PacingClock>();
     unpaced.speed = kUnpaced;
     unpaced.loop = true;
@@ -177,7 +177,7 @@ TEST_F(ReplayDeviceTest, keepsTheFramesBeforeARowThatCannotBeRead) {
 
 TEST_F(ReplayDeviceTest, repeatsInALoopAndMarksTheSeam) {
     writeFrames(5);
-    replay::ReplayConfig looped = config();
+    replay::CsvConfig looped = config();
     looped.loop = true;
     play(looped);
     for (int i = 0; i < 122; ++i)
@@ -200,7 +200,7 @@ TEST_F(ReplayDeviceTest, repeatsInALoopAndMarksTheSeam) {
 
 TEST_F(ReplayDeviceTest, loopsASingleFrameWithoutRunningAway) {
     writeFrames(1);
-    replay::ReplayConfig looped = config();
+    replay::CsvConfig looped = config();
     looped.loop = true;
     play(looped);
     for (int i = 0; i < 10; ++i)

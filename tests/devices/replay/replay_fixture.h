@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/replay/replay_device.h"
+#include "devices/replay/recorded_device.h"
 #include "tests/devices/manual_clock.h"
 
 #include <gtest/gtest.h>
@@ -58,22 +58,22 @@ protected:
 
     void writeFrames(int frames) { write("time_s,t0,t1\n" + rows(frames)); }
 
-    replay::ReplayConfig config() const {
-        replay::ReplayConfig config;
+    replay::CsvConfig config() const {
+        replay::CsvConfig config;
         config.path = m_path;
         config.layout = {1, 2, 0.01};
         config.clock = m_clock;
         return config;
     }
 
-    void open(replay::ReplayConfig config) {
-        auto device = replay::ReplayDevice::open(std::move(config));
-        ASSERT_TRUE(device) << describe(device.error());
-        m_device = std::move(*device);
+    void open(replay::CsvConfig config) {
+        auto player = replay::RecordedPlayer::open(std::move(config));
+        ASSERT_TRUE(player) << describe(player.error());
+        m_device = std::make_unique<replay::RecordedArray>(*player);
     }
 
     /// Opens, starts and waits until the worker has done what is due.
-    void play(replay::ReplayConfig config) {
+    void play(replay::CsvConfig config) {
         open(std::move(config));
         m_device->start(m_wakeup);
         m_clock->settle();
@@ -120,7 +120,7 @@ protected:
     std::string m_path;
     std::shared_ptr<ManualClock> m_clock = std::make_shared<ManualClock>();
     core::Wakeup m_wakeup;
-    std::unique_ptr<replay::ReplayDevice> m_device;
+    std::unique_ptr<replay::RecordedArray> m_device;
 };
 
 } // namespace teleta::test

@@ -111,8 +111,8 @@ TEST_F(Vivid, framesComeWithTheDriversCaptureTimesWhichRise) {
     EXPECT_GT(*brightest, 180);
     EXPECT_EQ(device->status().state, DeviceState::live);
     // Stamps made here by counting frames would be exact multiples of the period.
-    EXPECT_GT(device->nominalRate_Hz(), 0.0);
-    const double periods = last_s * device->nominalRate_Hz();
+    EXPECT_GT(device->description().nominalRate_Hz, 0.0);
+    const double periods = last_s * device->description().nominalRate_Hz;
     EXPECT_GT(std::abs(periods - std::round(periods)), 1e-9);
 }
 

@@ -5,7 +5,7 @@
 #include "app/cli/base/command_io.h"
 #include "backend/pipeline/recorded/recorded_sources.h"
 #include "backend/recording/recording.h"
-#include "devices/replay/recorded_config.h"
+#include "devices/replay/playback_config.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/camera/live_probing_dialog.h"
 
-#include "devices/camera/camera_feed.h"
+#include "devices/camera/camera_device.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -92,7 +92,7 @@ camera::CameraConfig probingCamera(const QString& source, const vision::Calibrat
 LiveProbing::Opener cameraOpener(const QString& source, const vision::CalibrationSettings& settings) {
     return
         [config = probingCamera(source, settings)]() -> core::Expected<std::unique_ptr<core::CameraSource>> {
-            TELETA_TRY(auto feed, camera::CameraFeed::open(config));
+            TELETA_TRY(auto feed, camera::CameraDevice::open(config));
             return std::unique_ptr<core::CameraSource>(std::move(feed));
         };
 }

@@ -6,7 +6,7 @@
 #include "app/console/calibrate/camera/tube_fields.h"
 #include "backend/core/steady_time.h"
 #include "backend/simulation/camera/simulated_tube.h"
-#include "devices/camera/camera_feed.h"
+#include "devices/camera/camera_device.h"
 #include "tests/widgets/parts.h"
 
 #include <QLabel>
@@ -178,7 +178,7 @@ private slots:
         QSignalSpy told(&calibrator, &CameraCalibrator::message);
         calibrator.probeWith(
             [path]() -> core::Expected<std::unique_ptr<core::CameraSource>> {
-                auto feed = camera::CameraFeed::open({.source = path, .paced = false});
+                auto feed = camera::CameraDevice::open({.source = path, .paced = false});
                 if (!feed)
                     return core::Unexpected(feed.error());
                 return std::unique_ptr<core::CameraSource>(std::move(*feed));

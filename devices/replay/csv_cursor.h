@@ -13,10 +13,10 @@ namespace teleta::replay {
 
 /// Reads the frames of a recording one after the other and knows their numbers.
 /// Thread: one.
-class ReplayCursor {
+class CsvCursor {
 public:
     /// Error: as core::FrameFile::open; refused for a pipe, which has no positions to go to.
-    [[nodiscard]] static core::Expected<ReplayCursor> open(const std::string& path,
+    [[nodiscard]] static core::Expected<CsvCursor> open(const std::string& path,
                                                            const core::ArrayLayout& layout);
 
     /// Reads the next frame. False at the end of the file: the last frame that was read then stays.
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::uint64_t next() const { return m_next; }
 
 private:
-    explicit ReplayCursor(core::FrameFile file);
+    explicit CsvCursor(core::FrameFile file);
 
     core::FrameFile m_file;
     FramePlace m_first;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/replay/replay_cursor.h"
+#include "devices/replay/csv_cursor.h"
 
 #include <QCoreApplication>
 
@@ -7,26 +7,24 @@
 
 namespace teleta::replay {
 
-core::Expected<ReplayCursor> ReplayCursor::open(const std::string& path, const core::ArrayLayout& layout) {
-    core::Expected<core::FrameFile> file = core::FrameFile::open(path, layout);
-    if (!file)
-        return core::Unexpected(file.error());
-    if (file->bytesTotal() == 0)
+core::Expected<CsvCursor> CsvCursor::open(const std::string& path, const core::ArrayLayout& layout) {
+    TELETA_TRY(core::FrameFile file, core::FrameFile::open(path, layout));
+    if (file.bytesTotal() == 0)
         return core::Unexpected(
             core::Error{core::ErrorKind::refused,
                         QCoreApplication::translate("ReplayDevice", "only a file can be played, not a pipe")
                             .toStdString(),
                         {},
                         {path}});
-    return ReplayCursor(std::move(*file));
+    return CsvCursor(std::move(file));
 }
 
-ReplayCursor::ReplayCursor(core::FrameFile file)
+CsvCursor::CsvCursor(core::FrameFile file)
     : m_file(std::move(file))
     , m_values(m_file.layout().taxels()) {
 }
 
-core::Expected<bool> ReplayCursor::read() {
+core::Expected<bool> CsvCursor::read() {
     FramePlace place{.frame = m_next, .time_s = 0.0, .offset = m_file.offset(), .line = m_file.line()};
     const core::Expected<bool> any = m_file.next(place.time_s, m_values);
     if (any && *any) {
@@ -38,7 +36,7 @@ core::Expected<bool> ReplayCursor::read() {
     return any;
 }
 
-core::Expected<void> ReplayCursor::goTo(const FramePlace& place) {
+core::Expected<void> CsvCursor::goTo(const FramePlace& place) {
     const core::Expected<void> done = m_file.seek(place.offset, place.line);
     if (done)
         m_next = place.frame;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/replay/playback_outlet.h"
+
+#include <utility>
+
+namespace teleta::replay {
+
+namespace {
+
+constexpr std::size_t kFramesPerBlock = 64;
+
+} // namespace
+
+void ArrayPlaybackOutlet::open(core::Wakeup& consumer, std::int64_t now_ns) {
+    m_block = {};
+    m_outlet.open(consumer, now_ns);
+}
+
+void ArrayPlaybackOutlet::take(const PlaybackTrack& track, const PlayedFrame& frame) {
+    const auto values = track.values<float>();
+    m_block.channels = values.size();
+    m_block.discontinuity = m_block.discontinuity || frame.jumped;
+    m_block.time_ns.push_back(frame.time_ns);
+    m_block.sourceTime_s.push_back(track.sourceTime_s());
+    m_block.values.insert(m_block.values.end(), values.begin(), values.end());
+}
+
+bool ArrayPlaybackOutlet::isFull() const {
+    return m_block.frames() >= kFramesPerBlock;
+}
+
+bool ArrayPlaybackOutlet::deliver(core::DeviceState state, bool canWait) {
+    if (canWait) {
+        if (!m_outlet.tryDeliver(m_block, state))
+            return false;
+    } else {
+        m_outlet.deliver(std::move(m_block), state);
+    }
+    m_block = {};
+    return true;
+}
+
+void CameraPlaybackOutlet::open(core::Wakeup& consumer, std::int64_t now_ns) {
+    m_picture = {};
+    m_outlet.open(consumer, now_ns);
+}
+
+void CameraPlaybackOutlet::take(const PlaybackTrack& track, const PlayedFrame& frame) {
+    m_picture = {.image = track.image(),
+                 .time_ns = frame.time_ns,
+                 .capture_s = track.sourceTime_s(),
+                 .number = m_outlet.framesRead(),
+                 .discontinuity = frame.jumped,
+                 .reference = frame.reference};
+}
+
+bool CameraPlaybackOutlet::deliver(core::DeviceState state, bool canWait) {
+    if (canWait && m_outlet.isFull())
+        return false;
+    m_outlet.deliver(std::exchange(m_picture, {}), state);
+    return true;
+}
+
+} // namespace teleta::replay
