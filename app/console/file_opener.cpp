@@ -41,7 +41,7 @@ FileOpener::FileOpener(SourceManager& sources, RecordingFiles& recordings, Study
 /// Frames in CSV are opened without a word of it but the source.
 void FileOpener::onItems() {
     for (const SourceManager::Item& item : m_sources.items())
-        if (const auto* recording = std::get_if<RecordingRequest>(&item.request))
+        if (const auto* recording = std::get_if<CsvRequest>(&item.request))
             m_awaited.removeAll(QString::fromStdString(recording->path));
 }
 

@@ -3,7 +3,7 @@
 
 #include "app/console/base/page_stack.h"
 #include "app/console/bracelet/bracelet_menu.h"
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "app/console/bracelet/hand_station.h"
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/cost/cost_page.h"
@@ -77,26 +77,27 @@ constexpr int kDoubleEscape_ms = 600;
 MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings, core::StopSwitch& stop)
     : m_settings(settings)
     , m_stop(stop)
+    , m_bracelet(stop)
     , m_sources(stop)
+    , m_recorder(m_sources, m_bracelet, stop)
     , m_collection(new PatternCollection(
           options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/patterns"), this))
     , m_recordings(new RecordingFiles(m_sources, settings, this))
     , m_rail(new chrome::PageRail(this))
     , m_pages(new PageStack(this))
-    , m_operate(new OperatePage(m_sources, stop, this))
+    , m_operate(new OperatePage(m_sources, m_bracelet, stop, this))
     , m_patterns(new PatternsPage(
-          m_operate->bracelet(), *m_collection,
+          m_bracelet, *m_collection,
           options.dataFolder.isEmpty() ? QString() : options.dataFolder + QStringLiteral("/recovery"), this))
-    , m_study(
-          new StudyPage(m_operate->bracelet(), stop, core::steadyNow_ns, QDateTime::currentDateTimeUtc, this))
-    , m_calibrate(new CalibratePage(m_operate->bracelet(), m_sources, this))
+    , m_study(new StudyPage(m_bracelet, stop, core::steadyNow_ns, QDateTime::currentDateTimeUtc, this))
+    , m_calibrate(new CalibratePage(m_bracelet, m_sources, this))
     , m_cost(new CostPage(cost::allLadders,
                           options.dataFolder.isEmpty()
                               ? QString()
                               : options.dataFolder + QStringLiteral("/cost/tradeoff.csv"),
                           {}, this))
-    , m_braceletMenu(new BraceletMenu(m_operate->bracelet(), settings, this))
-    , m_recording(new RecordingControls(m_sources, *m_operate, settings, stop, this))
+    , m_braceletMenu(new BraceletMenu(m_bracelet, settings, this))
+    , m_recording(new RecordingControls(m_recorder, m_sources, *m_operate, settings, this))
     , m_help(new HelpMenu(*this, [this] { return m_rail->currentPage(); }))
     , m_opener(new FileOpener(m_sources, *m_recordings, *m_study, options.seed, this))
     , m_hand(std::make_unique<HandStation>())
@@ -116,7 +117,8 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
         tr("What has to be measured: the motors of the bracelet, the camera in the tube, the taxels"));
     m_rail->addPage(QLatin1String(kCost), base::Icon::cost, tr("Cost"),
                     tr("What accuracy costs in time on this machine, and the rung that the camera uses"));
-    for (QWidget* page : std::initializer_list<QWidget*>{m_operate, m_patterns, m_study, m_calibrate, m_cost})
+    for (QWidget* page : std::initializer_list<QWidget*>{m_operate.get(), m_patterns.get(), m_study.get(),
+                                                         m_calibrate.get(), m_cost.get()})
         m_pages->addPage(page);
 
     auto* status = new QWidget(this);
@@ -164,41 +166,42 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
         if (state != Qt::ApplicationActive)
             m_escapeDown = false;
     });
-    connect(m_operate, &OperatePage::demoRequested, this, &MainWindow::openDemo);
-    connect(m_operate, &OperatePage::firstStepsRequested, m_help, &HelpMenu::openFirstSteps);
-    connect(m_operate, &OperatePage::openRecordingRequested, this, [this] {
+    connect(m_operate.get(), &OperatePage::demoRequested, this, &MainWindow::openDemo);
+    connect(m_operate.get(), &OperatePage::firstStepsRequested, m_help, &HelpMenu::openFirstSteps);
+    connect(m_operate.get(), &OperatePage::openRecordingRequested, this, [this] {
         askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv)"), &FileOpener::openRecording,
                    m_recordings->folder(m_recording->folder()));
     });
-    connect(m_operate, &OperatePage::openListRequested, this, [this] {
+    connect(m_operate.get(), &OperatePage::openListRequested, this, [this] {
         askForFile(tr("Open source list"), tr("Source lists (*.toml)"), &FileOpener::openList);
     });
-    connect(m_cost, &CostPage::demoCameraRequested, this,
+    connect(m_cost.get(), &CostPage::demoCameraRequested, this,
             [this] { m_opener->openScene(QStringLiteral(":/scenes/vtacarm-multicontact.toml")); });
     auto& chooser = m_operate->chooser();
-    connect(m_calibrate, &CalibratePage::demoRequested, m_opener, &FileOpener::openScene);
+    connect(m_calibrate.get(), &CalibratePage::demoRequested, m_opener, &FileOpener::openScene);
     connect(&chooser, &chrome::SourceChooser::demoRequested, m_opener, &FileOpener::openScene);
-    connect(&chooser, &chrome::SourceChooser::openRecordingRequested, m_operate,
+    connect(&chooser, &chrome::SourceChooser::openRecordingRequested, m_operate.get(),
             &OperatePage::openRecordingRequested);
-    connect(&chooser, &chrome::SourceChooser::openListRequested, m_operate, &OperatePage::openListRequested);
+    connect(&chooser, &chrome::SourceChooser::openListRequested, m_operate.get(),
+            &OperatePage::openListRequested);
     connect(&chooser, &chrome::SourceChooser::openSceneRequested, this,
             [this] { askForFile(tr("Open scene"), tr("Scenes (*.toml)"), &FileOpener::openScene); });
     connect(&chooser, &chrome::SourceChooser::openCameraRequested, this, &MainWindow::openCamera);
     connect(&chooser, &chrome::SourceChooser::recentRequested, m_opener, &FileOpener::openFile);
-    connect(&m_operate->bracelet(), &BraceletStation::chosen, this, &MainWindow::buildMenus);
+    connect(&m_bracelet, &BraceletService::chosen, this, &MainWindow::buildMenus);
     connect(&m_operate->armViews().feedbackPanel(), &FeedbackPanel::changed, this, &MainWindow::saveFeedback);
     connect(&m_sources, &SourceManager::activeChanged, this, &MainWindow::buildMenus);
     connect(m_collection, &PatternCollection::changed, this, &MainWindow::takeOwnPatterns);
     m_patterns->editor().setRecent(m_settings.recentPatterns());
-    connect(m_patterns, &PatternsPage::used, this, [this](const QString& path) {
+    connect(m_patterns.get(), &PatternsPage::used, this, [this](const QString& path) {
         m_settings.addRecentPattern(path);
         m_patterns->editor().setRecent(m_settings.recentPatterns());
     });
-    connect(m_patterns, &PatternsPage::recoveryOffered, this, [this](const QString& text) {
+    connect(m_patterns.get(), &PatternsPage::recoveryOffered, this, [this](const QString& text) {
         m_operate->messages().post({chrome::Message::Severity::information, text,
                                     tr("The page Patterns opens the edits."), QString()});
     });
-    connect(m_study, &StudyPage::openFailed, this, [this] { m_anyFailure = true; });
+    connect(m_study.get(), &StudyPage::openFailed, this, [this] { m_anyFailure = true; });
     if (const auto notice = settingsNotice(m_settings))
         m_operate->messages().post(*notice);
     restoreFeedback();
@@ -230,8 +233,6 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
 
 MainWindow::~MainWindow() {
     qApp->removeEventFilter(this);
-    // It gives the bracelet back, which is the Operate page's.
-    delete m_study;
 }
 
 void MainWindow::onTick() {
@@ -276,13 +277,13 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
 /// The recording that was asked for at the start. Its head tells of what is open by then, so it waits for all
 /// of that, and for nothing that has failed.
 void MainWindow::beginRecording() {
-    const BraceletStation& bracelet = m_operate->bracelet();
+    const BraceletService& bracelet = m_bracelet;
     const auto& items = m_sources.items();
     const bool isWaiting =
         m_opener->isReading() || (bracelet.choice() != BraceletChoice::none && !bracelet.session()) ||
         std::any_of(items.begin(), items.end(), [](const auto& item) { return !item.isOpen(); });
     if (!m_record.isEmpty() && !isWaiting)
-        m_recording->station().start(std::exchange(m_record, {}));
+        m_recorder.start(std::exchange(m_record, {}));
 }
 
 void MainWindow::openDemo() {
@@ -404,7 +405,7 @@ void MainWindow::buildMenus() {
 void MainWindow::buildArmMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Arm"));
     const SourceManager::Item* item = m_sources.active();
-    const bool hasArm = item != nullptr && item->arm != nullptr;
+    const bool hasArm = item != nullptr && item->arm() != nullptr;
     const bool hasProgram = m_operate->hasProgram();
     const auto add = [&](const QString& text, const QKeySequence& key, bool isPossible, auto call) {
         QAction* action = menu->addAction(text, key, m_operate, call);
@@ -449,21 +450,21 @@ void MainWindow::takeOwnPatterns() {
                            : stored.pattern->condition == pattern::Condition::constant ? tr("static")
                                                                                        : QString()});
     m_operate->armViews().feedbackPanel().setOwnPatterns(std::move(own));
-    m_operate->bracelet().setLibrary(
+    m_bracelet.setLibrary(
         [collection = m_collection](const std::string& id) { return collection->program(id); });
 }
 
 void MainWindow::showPage(const QString& name) {
     m_rail->setCurrentPage(name);
-    QWidget* page = m_operate;
+    QWidget* page = m_operate.get();
     if (name == QLatin1String(kPatterns))
-        page = m_patterns;
+        page = m_patterns.get();
     else if (name == QLatin1String(kStudy))
-        page = m_study;
+        page = m_study.get();
     else if (name == QLatin1String(kCalibrate))
-        page = m_calibrate;
+        page = m_calibrate.get();
     else if (name == QLatin1String(kCost))
-        page = m_cost;
+        page = m_cost.get();
     m_pages->showPage(page);
     m_settings.setPage(name);
 }

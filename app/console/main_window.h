@@ -3,8 +3,10 @@
 
 #include "app/console/base/console_settings.h"
 #include "app/console/base/gui_clock.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "app/console/closing_questions.h"
 #include "app/console/console_options.h"
+#include "app/console/operate/recording/recording_service.h"
 #include "app/console/sources/source_manager.h"
 #include "backend/core/threads/stop_switch.h"
 
@@ -49,7 +51,9 @@ public:
     void openDemo();
 
     [[nodiscard]] GuiClock& clock() { return m_clock; }
+    [[nodiscard]] BraceletService& bracelet() { return m_bracelet; }
     [[nodiscard]] SourceManager& sources() { return m_sources; }
+    [[nodiscard]] RecordingService& recorder() { return m_recorder; }
     [[nodiscard]] PatternsPage& patternsPage() { return *m_patterns; }
     [[nodiscard]] StudyPage& studyPage() { return *m_study; }
     [[nodiscard]] CalibratePage& calibratePage() { return *m_calibrate; }
@@ -87,19 +91,22 @@ private:
 
     ConsoleSettings& m_settings;
     core::StopSwitch& m_stop;
+    // What the pages share comes before them, so that it outlives them.
+    BraceletService m_bracelet;
     SourceManager m_sources;
+    RecordingService m_recorder;
     GuiClock m_clock;
     PatternCollection* m_collection;
     RecordingFiles* m_recordings;
     chrome::PageRail* m_rail;
     PageStack* m_pages;
-    OperatePage* m_operate;
-    PatternsPage* m_patterns;
-    StudyPage* m_study;
-    CalibratePage* m_calibrate;
-    CostPage* m_cost;
+    std::unique_ptr<OperatePage> m_operate;
+    std::unique_ptr<PatternsPage> m_patterns;
+    std::unique_ptr<StudyPage> m_study;
+    std::unique_ptr<CalibratePage> m_calibrate;
+    std::unique_ptr<CostPage> m_cost;
     BraceletMenu* m_braceletMenu;
-    RecordingControls* m_recording;
+    std::unique_ptr<RecordingControls> m_recording;
     HelpMenu* m_help;
     FileOpener* m_opener;
     std::unique_ptr<HandStation> m_hand;

@@ -80,12 +80,10 @@ void Unattended::printMeasurement() {
     for (const SourceManager::Item& item : m_window.sources().items()) {
         if (!item.isOpen())
             continue;
-        const core::DeviceStatus status = item.camera ? item.camera->status() : item.channel->status();
-        const std::uint64_t processed =
-            item.camera ? item.camera->framesProcessed() : item.channel->framesProcessed();
+        const core::DeviceStatus status = item.channel->status();
         sources.append(QJsonObject{{"name", item.name},
                                    {"rate_hz", status.rate_Hz},
-                                   {"frames_processed", static_cast<qint64>(processed)},
+                                   {"frames_processed", static_cast<qint64>(item.channel->framesProcessed())},
                                    {"frames_lost", static_cast<qint64>(status.framesLost)},
                                    {"frames_displayed", static_cast<qint64>(item.displayed)}});
     }

@@ -4,6 +4,8 @@
 #include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
+#include "backend/pipeline/touch/skin_contact.h"
+#include "backend/recording/recorder.h"
 #include "backend/recording/stream_columns.h"
 
 #include <limits>
@@ -28,6 +30,42 @@ ArmChannel::~ArmChannel() {
     m_arm->stop();
 }
 
+void ArmChannel::start(core::Wakeup& data) {
+    m_skin->start(data);
+    m_arm->start(data);
+}
+
+void ArmChannel::stop() {
+    m_arm->stop();
+    m_skin->stop();
+}
+
+void ArmChannel::drain() {
+    m_skin->drain();
+    core::JointSample sample;
+    while (popSample(sample)) {
+    }
+    TouchRecord touch;
+    while (popTouch(touch)) {
+    }
+}
+
+bool ArmChannel::hasProgram() const {
+    return m_arm->description().hasProgram && !m_arm->description().recorded;
+}
+
+void ArmChannel::record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) {
+    m_skin->record(recorder, name);
+    if (!recorder) {
+        m_taps.set(nullptr);
+        return;
+    }
+    auto taps = std::make_shared<ArmTaps>();
+    taps->joints = recorder->addStream(armStream(name + "-joints", description(), framesStreamName(name)));
+    taps->touches = recorder->addStream(touchStream(name + "-touches", description()));
+    m_taps.set(std::move(taps));
+}
+
 std::size_t ArmChannel::process() {
     bool changed = takeCommands();
 
@@ -40,7 +78,9 @@ std::size_t ArmChannel::process() {
     for (std::size_t waiting = joints.size(); waiting > 0 && joints.pop(sample); --waiting)
         m_joints.push_back(sample);
     m_contacts.clear();
-    m_skin->process(&m_contacts, 2.0 * std::numbers::pi * m_arm->description().skin.radius_m);
+    const double circumference_m = 2.0 * std::numbers::pi * m_arm->description().skin.radius_m;
+    m_skin->process(
+        [&](const TouchSnapshot& frame) { m_contacts.push_back(strongestContact(frame, circumference_m)); });
 
     const std::int64_t start_ns = core::steadyNow_ns();
     const double contourBefore_s = std::exchange(m_stages.contour_s, 0.0);
@@ -53,7 +93,7 @@ std::size_t ArmChannel::process() {
     };
     for (const core::JointSample& next : m_joints) {
         if (m_tapsInUse) {
-            const auto values = recording::jointValues(next);
+            const auto values = recording::jointValues(next, m_arm->description().joints());
             m_tapsInUse->joints->append(next.time_ns, next.sourceTime_s, std::span<const double>(values),
                                         next.discontinuity);
         }

@@ -29,8 +29,8 @@ namespace teleta::pipeline {
 /// - pipeline thread: process() drains skin and joints and publishes a snapshot, joint samples and touches;
 /// - viewer (one thread, the GUI's): update(), snapshot(), popSample(), popTouch(), post(), resetContour(),
 ///   and the commands of device();
-/// - any thread: description(), status(), settings(), counters.
-class ArmChannel {
+/// - any thread: description(), status(), jointStatus(), settings(), counters.
+class ArmChannel : public Channel {
 public:
     /// Joint samples kept for a viewer that is late: 16 s at 1 kHz. What does not fit is counted.
     static constexpr std::size_t kHistorySamples = 16'384;
@@ -40,15 +40,25 @@ public:
     /// arm: not null. skin: of the same arm, not null.
     ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
                const ArmSettings& settings = {});
-    ~ArmChannel();
-    ArmChannel(const ArmChannel&) = delete;
-    ArmChannel& operator=(const ArmChannel&) = delete;
+    ~ArmChannel() override;
 
     [[nodiscard]] const core::ArmDescription& description() const { return m_arm->description(); }
-    [[nodiscard]] core::DeviceStatus status() const { return m_arm->status(); }
+    [[nodiscard]] ChannelSummary summary() const override { return m_skin->summary(); }
+    [[nodiscard]] core::DeviceStatus status() const override { return m_skin->status(); }
+    [[nodiscard]] core::DeviceStatus jointStatus() const { return m_arm->status(); }
+    [[nodiscard]] std::uint64_t framesProcessed() const override { return m_skin->framesProcessed(); }
+    [[nodiscard]] core::PlaybackControl* playback() override { return m_skin->playback(); }
     /// Moves the arm: post(), setProgramRunning(), restartProgram() by the viewer thread.
     [[nodiscard]] core::ArmSource& device() { return *m_arm; }
-    [[nodiscard]] TouchChannel& skin() { return *m_skin; }
+    [[nodiscard]] const std::shared_ptr<TouchChannel>& skin() const { return m_skin; }
+
+    void start(core::Wakeup& data) override;
+    void stop() override;
+    void drain() override;
+    /// A program of its own; a recording's is over.
+    [[nodiscard]] bool hasProgram() const override;
+    void setProgramRunning(bool running) override { m_arm->setProgramRunning(running); }
+    void restartProgram() override { m_arm->restartProgram(); }
 
     /// Fetches the newest snapshot; true when it changed. Viewer thread.
     bool update() { return m_snapshots.update(); }
@@ -72,8 +82,11 @@ public:
     /// The settings in use.
     [[nodiscard]] ArmSettings settings() const { return m_settingsInUse.get(); }
 
-    /// Who gets copies of joint samples and touches from the next ones on; null: nobody. Any thread.
-    void record(std::shared_ptr<const ArmTaps> taps) { m_taps.set(std::move(taps)); }
+    /// Streams NAME-joints and NAME-touches, and those of the skin.
+    void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
+    [[nodiscard]] std::optional<recording::RecordingEvent> takeSettingsEvent() override {
+        return m_skin->takeSettingsEvent();
+    }
 
     [[nodiscard]] std::uint64_t samplesProcessed() const {
         return m_samplesProcessed.load(std::memory_order_relaxed);
@@ -81,7 +94,7 @@ public:
 
     /// Processes all joint samples and skin frames that wait, in order of time. Pipeline thread. Returns the
     /// number of joint samples.
-    std::size_t process();
+    std::size_t process() override;
 
 private:
     bool takeCommands(); ///< true when a view may see a change

@@ -4,6 +4,8 @@
 #include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_camera.h"
+#include "backend/recording/event_words.h"
+#include "backend/recording/recorder.h"
 #include "backend/vision/finders/picture_view.h"
 
 #include <opencv2/imgproc.hpp>
@@ -37,6 +39,24 @@ core::GreyImage previewOf(const core::GreyImage& image) {
     return core::greyImageOf(std::move(small));
 }
 
+const char* eventWord(CameraEvent::Kind kind) {
+    switch (kind) {
+    case CameraEvent::Kind::begins:
+        return recording::kContactBegins;
+    case CameraEvent::Kind::bumps:
+        return recording::kBump;
+    case CameraEvent::Kind::ends:
+        return recording::kContactEnds;
+    case CameraEvent::Kind::follows:
+        return recording::kFollows;
+    case CameraEvent::Kind::reference:
+        return recording::kReference;
+    case CameraEvent::Kind::restart:
+        return recording::kRestart;
+    }
+    return "";
+}
+
 } // namespace
 
 core::Expected<std::shared_ptr<CameraChannel>> CameraChannel::make(std::unique_ptr<core::CameraSource> source,
@@ -45,15 +65,12 @@ core::Expected<std::shared_ptr<CameraChannel>> CameraChannel::make(std::unique_p
                                                                    std::unique_ptr<CameraReaction> reaction,
                                                                    const Settings& settings) {
     std::stop_source stopping;
-    auto finder = vision::makeContactFinder(vision::contactLadder().front(), camera, settings.contacts,
-                                            stopping.get_token());
-    if (!finder)
-        return core::Unexpected(finder.error());
+    TELETA_TRY(auto finder, vision::makeContactFinder(vision::contactLadder().front(), camera,
+                                                      settings.contacts, stopping.get_token()));
     std::shared_ptr<CameraChannel> channel(new CameraChannel(
-        std::move(source), camera, stop, std::move(reaction), settings, std::move(*finder), stopping));
+        std::move(source), camera, stop, std::move(reaction), settings, std::move(finder), stopping));
     if (!settings.reference.isEmpty()) {
-        if (auto taken = channel->m_tracker.next(viewOf(settings.reference), 0.0); !taken)
-            return core::Unexpected(taken.error());
+        TELETA_CHECK(channel->m_tracker.next(viewOf(settings.reference), 0.0));
     }
     return channel;
 }
@@ -77,7 +94,41 @@ CameraChannel::~CameraChannel() {
     stop();
 }
 
-void CameraChannel::start() {
+ChannelSummary CameraChannel::summary() const {
+    const core::CameraDescription& description = m_source->description();
+    return {description.name, description.nominalRate_Hz, description.simulated, description.recorded};
+}
+
+void CameraChannel::drain() {
+    CameraEvent event;
+    while (popEvent(event)) {
+    }
+}
+
+void CameraChannel::record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) {
+    if (!recorder) {
+        m_taps.set(nullptr);
+        return;
+    }
+    const core::CameraDescription& description = m_source->description();
+    const std::string reference = name + "-reference";
+    auto taps = std::make_shared<CameraTaps>();
+    taps->reference = recorder->addStream(referenceStream(reference, description));
+    taps->pictures = recorder->addStream(
+        cameraStream(name + "-camera", description, m_camera, m_settings.tracker.bump, reference));
+    taps->contacts = recorder->addStream(contactStream(name + "-contacts", description));
+    taps->event = [weak = std::weak_ptr<recording::Recorder>(recorder), name](const CameraEvent& event,
+                                                                              std::int64_t time_ns) {
+        if (const auto kept = weak.lock())
+            kept->add({.time_ns = time_ns,
+                       .kind = eventWord(event.kind),
+                       .text = name,
+                       .value = static_cast<double>(event.contact)});
+    };
+    m_taps.set(std::move(taps));
+}
+
+void CameraChannel::start(core::Wakeup& /*data*/) {
     if (m_thread.joinable())
         return;
     m_source->start(m_data);

@@ -10,6 +10,7 @@
 #include "backend/core/threads/stop_switch.h"
 #include "backend/core/threads/wakeup.h"
 #include "backend/pipeline/camera_snapshot.h"
+#include "backend/pipeline/channel.h"
 #include "backend/pipeline/channel_taps.h"
 #include "backend/vision/finders/contact_ladder.h"
 
@@ -32,7 +33,7 @@ namespace teleta::pipeline {
 /// - viewer (one thread, the GUI's): update(), snapshot(), popEvent(), chooseRung(), renewReference(),
 ///   setMayReact();
 /// - any thread: description(), status(), counters.
-class CameraChannel {
+class CameraChannel : public Channel {
 public:
     static constexpr int kPreview_px = 820;
     static constexpr std::size_t kArrows = 600;
@@ -56,20 +57,24 @@ public:
          const core::StopSwitch& stop) {
         return make(std::move(source), camera, stop, nullptr, {});
     }
-    ~CameraChannel();
-    CameraChannel(const CameraChannel&) = delete;
-    CameraChannel& operator=(const CameraChannel&) = delete;
+    ~CameraChannel() override;
 
-    /// Once.
-    void start();
+    /// Once. The channel's own thread is notified of its data.
+    void start(core::Wakeup& data) override;
+    void start() { start(m_data); }
     /// Ends source and vision, and lets the arm stand; waits for one frame at most. Idempotent.
-    void stop();
+    void stop() override;
+    /// Nothing: its frames are processed by its own thread.
+    std::size_t process() override { return 0; }
+    void drain() override;
 
     [[nodiscard]] const core::CameraDescription& description() const { return m_source->description(); }
-    [[nodiscard]] core::DeviceStatus status() const { return m_source->status(); }
+    [[nodiscard]] ChannelSummary summary() const override;
+    [[nodiscard]] core::DeviceStatus status() const override { return m_source->status(); }
+    [[nodiscard]] core::PlaybackControl* playback() override { return m_source->playback(); }
     [[nodiscard]] core::CameraSource& source() { return *m_source; }
     [[nodiscard]] bool hasReaction() const { return m_reaction != nullptr; }
-    [[nodiscard]] std::uint64_t framesProcessed() const {
+    [[nodiscard]] std::uint64_t framesProcessed() const override {
         return m_processed.load(std::memory_order_relaxed);
     }
 
@@ -80,6 +85,8 @@ public:
     [[nodiscard]] std::uint64_t generation() const { return m_snapshots.generation(); }
     bool popEvent(CameraEvent& event) { return m_events.pop(event); }
 
+    /// Streams NAME-reference, NAME-camera and NAME-contacts, and the events.
+    void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
     /// Who gets copies of pictures, contacts and events from the next ones on, and of the reference; null:
     /// nobody. Any thread.
     void record(std::shared_ptr<const CameraTaps> taps) { m_taps.set(std::move(taps)); }

@@ -4,6 +4,7 @@
 #include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
+#include "backend/recording/recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +15,10 @@
 
 namespace teleta::pipeline {
 
-namespace {
-
-/// Parts of one contact on both sides of a seam are no further apart than this.
-constexpr double kSeamGate_taxels = 3.0;
-
-} // namespace
-
-TouchChannel::TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelSettings settings)
+TouchChannel::TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelSettings settings,
+                           std::shared_ptr<servo::ServoLink> servo)
     : m_source(std::move(source))
+    , m_servo(std::move(servo))
     , m_settings(std::move(settings))
     , m_conditioner(m_source->description().layout.taxels(), m_settings.conditioning)
     , m_features(m_source->description().layout, m_settings.features)
@@ -42,6 +38,18 @@ TouchChannel::~TouchChannel() {
     m_source->stop();
 }
 
+ChannelSummary TouchChannel::summary() const {
+    const core::SourceDescription& description = m_source->description();
+    return {description.name, description.nominalRate_Hz, description.simulated, description.recorded};
+}
+
+void TouchChannel::drain() {
+    FeatureSample sample;
+    while (popSample(sample)) {
+    }
+    (void)update();
+}
+
 void TouchChannel::post(ChannelSettings settings) {
     m_changes.post(std::move(settings));
 }
@@ -58,7 +66,7 @@ void TouchChannel::setTaxelGain(std::vector<float> gain) {
     m_gainChanges.post(std::move(gain));
 }
 
-std::size_t TouchChannel::process(std::vector<SkinContact>* contacts, double circumference_m) {
+std::size_t TouchChannel::process(const std::function<void(const TouchSnapshot&)>& onFrame) {
     const bool changed = takeCommands();
     const std::shared_ptr<const TouchTaps> taps = m_taps.get();
     const std::shared_ptr<core::StreamTap> collector = m_collector.get();
@@ -80,11 +88,11 @@ std::size_t TouchChannel::process(std::vector<SkinContact>* contacts, double cir
             processFrame(m_block, index);
             if (taps)
                 std::ranges::copy(featureValues(m_current.features), std::back_inserter(m_recordedFeatures));
-            if (contacts != nullptr)
-                contacts->push_back(strongestContact(circumference_m));
+            if (onFrame)
+                onFrame(m_current);
         }
         if (taps)
-            record(*taps);
+            tap(*taps);
         if (collector)
             collector->append(std::span<const std::int64_t>(m_block.time_ns),
                               std::span<const double>(m_block.sourceTime_s),
@@ -101,7 +109,35 @@ std::size_t TouchChannel::process(std::vector<SkinContact>* contacts, double cir
     return frames;
 }
 
-void TouchChannel::record(const TouchTaps& taps) {
+void TouchChannel::record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) {
+    m_told = {};
+    if (!recorder) {
+        m_taps.set(nullptr);
+        return;
+    }
+    const std::string frames = framesStreamName(name);
+    // Before the settings: newer ones are told again.
+    const std::uint64_t revision = settingsRevision();
+    const ChannelSettings inUse = settings();
+    m_told = {frames, revision, settingsEvent(frames, inUse).text};
+    auto taps = std::make_shared<TouchTaps>();
+    taps->frames = recorder->addStream(arrayStream(frames, description(), inUse));
+    taps->features = recorder->addStream(featureStream(name + "-features", description()));
+    m_taps.set(std::move(taps));
+}
+
+std::optional<recording::RecordingEvent> TouchChannel::takeSettingsEvent() {
+    const std::uint64_t revision = settingsRevision();
+    if (m_told.stream.empty() || std::exchange(m_told.revision, revision) == revision)
+        return std::nullopt;
+    recording::RecordingEvent event = settingsEvent(m_told.stream, settings());
+    if (std::exchange(m_told.text, event.text) == event.text)
+        return std::nullopt;
+    event.time_ns = core::steadyNow_ns();
+    return event;
+}
+
+void TouchChannel::tap(const TouchTaps& taps) {
     const std::span<const std::int64_t> time_ns(m_block.time_ns);
     const std::span<const double> sourceTime_s(m_block.sourceTime_s);
     taps.frames->append(time_ns, sourceTime_s, std::span<const float>(m_block.values), m_block.discontinuity);
@@ -156,34 +192,6 @@ void TouchChannel::processFrame(const core::SampleBlock& block, std::size_t inde
                     .sourceTime_s = m_current.sourceTime_s,
                     .discontinuity = block.discontinuity && index == 0,
                     .features = m_current.features});
-}
-
-SkinContact TouchChannel::strongestContact(double circumference_m) const {
-    SkinContact strongest;
-    strongest.time_ns = m_current.time_ns;
-    strongest.sourceTime_s = m_current.sourceTime_s;
-    if (!m_current.contacts.empty()) {
-        const contact::Contact& first = m_current.contacts.front(); // in order of falling force
-        strongest.touching = true;
-        strongest.x_m = first.x_m;
-        strongest.y_m = first.y_m;
-        strongest.force_N = first.force_N;
-        strongest.type = m_current.features.type;
-    }
-    if (!(circumference_m > 0.0))
-        return strongest;
-    const double gate_m = kSeamGate_taxels * m_current.layout.pitch_m;
-    for (std::size_t i = 1; i < m_current.contacts.size(); ++i) {
-        const contact::Contact& other = m_current.contacts[i];
-        const contact::Contact& first = m_current.contacts.front();
-        const double y_m = other.y_m + std::copysign(circumference_m, first.y_m);
-        if (std::hypot(other.x_m - first.x_m, y_m - first.y_m) > gate_m)
-            continue;
-        strongest.force_N += other.force_N;
-        strongest.x_m += other.force_N / strongest.force_N * (other.x_m - strongest.x_m);
-        strongest.y_m += other.force_N / strongest.force_N * (y_m - strongest.y_m);
-    }
-    return strongest;
 }
 
 void TouchChannel::analyse(const core::SampleBlock& block, std::size_t index) {

@@ -7,13 +7,16 @@
 #include "backend/core/threads/latest_copy.h"
 #include "backend/core/threads/latest_exchange.h"
 #include "backend/core/threads/mailbox.h"
+#include "backend/pipeline/channel.h"
 #include "backend/pipeline/channel_taps.h"
-#include "backend/pipeline/touch/touch_record.h"
 #include "backend/pipeline/touch/touch_snapshot.h"
+#include "backend/servo/servo_link.h"
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,18 +30,25 @@ namespace teleta::pipeline {
 /// - viewer (one thread, the GUI's): update(), snapshot(), popSample(), post(), requestTare(),
 /// setTaxelGain();
 /// - any thread: description(), status(), settings(), counters.
-class TouchChannel {
+class TouchChannel : public Channel {
 public:
     /// Feature samples kept for a viewer that is late: 20 s at 200 Hz. What does not fit is counted.
     static constexpr std::size_t kHistorySamples = 4096;
 
-    TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelSettings settings);
-    ~TouchChannel();
+    /// source: not null. servo: that moves the array; null: none.
+    TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelSettings settings,
+                 std::shared_ptr<servo::ServoLink> servo = nullptr);
+    ~TouchChannel() override;
 
     [[nodiscard]] const core::SourceDescription& description() const { return m_source->description(); }
-    [[nodiscard]] core::DeviceStatus status() const { return m_source->status(); }
-    [[nodiscard]] core::PlaybackControl* playback() { return m_source->playback(); }
-    [[nodiscard]] core::TactileSource& source() { return *m_source; }
+    [[nodiscard]] ChannelSummary summary() const override;
+    [[nodiscard]] core::DeviceStatus status() const override { return m_source->status(); }
+    [[nodiscard]] core::PlaybackControl* playback() override { return m_source->playback(); }
+    [[nodiscard]] const std::shared_ptr<servo::ServoLink>& servo() const { return m_servo; }
+
+    void start(core::Wakeup& data) override { m_source->start(data); }
+    void stop() override { m_source->stop(); }
+    void drain() override;
 
     /// Fetches the newest snapshot; true when it changed. Viewer thread.
     bool update() { return m_snapshots.update(); }
@@ -64,20 +74,20 @@ public:
         return m_revision.load(std::memory_order_acquire);
     }
 
-    /// Who gets copies of frames and features from the next ones on; null: nobody. Any thread.
-    void record(std::shared_ptr<const TouchTaps> taps) { m_taps.set(std::move(taps)); }
+    /// Streams NAME-frames and NAME-features.
+    void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
+    [[nodiscard]] std::optional<recording::RecordingEvent> takeSettingsEvent() override;
     /// Who gets a copy of the raw frames besides, to calibrate the array; null: nobody. Any thread.
     void collect(std::shared_ptr<core::StreamTap> frames) { m_collector.set(std::move(frames)); }
 
-    [[nodiscard]] std::uint64_t framesProcessed() const {
+    [[nodiscard]] std::uint64_t framesProcessed() const override {
         return m_framesProcessed.load(std::memory_order_relaxed);
     }
 
     /// Processes the blocks that wait when it is called. Pipeline thread. Returns the number of frames.
-    /// contacts: gets the strongest contact of each frame, for the arm that wears this array.
-    /// circumference_m: the edges of the sheet in y meet around a cylinder; two parts of a contact on both
-    /// sides of the seam are then one. 0: a flat sheet.
-    std::size_t process(std::vector<SkinContact>* contacts = nullptr, double circumference_m = 0.0);
+    std::size_t process() override { return process({}); }
+    /// The same. onFrame: is shown what was found in each frame, in order; its labels are older.
+    std::size_t process(const std::function<void(const TouchSnapshot&)>& onFrame);
 
 private:
     struct TareRequest {
@@ -95,13 +105,21 @@ private:
     void applySettings(ChannelSettings settings);
     bool takeCommands(); ///< true when the settings changed
     void processFrame(const core::SampleBlock& block, std::size_t index);
-    [[nodiscard]] SkinContact strongestContact(double circumference_m) const;
     void analyse(const core::SampleBlock& block, std::size_t index);
     void accumulateTare(const core::SampleBlock& block, std::size_t index);
     void publish();
-    void record(const TouchTaps& taps);
+    void tap(const TouchTaps& taps);
+
+    /// The settings as the recording has them.
+    struct ToldSettings {
+        std::string stream; ///< of the frames; empty: nothing is recorded
+        std::uint64_t revision = 0;
+        std::string text;
+    };
 
     std::unique_ptr<core::TactileSource> m_source;
+    std::shared_ptr<servo::ServoLink> m_servo;
+    ToldSettings m_told; ///< of the viewer
     ChannelSettings m_settings;
     core::LatestCopy<ChannelSettings> m_settingsInUse;
     std::atomic<std::uint64_t> m_revision{0};

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch_pipeline.h"
 
-#include "backend/pipeline/camera_channel.h"
-
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -23,34 +21,7 @@ TouchPipeline::~TouchPipeline() {
     m_data.notify();
     m_computeThread.join();
     for (const Entry& entry : m_channels)
-        entry.stop();
-}
-
-void TouchPipeline::Entry::start(core::Wakeup& data) const {
-    if (camera) {
-        camera->start();
-        return;
-    }
-    channel->source().start(data);
-    if (arm)
-        arm->device().start(data);
-}
-
-void TouchPipeline::Entry::stop() const {
-    if (camera) {
-        camera->stop();
-        return;
-    }
-    if (arm)
-        arm->device().stop();
-    channel->source().stop();
-}
-
-void TouchPipeline::Entry::process() const {
-    if (arm)
-        arm->process(); // and its skin with it
-    else if (channel)
-        channel->process();
+        entry.channel->stop();
 }
 
 ChannelKey TouchPipeline::open(SourceFactory factory) {
@@ -76,23 +47,15 @@ std::vector<ChannelEvent> TouchPipeline::takeEvents() {
     return std::exchange(m_events, {});
 }
 
-void TouchPipeline::waitUntilIdle() {
-    std::unique_lock lock(m_requestMutex);
-    m_idleCondition.wait(lock, [this] { return m_requests.empty() && !m_busy; });
-}
-
 void TouchPipeline::control(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         Request request;
         {
             std::unique_lock lock(m_requestMutex);
-            m_busy = false;
-            m_idleCondition.notify_all();
             if (!m_requestCondition.wait(lock, stop, [this] { return !m_requests.empty(); }))
                 return;
             request = std::move(m_requests.front());
             m_requests.erase(m_requests.begin());
-            m_busy = true;
         }
         carryOut(request);
     }
@@ -104,22 +67,13 @@ void TouchPipeline::carryOut(Request& request) {
     if (request.factory) {
         auto opened = request.factory();
         if (opened) {
-            event.camera = std::move(opened->camera);
-            if (!event.camera)
-                event.channel =
-                    std::make_shared<TouchChannel>(std::move(opened->source), std::move(opened->settings));
-            if (opened->arm)
-                event.arm =
-                    std::make_shared<ArmChannel>(std::move(opened->arm), event.channel, opened->armSettings);
-            event.servo = std::move(opened->servo);
-            event.scene = std::move(opened->scene);
-            const Entry entry{request.key, event.channel, event.arm, event.camera};
+            event.channel = std::move(*opened);
             {
                 const std::scoped_lock lock(m_channelMutex);
-                m_channels.push_back(entry);
+                m_channels.push_back({request.key, event.channel});
                 ++m_channelRevision;
             }
-            entry.start(m_data);
+            event.channel->start(m_data);
         } else {
             event.kind = ChannelEvent::Kind::failed;
             event.error = std::move(opened.error());
@@ -137,7 +91,7 @@ void TouchPipeline::carryOut(Request& request) {
             m_channels.erase(found);
             ++m_channelRevision;
         }
-        entry.stop();
+        entry.channel->stop();
         m_data.notify();
     }
     const std::scoped_lock lock(m_eventMutex);
@@ -159,7 +113,7 @@ void TouchPipeline::compute(const std::stop_token& stop) {
             }
         }
         for (const Entry& entry : channels)
-            entry.process();
+            entry.channel->process();
     }
 }
 

@@ -24,8 +24,12 @@ struct CsvExportText {
     Q_DECLARE_TR_FUNCTIONS(RecordingExport)
 };
 
-/// The elbow, whose torque tells an object's stiffness.
-constexpr std::size_t kElbow = core::kArmJoints - 1;
+/// Of the four-joint arm, the last joint: its torque tells an object's stiffness.
+constexpr std::size_t kElbow = 3;
+
+bool hasElbow(const StreamInfo& stream) {
+    return jointsOf(stream) == kElbow + 1;
+}
 
 std::vector<std::string> columnNames(const StreamInfo& stream) {
     std::vector<std::string> names{"time_s"};
@@ -33,7 +37,7 @@ std::vector<std::string> columnNames(const StreamInfo& stream) {
         names.insert(names.end(), {"frame_time_s", "width_px", "height_px"});
         return names;
     }
-    if (stream.kind == StreamKind::joints)
+    if (hasElbow(stream))
         names.insert(names.end(), {"joint_angle_rad", "joint_torque_nm"});
     for (const Column& column : stream.columns)
         names.push_back(column.name);
@@ -66,9 +70,9 @@ void writeFrame(core::CsvWriter& csv, const StreamInfo& stream, const core::Tapp
         writeNumbers(csv, valuesOf<float>(block, frame, channels));
     } else {
         const auto values = valuesOf<double>(block, frame, channels);
-        if (stream.kind == StreamKind::joints && channels == kJointValues) {
+        if (hasElbow(stream)) {
             csv.number(values[kElbow]);
-            csv.number(values[core::kArmJoints + kElbow]);
+            csv.number(values[kElbow + 1 + kElbow]);
         }
         if (stream.kind == StreamKind::features && channels > 0)
             writeFeatures(csv, values);

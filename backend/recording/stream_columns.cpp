@@ -1,34 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/stream_columns.h"
 
-#include <algorithm>
-
 namespace teleta::recording {
 
-StreamInfo jointStream(double nominalRate_Hz) {
+StreamInfo jointStream(double nominalRate_Hz, std::size_t joints) {
     StreamInfo info;
     info.name = "joints";
     info.kind = StreamKind::joints;
     info.type = ValueType::float64;
-    info.shape = {kJointValues};
+    info.shape = {kJointKinds * joints};
     info.nominalRate_Hz = nominalRate_Hz;
     struct Part {
         const char* name;
         const char* unit;
     };
     for (const Part& part : {Part{"q", "rad"}, Part{"tau", "Nm"}, Part{"ref", "rad"}}) {
-        for (std::size_t joint = 1; joint <= core::kArmJoints; ++joint)
+        for (std::size_t joint = 1; joint <= joints; ++joint)
             info.columns.push_back({part.name + std::to_string(joint), part.unit});
     }
     return info;
 }
 
-std::array<double, kJointValues> jointValues(const core::JointSample& sample) {
-    std::array<double, kJointValues> values{};
-    auto* out = std::ranges::copy(sample.angle_rad, values.begin()).out;
-    out = std::ranges::copy(sample.torque_Nm, out).out;
-    std::ranges::copy(sample.reference_rad, out);
+std::optional<std::size_t> jointsOf(const StreamInfo& stream) {
+    const std::size_t joints = stream.channels() / kJointKinds;
+    if (stream.kind != StreamKind::joints || stream.type != ValueType::float64 || joints == 0 ||
+        joints > core::JointVector::kCapacity || stream.channels() != kJointKinds * joints)
+        return std::nullopt;
+    return joints;
+}
+
+std::vector<double> jointValues(const core::JointSample& sample, std::size_t joints) {
+    std::vector<double> values;
+    values.reserve(kJointKinds * joints);
+    for (const core::JointVector* kind : {&sample.angle_rad, &sample.torque_Nm, &sample.reference_rad})
+        values.insert(values.end(), kind->data(), kind->data() + joints);
     return values;
+}
+
+core::JointSample jointSample(std::span<const double> values) {
+    const std::size_t joints = values.size() / kJointKinds;
+    core::JointSample sample;
+    for (core::JointVector* kind : {&sample.angle_rad, &sample.torque_Nm, &sample.reference_rad}) {
+        *kind = core::JointVector::of(values.first(joints)).value_or(core::JointVector());
+        values = values.subspan(joints);
+    }
+    return sample;
 }
 
 const std::vector<Column>& featureColumns() {

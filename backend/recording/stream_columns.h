@@ -6,19 +6,27 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace teleta::recording {
 
-/// Values of a joint sample: angles, torques, references.
-inline constexpr std::size_t kJointValues = 3 * core::kArmJoints;
+/// Kinds of value in a stream of joint samples: first all angles, then all torques, then all references.
+inline constexpr std::size_t kJointKinds = 3;
 
-/// The stream of an arm's joints, without name, source and details.
-[[nodiscard]] StreamInfo jointStream(double nominalRate_Hz);
+/// The stream of an arm's joints, but for name, source and details.
+[[nodiscard]] StreamInfo jointStream(double nominalRate_Hz, std::size_t joints);
 
-/// A joint sample as recorded in its stream.
-[[nodiscard]] std::array<double, kJointValues> jointValues(const core::JointSample& sample);
+/// The number of joints in a stream of joint samples; empty when it is none, or of no arm that can be.
+[[nodiscard]] std::optional<std::size_t> jointsOf(const StreamInfo& stream);
+
+/// A joint sample as the stream of an arm with so many joints has it.
+[[nodiscard]] std::vector<double> jointValues(const core::JointSample& sample, std::size_t joints);
+
+/// The angles, torques and references of a joint sample, back from its stream. values: of a whole sample.
+[[nodiscard]] core::JointSample jointSample(std::span<const double> values);
 
 /// The columns of a stream of features, in order.
 [[nodiscard]] const std::vector<Column>& featureColumns();

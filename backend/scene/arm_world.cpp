@@ -15,7 +15,7 @@ struct ArmText {
     Q_DECLARE_TR_FUNCTIONS(SceneReader)
 };
 
-constexpr std::array<std::string_view, core::kArmJoints> kArmJointNames{"roll", "pitch", "yaw", "elbow"};
+constexpr std::array<std::string_view, ArmBody::kJoints> kArmJointNames{"roll", "pitch", "yaw", "elbow"};
 constexpr double kHighestSkinRate_Hz = 10'000.0;
 
 void tellWaypoint(Keys& keys, std::vector<Waypoint>& waypoints, std::size_t i) {
@@ -56,7 +56,7 @@ void ArmBody::tell(Keys& keys) {
     keys.numbers("fastest_rad_per_s", kArmJointNames, fastest_radPerS, kPositive, "Highest joint speeds",
                  Need::optional);
     keys.numbers("start_rad", kArmJointNames, start_rad, kAny, "Joint angles at the start");
-    for (std::size_t j = 0; j < core::kArmJoints; ++j) {
+    for (std::size_t j = 0; j < ArmBody::kJoints; ++j) {
         if (start_rad[j] < lowest_rad[j] || start_rad[j] > highest_rad[j])
             keys.refuse("start_rad",
                         ArmText::tr("the arm starts outside the range of its joints").toStdString(),

@@ -29,6 +29,8 @@ using JointControl = std::variant<PositionControl, AdmittanceControl>;
 
 /// The arm of arm::Arm4Kinematics: two links, uniform round bars, behind joints that twist.
 struct ArmBody {
+    static constexpr std::size_t kJoints = 4;
+
     double upperArmLength_m = 0.30;
     double forearmLength_m = 0.27;
     double halfThickness_m = 0.030;
@@ -37,11 +39,11 @@ struct ArmBody {
     double jointInertia_kgm2 = 0.002; ///< on the link's side of each joint
     double jointDampingTime_s = 0.03; ///< damping of the twist over its stiffness; takes the ringing away
     /// Between motor and link. The elbow's follows from the paper's k_ri and P_C: k_ri P_C^2.
-    core::JointArray jointStiffness_NmPerRad{2000.0, 2000.0, 2000.0, 3468.6 * 0.175 * 0.175};
-    core::JointArray start_rad{};
-    core::JointArray lowest_rad{-2.0, -1.6, -2.0, -0.2};
-    core::JointArray highest_rad{2.0, 1.6, 2.0, 2.6};
-    core::JointArray fastest_radPerS{1.0, 1.0, 1.0, 1.0};
+    core::JointVector jointStiffness_NmPerRad{2000.0, 2000.0, 2000.0, 3468.6 * 0.175 * 0.175};
+    core::JointVector start_rad = core::JointVector::zeros(kJoints);
+    core::JointVector lowest_rad{-2.0, -1.6, -2.0, -0.2};
+    core::JointVector highest_rad{2.0, 1.6, 2.0, 2.6};
+    core::JointVector fastest_radPerS{1.0, 1.0, 1.0, 1.0};
     double highestTorque_Nm = 10.0; ///< at which the controller lets no joint go on against its load
     void tell(Keys& keys);
 };
@@ -136,7 +138,7 @@ struct Push {
 /// Where the references are at a time; between two waypoints they move smoothly and rest at both.
 struct Waypoint {
     double time_s = 0.0;
-    core::JointArray reference_rad{};
+    core::JointVector reference_rad = core::JointVector::zeros(ArmBody::kJoints);
 };
 
 /// The arm follows waypoints while it is pushed.

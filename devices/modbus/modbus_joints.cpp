@@ -16,7 +16,10 @@ core::ArmDescription describeArm(const RegisterMap& map, core::ArmDescription ar
     arm.nominalRate_Hz = map.inputRate_Hz;
     arm.simulated = false;
     arm.recorded = false;
-    arm.fastest_radPerS = {};
+    // Nobody has told the ranges of an arm that is described by its joints alone.
+    if (arm.joints() != map.joints.size())
+        arm.lowest_rad = arm.highest_rad = core::JointVector::zeros(map.joints.size());
+    arm.fastest_radPerS = core::JointVector::zeros(map.joints.size());
     arm.hasProgram = false;
     return arm;
 }
@@ -31,12 +34,12 @@ ModbusJoints::ModbusJoints(const RegisterMap& map, LinkOpener opener, const core
 
 core::Expected<std::unique_ptr<core::ArmSource>>
 makeModbusJoints(const RegisterMap& map, const core::ArmDescription& arm, ModbusJointsConfig config) {
-    if (!map.joints)
-        return core::Unexpected(core::Error{
-            core::ErrorKind::refused,
-            QCoreApplication::translate("Modbus", "The device reports no joints.").toStdString(),
-            QCoreApplication::translate("Modbus", "four tables [[joint]] in its file").toStdString(),
-            {}});
+    if (map.joints.empty())
+        return core::Unexpected(
+            core::Error{core::ErrorKind::refused,
+                        QCoreApplication::translate("Modbus", "The device reports no joints.").toStdString(),
+                        QCoreApplication::translate("Modbus", "tables [[joint]] in its file").toStdString(),
+                        {}});
     return std::make_unique<ModbusJoints>(map, libmodbusOpener(map), arm, std::move(config));
 }
 

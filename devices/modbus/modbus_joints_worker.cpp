@@ -12,13 +12,11 @@ namespace teleta::modbus {
 
 namespace {
 
-constexpr std::size_t kJoints = core::kArmJoints;
-
 std::vector<InputRegister> jointInputs(const RegisterMap& map) {
     std::vector<InputRegister> inputs;
-    for (const JointRegisters& joint : *map.joints)
+    for (const JointRegisters& joint : map.joints)
         inputs.push_back(map.inputs[joint.angle]);
-    for (const JointRegisters& joint : *map.joints)
+    for (const JointRegisters& joint : map.joints)
         inputs.push_back(map.inputs[joint.torque]);
     return inputs;
 }
@@ -33,7 +31,7 @@ ModbusJointsWorker::ModbusJointsWorker(const RegisterMap& map, LinkOpener opener
     , m_staleAfter_ns(core::staleAfter_ns(m_rate_Hz))
     , m_joints(m_config.queueSamples, 1)
     , m_wait(m_config.clock)
-    , m_values(2 * kJoints) {
+    , m_values(2 * map.joints.size()) {
 }
 
 void ModbusJointsWorker::open(core::Wakeup& consumer) {
@@ -111,8 +109,10 @@ void ModbusJointsWorker::deliver() {
     core::JointSample sample;
     sample.time_ns = now_ns();
     sample.sourceTime_s = static_cast<double>(sample.time_ns - m_opened_ns) * 1e-9;
-    std::copy_n(m_values.begin(), kJoints, sample.angle_rad.begin());
-    std::copy_n(m_values.begin() + kJoints, kJoints, sample.torque_Nm.begin());
+    const std::size_t joints = m_values.size() / 2;
+    sample.angle_rad = sample.torque_Nm = core::JointVector::zeros(joints);
+    std::copy_n(m_values.data(), joints, sample.angle_rad.begin());
+    std::copy_n(m_values.data() + joints, joints, sample.torque_Nm.begin());
     sample.reference_rad = sample.angle_rad;
     sample.discontinuity = std::exchange(m_discontinuity, false);
     m_joints.deliver(std::move(sample));

@@ -94,7 +94,7 @@ struct RegisterMap {
     std::vector<InputRegister> inputs;
     std::optional<std::size_t> supply;      ///< input in V
     std::optional<std::size_t> temperature; ///< input in degC
-    std::optional<std::array<JointRegisters, core::kArmJoints>> joints;
+    std::vector<JointRegisters> joints;     ///< from the base to the tip; empty: none
 
     void tell(core::Keys& keys);
 };

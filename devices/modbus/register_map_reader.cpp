@@ -152,8 +152,7 @@ std::size_t inputNamed(Keys& keys, std::string_view key, const std::string& name
 }
 
 void tellJoints(Keys& keys, RegisterMap& map) {
-    std::vector<JointRegisters> joints;
-    keys.tables("joint", joints, 0, "The joints of an arm, from the shoulder on",
+    keys.tables("joint", map.joints, 0, "The joints of an arm, from the base to the tip",
                 [&map](Keys& table, std::vector<JointRegisters>& all, std::size_t i) {
                     const auto input = [&](std::string_view key, const char* unit, std::string_view about) {
                         std::string name;
@@ -163,13 +162,9 @@ void tellJoints(Keys& keys, RegisterMap& map) {
                     all[i].angle = input("angle", "rad", "Name of the input with its angle");
                     all[i].torque = input("torque", "N m", "Name of the input with its torque");
                 });
-    if (joints.empty())
-        return;
-    if (joints.size() != core::kArmJoints)
-        refuse(keys, "joint", RegisterMapReader::tr("the number of joints is wrong: %1").arg(joints.size()),
-               RegisterMapReader::tr("%1, from the shoulder on").arg(core::kArmJoints));
-    else
-        std::ranges::copy(joints, map.joints.emplace().begin());
+    if (map.joints.size() > core::JointVector::kCapacity)
+        refuse(keys, "joint", RegisterMapReader::tr("too many joints: %1").arg(map.joints.size()),
+               RegisterMapReader::tr("at most %1, from the base to the tip").arg(core::JointVector::kCapacity));
 }
 
 void tellWatchdog(Keys& keys, RegisterMap& map) {

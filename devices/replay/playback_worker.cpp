@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/playback_worker.h"
 
+#include "backend/recording/stream_columns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,16 +20,6 @@ constexpr double kLongest_ns = 4e18;
 
 double toS(std::int64_t duration_ns) {
     return static_cast<double>(duration_ns) * 1e-9;
-}
-
-core::JointSample jointSample(std::span<const double> values) {
-    core::JointSample sample;
-    auto value = values.begin();
-    for (core::JointArray* joints : {&sample.angle_rad, &sample.torque_Nm, &sample.reference_rad}) {
-        std::copy_n(value, core::kArmJoints, joints->begin());
-        value += core::kArmJoints;
-    }
-    return sample;
 }
 
 std::unique_ptr<PlaybackOutlet> makeOutlet(const PlaybackConfig& config) {
@@ -326,7 +318,7 @@ void PlaybackWorker::deliver() {
 
 void PlaybackWorker::deliverJoints() {
     const PlaybackTrack& joints = *m_tracks.joints;
-    core::JointSample sample = jointSample(joints.values<double>());
+    core::JointSample sample = recording::jointSample(joints.values<double>());
     sample.time_ns = due_ns(joints.time_ns());
     sample.sourceTime_s = joints.sourceTime_s();
     sample.discontinuity = std::exchange(m_jointsJumped, false) || joints.jumps();

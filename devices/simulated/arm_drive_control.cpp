@@ -37,7 +37,7 @@ bool ArmDriveControl::takeRestart(bool stopped) {
 }
 
 ArmDemand ArmDriveControl::decide(bool stopped, bool programDone, std::int64_t now_ns,
-                                  const std::optional<core::JointArray>& reference_rad) {
+                                  const std::optional<core::JointVector>& reference_rad) {
     ArmDemand demand;
     if (stopped) {
         forgetWishes();
@@ -79,10 +79,10 @@ bool ArmDriveControl::jogs(std::int64_t now_ns) const {
                        [](double rate_radPerS) { return rate_radPerS != 0.0; });
 }
 
-core::JointArray ArmDriveControl::limited(const core::JointArray& rate_radPerS,
-                                          const core::JointArray& reference_rad) const {
-    core::JointArray limits{};
-    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint) {
+core::JointVector ArmDriveControl::limited(const core::JointVector& rate_radPerS,
+                                           const core::JointVector& reference_rad) const {
+    core::JointVector limits = core::JointVector::zeros(m_arm.joints());
+    for (std::size_t joint = 0; joint < limits.size(); ++joint) {
         const double fastest = std::max(0.0, m_arm.fastest_radPerS[joint]);
         // As far as one step may go without leaving the range; from outside of it, back only.
         const double up =

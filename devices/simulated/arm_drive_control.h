@@ -36,7 +36,7 @@ public:
     /// The demand of one step. reference_rad: where the controller was told to go; empty before the first
     /// step, when there is nothing that a jog could be limited by.
     [[nodiscard]] core::ArmDemand decide(bool stopped, bool programDone, std::int64_t now_ns,
-                                         const std::optional<core::JointArray>& reference_rad);
+                                         const std::optional<core::JointVector>& reference_rad);
 
 private:
     struct ProgramWish {
@@ -47,8 +47,8 @@ private:
     void forgetWishes();
     void takeWishes();
     [[nodiscard]] bool jogs(std::int64_t now_ns) const;
-    [[nodiscard]] core::JointArray limited(const core::JointArray& rate_radPerS,
-                                           const core::JointArray& reference_rad) const;
+    [[nodiscard]] core::JointVector limited(const core::JointVector& rate_radPerS,
+                                            const core::JointVector& reference_rad) const;
 
     core::ArmDescription m_arm;
     core::Mailbox<core::ArmCommand> m_commands;

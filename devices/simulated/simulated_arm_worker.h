@@ -64,9 +64,9 @@ private:
     core::ArmArrival m_arrival;       ///< of an arm at another place
     std::int64_t m_newestRead_ns = 0; ///< when the newest of its samples was read there
     core::ArmLinkCounters m_linkCounted;
-    std::optional<core::JointArray> m_reference_rad; ///< of the newest step
-    bool m_jointDiscontinuity = false;               ///< of the next sample
-    bool m_skinDiscontinuity = false;                ///< of the next frame
+    std::optional<core::JointVector> m_reference_rad; ///< of the newest step
+    bool m_jointDiscontinuity = false;                ///< of the next sample
+    bool m_skinDiscontinuity = false;                 ///< of the next frame
 };
 
 } // namespace teleta::simulated

@@ -21,7 +21,7 @@ JointChartView::JointChartView(QWidget* parent)
 
 JointChartView::JointChartView(JointPlot* plot, QWidget* parent)
     : TimeChartView(plot, kShortestSpan_s, parent)
-    , m_history(kJointColumns)
+    , m_history(plot->columns())
     , m_joints(plot)
     , m_angles(new QAction(base::themeIcon(base::Icon::strips), {}, this)) {
     m_angles->setObjectName(QStringLiteral("angles"));
@@ -52,12 +52,22 @@ void JointChartView::retranslate() {
 }
 
 void JointChartView::append(std::span<const core::JointSample> samples) {
-    std::array<double, kJointColumns> row{};
+    std::array<double, 2 * core::JointVector::kCapacity> row{};
+    const std::size_t joints = m_joints->joints();
     for (const core::JointSample& sample : samples) {
-        std::ranges::copy(sample.torque_Nm, row.begin());
-        std::ranges::copy(sample.angle_rad, row.begin() + core::kArmJoints);
-        m_history.append({sample.time_ns, sample.sourceTime_s, sample.discontinuity}, row);
+        std::copy_n(sample.torque_Nm.data(), joints, row.begin());
+        std::copy_n(sample.angle_rad.data(), joints, row.data() + joints);
+        m_history.append({sample.time_ns, sample.sourceTime_s, sample.discontinuity},
+                         std::span(row).first(m_joints->columns()));
     }
+}
+
+void JointChartView::setJoints(std::size_t joints) {
+    if (joints == m_joints->joints())
+        return;
+    m_joints->setJoints(joints);
+    (void)takeContent();
+    restyle();
 }
 
 bool JointChartView::addTouch(const pipeline::TouchRecord& touch) {
@@ -78,7 +88,7 @@ void JointChartView::clear() {
 }
 
 JointChartView::Content JointChartView::takeContent() {
-    Content taken{std::exchange(m_history, SampleHistory(kJointColumns)), std::exchange(m_touches, {})};
+    Content taken{std::exchange(m_history, SampleHistory(m_joints->columns())), std::exchange(m_touches, {})};
     reset();
     return taken;
 }
@@ -120,7 +130,7 @@ bool JointChartView::showTouch(std::uint64_t number) {
 
 QString JointChartView::csv(std::size_t first, std::size_t last) const {
     std::string text = "time_s";
-    for (std::size_t joint = 1; joint <= core::kArmJoints; ++joint)
+    for (std::size_t joint = 1; joint <= m_joints->joints(); ++joint)
         text += ",joint" + std::to_string(joint) + "_angle_rad,joint" + std::to_string(joint) + "_torque_nm";
     text += '\n';
     const auto put = [&text](double value) {
@@ -131,8 +141,8 @@ QString JointChartView::csv(std::size_t first, std::size_t last) const {
     };
     for (std::size_t i = first; i < last; ++i) {
         put(m_history.sourceTime_s(i));
-        for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
-            for (const std::size_t column : {core::kArmJoints + joint, joint}) {
+        for (std::size_t joint = 0; joint < m_joints->joints(); ++joint)
+            for (const std::size_t column : {m_joints->joints() + joint, joint}) {
                 text += ',';
                 put(m_history.value(column, i));
             }

@@ -33,6 +33,8 @@ public:
 
     explicit JointChartView(QWidget* parent = nullptr);
 
+    /// Sets the number of joints; forgets the samples of another arm.
+    void setJoints(std::size_t joints);
     /// Stores samples; refresh() draws them.
     void append(std::span<const core::JointSample> samples);
     /// Shades a touch. Returns false if its start is no longer stored.

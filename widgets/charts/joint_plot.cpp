@@ -4,6 +4,7 @@
 #include "widgets/base/theme.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace teleta::charts {
@@ -26,33 +27,33 @@ JointPlot::JointPlot(QWidget* parent)
                parent) {
     m_touches = new Shades(this, QStringLiteral("background"), Shades::Kind::times);
     m_window = new Shades(this, QStringLiteral("background"), Shades::Kind::values);
+    setJoints(4);
+}
+
+void JointPlot::setJoints(std::size_t joints) {
+    if (joints == m_count)
+        return;
+    clearLanes();
+    m_count = joints;
     addRow(Row::torque, kMilli, kLeastTorqueSpan_mNm);
     addRow(Row::angle, kDegreesPerRad, kLeastAngleSpan_deg);
-    setAnglesShown(false);
+    setAnglesShown(m_anglesShown);
 }
 
 void JointPlot::addRow(Row row, double scale, double minimumSpan) {
     std::vector<CurveStyle> curves;
-    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
-        curves.push_back({.column = static_cast<std::size_t>(row) * core::kArmJoints + joint,
+    for (std::size_t joint = 0; joint < m_count; ++joint)
+        curves.push_back({.column = static_cast<std::size_t>(row) * m_count + joint,
                           .display = {.scale = scale},
                           .colour = static_cast<int>(joint) + 1});
     addLane(row, curves, minimumSpan);
 }
 
-QString JointPlot::jointName(std::size_t joint) {
-    switch (joint) {
-    case 0:
-        return tr("shoulder roll");
-    case 1:
-        return tr("shoulder pitch");
-    case 2:
-        return tr("shoulder yaw");
-    case 3:
-        return tr("elbow pitch");
-    default:
-        return {};
-    }
+QString JointPlot::jointName(std::size_t joint) const {
+    if (m_count != 4 || joint >= m_count)
+        return tr("joint %1").arg(joint + 1);
+    return std::array{tr("shoulder roll"), tr("shoulder pitch"), tr("shoulder yaw"),
+                      tr("elbow pitch")}[joint];
 }
 
 QString JointPlot::laneTitle(int lane) const {
@@ -68,6 +69,7 @@ QString JointPlot::curveName(int, std::size_t curve) const {
 }
 
 void JointPlot::setAnglesShown(bool shown) {
+    m_anglesShown = shown;
     constexpr auto kRow = static_cast<int>(Row::angle);
     Lane& angle = lanes()[kRow];
     angle.shown = shown;
@@ -87,7 +89,8 @@ void JointPlot::setWindow(double low_Nm, double high_Nm) {
 
 void JointPlot::placeExtras(const std::vector<QCPAxisRect*>& rects) {
     m_touches->setRects(rects);
-    m_window->setRects({rects.front()}); // the torques are always shown, on top
+    // The torques are always shown, on top.
+    m_window->setRects({rects.begin(), rects.empty() ? rects.begin() : rects.begin() + 1});
 }
 
 void JointPlot::colourExtras(const QPalette& palette) {

@@ -9,17 +9,21 @@
 
 namespace teleta::charts {
 
-/// Columns of a history of joint samples: the torques, then the angles.
-inline constexpr std::size_t kJointColumns = 2 * core::kArmJoints;
-
-/// The joint chart: torques in mNm and optionally angles in degrees of the four joints, one lane each.
+/// The joint chart: torques in mNm and optionally angles in degrees of an arm's joints, one lane each. A
+/// history has the torques first, then the angles.
 /// Thread: GUI.
 class JointPlot : public TimePlot {
     Q_OBJECT
 public:
     enum class Row { torque, angle }; ///< the lanes
 
+    /// Without an arm: four joints.
     explicit JointPlot(QWidget* parent = nullptr);
+
+    /// Of the arm; the curves begin anew.
+    void setJoints(std::size_t joints);
+    [[nodiscard]] std::size_t joints() const { return m_count; }
+    [[nodiscard]] std::size_t columns() const { return 2 * m_count; }
 
     void setAnglesShown(bool shown);
     /// Absolute torques of the window in which a touch is evaluated; marked on both sides of zero.
@@ -29,7 +33,7 @@ public:
 
     [[nodiscard]] QString laneTitle(int lane) const override;
 
-    [[nodiscard]] static QString jointName(std::size_t joint);
+    [[nodiscard]] QString jointName(std::size_t joint) const;
 
 protected:
     [[nodiscard]] QString laneUnit(int lane) const override;
@@ -42,6 +46,8 @@ protected:
 private:
     void addRow(Row row, double scale, double minimumSpan);
 
+    std::size_t m_count = 0; ///< of joints
+    bool m_anglesShown = false;
     Shades* m_window;
     Shades* m_touches;
 };

@@ -287,10 +287,8 @@ core::Expected<void> PatternMapTable::importFrom(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return fileError(path, tr("The file could not be read: %1"), file.errorString());
-    const auto map = pattern::patternMapFromJson(file.readAll().toStdString(), path.toStdString());
-    if (!map)
-        return core::Unexpected(map.error());
-    edit(*map, tr("Import"));
+    TELETA_TRY(const auto map, pattern::patternMapFromJson(file.readAll().toStdString(), path.toStdString()));
+    edit(map, tr("Import"));
     return {};
 }
 

@@ -141,7 +141,7 @@ QString toolTip(const TouchRecord& record, int column) {
         return TouchModel::tr("First torque above the noise at %1 s, estimated %2 ms later; evaluated: %3")
             .arg(QLocale().toString(record.start_s, 'f', 3),
                  plain(static_cast<double>(record.ready_ns - record.start_ns) * 1e-6),
-                 TouchTexts::joint(record.joint));
+                 TouchTexts::joint(record.joint, record.joints));
     case TouchModel::point:
     case TouchModel::distance:
         return record.located

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include <array>
+
 namespace teleta::touch {
 
 using contour::Shape;
@@ -92,19 +94,11 @@ QString TouchTexts::refusal(Refusal refusal) {
     return {};
 }
 
-QString TouchTexts::joint(std::size_t joint) {
-    switch (joint) {
-    case 0:
-        return tr("shoulder roll");
-    case 1:
-        return tr("shoulder pitch");
-    case 2:
-        return tr("shoulder yaw");
-    case 3:
-        return tr("elbow pitch");
-    default:
-        return {};
-    }
+QString TouchTexts::joint(std::size_t joint, std::size_t joints) {
+    if (joints != 4 || joint >= joints)
+        return tr("joint %1").arg(joint + 1);
+    return std::array{tr("shoulder roll"), tr("shoulder pitch"), tr("shoulder yaw"),
+                      tr("elbow pitch")}[joint];
 }
 
 QString TouchTexts::drive(ArmDrive drive) {

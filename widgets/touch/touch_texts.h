@@ -27,8 +27,8 @@ public:
     [[nodiscard]] static QString method(stiffness::Method method);
     /// Why a touch has no stiffness, and what helps; a sentence.
     [[nodiscard]] static QString refusal(stiffness::Refusal refusal);
-    /// "shoulder roll" ... "elbow pitch"; joint < core::kArmJoints.
-    [[nodiscard]] static QString joint(std::size_t joint);
+    /// "shoulder roll" ... "elbow pitch" of an arm with four joints, "joint 1" ... of any other.
+    [[nodiscard]] static QString joint(std::size_t joint, std::size_t joints);
     [[nodiscard]] static QString drive(core::ArmDrive drive);
 
     /// Three significant digits with unit: "282 N/m", "7.22 kN/m".

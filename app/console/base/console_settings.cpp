@@ -94,12 +94,12 @@ void ConsoleSettings::addDeviceFile(const QString& path) {
     addToList(QStringLiteral("devices"), path);
 }
 
-std::optional<RecordingRequest> ConsoleSettings::recording(const QString& path) const {
+std::optional<CsvRequest> ConsoleSettings::recording(const QString& path) const {
     const QString group = recordingGroup(path);
     if (!m_settings || !m_settings->contains(group + QStringLiteral("rows")))
         return std::nullopt;
     const auto value = [&](const char* key) { return m_settings->value(group + QLatin1String(key)); };
-    RecordingRequest request;
+    CsvRequest request;
     request.path = path.toStdString();
     request.layout.rows = value("rows").toInt();
     request.layout.columns = value("columns").toInt();
@@ -119,7 +119,7 @@ std::optional<RecordingRequest> ConsoleSettings::recording(const QString& path) 
     return usable ? std::optional(request) : std::nullopt;
 }
 
-void ConsoleSettings::setRecording(const RecordingRequest& request) {
+void ConsoleSettings::setRecording(const CsvRequest& request) {
     const QString group = recordingGroup(QString::fromStdString(request.path));
     set(group + QStringLiteral("rows"), request.layout.rows);
     set(group + QStringLiteral("columns"), request.layout.columns);

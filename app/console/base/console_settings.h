@@ -76,8 +76,8 @@ public:
     void addRecentPattern(const QString& path);
 
     /// How a recording was opened the last time.
-    [[nodiscard]] std::optional<RecordingRequest> recording(const QString& path) const;
-    void setRecording(const RecordingRequest& request);
+    [[nodiscard]] std::optional<CsvRequest> recording(const QString& path) const;
+    void setRecording(const CsvRequest& request);
 
     /// The camera that was opened the last time.
     [[nodiscard]] CameraRequest camera() const {

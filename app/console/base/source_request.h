@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/base/playback_request.h"
+#include "app/console/base/recording_request.h"
 #include "backend/core/data/array_layout.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/stop_switch.h"
@@ -19,7 +19,7 @@
 namespace teleta::console {
 
 /// A recorded run of tactile frames (CSV) to be played back.
-struct RecordingRequest {
+struct CsvRequest {
     std::string path;
     core::ArrayLayout layout;
     std::string tarePath;  ///< recording of the unloaded array; empty: none
@@ -55,8 +55,7 @@ struct CameraRequest {
     bool loop = true;      ///< of a file
 };
 
-using SourceRequest =
-    std::variant<RecordingRequest, SceneRequest, WtsRequest, CameraRequest, PlaybackRequest>;
+using SourceRequest = std::variant<CsvRequest, SceneRequest, WtsRequest, CameraRequest, RecordingRequest>;
 
 /// Name under which people know the source: the file name without its folder, or the name of the link.
 [[nodiscard]] QString displayName(const SourceRequest& request);
@@ -70,6 +69,6 @@ using SourceRequest =
 /// Fills in what a recording's own file tells: the layout by the number of its taxel columns (known arrays
 /// first, else the most square factorisation), and as tare the file beside it whose name differs by "empty".
 /// Reads the header line only. Thread: any but the GUI's.
-[[nodiscard]] core::Expected<RecordingRequest> guessRecording(const std::string& path);
+[[nodiscard]] core::Expected<CsvRequest> guessCsv(const std::string& path);
 
 } // namespace teleta::console

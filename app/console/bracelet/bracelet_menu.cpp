@@ -24,7 +24,7 @@ constexpr std::array<QLatin1String, 2> kFilePrefixes{QLatin1String("file:"), QLa
 
 } // namespace
 
-BraceletMenu::BraceletMenu(BraceletStation& station, ConsoleSettings& settings, QWidget* window)
+BraceletMenu::BraceletMenu(BraceletService& station, ConsoleSettings& settings, QWidget* window)
     : QObject(window)
     , m_station(station)
     , m_settings(settings)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/console/base/console_settings.h"
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 
 #include <QObject>
 #include <QString>
@@ -17,7 +17,7 @@ class BraceletMenu : public QObject {
     Q_OBJECT
 
 public:
-    BraceletMenu(BraceletStation& station, ConsoleSettings& settings, QWidget* window);
+    BraceletMenu(BraceletService& station, ConsoleSettings& settings, QWidget* window);
 
     void fill(QMenu& menu);
     /// The one of the command line ("simulated", "usb", "none" or a device file), or the one of the last
@@ -28,7 +28,7 @@ private:
     void choose(BraceletChoice choice, const QString& deviceFile = {});
     void askForFile();
 
-    BraceletStation& m_station;
+    BraceletService& m_station;
     ConsoleSettings& m_settings;
     QWidget* m_window;
 };

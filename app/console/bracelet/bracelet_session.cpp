@@ -35,10 +35,8 @@ core::Expected<std::shared_ptr<BraceletSession>> BraceletSession::open(BraceletC
                                                                        const std::string& deviceFile,
                                                                        const core::StopSwitch& stop,
                                                                        playback::PlayerConfig player) {
-    auto source = openSource(choice, deviceFile, stop);
-    if (!source)
-        return core::Unexpected(source.error());
-    return std::make_shared<BraceletSession>(std::move(*source), stop, std::move(player));
+    TELETA_TRY(auto source, openSource(choice, deviceFile, stop));
+    return std::make_shared<BraceletSession>(std::move(source), stop, std::move(player));
 }
 
 BraceletSession::BraceletSession(std::unique_ptr<core::BraceletSource> source, const core::StopSwitch& stop,

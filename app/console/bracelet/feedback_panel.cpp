@@ -22,7 +22,7 @@ namespace teleta::console {
 
 using pipeline::FeedbackMode;
 
-FeedbackPanel::FeedbackPanel(BraceletStation& station, QWidget* parent)
+FeedbackPanel::FeedbackPanel(BraceletService& station, QWidget* parent)
     : QWidget(parent)
     , m_station(station)
     , m_modeLabel(new QLabel(this))
@@ -60,7 +60,7 @@ FeedbackPanel::FeedbackPanel(BraceletStation& station, QWidget* parent)
     m_station.setMap(m_table->map());
     m_station.setMode(mode());
     offerPatterns();
-    connect(&m_station, &BraceletStation::felt, this, &FeedbackPanel::showLast);
+    connect(&m_station, &BraceletService::felt, this, &FeedbackPanel::showLast);
     retranslate();
 }
 
@@ -150,7 +150,7 @@ void FeedbackPanel::writeLast(const FeedbackEvent& event) {
 }
 
 void FeedbackPanel::showLatency() {
-    const std::optional<BraceletStation::Latency> latency = m_station.touchToSkin();
+    const std::optional<BraceletService::Latency> latency = m_station.touchToSkin();
     m_latency->setVisible(latency.has_value());
     if (!latency)
         return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "widgets/touch/pattern_map_table.h"
 
 #include <QString>
@@ -22,7 +22,7 @@ class FeedbackPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit FeedbackPanel(BraceletStation& station, QWidget* parent = nullptr);
+    explicit FeedbackPanel(BraceletService& station, QWidget* parent = nullptr);
 
     /// What was recognised last and the pattern that was sent for it, for a title: whether it is played
     /// still. Empty while nothing was.
@@ -53,7 +53,7 @@ private:
     void offerPatterns();
     void retranslate();
 
-    BraceletStation& m_station;
+    BraceletService& m_station;
     QLabel* m_modeLabel;
     QComboBox* m_mode;
     QLabel* m_last;

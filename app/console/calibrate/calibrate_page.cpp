@@ -25,7 +25,7 @@ enum CalibratePart { motorsPart, cameraPart, gainsPart, partCount };
 
 } // namespace
 
-CalibratePage::CalibratePage(BraceletStation& station, SourceManager& sources, QWidget* parent)
+CalibratePage::CalibratePage(BraceletService& station, SourceManager& sources, QWidget* parent)
     : QWidget(parent)
     , m_messages(new chrome::MessageBar(this))
     , m_parts(new QListWidget(this))

@@ -25,7 +25,7 @@ class CalibratePage : public QWidget {
 
 public:
     /// station and sources must outlive this.
-    CalibratePage(BraceletStation& station, SourceManager& sources, QWidget* parent = nullptr);
+    CalibratePage(BraceletService& station, SourceManager& sources, QWidget* parent = nullptr);
 
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
     [[nodiscard]] MotorCalibrator& motors() { return *m_motors; }

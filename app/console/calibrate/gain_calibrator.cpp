@@ -92,7 +92,8 @@ GainCalibrator::GainCalibrator(SourceManager& sources, QWidget* parent)
 
 void GainCalibrator::onActiveChanged() {
     const SourceManager::Item* item = m_sources.active();
-    const bool isArray = item != nullptr && item->channel != nullptr;
+    auto channel = item != nullptr ? item->array() : nullptr;
+    const bool isArray = channel != nullptr;
     const pipeline::ChannelKey key = isArray ? item->key : 0;
     if (key == m_key && (m_channel != nullptr) == isArray)
         return;
@@ -102,7 +103,7 @@ void GainCalibrator::onActiveChanged() {
     if (m_channel && m_sources.find(m_key) != nullptr)
         m_left.insert_or_assign(m_key, Left{m_view->calibration(), m_view->isSaved()});
     m_key = key;
-    m_channel = isArray ? item->channel : nullptr;
+    m_channel = std::move(channel);
     ++m_round;
     if (const auto left = m_left.find(m_key); m_channel && left != m_left.end())
         m_view->setCalibration(left->second.calibration, left->second.isSaved);

@@ -23,19 +23,19 @@ constexpr double kExcitationRate_Hz = 200.0;
 
 } // namespace
 
-MotorCalibrator::MotorCalibrator(BraceletStation& station, QWidget* parent)
+MotorCalibrator::MotorCalibrator(BraceletService& station, QWidget* parent)
     : QObject(parent)
     , m_station(station)
     , m_view(new calibrate::MotorsView(parent)) {
     using calibrate::MotorsView;
-    connect(&m_station, &BraceletStation::sessionChanged, this, &MotorCalibrator::onSession);
-    connect(&m_station, &BraceletStation::calibrationFailed, this, [this](const core::Error& error) {
+    connect(&m_station, &BraceletService::sessionChanged, this, &MotorCalibrator::onSession);
+    connect(&m_station, &BraceletService::calibrationFailed, this, [this](const core::Error& error) {
         report(tr("The motor profile cannot be used: the motors use assumed values."), error);
     });
-    connect(m_view, &MotorsView::calibrationChanged, &m_station, &BraceletStation::setCalibration);
+    connect(m_view, &MotorsView::calibrationChanged, &m_station, &BraceletService::setCalibration);
     connect(m_view, &MotorsView::playRequested, this,
             [this](const playback::Program& program) { m_station.play(program, false); });
-    connect(m_view, &MotorsView::stopRequested, &m_station, &BraceletStation::stopPlaying);
+    connect(m_view, &MotorsView::stopRequested, &m_station, &BraceletService::stopPlaying);
     connect(m_view, &MotorsView::measureRequested, this, [this](const std::vector<std::size_t>& motors) {
         m_waiting.assign(motors.rbegin(), motors.rend());
         measureNext();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "backend/motors/motor_fit.h"
 #include "backend/motors/motor_recording.h"
 
@@ -30,7 +30,7 @@ class MotorCalibrator : public QObject {
     Q_OBJECT
 
 public:
-    MotorCalibrator(BraceletStation& station, QWidget* parent);
+    MotorCalibrator(BraceletService& station, QWidget* parent);
     ~MotorCalibrator() override;
 
     [[nodiscard]] calibrate::MotorsView& view() { return *m_view; }
@@ -66,7 +66,7 @@ private:
     void writeExcitation(const QString& path);
     void report(const QString& what, const core::Error& error);
 
-    BraceletStation& m_station;
+    BraceletService& m_station;
     calibrate::MotorsView* m_view;
     std::vector<std::size_t> m_waiting; ///< motors still to be measured, the next one last
     std::optional<std::size_t> m_measuring;

@@ -31,7 +31,7 @@ std::vector<Eigen::Vector3d> atHeight(const std::vector<contour::Point>& points_
 
 /// The device says that the joints are not known any more: what moves the arm by them would be blind.
 bool readingsAreOld(const pipeline::ArmChannel& arm) {
-    const core::DeviceStatus status = arm.status();
+    const core::DeviceStatus status = arm.jointStatus();
     const core::DeviceState state =
         core::observedState(status.state, status.lastData_ns, core::steadyNow_ns(),
                             core::staleAfter_ns(arm.description().nominalRate_Hz));
@@ -41,7 +41,7 @@ bool readingsAreOld(const pipeline::ArmChannel& arm) {
 
 } // namespace
 
-ArmViews::ArmViews(core::StopSwitch& stop, BraceletStation& bracelet, view3d::Scene3dView& scene,
+ArmViews::ArmViews(core::StopSwitch& stop, BraceletService& bracelet, view3d::Scene3dView& scene,
                    QWidget* parent)
     : QObject(parent)
     , m_stop(stop)
@@ -55,13 +55,13 @@ ArmViews::ArmViews(core::StopSwitch& stop, BraceletStation& bracelet, view3d::Sc
     , m_jog(new touch::JogPanel(parent))
     , m_picture(new bracelet::BraceletView(parent))
     , m_feedback(new FeedbackPanel(bracelet, parent)) {
-    connect(m_jog, &touch::JogPanel::jogRequested, this, [this](const core::JointArray& rate_radPerS) {
+    connect(m_jog, &touch::JogPanel::jogRequested, this, [this](const core::JointVector& rate_radPerS) {
         if (m_arm)
             m_arm->device().post({rate_radPerS, core::steadyNow_ns()});
     });
     connect(m_jog, &touch::JogPanel::programRunRequested, this, &ArmViews::setProgramRunning);
     connect(m_jog, &touch::JogPanel::programRestartRequested, this, &ArmViews::restartProgram);
-    connect(m_picture, &bracelet::BraceletView::held, &m_bracelet, &BraceletStation::hold);
+    connect(m_picture, &bracelet::BraceletView::held, &m_bracelet, &BraceletService::hold);
     connect(m_touches, &touch::TouchTable::touchActivated, this,
             [this](std::uint64_t touch) { m_joints->showTouch(touch); });
     connect(m_gauge, &touch::StiffnessGauge::exportFailed, this, &ArmViews::exportFailed);
@@ -108,7 +108,8 @@ void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenanc
     m_joints->setProvenance(provenance);
     m_contour->setProvenance(provenance);
     m_jog->setArm(description);
-    const core::ArrayLayout& skin = m_arm->skin().description().layout;
+    m_joints->setJoints(description.joints());
+    const core::ArrayLayout& skin = m_arm->skin()->description().layout;
     m_scene.setSurface(view3d::Surface::cylinder);
     m_scene.setCylinder({.radius_m = description.skin.radius_m, .length_m = skin.columns * skin.pitch_m});
     // Nothing new may come: a recording that is paused stands as it was left.

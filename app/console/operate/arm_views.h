@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "app/console/bracelet/feedback_panel.h"
 #include "app/console/operate/operate_docks.h"
 #include "backend/arm/arm4_kinematics.h"
@@ -46,7 +46,7 @@ class ArmViews : public QObject {
     Q_OBJECT
 
 public:
-    ArmViews(core::StopSwitch& stop, BraceletStation& bracelet, view3d::Scene3dView& scene, QWidget* parent);
+    ArmViews(core::StopSwitch& stop, BraceletService& bracelet, view3d::Scene3dView& scene, QWidget* parent);
 
     void addTo(OperateDocks& docks);
     /// The arm whose data are shown from now on; null: none. The former one stops being moved and felt.
@@ -91,7 +91,7 @@ private:
     void beginAnew(std::int64_t begun_ns);
 
     core::StopSwitch& m_stop;
-    BraceletStation& m_bracelet;
+    BraceletService& m_bracelet;
     view3d::Scene3dView& m_scene;
     touch::StiffnessGauge* m_gauge;
     touch::TouchTable* m_touches;

@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <variant>
 
@@ -27,48 +28,40 @@ namespace teleta::console {
 
 namespace {
 
-template <typename Description>
-base::Provenance provenanceOf(const Description& description) {
-    if (description.simulated)
-        return description.recorded ? base::Provenance::recordedSimulation : base::Provenance::simulated;
-    return description.recorded ? base::Provenance::recorded : base::Provenance::live;
-}
-
 base::Provenance provenanceOf(const SourceManager::Item& item) {
-    if (item.camera)
-        return provenanceOf(item.camera->description());
-    return item.channel ? provenanceOf(item.channel->description()) : base::Provenance::live;
+    if (!item.isOpen())
+        return base::Provenance::live;
+    const pipeline::ChannelSummary summary = item.channel->summary();
+    if (summary.simulated)
+        return summary.recorded ? base::Provenance::recordedSimulation : base::Provenance::simulated;
+    return summary.recorded ? base::Provenance::recorded : base::Provenance::live;
 }
 
-core::DeviceStatus statusOf(const SourceManager::Item& item) {
-    return item.camera ? item.camera->status() : item.channel->status();
-}
-
-bool isRecorded(const SourceManager::Item& item) {
-    return item.camera ? item.camera->description().recorded : item.channel->description().recorded;
-}
-
-/// Nobody looks at this arm: what it felt meanwhile is not shown later as if it were new.
-void drain(pipeline::ArmChannel& arm) {
-    core::JointSample sample;
-    while (arm.popSample(sample)) {
-    }
-    pipeline::TouchRecord touch;
-    while (arm.popTouch(touch)) {
-    }
-}
-
-void drain(pipeline::CameraChannel& camera) {
-    pipeline::CameraEvent event;
-    while (camera.popEvent(event)) {
-    }
+/// What the status bar says of a device, but for what only its page knows.
+chrome::DeviceReading readingOf(const core::DeviceStatus& status, const SourceManager::Item& item,
+                                double nominalRate_Hz) {
+    const std::int64_t now_ns = core::steadyNow_ns();
+    chrome::DeviceReading reading;
+    reading.provenance = provenanceOf(item);
+    // A recording may be played as slowly as one likes: its frames are old by nature, not stale.
+    reading.state = item.channel->summary().recorded
+                        ? status.state
+                        : core::observedState(status.state, status.lastData_ns, now_ns,
+                                              core::staleAfter_ns(nominalRate_Hz));
+    reading.age_s = status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
+    reading.rate_Hz = status.rate_Hz;
+    reading.lost = status.framesLost;
+    reading.details = QString::fromStdString(status.message);
+    return reading;
 }
 
 } // namespace
 
-OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget* parent)
+OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core::StopSwitch& stop,
+                         QWidget* parent)
     : QWidget(parent)
     , m_sources(sources)
+    , m_bracelet(bracelet)
     , m_stop(stop)
     , m_messages(new chrome::MessageBar(this))
     , m_chooser(new chrome::SourceChooser(this))
@@ -77,12 +70,11 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     , m_empty(new chrome::EmptyState(base::Icon::sensor, this))
     , m_demos(new chrome::DemoList(this))
     , m_docks(new OperateDocks(this))
-    , m_bracelet(new BraceletStation(stop, this))
     , m_heatmap(new tactile::HeatmapView(this))
     , m_charts(new charts::StripChartView(this))
     , m_scene(new view3d::Scene3dView(this))
     , m_settings(new tactile::ChannelSettingsPanel(this))
-    , m_arm(new ArmViews(stop, *m_bracelet, *m_scene, this))
+    , m_arm(new ArmViews(stop, m_bracelet, *m_scene, this))
     , m_servo(new ServoViews(*m_scene, this))
     , m_camera(new CameraViews(*m_scene, this))
     , m_marks(new MarkViews(*m_charts, this)) {
@@ -132,16 +124,16 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     connect(m_chooser, &chrome::SourceChooser::closeRequested, &m_sources, &SourceManager::close);
     connect(m_settings, &tactile::ChannelSettingsPanel::settingsChanged, this,
             [this](const pipeline::ChannelSettings& settings) {
-                if (auto* item = m_sources.active(); item != nullptr && item->channel)
-                    item->channel->post(settings);
+                if (const auto array = shownArray())
+                    array->post(settings);
             });
     connect(m_settings, &tactile::ChannelSettingsPanel::tareRequested, this, [this] {
-        if (auto* item = m_sources.active(); item != nullptr && item->channel)
-            item->channel->requestTare();
+        if (const auto array = shownArray())
+            array->requestTare();
     });
     connect(m_settings, &tactile::ChannelSettingsPanel::clearTareRequested, this, [this] {
-        if (auto* item = m_sources.active(); item != nullptr && item->channel)
-            item->channel->clearTare();
+        if (const auto array = shownArray())
+            array->clearTare();
     });
     const auto report = [this](const QString& text) {
         m_messages->post(
@@ -154,7 +146,7 @@ OperatePage::OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget
     connect(m_camera, &CameraViews::exportFailed, this, report);
     connect(m_servo, &ServoViews::failed, this, report);
     connect(&m_arm->feedbackPanel(), &FeedbackPanel::failed, this, report);
-    connect(m_bracelet, &BraceletStation::failed, this, &OperatePage::onBraceletFailed);
+    connect(&m_bracelet, &BraceletService::failed, this, &OperatePage::onBraceletFailed);
     connectPlayback();
     retranslate();
     onSourcesChanged();
@@ -168,14 +160,14 @@ void OperatePage::tick() {
             continue;
         watchFailures(item);
         watchDamage(item);
-        if (item.channel)
-            tickArray(item, now_ns);
-        else if (&item != m_sources.active())
-            drain(*item.camera);
+        if (&item != m_sources.active())
+            item.channel->drain();
+        else if (const auto array = item.array())
+            tickArray(*array, item, now_ns);
     }
     m_marks->tick();
     m_charts->refresh();
-    m_bracelet->tick();
+    m_bracelet.tick();
     m_arm->tick();
     m_servo->panel().setStopEngaged(m_stop.engaged());
     m_servo->tick();
@@ -188,84 +180,55 @@ void OperatePage::tick() {
         m_playback->setPosition(control->position());
 }
 
-void OperatePage::tickArray(SourceManager::Item& item, std::int64_t now_ns) {
-    const bool active = &item == m_sources.active();
+void OperatePage::tickArray(pipeline::TouchChannel& array, SourceManager::Item& item, std::int64_t now_ns) {
     pipeline::FeatureSample sample;
-    while (item.channel->popSample(sample)) {
-        if (!active)
-            continue;
+    while (array.popSample(sample)) {
         m_charts->append(sample);
         m_marks->take(sample);
     }
-    if (item.arm && !active)
-        drain(*item.arm);
-    if (!item.channel->update() || !active)
+    if (!array.update())
         return;
-    const pipeline::TouchSnapshot& snapshot = item.channel->snapshot();
+    const pipeline::TouchSnapshot& snapshot = array.snapshot();
     m_heatmap->setSnapshot(snapshot);
     m_scene->setSnapshot(snapshot);
     ++item.displayed;
     m_latency_s = static_cast<double>(now_ns - snapshot.time_ns) * 1e-9;
-    if (m_settingsRevision != item.channel->settingsRevision()) {
-        m_settingsRevision = item.channel->settingsRevision();
-        m_settings->setSettings(item.channel->settings());
+    if (m_settingsRevision != array.settingsRevision()) {
+        m_settingsRevision = array.settingsRevision();
+        m_settings->setSettings(array.settings());
     }
-}
-
-chrome::DeviceReading OperatePage::readingOf(const SourceManager::Item& item, std::int64_t now_ns) const {
-    chrome::DeviceReading reading;
-    reading.name = item.name;
-    reading.active = &item == m_sources.active();
-    if (!item.isOpen()) {
-        reading.state = core::DeviceState::connecting;
-        return reading;
-    }
-    const core::DeviceStatus status = statusOf(item);
-    const double nominalRate_Hz =
-        item.camera ? item.camera->description().nominalRate_Hz : item.channel->description().nominalRate_Hz;
-    reading.provenance = provenanceOf(item);
-    // A recording may be played as slowly as one likes: its frames are old by nature, not stale.
-    reading.state = isRecorded(item) ? status.state
-                                     : core::observedState(status.state, status.lastData_ns, now_ns,
-                                                           core::staleAfter_ns(nominalRate_Hz));
-    reading.age_s = status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
-    reading.rate_Hz = status.rate_Hz;
-    reading.lost = status.framesLost;
-    reading.displayed = item.displayed;
-    reading.details = QString::fromStdString(status.message);
-    if (reading.active)
-        reading.latency_s = m_latency_s;
-    return reading;
 }
 
 std::vector<chrome::DeviceReading> OperatePage::readings() const {
     std::vector<chrome::DeviceReading> readings;
-    const std::int64_t now_ns = core::steadyNow_ns();
-    for (const SourceManager::Item& item : m_sources.items())
-        readings.push_back(readingOf(item, now_ns));
+    std::vector<chrome::DeviceReading> joints;
     for (const SourceManager::Item& item : m_sources.items()) {
-        if (item.arm == nullptr)
-            continue;
-        const core::DeviceStatus status = item.arm->status();
         chrome::DeviceReading reading;
-        reading.name = tr("joints");
-        reading.provenance = provenanceOf(item.channel->description());
-        reading.state =
-            isRecorded(item)
-                ? status.state
-                : core::observedState(status.state, status.lastData_ns, now_ns,
-                                      core::staleAfter_ns(item.arm->description().nominalRate_Hz));
-        reading.age_s =
-            status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
-        reading.rate_Hz = status.rate_Hz;
-        reading.lost = status.framesLost;
-        reading.displayed = item.arm->samplesProcessed() - item.arm->samplesNotShown();
-        reading.details = QString::fromStdString(status.message);
+        reading.state = core::DeviceState::connecting;
+        if (item.isOpen())
+            reading = readingOf(item.channel->status(), item, item.channel->summary().nominalRate_Hz);
+        reading.name = item.name;
+        reading.active = &item == m_sources.active();
+        reading.displayed = item.displayed;
+        if (item.isOpen() && reading.active)
+            reading.latency_s = m_latency_s;
         readings.push_back(std::move(reading));
+        if (const auto arm = item.arm()) {
+            reading = readingOf(arm->jointStatus(), item, arm->description().nominalRate_Hz);
+            reading.name = tr("joints");
+            reading.displayed = arm->samplesProcessed() - arm->samplesNotShown();
+            joints.push_back(std::move(reading));
+        }
     }
-    if (auto bracelet = m_bracelet->reading())
+    std::ranges::move(joints, std::back_inserter(readings));
+    if (auto bracelet = m_bracelet.reading())
         readings.push_back(std::move(*bracelet));
     return readings;
+}
+
+std::shared_ptr<pipeline::TouchChannel> OperatePage::shownArray() const {
+    const SourceManager::Item* item = m_sources.active();
+    return item != nullptr ? item->array() : nullptr;
 }
 
 void OperatePage::onActiveChanged() {
@@ -273,24 +236,24 @@ void OperatePage::onActiveChanged() {
     SourceManager::Item* item = m_sources.active();
     changeCharts(item != nullptr ? item->key : 0);
     m_marks->setSource(playback());
-    showArray(item != nullptr && item->channel ? item : nullptr);
-    const std::shared_ptr<pipeline::CameraChannel> camera = item != nullptr ? item->camera : nullptr;
+    const base::Provenance provenance = item != nullptr ? provenanceOf(*item) : base::Provenance::live;
+    const auto array = shownArray();
+    showArray(array.get(), provenance);
+    const std::shared_ptr<pipeline::CameraChannel> camera = item != nullptr ? item->camera() : nullptr;
     if (camera != m_camera->camera())
-        m_camera->setCamera(camera, camera ? provenanceOf(*item) : base::Provenance::live);
+        m_camera->setCamera(camera, provenance);
     // Before the arm, whose surface is to stay.
-    const std::shared_ptr<servo::ServoLink> servo = item != nullptr ? item->servo : nullptr;
+    const std::shared_ptr<servo::ServoLink> servo = item != nullptr ? item->servo() : nullptr;
     if (servo != m_servo->servo())
-        m_servo->setServo(servo, servo ? item->name : QString(),
-                          servo ? provenanceOf(item->channel->description()) : base::Provenance::live);
-    const std::shared_ptr<pipeline::ArmChannel> arm = item != nullptr ? item->arm : nullptr;
-    if (arm != m_arm->arm()) {
-        m_arm->setArm(arm, arm ? provenanceOf(item->channel->description()) : base::Provenance::live);
-    }
+        m_servo->setServo(servo, servo ? item->name : QString(), provenance);
+    const std::shared_ptr<pipeline::ArmChannel> arm = item != nullptr ? item->arm() : nullptr;
+    if (arm != m_arm->arm())
+        m_arm->setArm(arm, provenance);
     m_docks->setKind(camera  ? OperateDocks::Kind::camera
                      : arm   ? OperateDocks::Kind::arm
                      : servo ? OperateDocks::Kind::servo
                              : OperateDocks::Kind::array);
-    m_settings->setEnabled(item != nullptr && item->channel);
+    m_settings->setEnabled(array != nullptr);
     onSourcesChanged();
 }
 
@@ -303,23 +266,22 @@ void OperatePage::changeCharts(pipeline::ChannelKey shown) {
         m_charts->setHistory(std::move(kept.mapped()));
 }
 
-void OperatePage::showArray(SourceManager::Item* item) {
-    if (item == nullptr) {
+void OperatePage::showArray(pipeline::TouchChannel* array, base::Provenance provenance) {
+    if (array == nullptr) {
         m_heatmap->clear();
         m_scene->clear();
         return;
     }
-    const base::Provenance provenance = provenanceOf(*item);
     m_heatmap->setProvenance(provenance);
     m_charts->setProvenance(provenance);
     m_scene->setProvenance(provenance);
-    const pipeline::ChannelSettings settings = item->channel->settings();
+    const pipeline::ChannelSettings settings = array->settings();
     m_charts->setLoadUnit(QString::fromStdString(settings.loadUnit));
     m_settings->setSettings(settings);
-    m_settingsRevision = item->channel->settingsRevision();
-    if (item->channel->generation() > 0) {
-        m_heatmap->setSnapshot(item->channel->snapshot());
-        m_scene->setSnapshot(item->channel->snapshot());
+    m_settingsRevision = array->settingsRevision();
+    if (array->generation() > 0) {
+        m_heatmap->setSnapshot(array->snapshot());
+        m_scene->setSnapshot(array->snapshot());
     }
 }
 
@@ -340,11 +302,11 @@ void OperatePage::onSourcesChanged() {
 template <typename Call>
 void OperatePage::withOthers(const Call& call) {
     SourceManager::Item* shown = m_sources.active();
-    const auto* playback = shown != nullptr ? std::get_if<PlaybackRequest>(&shown->request) : nullptr;
+    const auto* playback = shown != nullptr ? std::get_if<RecordingRequest>(&shown->request) : nullptr;
     if (playback == nullptr)
         return;
     for (SourceManager::Item& item : m_sources.items()) {
-        const auto* other = std::get_if<PlaybackRequest>(&item.request);
+        const auto* other = std::get_if<RecordingRequest>(&item.request);
         if (other == nullptr || &item == shown || other->path != playback->path)
             continue;
         if (core::PlaybackControl* control = item.playback())
@@ -373,22 +335,21 @@ void OperatePage::connectPlayback() {
 
 bool OperatePage::hasProgram() const {
     const SourceManager::Item* item = m_sources.active();
-    if (item == nullptr)
-        return false;
-    return item->scene ||
-           (item->arm && item->arm->description().hasProgram && !item->arm->description().recorded);
+    return item != nullptr && item->isOpen() && item->channel->hasProgram();
 }
 
 void OperatePage::setProgramRunning(bool running) {
-    if (SourceManager::Item* item = m_sources.active(); item != nullptr && item->scene)
-        item->scene->setRunning(running);
-    m_arm->setProgramRunning(running);
+    if (m_arm->arm())
+        m_arm->setProgramRunning(running);
+    else if (SourceManager::Item* item = m_sources.active(); item != nullptr)
+        item->channel->setProgramRunning(running);
 }
 
 void OperatePage::restartProgram() {
-    if (SourceManager::Item* item = m_sources.active(); item != nullptr && item->scene)
-        item->scene->restart();
-    m_arm->restartProgram();
+    if (m_arm->arm())
+        m_arm->restartProgram();
+    else if (SourceManager::Item* item = m_sources.active(); item != nullptr)
+        item->channel->restartProgram();
 }
 
 void OperatePage::startPlayback() {
@@ -420,7 +381,7 @@ core::PlaybackControl* OperatePage::playback() {
 }
 
 void OperatePage::watchFailures(const SourceManager::Item& item) {
-    const core::DeviceStatus status = statusOf(item);
+    const core::DeviceStatus status = item.channel->status();
     const auto reported = std::find(m_reportedLost.begin(), m_reportedLost.end(), item.key);
     if (status.state != core::DeviceState::lost) {
         if (reported != m_reportedLost.end())
@@ -430,7 +391,7 @@ void OperatePage::watchFailures(const SourceManager::Item& item) {
     if (reported != m_reportedLost.end())
         return;
     m_reportedLost.push_back(item.key);
-    const bool recorded = isRecorded(item);
+    const bool recorded = item.channel->summary().recorded;
     m_messages->post({chrome::Message::Severity::error, tr("%1 was lost.", "a source").arg(item.name),
                       recorded ? tr("The file cannot be read further: it is damaged, or its disk is gone. "
                                     "Open it again when it can be read.")
@@ -445,7 +406,7 @@ void OperatePage::watchDamage(const SourceManager::Item& item) {
             reported.push_back(item.key);
         return !isThere;
     };
-    const auto* playback = std::get_if<PlaybackRequest>(&item.request);
+    const auto* playback = std::get_if<RecordingRequest>(&item.request);
     if (playback != nullptr && playback->settingsChanged && isNew(m_reportedChanged))
         m_messages->post({chrome::Message::Severity::information,
                           tr("The settings of %1 changed while it was recorded.", "a source").arg(item.name),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "app/console/operate/arm_views.h"
 #include "app/console/operate/camera_views.h"
 #include "app/console/operate/operate_docks.h"
@@ -46,7 +46,8 @@ class OperatePage : public QWidget {
     Q_OBJECT
 
 public:
-    OperatePage(SourceManager& sources, core::StopSwitch& stop, QWidget* parent = nullptr);
+    OperatePage(SourceManager& sources, BraceletService& bracelet, core::StopSwitch& stop,
+                QWidget* parent = nullptr);
 
     /// Repaints what changed since the last tick.
     void tick();
@@ -61,7 +62,6 @@ public:
     [[nodiscard]] OperateDocks& docks() { return *m_docks; }
     [[nodiscard]] ArmViews& armViews() { return *m_arm; }
     [[nodiscard]] CameraViews& cameraViews() { return *m_camera; }
-    [[nodiscard]] BraceletStation& bracelet() { return *m_bracelet; }
     [[nodiscard]] MarkViews& marks() { return *m_marks; }
     /// The shown source moves by itself in a way that can be held and begun anew: an arm's program or a
     /// scene.
@@ -86,9 +86,10 @@ private:
     void onSourcesChanged();
     void onBraceletFailed(const core::Error& error);
     void connectPlayback();
-    void showArray(SourceManager::Item* item);
-    void tickArray(SourceManager::Item& item, std::int64_t now_ns);
-    [[nodiscard]] chrome::DeviceReading readingOf(const SourceManager::Item& item, std::int64_t now_ns) const;
+    /// Null when no array is shown.
+    [[nodiscard]] std::shared_ptr<pipeline::TouchChannel> shownArray() const;
+    void showArray(pipeline::TouchChannel* array, base::Provenance provenance);
+    void tickArray(pipeline::TouchChannel& array, SourceManager::Item& item, std::int64_t now_ns);
     void watchFailures(const SourceManager::Item& item);
     /// Tells once of what a recording had that is not played.
     void watchDamage(const SourceManager::Item& item);
@@ -100,6 +101,7 @@ private:
     void stepPlayback(int frames);
 
     SourceManager& m_sources;
+    BraceletService& m_bracelet;
     core::StopSwitch& m_stop;
     chrome::MessageBar* m_messages;
     chrome::SourceChooser* m_chooser;
@@ -108,7 +110,6 @@ private:
     chrome::EmptyState* m_empty;
     chrome::DemoList* m_demos;
     OperateDocks* m_docks;
-    BraceletStation* m_bracelet;
     tactile::HeatmapView* m_heatmap;
     charts::StripChartView* m_charts;
     view3d::Scene3dView* m_scene;

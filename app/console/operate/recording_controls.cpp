@@ -20,14 +20,14 @@
 
 namespace teleta::console {
 
-RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, ConsoleSettings& settings,
-                                     const core::StopSwitch& stop, QWidget* window)
+RecordingControls::RecordingControls(RecordingService& service, SourceManager& sources, OperatePage& page,
+                                     ConsoleSettings& settings, QWidget* window)
     : QObject(window)
+    , m_service(service)
     , m_sources(sources)
     , m_page(page)
     , m_settings(settings)
     , m_window(window)
-    , m_station(sources, page.bracelet(), stop)
     , m_export(window)
     , m_indicator(new chrome::RecordingIndicator(window))
     , m_record(new QAction(this))
@@ -67,23 +67,23 @@ RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, 
             {chrome::Message::Severity::error, tr("%1 could not be exported.", "a file").arg(name),
              tr("Choose another recording or folder."), QString::fromStdString(core::describe(error))});
     });
-    connect(m_undo, &QAction::triggered, &m_station.undoStack(), &QUndoStack::undo);
-    connect(m_redo, &QAction::triggered, &m_station.undoStack(), &QUndoStack::redo);
-    connect(&m_station.undoStack(), &QUndoStack::canUndoChanged, m_undo, &QAction::setEnabled);
-    connect(&m_station.undoStack(), &QUndoStack::canRedoChanged, m_redo, &QAction::setEnabled);
+    connect(m_undo, &QAction::triggered, &m_service.marks().undoStack(), &QUndoStack::undo);
+    connect(m_redo, &QAction::triggered, &m_service.marks().undoStack(), &QUndoStack::redo);
+    connect(&m_service.marks().undoStack(), &QUndoStack::canUndoChanged, m_undo, &QAction::setEnabled);
+    connect(&m_service.marks().undoStack(), &QUndoStack::canRedoChanged, m_redo, &QAction::setEnabled);
     m_undo->setEnabled(false);
     m_redo->setEnabled(false);
     connect(m_indicator, &chrome::RecordingIndicator::toggleRequested, this, &RecordingControls::toggle);
     connect(m_indicator, &chrome::RecordingIndicator::markRequested, this,
             [this] { mark(core::steadyNow_ns()); });
-    connect(&m_station, &RecordingStation::stateChanged, this, &RecordingControls::update);
-    connect(&m_station, &RecordingStation::failed, this, &RecordingControls::onFailed);
-    connect(&m_station, &RecordingStation::finished, this, [this](const QString& path) {
+    connect(&m_service, &RecordingService::stateChanged, this, &RecordingControls::update);
+    connect(&m_service, &RecordingService::failed, this, &RecordingControls::onFailed);
+    connect(&m_service, &RecordingService::finished, this, [this](const QString& path) {
         m_page.messages().post({chrome::Message::Severity::information,
                                 tr("%1 was recorded.", "a file").arg(QFileInfo(path).fileName()),
                                 tr("Open > Open recording plays it."), path});
     });
-    connect(&m_station, &RecordingStation::marksNotKept, this, [this](const core::Error& error) {
+    connect(&m_service.marks(), &RecordingMarks::notKept, this, [this](const core::Error& error) {
         m_page.messages().post({chrome::Message::Severity::error,
                                 tr("The marks of %1 could not be changed.", "a file")
                                     .arg(QFileInfo(QString::fromStdString(error.where.file)).fileName()),
@@ -92,11 +92,11 @@ RecordingControls::RecordingControls(SourceManager& sources, OperatePage& page, 
                                 QString::fromStdString(core::describe(error))});
     });
     MarkViews& marks = m_page.marks();
-    connect(&m_station, &RecordingStation::marksChanged, this,
-            [this, &marks] { marks.setRecorded(m_station.marks(), m_station.isRecording()); });
+    connect(&m_service.marks(), &RecordingMarks::changed, this,
+            [this, &marks] { marks.setRecorded(m_service.marks().all(), m_service.isRecording()); });
     connect(&marks, &MarkViews::markRequested, this, &RecordingControls::mark);
-    connect(&marks.list(), &MarkList::renamed, &m_station, &RecordingStation::renameMark);
-    connect(&marks.list(), &MarkList::removed, &m_station, &RecordingStation::removeMark);
+    connect(&marks.list(), &MarkList::renamed, &m_service.marks(), &RecordingMarks::rename);
+    connect(&marks.list(), &MarkList::removed, &m_service.marks(), &RecordingMarks::remove);
     update();
 }
 
@@ -110,21 +110,21 @@ void RecordingControls::fill(QMenu& menu) {
 }
 
 void RecordingControls::toggle() {
-    if (m_station.state() == RecordingStation::State::idle)
-        m_station.start(QDir(folder()).filePath(m_station.suggestedName()));
+    if (m_service.state() == RecordingService::State::idle)
+        m_service.start(QDir(folder()).filePath(m_service.suggestedName()));
     else
         stop();
 }
 
 void RecordingControls::stop() {
     m_page.marks().list().finishEditing();
-    m_station.stop();
+    m_service.stop();
 }
 
 void RecordingControls::mark(std::int64_t time_ns) {
     m_page.marks().list().finishEditing();
-    if (m_station.isRecording())
-        m_station.mark(time_ns);
+    if (m_service.isRecording())
+        m_service.marks().add(time_ns);
     else
         m_page.messages().post({chrome::Message::Severity::information, tr("Nothing is recorded now."),
                                 tr("Marks are kept in a recording. Ctrl+R begins one."), QString()});
@@ -140,8 +140,8 @@ QString RecordingControls::folder() const {
 
 void RecordingControls::exportCsv() {
     const auto* shown = m_sources.active();
-    const auto* played = shown != nullptr ? std::get_if<PlaybackRequest>(&shown->request) : nullptr;
-    const QString last = m_station.path();
+    const auto* played = shown != nullptr ? std::get_if<RecordingRequest>(&shown->request) : nullptr;
+    const QString last = m_service.path();
     m_export.ask(played != nullptr ? QString::fromStdString(played->path)
                  : last.isEmpty()  ? folder() + QLatin1Char('/')
                                    : last);
@@ -157,39 +157,39 @@ void RecordingControls::askForFolder() {
 }
 
 void RecordingControls::tick() {
-    m_station.tick();
+    m_service.tick();
     using State = chrome::RecordingReading::State;
     chrome::RecordingReading reading;
-    switch (m_station.state()) {
-    case RecordingStation::State::idle:
+    switch (m_service.state()) {
+    case RecordingService::State::idle:
         break;
-    case RecordingStation::State::starting:
+    case RecordingService::State::starting:
         reading.state = State::starting;
         break;
-    case RecordingStation::State::recording:
+    case RecordingService::State::recording:
         reading.state = State::recording;
         break;
-    case RecordingStation::State::stopping:
+    case RecordingService::State::stopping:
         reading.state = State::stopping;
         break;
     }
-    reading.duration_s = m_station.status().duration_s;
-    reading.bytes = m_station.status().bytes;
-    reading.lost = m_station.status().dropped;
+    reading.duration_s = m_service.status().duration_s;
+    reading.bytes = m_service.status().bytes;
+    reading.lost = m_service.status().dropped;
     m_indicator->setReading(reading);
 }
 
 void RecordingControls::update() {
-    const bool recording = m_station.isRecording();
+    const bool recording = m_service.isRecording();
     m_record->setText(recording ? tr("End the &recording") : tr("&Record"));
-    m_record->setEnabled(recording || m_station.state() == RecordingStation::State::idle);
+    m_record->setEnabled(recording || m_service.state() == RecordingService::State::idle);
     m_mark->setText(tr("&Mark this moment"));
     m_mark->setEnabled(recording);
     m_folder->setText(tr("&Folder of the recordings\u2026"));
     m_csv->setText(tr("&Export recording as CSV\u2026"));
     m_undo->setText(tr("&Undo"));
     m_redo->setText(tr("&Redo"));
-    m_page.marks().setRecorded(m_station.marks(), recording);
+    m_page.marks().setRecorded(m_service.marks().all(), recording);
 }
 
 void RecordingControls::onFailed(const core::Error& error, bool begun) {
@@ -198,7 +198,7 @@ void RecordingControls::onFailed(const core::Error& error, bool begun) {
         m_page.messages().post(
             {chrome::Message::Severity::error,
              tr("The recording ended: %1.").arg(QString::fromStdString(error.message)),
-             tr("What was recorded until then can be opened: %1").arg(QFileInfo(m_station.path()).fileName()),
+             tr("What was recorded until then can be opened: %1").arg(QFileInfo(m_service.path()).fileName()),
              details});
     else
         m_page.messages().post({chrome::Message::Severity::error, tr("The recording could not begin."),

@@ -3,7 +3,7 @@
 
 #include "app/console/base/console_settings.h"
 #include "app/console/operate/recording/recording_export.h"
-#include "app/console/operate/recording/recording_station.h"
+#include "app/console/operate/recording/recording_service.h"
 
 #include <QObject>
 #include <QString>
@@ -29,12 +29,11 @@ class RecordingControls : public QObject {
 
 public:
     /// window: of dialogs, and owner.
-    RecordingControls(SourceManager& sources, OperatePage& page, ConsoleSettings& settings,
-                      const core::StopSwitch& stop, QWidget* window);
+    RecordingControls(RecordingService& service, SourceManager& sources, OperatePage& page,
+                      ConsoleSettings& settings, QWidget* window);
 
     /// For the status bar, which owns it.
     [[nodiscard]] chrome::RecordingIndicator* indicator() { return m_indicator; }
-    [[nodiscard]] RecordingStation& station() { return m_station; }
     [[nodiscard]] RecordingExport& csv() { return m_export; }
     /// Adds the actions.
     void fill(QMenu& menu);
@@ -53,11 +52,11 @@ private:
     void update();
     void onFailed(const core::Error& error, bool begun);
 
+    RecordingService& m_service;
     SourceManager& m_sources;
     OperatePage& m_page;
     ConsoleSettings& m_settings;
     QWidget* m_window;
-    RecordingStation m_station;
     RecordingExport m_export;
     chrome::RecordingIndicator* m_indicator;
     QAction* m_record;

@@ -20,7 +20,7 @@ constexpr double kNsPerS = 1e9;
 
 } // namespace
 
-PatternPlayback::PatternPlayback(BraceletStation& station, editor::PatternEditor& editor, QObject* parent)
+PatternPlayback::PatternPlayback(BraceletService& station, editor::PatternEditor& editor, QObject* parent)
     : QObject(parent)
     , m_station(station)
     , m_editor(editor) {
@@ -37,7 +37,7 @@ PatternPlayback::PatternPlayback(BraceletStation& station, editor::PatternEditor
     connect(&m_editor, &PatternEditor::loopingChanged, this, &PatternPlayback::followSoon);
     connect(m_editor.document(), &editor::PatternDocument::patternChanged, this,
             &PatternPlayback::followSoon);
-    connect(&m_station, &BraceletStation::sessionChanged, this, [this] {
+    connect(&m_station, &BraceletService::sessionChanged, this, [this] {
         if (m_way == Way::felt)
             end();
     });

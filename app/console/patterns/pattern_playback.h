@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "backend/pattern/model/pattern.h"
 
 #include <QObject>
@@ -24,7 +24,7 @@ class PatternPlayback : public QObject {
 
 public:
     /// station and editor: must outlive this object.
-    PatternPlayback(BraceletStation& station, editor::PatternEditor& editor, QObject* parent = nullptr);
+    PatternPlayback(BraceletService& station, editor::PatternEditor& editor, QObject* parent = nullptr);
 
     void play();
     void stop();
@@ -51,7 +51,7 @@ private:
     void followSoon();
     void end();
 
-    BraceletStation& m_station;
+    BraceletService& m_station;
     editor::PatternEditor& m_editor;
     QTimer m_rest;          ///< delay after an update
     bool m_changed = false; ///< since the last update

@@ -60,7 +60,7 @@ QString patternIn(const QMimeData& data) {
 
 } // namespace
 
-PatternsPage::PatternsPage(BraceletStation& station, PatternCollection& collection,
+PatternsPage::PatternsPage(BraceletService& station, PatternCollection& collection,
                            const QString& recoveryFolder, QWidget* parent)
     : QWidget(parent)
     , m_station(station)
@@ -117,7 +117,7 @@ PatternsPage::PatternsPage(BraceletStation& station, PatternCollection& collecti
     connect(m_keeper, &RecoveryKeeper::failed, this, [this](const core::Error& error) {
         report(tr("Unsaved edits could not be backed up: a crash would lose them."), error);
     });
-    connect(m_picture, &bracelet::BraceletView::held, &m_station, &BraceletStation::hold);
+    connect(m_picture, &bracelet::BraceletView::held, &m_station, &BraceletService::hold);
     showPattern(pattern::builtInPatterns().front(), {});
     showOwn();
     m_keeper->look();
@@ -154,7 +154,7 @@ void PatternsPage::connectEditor() {
         if (!dirty)
             m_keeper->forget();
     });
-    connect(&m_station, &BraceletStation::calibrationChanged, this,
+    connect(&m_station, &BraceletService::calibrationChanged, this,
             [this](const motors::MotorCalibration& calibration) {
                 m_editor->document()->setMotors(calibration.profiles());
             });
@@ -166,10 +166,10 @@ void PatternsPage::connectStrength() {
         m_strength->setEnabled(m_station.session() != nullptr);
     };
     connect(m_strength, &bracelet::StrengthPanel::strongestChanged, &m_station,
-            &BraceletStation::setStrongest);
-    connect(&m_station, &BraceletStation::strongestChanged, this, show);
-    connect(&m_station, &BraceletStation::sessionChanged, this, show);
-    connect(&m_station, &BraceletStation::strongestFailed, this, [this](const core::Error& error) {
+            &BraceletService::setStrongest);
+    connect(&m_station, &BraceletService::strongestChanged, this, show);
+    connect(&m_station, &BraceletService::sessionChanged, this, show);
+    connect(&m_station, &BraceletService::strongestFailed, this, [this](const core::Error& error) {
         report(
             tr("The strength limit of the bracelet could not be read or saved: check the slider Strongest."),
             error);

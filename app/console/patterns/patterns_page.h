@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "app/console/patterns/pattern_collection.h"
 #include "app/console/patterns/pattern_playback.h"
 #include "app/console/patterns/recovery_keeper.h"
@@ -36,7 +36,7 @@ class PatternsPage : public QWidget {
 
 public:
     /// recoveryFolder: empty: unsaved edits are not backed up.
-    PatternsPage(BraceletStation& station, PatternCollection& collection, const QString& recoveryFolder,
+    PatternsPage(BraceletService& station, PatternCollection& collection, const QString& recoveryFolder,
                  QWidget* parent = nullptr);
 
     [[nodiscard]] editor::PatternEditor& editor() { return *m_editor; }
@@ -95,7 +95,7 @@ private:
     void report(const QString& what, const core::Error& error);
     void inform(const QString& what);
 
-    BraceletStation& m_station;
+    BraceletService& m_station;
     PatternCollection& m_collection;
     RecoveryKeeper* m_keeper;
     chrome::MessageBar* m_messages;

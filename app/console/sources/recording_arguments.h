@@ -24,6 +24,6 @@ struct RecordingArguments {
 };
 
 /// Completes what the command line says about a recording with what the file's header tells. Reads the file.
-[[nodiscard]] core::Expected<RecordingRequest> completeRecording(const RecordingArguments& recording);
+[[nodiscard]] core::Expected<CsvRequest> completeRecording(const RecordingArguments& recording);
 
 } // namespace teleta::console

@@ -20,9 +20,9 @@ class RecordingDialog : public QDialog {
     Q_OBJECT
 
 public:
-    RecordingDialog(RecordingRequest request, QWidget* parent = nullptr);
+    RecordingDialog(CsvRequest request, QWidget* parent = nullptr);
 
-    [[nodiscard]] RecordingRequest request() const;
+    [[nodiscard]] CsvRequest request() const;
 
 private:
     void check();
@@ -30,7 +30,7 @@ private:
     QHBoxLayout* fileRow(QLineEdit* line, const QString& toolTip, const QString& title,
                          const QString& filter);
 
-    RecordingRequest m_request;
+    CsvRequest m_request;
     std::size_t m_taxels;
     QSpinBox* m_rows;
     QSpinBox* m_columns;

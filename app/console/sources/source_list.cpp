@@ -48,10 +48,10 @@ void tellScene(Keys& keys, const std::string& listPath, SceneRequest& request) {
     keys.whole("seed", request.seed, {0}, "Seed of its random numbers", Need::optional);
 }
 
-void tellRecording(Keys& keys, const std::string& listPath, RecordingRequest& request) {
+void tellRecording(Keys& keys, const std::string& listPath, CsvRequest& request) {
     std::string path;
     tellPath(keys, "recording", listPath, path, "CSV file of the frames of an array");
-    if (auto guessed = guessRecording(path))
+    if (auto guessed = guessCsv(path))
         request = std::move(*guessed);
     else
         refuse(keys, "recording", guessed.error());
@@ -84,12 +84,12 @@ void tellPlaybacks(Keys& keys, const std::string& listPath, std::vector<SourceRe
     std::string path;
     tellPath(keys, "recording", listPath, path,
              "Recording of this program (.teleta), with all of its sources");
-    auto playbacks = playbacksOf(path);
+    auto playbacks = recordingRequestsOf(path);
     if (!playbacks)
         refuse(keys, "recording", playbacks.error());
     bool loop = false;
     keys.flag("loop", loop, "It starts again at its end");
-    for (PlaybackRequest& playback : playbacks.value_or(std::vector<PlaybackRequest>())) {
+    for (RecordingRequest& playback : playbacks.value_or(std::vector<RecordingRequest>())) {
         playback.loop = loop;
         requests.emplace_back(std::move(playback));
     }
@@ -171,10 +171,8 @@ bool isSourceList(const std::string& path) {
 }
 
 core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path) {
-    auto document = core::TomlDocument::open(path);
-    if (!document)
-        return core::Unexpected(document.error());
-    core::TomlTable root = document->root();
+    TELETA_TRY(auto document, core::TomlDocument::open(path));
+    core::TomlTable root = document.root();
     std::vector<SourceRequest> requests;
     for (core::TomlTable& table : root.tables("source", 1)) {
         core::TomlKeys keys(table);
@@ -182,8 +180,8 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
         keys.finish();
     }
     root.finish();
-    if (document->firstError())
-        return core::Unexpected(*document->firstError());
+    if (document.firstError())
+        return core::Unexpected(document.firstError());
     return requests;
 }
 

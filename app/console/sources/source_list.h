@@ -13,7 +13,7 @@ namespace teleta::console {
 /// What a [[source]] of a list is.
 enum class SourceKind {
     scene,     ///< a simulated scene
-    recording, ///< frames of an array as CSV; what is missing is guessed as in guessRecording
+    recording, ///< frames of an array as CSV; what is missing is guessed as in guessCsv
     playback,  ///< a recording of this program, all sources of it
     wts,       ///< a Weiss array
     camera,    ///< a camera in a soft tube, or a video of one

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/source_manager.h"
 
-#include "backend/pipeline/camera_channel.h"
-
 #include <algorithm>
 #include <utility>
 #include <variant>
@@ -17,22 +15,29 @@ SourceManager::SourceManager(core::StopSwitch& stop, QObject* parent)
     , m_stop(stop) {
 }
 
-core::PlaybackControl* SourceManager::Item::playback() const {
-    if (camera)
-        return camera->source().playback();
-    return channel ? channel->playback() : nullptr;
+std::shared_ptr<pipeline::TouchChannel> SourceManager::Item::array() const {
+    const auto ofArm = arm();
+    return ofArm ? ofArm->skin() : std::dynamic_pointer_cast<pipeline::TouchChannel>(channel);
+}
+
+std::shared_ptr<pipeline::ArmChannel> SourceManager::Item::arm() const {
+    return std::dynamic_pointer_cast<pipeline::ArmChannel>(channel);
+}
+
+std::shared_ptr<pipeline::CameraChannel> SourceManager::Item::camera() const {
+    return std::dynamic_pointer_cast<pipeline::CameraChannel>(channel);
+}
+
+std::shared_ptr<servo::ServoLink> SourceManager::Item::servo() const {
+    const auto shown = array();
+    return shown ? shown->servo() : nullptr;
 }
 
 ChannelKey SourceManager::open(const SourceRequest& request) {
     const ChannelKey key = m_pipeline.open(makeSourceFactory(request, m_stop));
-    m_items.push_back({key, request, displayName(request), nullptr, nullptr, 0});
+    m_items.push_back({key, request, displayName(request)});
     emit itemsChanged();
     return key;
-}
-
-ChannelKey SourceManager::openOnly(const SourceRequest& request) {
-    closeAll();
-    return open(request);
 }
 
 void SourceManager::close(ChannelKey key) {
@@ -74,11 +79,7 @@ void SourceManager::poll() {
             if (item == nullptr)
                 break;
             item->channel = std::move(event.channel);
-            item->arm = std::move(event.arm);
-            item->servo = std::move(event.servo);
-            item->camera = std::move(event.camera);
-            item->scene = std::move(event.scene);
-            item->waits = std::holds_alternative<PlaybackRequest>(item->request);
+            item->waits = std::holds_alternative<RecordingRequest>(item->request);
             emit opened(event.key);
             emit itemsChanged();
             activate(event.key);
@@ -98,13 +99,13 @@ void SourceManager::poll() {
 
 void SourceManager::beginPlaybacks() {
     const auto isOf = [](const Item& item, const std::string& path) {
-        const auto* playback = std::get_if<PlaybackRequest>(&item.request);
+        const auto* playback = std::get_if<RecordingRequest>(&item.request);
         return playback != nullptr && playback->path == path;
     };
     for (const Item& waiting : m_items) {
         if (!waiting.waits)
             continue;
-        const std::string path = std::get<PlaybackRequest>(waiting.request).path;
+        const std::string path = std::get<RecordingRequest>(waiting.request).path;
         if (std::ranges::any_of(m_items,
                                 [&](const Item& item) { return isOf(item, path) && !item.isOpen(); }))
             continue;

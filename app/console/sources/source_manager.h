@@ -3,6 +3,9 @@
 
 #include "app/console/base/source_request.h"
 #include "backend/core/threads/stop_switch.h"
+#include "backend/pipeline/arm_channel.h"
+#include "backend/pipeline/camera_channel.h"
+#include "backend/pipeline/touch_channel.h"
 #include "backend/pipeline/touch_pipeline.h"
 
 #include <QObject>
@@ -24,26 +27,29 @@ public:
         pipeline::ChannelKey key = 0;
         SourceRequest request;
         QString name;
-        std::shared_ptr<pipeline::TouchChannel> channel; ///< null while it is being opened, and of a camera
-        std::shared_ptr<pipeline::ArmChannel> arm;       ///< null unless the channel is an arm's skin
-        std::shared_ptr<servo::ServoLink> servo;         ///< null unless a servo moves the array
-        std::uint64_t displayed = 0;                     ///< snapshots that were painted
-        std::shared_ptr<pipeline::CameraChannel> camera = nullptr; ///< null unless the source is a camera
-        std::shared_ptr<core::SceneControl> scene = nullptr; ///< null unless it is a scene that can be held
-
+        std::shared_ptr<pipeline::Channel> channel = nullptr; ///< null while it is being opened
+        std::uint64_t displayed = 0;                          ///< snapshots that were painted
         bool waits = false; ///< a playback that begins with the others of its recording
 
-        [[nodiscard]] bool isOpen() const { return channel != nullptr || camera != nullptr; }
+        [[nodiscard]] bool isOpen() const { return channel != nullptr; }
         /// Null when it is no playback, or is being opened.
-        [[nodiscard]] core::PlaybackControl* playback() const;
+        [[nodiscard]] core::PlaybackControl* playback() const {
+            return channel ? channel->playback() : nullptr;
+        }
+
+        // For the views of one kind of source; null when it is another one, or is being opened.
+        /// An array, or the skin of an arm.
+        [[nodiscard]] std::shared_ptr<pipeline::TouchChannel> array() const;
+        [[nodiscard]] std::shared_ptr<pipeline::ArmChannel> arm() const;
+        [[nodiscard]] std::shared_ptr<pipeline::CameraChannel> camera() const;
+        /// That moves the array.
+        [[nodiscard]] std::shared_ptr<servo::ServoLink> servo() const;
     };
 
     explicit SourceManager(core::StopSwitch& stop, QObject* parent = nullptr);
 
     /// Opens a source beside those that are open and shows it once it is there.
     pipeline::ChannelKey open(const SourceRequest& request);
-    /// Opens a source in place of all others.
-    pipeline::ChannelKey openOnly(const SourceRequest& request);
     void close(pipeline::ChannelKey key);
     void closeAll();
     void activate(pipeline::ChannelKey key);

@@ -56,7 +56,7 @@ core::Expected<StudyOverview> replaced(StudyStoreThread::Store& store, core::Exp
 
 } // namespace
 
-StudyController::StudyController(BraceletStation& station, core::StopSwitch& stop, SteadyClock clock,
+StudyController::StudyController(BraceletService& station, core::StopSwitch& stop, SteadyClock clock,
                                  WallClock utcNow, QObject* parent)
     : QObject(parent)
     , m_station(station)

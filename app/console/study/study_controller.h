@@ -34,7 +34,7 @@ public:
     using WallClock = std::function<QDateTime()>; ///< UTC
 
     /// station and stop must outlive it. clock, utcNow: those of the system, or of a test.
-    StudyController(BraceletStation& station, core::StopSwitch& stop, SteadyClock clock = core::steadyNow_ns,
+    StudyController(BraceletService& station, core::StopSwitch& stop, SteadyClock clock = core::steadyNow_ns,
                     WallClock utcNow = QDateTime::currentDateTimeUtc, QObject* parent = nullptr);
     ~StudyController() override;
 
@@ -142,7 +142,7 @@ private:
         return m_overview && m_overview->head.mode == study::Mode::simulated;
     }
 
-    BraceletStation& m_station;
+    BraceletService& m_station;
     core::StopSwitch& m_stop;
     SteadyClock m_clock;
     WallClock m_utcNow;

@@ -60,7 +60,7 @@ QString newFolder(const QString& kind) {
 
 } // namespace
 
-StudyPage::StudyPage(BraceletStation& station, core::StopSwitch& stop, StudyController::SteadyClock clock,
+StudyPage::StudyPage(BraceletService& station, core::StopSwitch& stop, StudyController::SteadyClock clock,
                      StudyController::WallClock utcNow, QWidget* parent)
     : QWidget(parent)
     , m_controller(station, stop, std::move(clock), std::move(utcNow))

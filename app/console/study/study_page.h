@@ -40,7 +40,7 @@ class StudyPage : public QWidget {
     Q_OBJECT
 
 public:
-    StudyPage(BraceletStation& station, core::StopSwitch& stop,
+    StudyPage(BraceletService& station, core::StopSwitch& stop,
               StudyController::SteadyClock clock = core::steadyNow_ns,
               StudyController::WallClock utcNow = QDateTime::currentDateTimeUtc, QWidget* parent = nullptr);
 

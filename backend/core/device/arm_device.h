@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/device.h"
+#include "backend/core/device/joint_vector.h"
 #include "backend/core/interface.h"
 #include "backend/core/threads/bounded_queue.h"
 #include "backend/core/threads/wakeup.h"
@@ -15,18 +16,13 @@
 
 namespace teleta::core {
 
-inline constexpr std::size_t kArmJoints = 4;
-
-/// One number a joint: shoulder roll, shoulder pitch, shoulder yaw, elbow pitch.
-using JointArray = std::array<double, kArmJoints>;
-
 /// One reading of all joints.
 struct JointSample {
     std::int64_t time_ns = 0;   ///< steady clock at the read
     double sourceTime_s = 0.0;  ///< the arm's own time (recording or simulated time)
-    JointArray angle_rad{};     ///< at the motor's side of the joint
-    JointArray torque_Nm{};     ///< of the joint torque sensors, weight of the links taken off
-    JointArray reference_rad{}; ///< where the controller was told to go
+    JointVector angle_rad;      ///< at the motor's side of the joint
+    JointVector torque_Nm;      ///< of the joint torque sensors, weight of the links taken off
+    JointVector reference_rad;  ///< where the controller was told to go
     bool discontinuity = false; ///< the stream jumped before this sample
 };
 
@@ -57,12 +53,14 @@ struct ArmDescription {
     double halfThickness_m = 0.0;
     double elbowStiffness_NmPerRad = 0.0; ///< of joint and link: k_ri P_C^2 at any distance P_C
     /// Of the three shoulder joints; 0: taken as rigid.
-    std::array<double, kArmJoints - 1> shoulderStiffness_NmPerRad{};
+    std::array<double, 3> shoulderStiffness_NmPerRad{};
     SkinPlacement skin;
-    JointArray lowest_rad{}; ///< range of the joints
-    JointArray highest_rad{};
-    JointArray fastest_radPerS{}; ///< limit of each joint's speed
-    bool hasProgram = false;      ///< the arm can move by a program of its own (a simulated scene)
+    JointVector lowest_rad; ///< range of the joints
+    JointVector highest_rad;
+    JointVector fastest_radPerS; ///< limit of each joint's speed
+    bool hasProgram = false;     ///< the arm can move by a program of its own (a simulated scene)
+
+    [[nodiscard]] std::size_t joints() const { return lowest_rad.size(); }
 };
 
 /// What moves the arm.
@@ -78,7 +76,7 @@ enum class ArmDrive {
 struct ArmCommand {
     static constexpr std::int64_t kJogLifetime_ns = 100'000'000;
 
-    JointArray rate_radPerS{};
+    JointVector rate_radPerS;
     std::int64_t time_ns = 0; ///< steady time at which it was given
 };
 
@@ -110,7 +108,7 @@ public:
 /// What a simulated arm has to do in one step.
 struct ArmDemand {
     ArmDrive drive = ArmDrive::held;
-    JointArray rate_radPerS{}; ///< with jog
+    JointVector rate_radPerS; ///< with jog
 };
 
 /// What a simulated arm at another site has sent and the link has delivered.

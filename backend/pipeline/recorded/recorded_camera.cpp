@@ -147,10 +147,8 @@ core::Expected<std::vector<RecordedCamera>> recordedCameras(const recording::Rec
         }
         if (!*camera)
             continue;
-        const auto extent = recording.extent(i);
-        if (!extent)
-            return core::Unexpected(extent.error());
-        if (*extent)
+        TELETA_TRY(const auto extent, recording.extent(i));
+        if extent
             cameras.push_back(std::move(**camera));
     }
     return cameras;

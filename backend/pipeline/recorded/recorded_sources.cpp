@@ -28,10 +28,8 @@ core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& reco
     for (std::size_t i = 0; i < streams.size(); ++i) {
         if (streams[i].kind != StreamKind::array)
             continue;
-        const auto extent = recording.extent(i);
+        TELETA_TRY(const auto extent, recording.extent(i));
         if (!extent)
-            return core::Unexpected(extent.error());
-        if (!*extent)
             continue;
         auto array = recordedArray(streams[i], recording.path());
         if (!array) {
@@ -62,11 +60,9 @@ core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& reco
 core::Expected<RecordedSources> recordedSources(const Recording& recording) {
     std::optional<core::Error> why;
     auto arrays = recordedArrays(recording, why);
-    if (!arrays)
-        return core::Unexpected(arrays.error());
+    TELETA_CHECK(arrays);
     auto cameras = recordedCameras(recording, why);
-    if (!cameras)
-        return core::Unexpected(cameras.error());
+    TELETA_CHECK(cameras);
     if (arrays->empty() && cameras->empty() && why)
         return core::Unexpected(*why);
     if (arrays->empty() && cameras->empty())

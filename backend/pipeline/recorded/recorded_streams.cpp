@@ -3,6 +3,7 @@
 
 #include "backend/core/data/json_document.h"
 #include "backend/core/number_text.h"
+#include "backend/recording/event_words.h"
 #include "backend/recording/stream_columns.h"
 #include "backend/stiffness/material.h"
 
@@ -26,7 +27,6 @@ struct RecordedStreamText {
     Q_DECLARE_TR_FUNCTIONS(RecordedStreamText)
 };
 
-constexpr char kSettingsEvent[] = "settings";
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHuge = 1e12;
 constexpr double kMostTaxels =
@@ -103,11 +103,10 @@ ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json,
     return settings;
 }
 
-template <std::size_t n>
 void readNumbers(core::JsonReader& reader, const ordered_json& json, const char* key,
-                 std::array<double, n>& values) {
-    const ordered_json& list = reader.array(reader.member(json, key), n, n);
-    for (std::size_t i = 0; i < n && i < list.size(); ++i)
+                 std::span<double> values) {
+    const ordered_json& list = reader.array(reader.member(json, key), values.size(), values.size());
+    for (std::size_t i = 0; i < values.size() && i < list.size(); ++i)
         values[i] = reader.number(list[i], -kHuge, kHuge);
 }
 
@@ -152,12 +151,12 @@ recording::StreamInfo arrayStream(const std::string& name, const core::SourceDes
 
 recording::RecordingEvent settingsEvent(const std::string& stream, const ChannelSettings& settings) {
     const ordered_json text{{"stream", stream}, {"settings", settingsJson(settings)}};
-    return {.kind = kSettingsEvent, .text = text.dump()};
+    return {.kind = recording::kSettings, .text = text.dump()};
 }
 
 bool settingsChanged(const std::vector<recording::RecordingEvent>& events, const std::string& stream) {
     return std::ranges::any_of(events, [&](const recording::RecordingEvent& event) {
-        if (event.kind != kSettingsEvent)
+        if (event.kind != recording::kSettings)
             return false;
         const ordered_json text = ordered_json::parse(event.text, nullptr, /*allow_exceptions=*/false);
         const auto named = text.is_object() ? text.find("stream") : text.end();
@@ -175,7 +174,7 @@ recording::StreamInfo featureStream(const std::string& name, const core::SourceD
 
 recording::StreamInfo armStream(const std::string& name, const core::ArmDescription& description,
                                 const std::string& skinStream) {
-    recording::StreamInfo info = recording::jointStream(description.nominalRate_Hz);
+    recording::StreamInfo info = recording::jointStream(description.nominalRate_Hz, description.joints());
     info.name = name;
     info.source = description.name;
     const ordered_json details{{"simulated", description.simulated},
@@ -274,8 +273,8 @@ core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
 }
 
 core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, const std::string& file) {
-    if (stream.kind != recording::StreamKind::joints || stream.type != recording::ValueType::float64 ||
-        stream.channels() != recording::kJointValues)
+    const auto joints = recording::jointsOf(stream);
+    if (!joints)
         return badDetails(stream, file, RecordedStreamText::tr("it is no arm").toStdString());
     const auto document = core::JsonDocument::parse(stream.details, file);
     if (!document)
@@ -299,6 +298,8 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
     description.skin.centreDistance_m = number("skin_centre_distance_m", -kHuge);
     description.skin.centreSide_rad = number("skin_centre_side_rad", -kHuge);
     description.skin.radius_m = number("skin_radius_m", 1e-9);
+    description.lowest_rad = description.highest_rad = description.fastest_radPerS =
+        core::JointVector::zeros(*joints);
     readNumbers(reader, root, "lowest_rad", description.lowest_rad);
     readNumbers(reader, root, "highest_rad", description.highest_rad);
     readNumbers(reader, root, "fastest_rad_per_s", description.fastest_radPerS);

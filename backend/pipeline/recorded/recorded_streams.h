@@ -24,6 +24,10 @@ namespace teleta::pipeline {
 inline constexpr std::size_t kFeatureValues = 12;
 inline constexpr std::size_t kTouchValues = 14;
 
+/// Name of the stream of an array's frames, in a recording that knows the array by a name.
+[[nodiscard]] inline std::string framesStreamName(const std::string& name) {
+    return name + "-frames";
+}
 /// Raw frames of an array, with the settings in force for them. name: of the stream.
 [[nodiscard]] recording::StreamInfo arrayStream(const std::string& name,
                                                 const core::SourceDescription& description,

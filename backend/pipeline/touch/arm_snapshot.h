@@ -33,8 +33,8 @@ struct ArmSnapshot {
     /// Of the first sample since the arm began anew, with a time of its own that ran back: objects and
     /// touches are of what came after it. 0: it has not. A recording that is sought back does not.
     std::int64_t begun_ns = 0;
-    std::array<stiffness::ContactPhase, core::kArmJoints> phases{};
-    core::JointArray reference_Nm{}; ///< torque of each joint without contact
+    JointPhases phases{};
+    core::JointVector reference_Nm; ///< torque of each joint without contact
     std::optional<LiveContact> contact;
     std::optional<TouchRecord> lastTouch;
     ExploredContour contour; ///< of the object that was touched last

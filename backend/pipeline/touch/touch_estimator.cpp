@@ -11,9 +11,8 @@ namespace teleta::pipeline {
 
 namespace {
 
-using core::JointArray;
 using core::JointSample;
-using core::kArmJoints;
+using core::JointVector;
 using stiffness::ContactPhase;
 
 /// Over which the torque is averaged that becomes a new reference.
@@ -34,14 +33,7 @@ bool hasPassed(double elapsed_s, double duration_s) {
     return elapsed_s >= duration_s - kRounding_s;
 }
 
-bool isFinite(const JointSample& sample) {
-    const auto finite = [](double value) { return std::isfinite(value); };
-    return std::isfinite(sample.sourceTime_s) &&
-           std::all_of(sample.angle_rad.begin(), sample.angle_rad.end(), finite) &&
-           std::all_of(sample.torque_Nm.begin(), sample.torque_Nm.end(), finite);
-}
-
-arm::JointVector toVector(const JointArray& joints) {
+arm::JointVector toVector(const JointVector& joints) {
     return arm::JointVector(joints.data());
 }
 
@@ -64,7 +56,7 @@ double timeInWindow_s(const std::vector<stiffness::JointSample>& rise,
     return (above == rise.end() ? rise.back() : *above).time_s - first->time_s;
 }
 
-std::size_t strongest(const JointArray& torque_Nm) {
+std::size_t strongest(const JointVector& torque_Nm) {
     const auto found = std::max_element(torque_Nm.begin(), torque_Nm.end(),
                                         [](double a, double b) { return std::abs(a) < std::abs(b); });
     return static_cast<std::size_t>(found - torque_Nm.begin());
@@ -81,13 +73,14 @@ TouchEstimator::TouchEstimator(const core::ArmDescription& arm, const TouchEstim
     , m_kinematics({arm.upperArmLength_m, arm.forearmLength_m, arm.halfThickness_m})
     , m_settings(settings) {
     makeDetectors();
+    reset();
 }
 
 void TouchEstimator::makeDetectors() {
     stiffness::DetectionSettings others = m_settings.detection;
     others.capacity = 0; // only the elbow's samples are evaluated
-    for (std::size_t joint = 0; joint < kArmJoints; ++joint)
-        m_detectors[joint] = stiffness::ContactDetector(joint == kElbow ? m_settings.detection : others);
+    m_detectors.fill(stiffness::ContactDetector(others));
+    m_detectors[kElbow] = stiffness::ContactDetector(m_settings.detection);
 }
 
 void TouchEstimator::setSettings(const TouchEstimatorSettings& settings) {
@@ -106,26 +99,41 @@ void TouchEstimator::reset() {
     m_newest.reset();
     m_skin.reset();
     m_referenceSamples = 0;
-    m_raisedUnfelt_s = {};
+    m_raisedUnfelt_s = JointVector::zeros(m_arm.joints());
     m_motion.clear();
     m_accelerated_s.reset();
     m_touch = {};
 }
 
-std::array<ContactPhase, kArmJoints> TouchEstimator::phases() const {
-    std::array<ContactPhase, kArmJoints> phases{};
-    for (std::size_t joint = 0; joint < kArmJoints; ++joint)
-        phases[joint] = m_detectors[joint].phase();
+JointPhases TouchEstimator::phases() const {
+    JointPhases phases{};
+    std::ranges::transform(detectors(), phases.begin(), &stiffness::ContactDetector::phase);
     return phases;
 }
 
+std::span<const stiffness::ContactDetector> TouchEstimator::detectors() const {
+    return std::span(m_detectors).first(m_arm.joints());
+}
+
+bool TouchEstimator::canLocate() const {
+    return m_arm.joints() == arm::JointVector::SizeAtCompileTime;
+}
+
+bool TouchEstimator::isUsable(const JointSample& sample) const {
+    const auto complete = [this](const JointVector& values) {
+        return values.size() == m_arm.joints() &&
+               std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+    };
+    return std::isfinite(sample.sourceTime_s) && complete(sample.angle_rad) && complete(sample.torque_Nm);
+}
+
 bool TouchEstimator::anyPhaseIs(ContactPhase phase) const {
-    return std::any_of(m_detectors.begin(), m_detectors.end(),
-                       [phase](const auto& detector) { return detector.phase() == phase; });
+    return std::ranges::any_of(detectors(),
+                               [phase](const auto& detector) { return detector.phase() == phase; });
 }
 
 std::optional<TouchRecord> TouchEstimator::update(const JointSample& sample) {
-    if (!isFinite(sample)) {
+    if (!isUsable(sample)) {
         ++m_leftOut;
         return std::nullopt;
     }
@@ -158,7 +166,7 @@ void TouchEstimator::followReference(const JointSample& sample) {
         m_reference_Nm = m_recent_Nm = sample.torque_Nm;
         return;
     }
-    for (std::size_t joint = 0; joint < kArmJoints; ++joint) {
+    for (std::size_t joint = 0; joint < m_arm.joints(); ++joint) {
         const double torque_Nm = sample.torque_Nm[joint];
         m_recent_Nm[joint] += share(kRecentTime_s) * (torque_Nm - m_recent_Nm[joint]);
         const double weight = starting ? 1.0 / m_referenceSamples : share(m_settings.referenceTime_s);
@@ -178,16 +186,16 @@ void TouchEstimator::followMotion(const JointSample& sample) {
                (m_motion[look + 1].time_s - m_motion[look].time_s);
     };
     const double span_s = 0.5 * (m_motion[2].time_s - m_motion[0].time_s);
-    for (std::size_t joint = 0; joint < kArmJoints; ++joint) {
+    for (std::size_t joint = 0; joint < m_arm.joints(); ++joint) {
         if (std::abs(rate_radPerS(1, joint) - rate_radPerS(0, joint)) > m_settings.inertia_radPerS2 * span_s)
             m_accelerated_s = sample.sourceTime_s;
     }
     m_motion.erase(m_motion.begin());
 }
 
-JointArray TouchEstimator::torqueWithoutReference(const JointSample& sample) const {
-    JointArray torque_Nm = sample.torque_Nm;
-    for (std::size_t joint = 0; joint < kArmJoints; ++joint)
+JointVector TouchEstimator::torqueWithoutReference(const JointSample& sample) const {
+    JointVector torque_Nm = sample.torque_Nm;
+    for (std::size_t joint = 0; joint < m_arm.joints(); ++joint)
         torque_Nm[joint] -= m_reference_Nm[joint];
     return torque_Nm;
 }
@@ -195,7 +203,7 @@ JointArray TouchEstimator::torqueWithoutReference(const JointSample& sample) con
 void TouchEstimator::watch(const JointSample& sample) {
     const stiffness::ContactDetector& elbow = m_detectors[kElbow];
     const bool wasFree = elbow.phase() == ContactPhase::free;
-    for (std::size_t joint = 0; joint < kArmJoints; ++joint)
+    for (std::size_t joint = 0; joint < m_arm.joints(); ++joint)
         m_detectors[joint].update(ofJoint(sample, joint), m_reference_Nm[joint]);
     if (elbow.phase() == ContactPhase::free)
         return;
@@ -209,7 +217,7 @@ void TouchEstimator::watch(const JointSample& sample) {
 /// this the joint would never be free again.
 void TouchEstimator::takeNewReferences(const JointSample& sample) {
     const double step_s = m_newest ? sample.sourceTime_s - m_newest->sourceTime_s : 0.0;
-    for (std::size_t joint = 0; joint < kArmJoints; ++joint) {
+    for (std::size_t joint = 0; joint < m_arm.joints(); ++joint) {
         double& raised_s = m_raisedUnfelt_s[joint];
         raised_s = m_skin || m_detectors[joint].phase() == ContactPhase::free ? 0.0 : raised_s + step_s;
         if (raised_s <= m_settings.newReference_s)
@@ -222,7 +230,7 @@ void TouchEstimator::takeNewReferences(const JointSample& sample) {
 
 std::optional<TouchRecord> TouchEstimator::follow(const JointSample& sample) {
     const double now_s = sample.sourceTime_s;
-    const JointArray torque_Nm = torqueWithoutReference(sample);
+    const JointVector torque_Nm = torqueWithoutReference(sample);
     const bool allFree = !anyPhaseIs(ContactPhase::transition) && !anyPhaseIs(ContactPhase::contact);
 
     if (m_touch.stage == Stage::none) {
@@ -348,8 +356,9 @@ TouchRecord TouchEstimator::makeRecord() {
     record.ready_ns = m_newest->time_ns;
     record.ready_s = m_newest->sourceTime_s;
     record.joint = m_touch.joint;
+    record.joints = m_arm.joints();
     record.torque_Nm = m_touch.torque_Nm[record.joint];
-    if (!m_touch.place)
+    if (!m_touch.place || !canLocate())
         return record;
 
     const Located located = locate(m_touch.place->x_m, m_touch.place->y_m);
@@ -435,7 +444,7 @@ TouchEstimator::pressingRise(const arm::JointVector& depthPerAngle_m) const {
 }
 
 std::optional<arm::ContactForce> TouchEstimator::forceAt(const arm::JointVector& angle_rad,
-                                                         const JointArray& torque_Nm,
+                                                         const JointVector& torque_Nm,
                                                          const Located& located) const {
     const Eigen::Vector3d p_Link = m_kinematics.p_Link_Skin(located.contactDistance_m, located.side_rad);
     const auto force =
@@ -454,7 +463,7 @@ TouchEstimator::Located TouchEstimator::locate(double x_m, double y_m) const {
 }
 
 std::optional<LiveContact> TouchEstimator::liveContact() const {
-    if (!m_skin || !m_newest)
+    if (!m_skin || !m_newest || !canLocate())
         return std::nullopt;
     const Located located = locate(m_skin->x_m, m_skin->y_m);
     const arm::JointVector angle_rad = toVector(m_newest->angle_rad);

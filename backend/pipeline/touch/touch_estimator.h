@@ -11,12 +11,16 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace teleta::pipeline {
 
-/// Index of the joint whose torque and angle give the stiffness.
+/// Index of the joint whose torque and angle give the stiffness, in an arm of arm::Arm4Kinematics.
 inline constexpr std::size_t kElbow = 3;
+
+/// What each joint feels; past the arm's joints: free.
+using JointPhases = std::array<stiffness::ContactPhase, core::JointVector::kCapacity>;
 
 /// How touches are recognised and evaluated. Times are those of the arm's stream.
 struct TouchEstimatorSettings {
@@ -78,9 +82,11 @@ struct LiveContact {
 /// located: no point, no force, no stiffness. While the arm is told to speed up or slow down, the inertia of
 /// its links is felt like a touch: what the skin does not feel is then none, and is only counted.
 ///
-/// A sample with a number that is not finite is left out and counted. A discontinuity, or a time that runs
-/// back, ends a touch (it is recorded when it was complete) and begins the reference anew.
-/// Samples and contacts come in order of time. Thread: one. Source: TeleTA, section 2.
+/// An arm with another number of joints than arm::Arm4Kinematics has is watched alike, but its touches are
+/// not located. A sample with a number that is not finite, or without one for each joint, is left out and
+/// counted. A discontinuity, or a time that runs back, ends a touch (it is recorded when it was complete) and
+/// begins the reference anew. Samples and contacts come in order of time. Thread: one. Source: TeleTA,
+/// section 2.
 class TouchEstimator {
 public:
     static constexpr double kSamePlace_m = 0.015;
@@ -97,8 +103,8 @@ public:
     /// Forgets all but the counters.
     void reset();
 
-    [[nodiscard]] std::array<stiffness::ContactPhase, core::kArmJoints> phases() const;
-    [[nodiscard]] const core::JointArray& reference_Nm() const { return m_reference_Nm; }
+    [[nodiscard]] JointPhases phases() const;
+    [[nodiscard]] const core::JointVector& reference_Nm() const { return m_reference_Nm; }
     /// What the skin feels now, by the newest joint sample; empty when it feels nothing.
     [[nodiscard]] std::optional<LiveContact> liveContact() const;
 
@@ -107,7 +113,7 @@ public:
     [[nodiscard]] std::uint64_t touchesTooGentle() const { return m_tooGentle; }
     /// Torques of inertia that passed the threshold.
     [[nodiscard]] std::uint64_t touchesByInertia() const { return m_byInertia; }
-    [[nodiscard]] std::uint64_t samplesLeftOut() const { return m_leftOut; } ///< not finite
+    [[nodiscard]] std::uint64_t samplesLeftOut() const { return m_leftOut; } ///< not finite or not complete
 
 private:
     enum class Stage {
@@ -126,7 +132,7 @@ private:
         Stage stage = Stage::none;
         core::JointSample first;
         core::JointSample loaded;            ///< newest sample over the threshold
-        core::JointArray torque_Nm{};        ///< of that sample, without the reference
+        core::JointVector torque_Nm;         ///< of that sample, without the reference
         std::size_t joint = 0;               ///< that felt it most, in that sample
         std::optional<double> elbowPassed_s; ///< when its torque passed the threshold and the window
         std::optional<double> passed_s;      ///< when any joint passed the threshold
@@ -140,7 +146,7 @@ private:
     };
     struct Motion {
         double time_s = 0.0;
-        core::JointArray reference_rad{};
+        core::JointVector reference_rad;
     };
     struct Located {
         double contactDistance_m = 0.0;
@@ -149,7 +155,7 @@ private:
     };
 
     void followReference(const core::JointSample& sample);
-    [[nodiscard]] core::JointArray torqueWithoutReference(const core::JointSample& sample) const;
+    [[nodiscard]] core::JointVector torqueWithoutReference(const core::JointSample& sample) const;
     void watch(const core::JointSample& sample);
     void followMotion(const core::JointSample& sample);
     void takeNewReferences(const core::JointSample& sample);
@@ -166,10 +172,13 @@ private:
     [[nodiscard]] std::vector<stiffness::JointSample>
     pressingRise(const arm::JointVector& depthPerAngle_m) const;
     [[nodiscard]] std::optional<arm::ContactForce> forceAt(const arm::JointVector& angle_rad,
-                                                           const core::JointArray& torque_Nm,
+                                                           const core::JointVector& torque_Nm,
                                                            const Located& located) const;
     [[nodiscard]] Eigen::Vector3d p_Base(const arm::JointVector& angle_rad, const Located& located) const;
     [[nodiscard]] Located locate(double x_m, double y_m) const;
+    [[nodiscard]] bool isUsable(const core::JointSample& sample) const;
+    [[nodiscard]] bool canLocate() const;
+    [[nodiscard]] std::span<const stiffness::ContactDetector> detectors() const;
     [[nodiscard]] bool anyPhaseIs(stiffness::ContactPhase phase) const;
     void addToPlace(const SkinContact& contact);
     void makeDetectors();
@@ -177,15 +186,15 @@ private:
     core::ArmDescription m_arm;
     arm::Arm4Kinematics m_kinematics;
     TouchEstimatorSettings m_settings;
-    std::array<stiffness::ContactDetector, core::kArmJoints> m_detectors;
-    std::vector<core::JointArray> m_riseAngles_rad; ///< of all joints, with the elbow's transition
+    std::array<stiffness::ContactDetector, core::JointVector::kCapacity> m_detectors;
+    std::vector<core::JointVector> m_riseAngles_rad; ///< of all joints, with the elbow's transition
 
     std::optional<core::JointSample> m_newest;
     std::optional<SkinContact> m_skin; ///< newest contact; empty while the skin feels nothing
-    core::JointArray m_reference_Nm{};
-    core::JointArray m_recent_Nm{}; ///< mean torque of the last moments
+    core::JointVector m_reference_Nm;
+    core::JointVector m_recent_Nm; ///< mean torque of the last moments
     int m_referenceSamples = 0;
-    std::array<double, core::kArmJoints> m_raisedUnfelt_s{}; ///< time over the floor without the skin
+    core::JointVector m_raisedUnfelt_s;    ///< time over the floor without the skin
     std::vector<Motion> m_motion;          ///< the last looks at the references, at most three
     std::optional<double> m_accelerated_s; ///< when the arm was accelerated last
     Touch m_touch;

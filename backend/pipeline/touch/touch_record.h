@@ -36,6 +36,7 @@ struct TouchRecord {
     double start_s = 0.0;      ///< the same two in the arm's own time
     double ready_s = 0.0;
     std::size_t joint = 0;  ///< whose torque and angle were evaluated
+    std::size_t joints = 0; ///< of the arm
     double torque_Nm = 0.0; ///< of that joint when the record was made, without its reference
 
     bool located = false; ///< the skin felt the contact; else the point and what rests on it is missing

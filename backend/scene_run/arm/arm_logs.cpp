@@ -31,7 +31,7 @@ void ArmLogs::add(const core::JointSample& sample) {
     if (!m_joints)
         return;
     m_joints->number(sample.sourceTime_s);
-    for (const core::JointArray* values : {&sample.angle_rad, &sample.torque_Nm, &sample.reference_rad})
+    for (const core::JointVector* values : {&sample.angle_rad, &sample.torque_Nm, &sample.reference_rad})
         for (const double value : *values)
             m_joints->number(value);
     m_joints->endRow();

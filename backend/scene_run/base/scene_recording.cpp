@@ -134,7 +134,7 @@ void SceneRecording::addFrame(double time_s, std::span<const float> values) {
 }
 
 void SceneRecording::addJoints(const core::JointSample& sample) {
-    const auto values = recording::jointValues(sample);
+    const auto values = recording::jointValues(sample, sample.angle_rad.size());
     m_joints.add(sample.sourceTime_s, std::span<const double>(values));
 }
 

@@ -72,10 +72,10 @@ void ScriptedOperator::beginTravel(const core::JointSample& seen) {
     m_move = SmoothMove::at(way_m, m_program.travel_mPerS);
 }
 
-core::JointArray ScriptedOperator::rates_radPerS(double step_s,
-                                                 const std::optional<core::JointSample>& seen) {
+core::JointVector ScriptedOperator::rates_radPerS(double step_s,
+                                                  const std::optional<core::JointSample>& seen) {
     if (!seen || done())
-        return {};
+        return core::JointVector::zeros(m_fastest_radPerS.size());
     if (!m_begun)
         beginTravel(*seen);
     advance(step_s, *seen);
@@ -115,7 +115,7 @@ void ScriptedOperator::advance(double step_s, const core::JointSample& seen) {
     case Phase::approach: {
         m_distance_m -= step_s * m_program.approach_mPerS * SmoothMove::shareAt(m_phaseTime_s, kTakeUp_s);
         double change_Nm = 0.0;
-        for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
+        for (std::size_t joint = 0; joint < seen.torque_Nm.size(); ++joint)
             change_Nm = std::max(change_Nm, std::abs(seen.torque_Nm[joint] - m_free_Nm[joint]));
         if (change_Nm >= m_program.feltTorque_Nm || m_distance_m <= 0.0) {
             m_met_m = m_distance_m;
@@ -166,11 +166,11 @@ void ScriptedOperator::nextTouch() {
     }
 }
 
-core::JointArray ScriptedOperator::towards(const core::JointSample& seen) const {
+core::JointVector ScriptedOperator::towards(const core::JointSample& seen) const {
     const JointVector wanted_rad = hangingPosture(m_dimensions, m_wanted_m);
-    core::JointArray rates{};
+    core::JointVector rates = core::JointVector::zeros(m_fastest_radPerS.size());
     double scale = 1.0;
-    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint) {
+    for (std::size_t joint = 0; joint < rates.size(); ++joint) {
         rates[joint] =
             kGain_perS * (wanted_rad[static_cast<Eigen::Index>(joint)] - seen.reference_rad[joint]);
         if (std::abs(rates[joint]) * scale > m_fastest_radPerS[joint])

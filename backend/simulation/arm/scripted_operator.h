@@ -25,7 +25,8 @@ public:
 
     /// What he asks of the joints in this step. seen: the newest sample that has come back; empty: none yet,
     /// then he waits.
-    [[nodiscard]] core::JointArray rates_radPerS(double step_s, const std::optional<core::JointSample>& seen);
+    [[nodiscard]] core::JointVector rates_radPerS(double step_s,
+                                                  const std::optional<core::JointSample>& seen);
     /// Somebody else has moved the arm: begins the touch that he was at anew.
     void takeOver() { m_begun = false; }
     [[nodiscard]] bool done() const { return m_exploration >= m_program.explorations.size(); }
@@ -45,12 +46,12 @@ private:
     void nextTouch();
     void beginMove(Phase phase, double to_m);
     [[nodiscard]] bool moveOn(double step_s);
-    [[nodiscard]] core::JointArray towards(const core::JointSample& seen) const;
+    [[nodiscard]] core::JointVector towards(const core::JointSample& seen) const;
 
     scene::OperatorProgram m_program;
     arm::ArmDimensions m_dimensions;
     arm::Arm4Kinematics m_kinematics;
-    core::JointArray m_fastest_radPerS;
+    core::JointVector m_fastest_radPerS;
 
     std::size_t m_exploration = 0;
     int m_touch = 0;
@@ -64,7 +65,7 @@ private:
     double m_moveFrom_m = 0.0; ///< of it, where a move began
     double m_moveTo_m = 0.0;
     std::optional<double> m_met_m; ///< of it, where he met the object last
-    core::JointArray m_free_Nm{};
+    core::JointVector m_free_Nm{};
 };
 
 } // namespace teleta::simulation

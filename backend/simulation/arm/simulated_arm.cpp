@@ -15,12 +15,12 @@ namespace {
 
 using arm::JointVector;
 
-JointVector toVector(const core::JointArray& values) {
+JointVector toVector(const core::JointVector& values) {
     return Eigen::Map<const JointVector>(values.data());
 }
 
-void toArray(const JointVector& vector, core::JointArray& values) {
-    Eigen::Map<JointVector>(values.data()) = vector;
+core::JointVector toJoints(const JointVector& vector) {
+    return {vector[0], vector[1], vector[2], vector[3]};
 }
 
 std::vector<TouchedBody> bodiesOf(const scene::Scene& scene) {
@@ -137,9 +137,9 @@ void SimulatedArm::next(const core::ArmDemand& demand, core::JointSample& sample
         [&](JointEffect& effect) { effect.apply(m_arm.state().link_rad, m_arm.state().motor_rad, reading); });
     m_reading_Nm = reading.torque_Nm;
     sample.sourceTime_s = time_s();
-    toArray(reading.angle_rad, sample.angle_rad);
-    toArray(reading.torque_Nm, sample.torque_Nm);
-    toArray(m_reference_rad, sample.reference_rad);
+    sample.angle_rad = toJoints(reading.angle_rad);
+    sample.torque_Nm = toJoints(reading.torque_Nm);
+    sample.reference_rad = toJoints(m_reference_rad);
 
     m_frameDue = m_sample % m_samplesPerFrame == 0;
     if (m_frameDue)
@@ -163,8 +163,8 @@ void SimulatedArm::moveReference(const core::ArmDemand& demand) {
     }
 }
 
-void SimulatedArm::jog(const core::JointArray& rate_radPerS) {
-    for (std::size_t j = 0; j < core::kArmJoints; ++j) {
+void SimulatedArm::jog(const core::JointVector& rate_radPerS) {
+    for (std::size_t j = 0; j < scene::ArmBody::kJoints; ++j) {
         const auto row = static_cast<Eigen::Index>(j);
         const double rate =
             std::isnan(rate_radPerS[j])

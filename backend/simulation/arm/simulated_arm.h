@@ -85,7 +85,7 @@ public:
 private:
     SimulatedArm(const scene::Scene& scene, std::uint64_t seed);
     void moveReference(const core::ArmDemand& demand);
-    void jog(const core::JointArray& rate_radPerS);
+    void jog(const core::JointVector& rate_radPerS);
     void updatePresence();
     void updateTruth();
     void readSkin();

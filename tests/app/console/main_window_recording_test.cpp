@@ -18,7 +18,7 @@ using namespace teleta;
 using console::ConsoleOptions;
 using console::ConsoleSettings;
 using console::MainWindow;
-using console::RecordingStation;
+using console::RecordingService;
 
 namespace {
 
@@ -73,12 +73,12 @@ private slots:
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         m_window->openRequested(options);
-        RecordingStation& station = m_window->recording().station();
+        RecordingService& station = m_window->recorder();
         QTRY_VERIFY_WITH_TIMEOUT(station.status().frames >= 200, kPatience_ms);
         QCOMPARE(station.path(), options.record);
         QCOMPARE(m_window->anyFailure(), !files.isEmpty());
         m_window->recording().stop();
-        QTRY_COMPARE_WITH_TIMEOUT(station.state(), RecordingStation::State::idle, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(station.state(), RecordingService::State::idle, kPatience_ms);
         const auto recording = recording::Recording::open(options.record.toStdString());
         QVERIFY2(recording, recording ? "" : core::describe(recording.error()).c_str());
         QCOMPARE(recording->head().scene, std::string("tactile-indenter"));

@@ -181,11 +181,11 @@ private slots:
         auto* playback = item->channel->playback();
         QVERIFY(playback != nullptr);
         QTRY_VERIFY(playback->position().paused);
-        QTRY_COMPARE(item->channel->snapshot().features.force_N, 2.0);
+        QTRY_COMPARE(item->array()->snapshot().features.force_N, 2.0);
         QTest::keyClick(bar, Qt::Key_Right);
-        QTRY_COMPARE(item->channel->snapshot().features.force_N, 3.0);
+        QTRY_COMPARE(item->array()->snapshot().features.force_N, 3.0);
         QTest::keyClick(bar, Qt::Key_Left);
-        QTRY_COMPARE(item->channel->snapshot().features.force_N, 2.0);
+        QTRY_COMPARE(item->array()->snapshot().features.force_N, 2.0);
     }
 
     void saysWhatIsWrongWithAFileWithoutAModalDialog_data() {

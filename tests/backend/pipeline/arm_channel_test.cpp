@@ -3,6 +3,7 @@
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/touch_pipeline.h"
 #include "backend/playback/pattern_program.h"
+#include "tests/backend/pipeline/next_event.h"
 #include "tests/backend/pipeline/scripted_arm_source.h"
 #include "tests/backend/pipeline/scripted_source.h"
 
@@ -230,18 +231,17 @@ TEST(TouchPipelineWithAnArm, opensArmAndSkinTogetherAndStopsBoth) {
     ScriptedArmSource* source = nullptr;
     ScriptedSource* skin = nullptr;
     pipeline::TouchPipeline pipeline;
-    const auto key = pipeline.open([&]() -> core::Expected<pipeline::OpenedSource> {
+    const auto key = pipeline.open([&]() -> core::Expected<std::shared_ptr<pipeline::Channel>> {
         auto skinSource = std::make_unique<ScriptedSource>(kSkin, 1024);
         auto armSource = std::make_unique<ScriptedArmSource>();
         skin = skinSource.get();
         source = armSource.get();
-        return pipeline::OpenedSource{std::move(skinSource), {}, std::move(armSource), {}};
+        return std::make_shared<ArmChannel>(
+            std::move(armSource),
+            std::make_shared<TouchChannel>(std::move(skinSource), pipeline::ChannelSettings()));
     });
-    pipeline.waitUntilIdle();
-    auto events = pipeline.takeEvents();
-    ASSERT_EQ(events.size(), 1U);
-    ASSERT_TRUE(events[0].channel && events[0].arm);
-    EXPECT_EQ(&events[0].arm->skin(), events[0].channel.get());
+    const auto channel = std::dynamic_pointer_cast<ArmChannel>(test::nextEvent(pipeline).channel);
+    ASSERT_TRUE(channel);
     EXPECT_EQ(source->starts, 1);
     EXPECT_TRUE(skin->started());
 
@@ -260,12 +260,12 @@ TEST(TouchPipelineWithAnArm, opensArmAndSkinTogetherAndStopsBoth) {
         }
     }
     TouchRecord record;
-    while (!events[0].arm->popTouch(record))
+    while (!channel->popTouch(record))
         std::this_thread::yield(); // the test's time-out ends it
     EXPECT_EQ(record.number, 1U);
 
     pipeline.close(key);
-    pipeline.waitUntilIdle();
+    EXPECT_EQ(test::nextEvent(pipeline).kind, pipeline::ChannelEvent::Kind::closed);
     EXPECT_EQ(source->stops, 1);
     EXPECT_EQ(skin->stops(), 1);
 }

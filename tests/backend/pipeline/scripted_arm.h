@@ -41,9 +41,9 @@ public:
 
     /// Standard deviation of each joint's torque.
     double torqueNoise_Nm = 0.0;
-    core::JointArray offset_Nm{};
-    core::JointArray pose_rad{0.1, -0.2, 0.3, 0.9};
-    core::JointArray reference_rad{0.1, -0.2, 0.3, 0.9};
+    core::JointVector offset_Nm = core::JointVector::zeros(4);
+    core::JointVector pose_rad{0.1, -0.2, 0.3, 0.9};
+    core::JointVector reference_rad{0.1, -0.2, 0.3, 0.9};
     std::int64_t clockOffset_ns = 5'000'000'000;
 
     /// force_N: of the arm on the object along the normal of the skin, outwards.
@@ -56,10 +56,11 @@ public:
         const double lever_m = m_contactDistance_m * std::abs(std::cos(m_side_rad));
         const double elbowStiffness = paperArm().elbowStiffness_NmPerRad;
         const double elbow_Nm = perNewton_m[3] * force_N;
-        for (std::size_t joint = 0; joint < core::kArmJoints; ++joint) {
+        sample.angle_rad = pose_rad;
+        sample.torque_Nm = core::JointVector::zeros(4);
+        for (std::size_t joint = 0; joint < 4; ++joint) {
             sample.torque_Nm[joint] = perNewton_m[static_cast<Eigen::Index>(joint)] * force_N +
                                       offset_Nm[joint] + torqueNoise_Nm * m_normal(m_random);
-            sample.angle_rad[joint] = pose_rad[joint];
         }
         sample.angle_rad[3] += elbow_Nm / elbowStiffness;
         if (lever_m > 1e-6)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/touch/skin_contact.h"
 #include "backend/pipeline/touch_channel.h"
 #include "tests/backend/pipeline/scripted_source.h"
 
@@ -45,19 +46,24 @@ TEST(TouchChannel, joinsTheTwoPartsOfAContactAtTheSeamOfASheetAroundACylinder) {
     values[5 * 14 + 3] = 3.0F; // last row
     source.push(values, 0.005);
     std::vector<teleta::pipeline::SkinContact> contacts;
-    channel.process(&contacts, 6 * kSheet.pitch_m);
+    const auto process = [&](double circumference_m) {
+        channel.process([&](const teleta::pipeline::TouchSnapshot& frame) {
+            contacts.push_back(teleta::pipeline::strongestContact(frame, circumference_m));
+        });
+    };
+    process(6 * kSheet.pitch_m);
     ASSERT_EQ(contacts.size(), 1U);
     EXPECT_TRUE(contacts[0].touching);
     EXPECT_NEAR(contacts[0].force_N, 4.0, 1e-9);
     EXPECT_NEAR(contacts[0].x_m, kSheet.x_m(3), 1e-12);
     EXPECT_NEAR(contacts[0].y_m, kSheet.y_m(5.25), 1e-12);
     source.push(values, 0.010);
-    channel.process(&contacts); // flat: they are two
+    process(0.0); // flat: they are two
     ASSERT_EQ(contacts.size(), 2U);
     EXPECT_NEAR(contacts[1].force_N, 3.0, 1e-9);
     EXPECT_NEAR(contacts[1].y_m, kSheet.y_m(5), 1e-12);
     source.push(std::vector<float>(kSheet.taxels()), 0.015);
-    channel.process(&contacts, 6 * kSheet.pitch_m);
+    process(6 * kSheet.pitch_m);
     EXPECT_FALSE(contacts[2].touching);
 }
 

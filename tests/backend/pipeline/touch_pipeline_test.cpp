@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/touch_channel.h"
 #include "backend/pipeline/touch_pipeline.h"
+#include "tests/backend/pipeline/next_event.h"
 #include "tests/backend/pipeline/scripted_source.h"
 
 #include <gtest/gtest.h>
@@ -12,11 +14,12 @@ using teleta::core::Error;
 using teleta::core::ErrorKind;
 using teleta::core::Expected;
 using teleta::core::Unexpected;
+using teleta::pipeline::Channel;
 using teleta::pipeline::ChannelEvent;
 using teleta::pipeline::FeatureSample;
-using teleta::pipeline::OpenedSource;
 using teleta::pipeline::TouchChannel;
 using teleta::pipeline::TouchPipeline;
+using teleta::test::nextEvent;
 using teleta::test::ScriptedSource;
 
 namespace {
@@ -25,30 +28,25 @@ constexpr ArrayLayout kLayout{.rows = 6, .columns = 14, .pitch_m = 0.0034};
 
 /// Opens a scripted source and hands out the channel and a pointer to the source.
 std::shared_ptr<TouchChannel> openScripted(TouchPipeline& pipeline, ScriptedSource*& source) {
-    pipeline.open([&]() -> Expected<OpenedSource> {
+    pipeline.open([&]() -> Expected<std::shared_ptr<Channel>> {
         auto made = std::make_unique<ScriptedSource>(kLayout);
         source = made.get();
-        return OpenedSource{std::move(made), {}};
+        return std::make_shared<TouchChannel>(std::move(made), teleta::pipeline::ChannelSettings());
     });
-    pipeline.waitUntilIdle();
-    auto events = pipeline.takeEvents();
-    EXPECT_EQ(events.size(), 1U);
-    return events.empty() ? nullptr : events.front().channel;
+    return std::dynamic_pointer_cast<TouchChannel>(nextEvent(pipeline).channel);
 }
 
 } // namespace
 
 TEST(TouchPipeline, reportsThatASourceCouldNotBeOpened) {
     TouchPipeline pipeline;
-    const auto key = pipeline.open([]() -> Expected<OpenedSource> {
+    const auto key = pipeline.open([]() -> Expected<std::shared_ptr<Channel>> {
         return Unexpected(Error{ErrorKind::notFound, "no such file", "", {}});
     });
-    pipeline.waitUntilIdle();
-    const auto events = pipeline.takeEvents();
-    ASSERT_EQ(events.size(), 1U);
-    EXPECT_EQ(events.front().kind, ChannelEvent::Kind::failed);
-    EXPECT_EQ(events.front().key, key);
-    EXPECT_EQ(events.front().error.message, "no such file");
+    const ChannelEvent event = nextEvent(pipeline);
+    EXPECT_EQ(event.kind, ChannelEvent::Kind::failed);
+    EXPECT_EQ(event.key, key);
+    EXPECT_EQ(event.error.message, "no such file");
     EXPECT_TRUE(pipeline.takeEvents().empty());
 }
 
@@ -99,10 +97,7 @@ TEST(TouchPipeline, stopsASourceThatIsClosedAndLeavesItsLastPictureToTheViewer) 
     const auto channel = openScripted(pipeline, source);
     ASSERT_TRUE(channel);
     pipeline.close(1);
-    pipeline.waitUntilIdle();
-    const auto events = pipeline.takeEvents();
-    ASSERT_EQ(events.size(), 1U);
-    EXPECT_EQ(events.front().kind, ChannelEvent::Kind::closed);
+    EXPECT_EQ(nextEvent(pipeline).kind, ChannelEvent::Kind::closed);
     EXPECT_EQ(source->stops(), 1);
     EXPECT_EQ(channel->snapshot().frame, 0U);
 }
@@ -110,7 +105,8 @@ TEST(TouchPipeline, stopsASourceThatIsClosedAndLeavesItsLastPictureToTheViewer) 
 TEST(TouchPipeline, ignoresTheClosingOfASourceThatIsNotOpen) {
     TouchPipeline pipeline;
     pipeline.close(7);
-    pipeline.waitUntilIdle();
+    ScriptedSource* source = nullptr;
+    EXPECT_TRUE(openScripted(pipeline, source)) << "the first event is that of the next request";
     EXPECT_TRUE(pipeline.takeEvents().empty());
 }
 

@@ -60,12 +60,12 @@ TEST_F(CsvExportTest, anArrayIsReadBackAsFramesFromTheStartOn) {
 TEST_F(CsvExportTest, jointsHaveTheColumnsOfAStiffnessLog) {
     {
         auto recorder = start();
-        const auto tap = recorder->addStream(jointStream(1000.0));
+        const auto tap = recorder->addStream(jointStream(1000.0, 4));
         core::JointSample sample;
         sample.angle_rad = {0.1, 0.2, 0.3, 0.4};
         sample.torque_Nm = {1.0, 2.0, 3.0, 4.0};
         sample.reference_rad = {0.5, 0.6, 0.7, 0.8};
-        const auto values = jointValues(sample);
+        const auto values = jointValues(sample, 4);
         tap->append(kStart_ns + 1'000'000, 0.0, std::span<const double>(values));
         ASSERT_TRUE(recorder->stop());
     }

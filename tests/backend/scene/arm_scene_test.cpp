@@ -65,7 +65,7 @@ TEST(ArmScene, isReadWithItsUnits) {
     ASSERT_TRUE(scene) << describe(scene.error());
     ASSERT_TRUE(scene->isArm());
     const ArmWorld& world = scene->arm();
-    EXPECT_EQ(world.body.start_rad, (core::JointArray{0.1, -0.2, 0.3, 1.0}));
+    EXPECT_EQ(world.body.start_rad, (core::JointVector{0.1, -0.2, 0.3, 1.0}));
     // k_ri P_C^2 with the paper's k_ri = 3468.6 N/m at P_C = 0.175 m.
     EXPECT_NEAR(world.body.jointStiffness_NmPerRad[3], 106.2259, 1e-4);
     EXPECT_EQ(std::get<PositionControl>(world.control).bandwidth_radPerS, 50.0);

@@ -26,8 +26,7 @@ RegisterMap armMap() {
     RegisterMap map;
     map.name = "arm";
     map.inputRate_Hz = 100.0;
-    map.joints.emplace();
-    for (std::size_t i = 0; i < core::kArmJoints; ++i) {
+    for (std::size_t i = 0; i < 4; ++i) {
         const RegisterFormat format{.type = RegisterType::int16, .scale = 0.001};
         map.inputs.push_back({.name = "a" + std::to_string(i),
                               .address = static_cast<std::uint16_t>(100 + i),
@@ -37,7 +36,7 @@ RegisterMap armMap() {
                               .address = static_cast<std::uint16_t>(200 + i),
                               .format = format,
                               .unit = "N m"});
-        map.joints->at(i) = {.angle = 2 * i, .torque = 2 * i + 1};
+        map.joints.push_back({.angle = 2 * i, .torque = 2 * i + 1});
     }
     return map;
 }
@@ -111,7 +110,7 @@ TEST_F(ModbusJointsTest, cannotMoveTheArm) {
     EXPECT_EQ(arm.name, "arm");
     EXPECT_EQ(arm.nominalRate_Hz, 100.0);
     EXPECT_EQ(arm.upperArmLength_m, 0.3);
-    EXPECT_EQ(arm.fastest_radPerS, core::JointArray{});
+    EXPECT_EQ(arm.fastest_radPerS, core::JointVector::zeros(4));
     EXPECT_FALSE(arm.hasProgram);
     m_device->post({.rate_radPerS = {1, 1, 1, 1}, .time_ns = m_clock->now_ns()});
     m_device->setProgramRunning(true);
@@ -225,7 +224,7 @@ TEST_F(ModbusJointsTest, startsAnewAfterStop) {
 
 TEST(ModbusJoints, needAMapWithJoints) {
     RegisterMap map = armMap();
-    map.joints.reset();
+    map.joints.clear();
     const auto device = makeModbusJoints(map, core::ArmDescription());
     ASSERT_FALSE(device);
     EXPECT_EQ(device.error().kind, core::ErrorKind::refused);

@@ -15,6 +15,13 @@ namespace {
 
 const std::string kLink = "[link]\nkind = 'tcp'\nhost = 'h'\n";
 
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i)
+        all += text;
+    return all;
+}
+
 std::string errorOf(const std::string& text) {
     const auto map = parseRegisterMap(text, "d.toml");
     return map ? std::string() : describe(map.error());
@@ -132,9 +139,9 @@ torque = 'torque'
     EXPECT_EQ(map->inputs[2].table, RegisterTable::input);
     EXPECT_EQ(map->supply, 0U);
     EXPECT_EQ(map->temperature, 1U);
-    ASSERT_TRUE(map->joints);
-    EXPECT_EQ(map->joints->at(3).angle, 2U);
-    EXPECT_EQ(map->joints->at(3).torque, 3U);
+    ASSERT_EQ(map->joints.size(), 4U);
+    EXPECT_EQ(map->joints.at(3).angle, 2U);
+    EXPECT_EQ(map->joints.at(3).torque, 3U);
 }
 
 TEST(RegisterMap, saysWhereAFileIsWrong) {
@@ -199,8 +206,8 @@ TEST(RegisterMap, saysWhereAFileIsWrong) {
         {begin + tactors + "[[input]]\nname = 'a'\naddress = 0\ntype = 'int16'\nunit = '1'\n" +
              "[[input]]\nname = 'a'\naddress = 1\ntype = 'int16'\nunit = '1'\n",
          "d.toml:17:8: the name \"a\" is used twice (expected a name of its own for each input)"},
-        {begin + tactors + "[[joint]]\nangle = 'a'\ntorque = 'b'\n",
-         "d.toml:11:1: the number of joints is wrong: 1 (expected 4, from the shoulder on)"},
+        {begin + tactors + repeated("[[joint]]\nangle = 'a'\ntorque = 'b'\n", 17),
+         "d.toml:11:1: too many joints: 17 (expected at most 16, from the base to the tip)"},
         {"supply = 'a'\n" + begin + tactors,
          "d.toml:1:10: there is no input \"a\" (expected the name of an [[input]])"},
         {"supply = 'a'\n" + begin + "[[input]]\nname = 'a'\naddress = 0\ntype = 'int16'\nunit = 'mV'\n",

@@ -31,15 +31,15 @@ protected:
     void write(int frames) {
         auto recorder = Recorder::start(path(), headAt(kStart_ns), {.simulatedTime = true}).value();
         const auto array = recorder->addStream(arrayInfo());
-        const auto joints = recorder->addStream(jointStream(100.0));
+        const auto joints = recorder->addStream(jointStream(100.0, 4));
         const std::int64_t first_ns = kStart_ns + 1'000'000'000;
         for (int i = 0; i < frames; ++i) {
             appendFrame(*array, first_ns + i * kTenth_ns, static_cast<float>(i));
             for (int k = 0; k < 10 && i + 1 < frames; ++k) {
                 core::JointSample sample;
-                sample.angle_rad[0] = 10 * i + k;
-                sample.torque_Nm[3] = 0.5;
-                const auto values = jointValues(sample);
+                sample.angle_rad = {10.0 * i + k, 0.0, 0.0, 0.0};
+                sample.torque_Nm = {0.0, 0.0, 0.0, 0.5};
+                const auto values = jointValues(sample, 4);
                 joints->append(first_ns + i * kTenth_ns + k * kTenth_ns / 10, 0.0,
                                std::span<const double>(values));
             }

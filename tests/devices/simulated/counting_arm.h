@@ -44,10 +44,10 @@ public:
     void next(const core::ArmDemand& demand, core::JointSample& sample) override {
         ++m_steps;
         m_programDone += demand.drive == core::ArmDrive::program ? 1 : 0;
-        for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
+        for (std::size_t joint = 0; joint < m_reference_rad.size(); ++joint)
             m_reference_rad[joint] += 1e-3 * demand.rate_radPerS[joint];
         sample.sourceTime_s = time_s();
-        sample.angle_rad[0] = m_steps;
+        sample.angle_rad = {1.0 * m_steps, 0.0, 0.0, 0.0};
         sample.torque_Nm = {1.0 * m_programDone, static_cast<double>(demand.drive), 0.0, 0.0};
         sample.reference_rad = m_reference_rad;
     }
@@ -61,14 +61,14 @@ public:
     [[nodiscard]] bool programDone() const override { return m_programDone >= m_programSteps; }
     void restart() override {
         m_steps = m_programDone = 0;
-        m_reference_rad = {};
+        m_reference_rad = core::JointVector::zeros(4);
     }
 
 private:
     int m_programSteps;
     int m_steps = 0;
     int m_programDone = 0;
-    core::JointArray m_reference_rad{};
+    core::JointVector m_reference_rad = core::JointVector::zeros(4);
 };
 
 /// A simulated arm on a clock of the test's.
@@ -102,7 +102,7 @@ protected:
             blocks.push_back(std::move(block));
         return blocks;
     }
-    void jog(const core::JointArray& rate_radPerS) {
+    void jog(const core::JointVector& rate_radPerS) {
         m_device->post({.rate_radPerS = rate_radPerS, .time_ns = m_clock->now_ns()});
     }
     [[nodiscard]] core::ArmDrive drive() const { return m_device->drive(); }

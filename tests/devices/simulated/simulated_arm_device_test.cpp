@@ -13,7 +13,7 @@
 using namespace teleta;
 using core::ArmDrive;
 using core::DeviceState;
-using core::JointArray;
+using core::JointVector;
 using simulated::SimulatedArmConfig;
 using simulated::SimulatedArmDevice;
 using simulated::SimulatedFaults;
@@ -205,7 +205,7 @@ TEST_F(SimulatedArmDeviceTest, limitsSpeedsAndTakesNaNAsZero) {
     const double infinite = std::numeric_limits<double>::infinity();
     jog({10.0, -infinite, nan, 0.0});
     advance_ms(100);
-    const JointArray reference_rad = drain().back().reference_rad;
+    const JointVector reference_rad = drain().back().reference_rad;
     EXPECT_NEAR(reference_rad[0], 0.05, 1e-12) << "0.5 rad/s for 100 ms";
     EXPECT_NEAR(reference_rad[1], -0.05, 1e-12);
     EXPECT_EQ(reference_rad[2], 0.0);

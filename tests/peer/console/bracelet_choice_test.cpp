@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bracelet that the operator chooses, by a file or as it is plugged in, against the kernel's HID stack.
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "devices/bracelet/hid_bracelet.h"
 #include "tests/peer/bracelet/uhid_board.h"
 
@@ -18,7 +18,7 @@
 
 using namespace teleta;
 using console::BraceletChoice;
-using console::BraceletStation;
+using console::BraceletService;
 using core::DeviceState;
 using peer::turns;
 using peer::UhidBoard;
@@ -40,7 +40,7 @@ playback::Program steady() {
 class BraceletChoicePeer : public testing::Test {
 protected:
     void SetUp() override {
-        QObject::connect(&m_station, &BraceletStation::failed,
+        QObject::connect(&m_station, &BraceletService::failed,
                          [this](const core::Error& error) { m_failures.push_back(describe(error)); });
     }
 
@@ -77,7 +77,7 @@ protected:
     [[nodiscard]] std::string failure() const { return m_failures.empty() ? "none" : m_failures.front(); }
 
     core::StopSwitch m_stop;
-    BraceletStation m_station{m_stop, nullptr, kPatient};
+    BraceletService m_station{m_stop, nullptr, kPatient};
     std::vector<std::string> m_failures;
 };
 

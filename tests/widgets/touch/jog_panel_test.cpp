@@ -19,7 +19,7 @@
 
 using namespace teleta;
 using namespace teleta::touch;
-using core::JointArray;
+using core::JointVector;
 
 namespace {
 
@@ -49,10 +49,10 @@ struct Desk {
         press(Qt::Key_Shift);
         press(Qt::Key_Q, Qt::ShiftModifier);
     }
-    [[nodiscard]] JointArray last() const { return requests.last()[0].value<JointArray>(); }
+    [[nodiscard]] JointVector last() const { return requests.last()[0].value<JointVector>(); }
     [[nodiscard]] bool sentOneZeroAtTheEnd() const {
-        return requests.size() >= 2 && last() == JointArray{} &&
-               requests[requests.size() - 2][0].value<JointArray>() != JointArray{};
+        return requests.size() >= 2 && last() == JointVector::zeros(4) &&
+               requests[requests.size() - 2][0].value<JointVector>() != JointVector::zeros(4);
     }
 
     QWidget window;
@@ -101,7 +101,7 @@ private slots:
         QVERIFY(!desk.panel->isMoving());
         desk.panel->setHand(HandMotion{{1.0, 0.0, 0.0}, true});
         QVERIFY(desk.panel->isMoving());
-        const JointArray byHand = desk.last();
+        const JointVector byHand = desk.last();
         desk.panel->setHand(std::nullopt);
         QVERIFY2(!desk.panel->isMoving(), "unplugged");
         QVERIFY(desk.sentOneZeroAtTheEnd());
@@ -198,16 +198,16 @@ private slots:
         desk.panel->setSpeed(50);
         desk.press(Qt::Key_Shift);
         desk.press(Qt::Key_F, Qt::ShiftModifier); // elbow down
-        QCOMPARE(desk.last(), (JointArray{0.0, 0.0, 0.0, -0.8}));
+        QCOMPARE(desk.last(), (JointVector{0.0, 0.0, 0.0, -0.8}));
         desk.press(Qt::Key_W, Qt::ShiftModifier); // and shoulder pitch up
-        QCOMPARE(desk.last(), (JointArray{0.0, 0.6, 0.0, -0.8}));
+        QCOMPARE(desk.last(), (JointVector{0.0, 0.6, 0.0, -0.8}));
     }
 
     void shiftAndAButtonMoveToo() {
         Desk desk;
         desk.panel->setSpeed(100);
         QTest::mousePress(desk.panel->directionButton(2, true), Qt::LeftButton, Qt::ShiftModifier);
-        QCOMPARE(desk.last(), (JointArray{0.0, 0.0, 1.4, 0.0}));
+        QCOMPARE(desk.last(), (JointVector{0.0, 0.0, 1.4, 0.0}));
         QVERIFY(desk.panel->hasFocus());
         QTest::keyRelease(desk.panel, Qt::Key_Shift);
         QVERIFY(desk.sentOneZeroAtTheEnd());
@@ -238,7 +238,7 @@ private slots:
         desk.move();
         QTRY_VERIFY(desk.requests.size() >= 4);
         for (const auto& request : desk.requests)
-            QCOMPARE(request[0].value<JointArray>(), (JointArray{0.2, 0.0, 0.0, 0.0}));
+            QCOMPARE(request[0].value<JointVector>(), (JointVector{0.2, 0.0, 0.0, 0.0}));
         desk.release(Qt::Key_Shift);
         const auto sent = desk.requests.size();
         QVERIFY(!desk.requests.wait(4 * JogPanel::kPeriod_ms));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm/arm4_kinematics.h"
+#include "backend/arm/jog_rates.h"
 #include "tests/widgets/test_registry.h"
 #include "tests/widgets/touch/sample_arm.h"
-#include "widgets/touch/jog/jog_rates.h"
 
 #include <QTest>
 
@@ -12,13 +12,13 @@
 #include <numbers>
 
 using namespace teleta;
-using touch::tipRates;
+using arm::tipRates;
 
 namespace {
 
 /// Velocity of the tip by a difference of two poses, not by the Jacobian.
-Eigen::Vector3d tipVelocity(const core::ArmDescription& arm, const core::JointArray& angle,
-                            const core::JointArray& rate) {
+Eigen::Vector3d tipVelocity(const core::ArmDescription& arm, const core::JointVector& angle,
+                            const core::JointVector& rate) {
     const arm::Arm4Kinematics kinematics({arm.upperArmLength_m, arm.forearmLength_m, arm.halfThickness_m});
     constexpr double kStep_s = 1e-5;
     const auto tip = [&](double t) {
@@ -36,7 +36,7 @@ Eigen::Vector3d tipVelocity(const core::ArmDescription& arm, const core::JointAr
 class JogRatesTest : public QObject {
     Q_OBJECT
 
-    static constexpr core::JointArray kBent{0.1, -0.2, 0.3, std::numbers::pi / 2.0};
+    static constexpr core::JointVector kBent{0.1, -0.2, 0.3, std::numbers::pi / 2.0};
 
 private slots:
     void theTipMovesAlongTheAskedAxis() {
@@ -54,7 +54,7 @@ private slots:
     void noJointIsFasterThanItMayAndTheDirectionStays() {
         const core::ArmDescription arm = test::sampleArm();
         const Eigen::Vector3d asked(2.0, 0.0, 1.0);
-        const core::JointArray rate = tipRates(arm, kBent, asked);
+        const core::JointVector rate = tipRates(arm, kBent, asked);
         double share = 0.0;
         for (std::size_t i = 0; i < 4; ++i) {
             QVERIFY(std::abs(rate[i]) <= arm.fastest_radPerS[i] * (1.0 + 1e-12));
@@ -67,7 +67,7 @@ private slots:
 
     void aStretchedArmDoesNotRaceAlongItself() {
         const core::ArmDescription arm = test::sampleArm();
-        const core::JointArray rate = tipRates(arm, {}, Eigen::Vector3d(0.2, 0.0, 0.0));
+        const core::JointVector rate = tipRates(arm, {}, Eigen::Vector3d(0.2, 0.0, 0.0));
         for (const double joint : rate)
             QVERIFY(std::abs(joint) < 1e-9);
     }
@@ -75,9 +75,9 @@ private slots:
     void whatIsNotANumberMovesNothing() {
         const core::ArmDescription arm = test::sampleArm();
         const double nan = std::numeric_limits<double>::quiet_NaN();
-        QCOMPARE(tipRates(arm, {0.0, nan, 0.0, 1.0}, Eigen::Vector3d::UnitX()), core::JointArray{});
-        QCOMPARE(tipRates(arm, kBent, Eigen::Vector3d(nan, 0.0, 0.0)), core::JointArray{});
-        QCOMPARE(tipRates({}, kBent, Eigen::Vector3d::UnitX()), core::JointArray{});
+        QCOMPARE(tipRates(arm, {0.0, nan, 0.0, 1.0}, Eigen::Vector3d::UnitX()), core::JointVector::zeros(4));
+        QCOMPARE(tipRates(arm, kBent, Eigen::Vector3d(nan, 0.0, 0.0)), core::JointVector::zeros(4));
+        QCOMPARE(tipRates({}, kBent, Eigen::Vector3d::UnitX()), core::JointVector());
     }
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/arm/jog_rates.h"
 #include "tests/widgets/test_registry.h"
 #include "tests/widgets/touch/sample_arm.h"
 #include "widgets/touch/jog/hold_button.h"
 #include "widgets/touch/jog/jog_panel.h"
-#include "widgets/touch/jog/jog_rates.h"
 #include "widgets/touch/jog/position_guide.h"
 
 #include <QCoreApplication>
@@ -60,12 +60,12 @@ struct Follower {
         this->key(QEvent::KeyPress, key);
         this->key(QEvent::KeyRelease, key);
     }
-    [[nodiscard]] Vector3d tip() const { return tipPosition(test::sampleArm(), sample.reference_rad); }
+    [[nodiscard]] Vector3d tip() const { return arm::tipPosition(test::sampleArm(), sample.reference_rad); }
     /// Looks at the hand as the console does, and moves.
     void look(const HandMotion& hand, int looks) {
         for (int i = 0; i < looks; ++i) {
             panel.setHand(hand);
-            for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
+            for (std::size_t joint = 0; joint < sample.reference_rad.size(); ++joint)
                 sample.reference_rad[joint] += 0.033 * panel.rate_radPerS()[joint];
             panel.setSample(sample);
         }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/jog/jog_panel.h"
 
+#include "backend/arm/jog_rates.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/jog/drive_sign.h"
 #include "widgets/touch/jog/hold_button.h"
-#include "widgets/touch/jog/jog_rates.h"
 #include "widgets/touch/jog/joint_range.h"
 #include "widgets/touch/touch_texts.h"
 
@@ -26,10 +26,12 @@
 
 namespace teleta::touch {
 
-using core::JointArray;
+using core::JointVector;
 
 namespace {
 
+/// Shown while no arm is there.
+constexpr std::size_t kUsualJoints = 4;
 constexpr int kFirstSpeed_percent = 20;
 constexpr double kTouchTarget_em = 2.2;
 
@@ -38,13 +40,29 @@ constexpr Qt::KeyboardModifiers kShortcutModifiers = Qt::ControlModifier | Qt::A
 struct KeyPair {
     int down, up;
 };
-constexpr std::array<KeyPair, core::kArmJoints> kJointKeys{
-    {{Qt::Key_A, Qt::Key_Q}, {Qt::Key_S, Qt::Key_W}, {Qt::Key_D, Qt::Key_E}, {Qt::Key_F, Qt::Key_R}}};
+constexpr std::array<KeyPair, 7> kJointKeys{{{Qt::Key_A, Qt::Key_Q},
+                                             {Qt::Key_S, Qt::Key_W},
+                                             {Qt::Key_D, Qt::Key_E},
+                                             {Qt::Key_F, Qt::Key_R},
+                                             {Qt::Key_G, Qt::Key_T},
+                                             {Qt::Key_H, Qt::Key_Y},
+                                             {Qt::Key_J, Qt::Key_U}}};
 constexpr std::array<KeyPair, 3> kTipKeys{
     {{Qt::Key_A, Qt::Key_D}, {Qt::Key_S, Qt::Key_W}, {Qt::Key_Q, Qt::Key_E}}};
 
-KeyPair keysOf(JogPanel::Mode mode, std::size_t axis) {
-    return mode == JogPanel::Mode::joints ? kJointKeys[axis] : kTipKeys[axis];
+/// Empty: it has buttons only.
+std::optional<KeyPair> keysOf(JogPanel::Mode mode, std::size_t axis) {
+    if (mode == JogPanel::Mode::tip)
+        return kTipKeys[axis];
+    return axis < kJointKeys.size() ? std::optional(kJointKeys[axis]) : std::nullopt;
+}
+
+/// "Q W E R"
+QString lettersOf(std::size_t joints, int KeyPair::*key) {
+    QStringList letters;
+    for (std::size_t joint = 0; joint < std::min(joints, kJointKeys.size()); ++joint)
+        letters += QChar(kJointKeys[joint].*key);
+    return letters.join(QLatin1Char(' '));
 }
 
 } // namespace
@@ -63,7 +81,8 @@ JogPanel::JogPanel(QWidget* parent)
     , m_speedLabel(new QLabel(this))
     , m_speedText(new QLabel(this))
     , m_deadMan(new HoldButton(this))
-    , m_clutch(new HoldButton(this)) {
+    , m_clutch(new HoldButton(this))
+    , m_grid(new QGridLayout) {
     setFocusPolicy(Qt::StrongFocus);
     m_message->setWordWrap(true);
     m_handText->setWordWrap(true);
@@ -83,24 +102,10 @@ JogPanel::JogPanel(QWidget* parent)
         button->setAutoDefault(false);
         program->addWidget(button);
     }
-    auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(base::grid(this));
-    grid->setVerticalSpacing(base::grid(this, 0.5));
-    grid->setColumnStretch(1, 1);
-    for (std::size_t axis = 0; axis < core::kArmJoints; ++axis) {
-        const int row = static_cast<int>(axis);
-        m_names[axis] = new QLabel(this);
-        m_ranges[axis] = new JointRange(this);
-        grid->addWidget(m_names[axis], row, 0);
-        grid->addWidget(m_ranges[axis], row, 1);
-        for (const int side : {0, 1}) {
-            auto* button = new HoldButton(this);
-            button->setFixedSize(base::em(this, 3.4), base::em(this, kTouchTarget_em));
-            connect(button, &HoldButton::heldChanged, this, &JogPanel::onDirectionHeld);
-            m_buttons[axis][static_cast<std::size_t>(side)] = button;
-            grid->addWidget(button, row, 2 + side);
-        }
-    }
+    m_grid->setHorizontalSpacing(base::grid(this));
+    m_grid->setVerticalSpacing(base::grid(this, 0.5));
+    m_grid->setColumnStretch(1, 1);
+    addRows();
     auto* kind = new QHBoxLayout;
     kind->addWidget(m_modeBox, 1);
     kind->addWidget(m_wayBox, 1);
@@ -119,7 +124,7 @@ JogPanel::JogPanel(QWidget* parent)
     layout->addLayout(program);
     layout->addWidget(m_message);
     // What moves the arm comes first: the panel may have to be low.
-    layout->addLayout(grid);
+    layout->addLayout(m_grid);
     layout->addLayout(hold);
     layout->addLayout(kind);
     layout->addLayout(speed);
@@ -128,6 +133,7 @@ JogPanel::JogPanel(QWidget* parent)
 
     for (QWidget* child : findChildren<QWidget*>())
         child->installEventFilter(this);
+    m_rate = noRate();
     m_timer.setInterval(kPeriod_ms);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, [this] {
@@ -169,6 +175,25 @@ JogPanel::~JogPanel() {
     // The parts that are destroyed after this may lose the focus.
     disconnect(qApp, nullptr, this, nullptr);
     releaseAll();
+}
+
+void JogPanel::addRows() {
+    while (m_rows.size() < std::max(joints(), kTipKeys.size())) {
+        const int row = static_cast<int>(m_rows.size());
+        Row& added = m_rows.emplace_back(Row{new QLabel(this), new JointRange(this), {}});
+        m_grid->addWidget(added.name, row, 0);
+        m_grid->addWidget(added.range, row, 1);
+        for (const int side : {0, 1}) {
+            auto* button = new HoldButton(this);
+            button->setFixedSize(base::em(this, 3.4), base::em(this, kTouchTarget_em));
+            connect(button, &HoldButton::heldChanged, this, &JogPanel::onDirectionHeld);
+            added.buttons[static_cast<std::size_t>(side)] = button;
+            m_grid->addWidget(button, row, 2 + side);
+        }
+        for (QWidget* child :
+             std::initializer_list<QWidget*>{added.name, added.range, added.buttons[0], added.buttons[1]})
+            child->installEventFilter(this);
+    }
 }
 
 void JogPanel::showSpeed() {
@@ -220,36 +245,39 @@ void JogPanel::retranslate() {
     m_deadMan->setToolTip(tr("Dead-man switch: the arm moves only while this button or Shift is held"));
     m_deadMan->setAccessibleName(tr("Dead-man switch"));
     constexpr std::array<char16_t, 3> kAxes{u'x', u'y', u'z'};
-    for (std::size_t axis = 0; axis < core::kArmJoints; ++axis) {
-        const QString joint = TouchTexts::joint(axis);
-        m_names[axis]->setText(joint);
-        m_ranges[axis]->setAccessibleName(tr("Angle of %1").arg(joint));
+    for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
+        const QString joint = TouchTexts::joint(axis, joints());
+        m_rows[axis].name->setText(joint);
+        m_rows[axis].range->setAccessibleName(tr("Angle of %1").arg(joint));
         if (axis >= axes())
             continue;
         const bool tip = m_mode == Mode::tip;
         const QString name = tip ? tr("tip along %1").arg(QChar(kAxes[axis])) : joint;
-        const KeyPair keys = keysOf(m_mode, axis);
-        const auto describe = [&](bool up, int key) {
+        const std::optional<KeyPair> keys = keysOf(m_mode, axis);
+        for (const bool up : {false, true}) {
             HoldButton* button = directionButton(axis, up);
             const QString sign = up ? QStringLiteral("+") : QString(QChar(0x2212));
             button->setText(tip ? QChar(kAxes[axis]) + sign : sign);
             button->setAccessibleName(up ? tr("%1 up").arg(name) : tr("%1 down").arg(name));
-            button->setToolTip((isGuided() ? tr("A step, while Shift is held; key Shift+%1")
-                                           : tr("Hold with Shift to move; key Shift+%1"))
-                                   .arg(QChar(key)));
-        };
-        describe(false, keys.down);
-        describe(true, keys.up);
+            button->setToolTip(!keys ? tr("Hold with Shift to move")
+                                     : (isGuided() ? tr("A step, while Shift is held; key Shift+%1")
+                                                   : tr("Hold with Shift to move; key Shift+%1"))
+                                           .arg(QChar(up ? keys->up : keys->down)));
+        }
     }
     enableParts();
 }
 
+std::size_t JogPanel::joints() const {
+    return m_arm ? m_arm->joints() : kUsualJoints;
+}
+
 std::size_t JogPanel::axes() const {
-    return m_mode == Mode::joints ? core::kArmJoints : kTipKeys.size();
+    return m_mode == Mode::joints ? joints() : kTipKeys.size();
 }
 
 HoldButton* JogPanel::directionButton(std::size_t axis, bool up) const {
-    return m_buttons[axis][up ? 1 : 0];
+    return m_rows[axis].buttons[up ? 1 : 0];
 }
 
 QString JogPanel::refusal() const {
@@ -273,19 +301,24 @@ void JogPanel::enableParts() {
         releaseAll();
     }
     const bool tip = m_mode == Mode::tip;
-    m_message->setText(!able        ? reason
-                       : isGuided() ? tr("Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.")
-                       : tip        ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
-                             : tr("Hold Shift and a button, or Shift with Q W E R (up), A S D F (down)."));
+    m_message->setText(
+        !able        ? reason
+        : isGuided() ? tr("Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.")
+        : tip        ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
+                     : tr("Hold Shift and a button, or Shift with %1 (up), %2 (down).")
+                    .arg(lettersOf(joints(), &KeyPair::up), lettersOf(joints(), &KeyPair::down)));
     QPalette colours = palette();
     colours.setColor(QPalette::WindowText, able || isRecorded ? palette().color(QPalette::PlaceholderText)
                                                               : base::statusColours(palette()).lost);
     m_message->setPalette(colours);
     m_deadMan->setEnabled(able);
     m_clutch->setEnabled(able && m_way == Way::position);
-    for (std::size_t axis = 0; axis < core::kArmJoints; ++axis) {
-        m_ranges[axis]->setEnabled(m_arm.has_value());
-        for (HoldButton* button : m_buttons[axis]) {
+    for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
+        const Row& row = m_rows[axis];
+        row.name->setVisible(axis < joints());
+        row.range->setVisible(axis < joints());
+        row.range->setEnabled(m_arm.has_value());
+        for (HoldButton* button : row.buttons) {
             button->setEnabled(able);
             button->setVisible(axis < axes());
         }
@@ -300,16 +333,23 @@ void JogPanel::setArm(const std::optional<core::ArmDescription>& arm) {
     m_handReady = false;
     releaseAll();
     m_arm = arm;
+    m_rate = noRate();
     m_hasSample = false;
     m_readingsOld = false;
     m_age_s = 0.0;
-    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint) {
-        m_ranges[joint]->setRange(arm ? arm->lowest_rad[joint] : 0.0, arm ? arm->highest_rad[joint] : 0.0);
-        m_ranges[joint]->setAngle(std::numeric_limits<double>::quiet_NaN());
+    addRows();
+    for (std::size_t joint = 0; joint < m_rows.size(); ++joint) {
+        JointRange& range = *m_rows[joint].range;
+        range.setRange(arm ? arm->lowest_rad[joint] : 0.0, arm ? arm->highest_rad[joint] : 0.0);
+        range.setAngle(std::numeric_limits<double>::quiet_NaN());
     }
     if (!arm)
         m_driveSign->setDrive(std::nullopt);
-    enableParts();
+    const bool tip = arm::canMoveTip(joints());
+    m_modeBox->setEnabled(tip);
+    if (!tip)
+        setMode(Mode::joints);
+    retranslate();
 }
 
 void JogPanel::setSample(const core::JointSample& sample) {
@@ -317,8 +357,8 @@ void JogPanel::setSample(const core::JointSample& sample) {
         return;
     m_sample = sample;
     m_hasSample = true;
-    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
-        m_ranges[joint]->setAngle(sample.angle_rad[joint]);
+    for (std::size_t joint = 0; joint < std::min(joints(), sample.angle_rad.size()); ++joint)
+        m_rows[joint].range->setAngle(sample.angle_rad[joint]);
 }
 
 void JogPanel::setDrive(core::ArmDrive drive) {
@@ -385,10 +425,10 @@ std::array<double, 3> JogPanel::handVelocity() const {
     return m_handReady && m_hand.deadManHeld ? m_hand.velocity : std::array<double, 3>{};
 }
 
-JointArray JogPanel::tipRate(const std::array<double, 3>& share) const {
+JointVector JogPanel::tipRate(const std::array<double, 3>& share) const {
     const Eigen::Vector3d velocity =
-        0.01 * m_speed->value() * kFullTipSpeed_mPerS * Eigen::Vector3d(share[0], share[1], share[2]);
-    return m_hasSample && !velocity.isZero() ? tipRates(*m_arm, m_sample.angle_rad, velocity) : JointArray{};
+        0.01 * m_speed->value() * arm::kFullTipSpeed_mPerS * Eigen::Vector3d(share[0], share[1], share[2]);
+    return m_hasSample && !velocity.isZero() ? arm::tipRates(*m_arm, m_sample.angle_rad, velocity) : noRate();
 }
 
 /// The tip is led from where it is when another one takes over: his hand is elsewhere.
@@ -398,19 +438,20 @@ void JogPanel::leadBy(Leader leader) {
     m_leader = leader;
 }
 
-JointArray JogPanel::guidedRate() {
+JointVector JogPanel::guidedRate() {
     const bool byKeys = m_hasSample && m_mode == Mode::tip && (m_shift || m_deadMan->isHeld());
     const bool byHand = m_hasSample && !byKeys && m_handReady && m_hand.deadManHeld;
     const bool clutch = m_clutchKey || m_clutch->isHeld() || (byHand && m_hand.clutchHeld);
     leadBy(byKeys ? Leader::keys : byHand ? Leader::hand : Leader::nobody);
     if (m_leader == Leader::nobody)
-        return {};
+        return noRate();
     const double scale_m = byHand ? 0.01 * m_speed->value() * kFullStep_m : 0.0;
     const Eigen::Vector3d hand_m =
         scale_m * Eigen::Vector3d(m_hand.velocity[0], m_hand.velocity[1], m_hand.velocity[2]);
-    const Eigen::Vector3d velocity = m_guide.velocity_mPerS(
-        true, clutch, hand_m, tipPosition(*m_arm, m_sample.reference_rad), kFullTipSpeed_mPerS, m_age_s);
-    return velocity.isZero() ? JointArray{} : tipRates(*m_arm, m_sample.reference_rad, velocity);
+    const Eigen::Vector3d velocity =
+        m_guide.velocity_mPerS(true, clutch, hand_m, arm::tipPosition(*m_arm, m_sample.reference_rad),
+                               arm::kFullTipSpeed_mPerS, m_age_s);
+    return velocity.isZero() ? noRate() : arm::tipRates(*m_arm, m_sample.reference_rad, velocity);
 }
 
 void JogPanel::stepBy(std::size_t axis, bool up) {
@@ -425,10 +466,10 @@ void JogPanel::stepBy(std::size_t axis, bool up) {
     m_guide.step(by_m);
 }
 
-JointArray JogPanel::wanted() {
+JointVector JogPanel::wanted() {
     if (!m_arm || m_stopEngaged || m_readingsOld) {
         leadBy(Leader::nobody);
-        return {};
+        return noRate();
     }
     const bool byKeys = m_shift || m_deadMan->isHeld();
     if (m_way == Way::position && (isGuided() || !byKeys))
@@ -436,21 +477,21 @@ JointArray JogPanel::wanted() {
     leadBy(Leader::nobody);
     if (!byKeys)
         return tipRate(handVelocity());
-    std::array<double, core::kArmJoints> direction{};
+    std::array<double, JointVector::kCapacity> direction{};
     for (std::size_t axis = 0; axis < axes(); ++axis)
         for (const std::size_t side : {0U, 1U})
-            if (m_keys[axis][side] || m_buttons[axis][side]->isHeld())
+            if (m_keys[axis][side] || m_rows[axis].buttons[side]->isHeld())
                 direction[axis] += side == 1 ? 1.0 : -1.0;
     if (m_mode == Mode::tip)
         return tipRate({direction[0], direction[1], direction[2]});
-    JointArray rate{};
-    for (std::size_t joint = 0; joint < core::kArmJoints; ++joint)
+    JointVector rate = noRate();
+    for (std::size_t joint = 0; joint < rate.size(); ++joint)
         rate[joint] = 0.01 * m_speed->value() * direction[joint] * m_arm->fastest_radPerS[joint];
     return rate;
 }
 
 void JogPanel::take() {
-    const JointArray rate = wanted();
+    const JointVector rate = wanted();
     if (rate == m_rate)
         return;
     m_rate = rate;
@@ -473,8 +514,8 @@ void JogPanel::releaseAll() {
     leadBy(Leader::nobody);
     m_deadMan->letGo();
     m_clutch->letGo();
-    for (const auto& pair : m_buttons)
-        for (HoldButton* button : pair)
+    for (const Row& row : m_rows)
+        for (HoldButton* button : row.buttons)
             button->letGo();
     take();
 }
@@ -494,7 +535,7 @@ void JogPanel::onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers) {
 
 bool JogPanel::isOwnKey(int key) const {
     for (std::size_t axis = 0; axis < axes(); ++axis)
-        if (const KeyPair keys = keysOf(m_mode, axis); key == keys.down || key == keys.up)
+        if (const auto keys = keysOf(m_mode, axis); keys && (key == keys->down || key == keys->up))
             return true;
     return key == Qt::Key_Shift || (key == Qt::Key_C && m_way == Way::position);
 }
@@ -508,11 +549,13 @@ void JogPanel::onKey(const QKeyEvent& event, bool pressed) {
         if (event.key() == Qt::Key_C)
             m_clutchKey = pressed;
         for (std::size_t axis = 0; axis < axes(); ++axis) {
-            const KeyPair keys = keysOf(m_mode, axis);
-            if (pressed && (event.key() == keys.down || event.key() == keys.up))
-                stepBy(axis, event.key() == keys.up);
-            if (event.key() == keys.down || event.key() == keys.up)
-                m_keys[axis][event.key() == keys.up ? 1 : 0] = pressed && refusal().isEmpty();
+            const auto keys = keysOf(m_mode, axis);
+            if (!keys || (event.key() != keys->down && event.key() != keys->up))
+                continue;
+            const bool up = event.key() == keys->up;
+            if (pressed)
+                stepBy(axis, up);
+            m_keys[axis][up ? 1 : 0] = pressed && refusal().isEmpty();
         }
     }
     take();

@@ -10,8 +10,10 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -44,8 +46,8 @@ class JointRange;
 /// A 3D mouse moves the tip, whatever the mode, while its own dead-man button is held; it needs no focus.
 /// STOP, another arm and old joint readings take it out of effect until its button was let go.
 ///
-/// Keys while the panel has the focus: Q W E R turn the joints 1 to 4 up, A S D F down; with the tip, D A
-/// move along x, W S along y, E Q along z. Thread: GUI.
+/// Keys while the panel has the focus: Q W E R T Y U turn the joints 1 to 7 up, A S D F G H J down; with the
+/// tip, D A move along x, W S along y, E Q along z. Thread: GUI.
 class JogPanel : public QWidget {
     Q_OBJECT
 public:
@@ -85,7 +87,7 @@ public:
     [[nodiscard]] int speed() const;
 
     /// What is asked of the arm now.
-    [[nodiscard]] const core::JointArray& rate_radPerS() const { return m_rate; }
+    [[nodiscard]] const core::JointVector& rate_radPerS() const { return m_rate; }
     [[nodiscard]] bool isMoving() const;
     /// Why it cannot jog; empty when it can.
     [[nodiscard]] QString refusal() const;
@@ -94,7 +96,7 @@ public:
     [[nodiscard]] HoldButton* directionButton(std::size_t axis, bool up) const;
     [[nodiscard]] HoldButton* deadManButton() const { return m_deadMan; }
     [[nodiscard]] HoldButton* clutchButton() const { return m_clutch; }
-    [[nodiscard]] JointRange* range(std::size_t joint) const { return m_ranges[joint]; }
+    [[nodiscard]] JointRange* range(std::size_t joint) const { return m_rows[joint].range; }
     [[nodiscard]] QPushButton* runButton() const { return m_run; }
     [[nodiscard]] QPushButton* holdButton() const { return m_hold; }
     [[nodiscard]] QPushButton* restartButton() const { return m_restart; }
@@ -105,7 +107,7 @@ public slots:
 
 signals:
     /// At 30 Hz while the arm shall move and at every change; one zero when it shall stand still.
-    void jogRequested(const core::JointArray& rate_radPerS);
+    void jogRequested(const core::JointVector& rate_radPerS);
     void programRunRequested(bool running);
     void programRestartRequested();
 
@@ -116,21 +118,32 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    /// A joint, and the buttons of the joint or of an axis of the tip.
+    struct Row {
+        QLabel* name;
+        JointRange* range;
+        std::array<HoldButton*, 2> buttons; ///< 0 down, 1 up
+    };
     /// Who leads the tip by position.
     enum class Leader { nobody, keys, hand };
 
     [[nodiscard]] bool isOwnKey(int key) const;
     void onKey(const QKeyEvent& event, bool pressed);
     [[nodiscard]] std::array<double, 3> handVelocity() const;
-    [[nodiscard]] core::JointArray tipRate(const std::array<double, 3>& share) const;
-    [[nodiscard]] core::JointArray guidedRate();
+    [[nodiscard]] core::JointVector tipRate(const std::array<double, 3>& share) const;
+    [[nodiscard]] core::JointVector guidedRate();
     void leadBy(Leader leader);
     void stepBy(std::size_t axis, bool up);
     [[nodiscard]] bool isGuided() const { return m_way == Way::position && m_mode == Mode::tip; }
     void onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers);
     void take();
-    [[nodiscard]] core::JointArray wanted();
+    [[nodiscard]] core::JointVector wanted();
+    /// Of the arm; without one, of the usual arm.
+    [[nodiscard]] std::size_t joints() const;
     [[nodiscard]] std::size_t axes() const;
+    [[nodiscard]] core::JointVector noRate() const { return core::JointVector::zeros(joints()); }
+    /// As many as the arm needs.
+    void addRows();
     void enableParts();
     void showSpeed();
     void retranslate();
@@ -148,9 +161,9 @@ private:
     PositionGuide m_guide;
     Leader m_leader = Leader::nobody; ///< who has hold of m_guide
     bool m_clutchKey = false;
-    core::JointArray m_rate{};
+    core::JointVector m_rate;
     bool m_shift = false;
-    std::array<std::array<bool, 2>, core::kArmJoints> m_keys{}; ///< held: [axis][0 down, 1 up]
+    std::array<std::array<bool, 2>, core::JointVector::kCapacity> m_keys{}; ///< held: [axis][0 down, 1 up]
     QTimer m_timer;
 
     QLabel* m_message;
@@ -166,9 +179,8 @@ private:
     QLabel* m_speedText;
     HoldButton* m_deadMan;
     HoldButton* m_clutch;
-    std::array<std::array<HoldButton*, 2>, core::kArmJoints> m_buttons{};
-    std::array<QLabel*, core::kArmJoints> m_names{};
-    std::array<JointRange*, core::kArmJoints> m_ranges{};
+    QGridLayout* m_grid;
+    std::vector<Row> m_rows;
 };
 
 } // namespace teleta::touch

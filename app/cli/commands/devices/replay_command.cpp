@@ -235,7 +235,7 @@ core::Expected<void> ReplayCommand::replayArray(pipeline::RecordedSource source)
     const replay::RecordedArray& array = *made;
     pipeline::TouchChannel channel(std::move(made), std::move(settings));
     ProgressBar progress(ProgressBar::Unit::frames, rows->onTerminal());
-    channel.source().start(data);
+    channel.start(data);
     core::DeviceStatus status;
     for (bool ended = false; !ended && !interrupted() && !rows->failed();) {
         status = channel.status();
@@ -251,7 +251,7 @@ core::Expected<void> ReplayCommand::replayArray(pipeline::RecordedSource source)
         progress.update(static_cast<double>(channel.framesProcessed()),
                         static_cast<double>(channel.playback()->position().frames));
     }
-    channel.source().stop();
+    channel.stop();
     progress.erase();
     if (channel.samplesNotShown() > 0) {
         rows->flush();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/console/operate/recording/mark_list.h"
-#include "app/console/operate/recording/recording_station.h"
+#include "app/console/operate/recording/recording_service.h"
 #include "backend/core/device/device.h"
 #include "backend/pipeline/touch/touch_snapshot.h"
 

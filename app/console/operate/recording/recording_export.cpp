@@ -86,8 +86,7 @@ void RecordingExport::start(const QString& path, const QString& folder) {
 RecordingExport::Result RecordingExport::write(const std::string& path, const std::string& folder,
                                                Progress& progress) {
     const auto recording = recording::Recording::open(path);
-    if (!recording)
-        return core::Unexpected(recording.error());
+    TELETA_CHECK(recording);
     progress.isComplete = recording->isComplete();
     progress.isNewFolder = !QFileInfo::exists(QString::fromStdString(folder));
     Result files = recording::exportCsv(*recording, folder, {.goOn = [&](double frames, double all) {

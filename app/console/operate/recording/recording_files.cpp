@@ -24,8 +24,8 @@ void RecordingFiles::open(const QString& path) {
         return;
     }
     runInBackground(
-        this, [path] { return guessRecording(path.toStdString()); },
-        [this, path](core::Expected<RecordingRequest> guess) {
+        this, [path] { return guessCsv(path.toStdString()); },
+        [this, path](core::Expected<CsvRequest> guess) {
             if (guess)
                 askHow(*guess);
             else
@@ -54,7 +54,7 @@ void RecordingFiles::openAs(const RecordingArguments& recording) {
     }
     runInBackground(
         this, [recording] { return completeRecording(recording); },
-        [this, name = QFileInfo(recording.path).fileName()](core::Expected<RecordingRequest> request) {
+        [this, name = QFileInfo(recording.path).fileName()](core::Expected<CsvRequest> request) {
             if (request)
                 m_sources.open(*request);
             else
@@ -64,26 +64,26 @@ void RecordingFiles::openAs(const RecordingArguments& recording) {
 
 void RecordingFiles::play(const QString& path) {
     runInBackground(
-        this, [path] { return playbacksOf(path.toStdString()); },
-        [this, path](core::Expected<std::vector<PlaybackRequest>> requests) {
+        this, [path] { return recordingRequestsOf(path.toStdString()); },
+        [this, path](core::Expected<std::vector<RecordingRequest>> requests) {
             if (!requests) {
                 emit failed(QFileInfo(path).fileName(), requests.error());
                 return;
             }
-            for (const PlaybackRequest& request : *requests)
+            for (const RecordingRequest& request : *requests)
                 m_sources.open(request);
             emit opened(path);
         });
 }
 
-void RecordingFiles::askHow(const RecordingRequest& guess) {
+void RecordingFiles::askHow(const CsvRequest& guess) {
     const QString path = QString::fromStdString(guess.path);
     const auto known = m_settings.recording(path);
     const bool fits = known && known->layout.taxels() == guess.layout.taxels();
     auto* dialog = new RecordingDialog(fits ? *known : guess, m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
-        const RecordingRequest request = dialog->request();
+        const CsvRequest request = dialog->request();
         m_settings.setRecording(request);
         m_sources.open(request);
         emit opened(path);

@@ -33,7 +33,7 @@ signals:
 
 private:
     void play(const QString& path);
-    void askHow(const RecordingRequest& guess);
+    void askHow(const CsvRequest& guess);
 
     SourceManager& m_sources;
     ConsoleSettings& m_settings;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "app/console/study/running/stimulus_output.h"
 
 namespace teleta::console {
@@ -10,7 +10,7 @@ namespace teleta::console {
 class BraceletStimulus : public StimulusOutput {
 public:
     /// Both must outlive it.
-    BraceletStimulus(BraceletStation& station, const core::StopSwitch& stop)
+    BraceletStimulus(BraceletService& station, const core::StopSwitch& stop)
         : m_station(station)
         , m_stop(stop) {}
 
@@ -26,7 +26,7 @@ private:
     [[nodiscard]] BraceletSession* session() const;
     /// Weak, so that the board is closed as soon as the station leaves it.
     std::weak_ptr<BraceletSession> m_session;
-    BraceletStation& m_station;
+    BraceletService& m_station;
     const core::StopSwitch& m_stop;
     std::int64_t m_request_ns = 0;
 };

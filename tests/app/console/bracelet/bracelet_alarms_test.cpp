@@ -5,7 +5,7 @@
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
 #include "devices/simulated/simulated_bracelet.h"
-#include "tests/app/console/bracelet/patient_station.h"
+#include "tests/app/console/bracelet/patient_bracelet.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -22,7 +22,7 @@ class BraceletAlarmsTest : public QObject {
 
     QTemporaryDir m_config;
     core::StopSwitch m_stop;
-    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<BraceletService> m_station;
     QTimer m_clock;
 
     [[nodiscard]] simulated::SimulatedBracelet& bracelet() {
@@ -42,9 +42,9 @@ private slots:
     // Limits and profiles of their own, whatever else runs meanwhile.
     void initTestCase() { qputenv("XDG_CONFIG_HOME", m_config.path().toLocal8Bit()); }
     void init() {
-        m_station = test::patientStation(m_stop);
+        m_station = test::patientBracelet(m_stop);
         m_clock.disconnect();
-        connect(&m_clock, &QTimer::timeout, m_station.get(), &BraceletStation::tick);
+        connect(&m_clock, &QTimer::timeout, m_station.get(), &BraceletService::tick);
         m_clock.start(5);
         m_station->choose(BraceletChoice::simulated);
         QTRY_VERIFY(m_station->isAnswering());

@@ -2,7 +2,7 @@
 #include "backend/core/device/stream_tap.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/touch/touch_record.h"
-#include "tests/app/console/bracelet/patient_station.h"
+#include "tests/app/console/bracelet/patient_bracelet.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -12,7 +12,7 @@
 
 using namespace teleta;
 using console::BraceletChoice;
-using console::BraceletStation;
+using console::BraceletService;
 
 namespace {
 
@@ -31,7 +31,7 @@ class EndOfFeedbackTest : public QObject {
 
     QTemporaryDir m_config;
     core::StopSwitch m_stop;
-    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<BraceletService> m_station;
 
     [[nodiscard]] std::int64_t begun_ns() const { return m_station->session()->player().counters().begun_ns; }
     void touch(std::uint64_t number) {
@@ -46,7 +46,7 @@ class EndOfFeedbackTest : public QObject {
 private slots:
     void initTestCase() { qputenv("XDG_CONFIG_HOME", m_config.path().toLocal8Bit()); }
     void init() {
-        m_station = test::patientStation(m_stop);
+        m_station = test::patientBracelet(m_stop);
         m_station->choose(BraceletChoice::simulated);
         QTRY_VERIFY((m_station->tick(), m_station->isReady()));
         m_station->setLibrary(longProgram);

@@ -5,7 +5,7 @@
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/pipeline/touch/touch_record.h"
 #include "backend/playback/pattern_program.h"
-#include "tests/app/console/bracelet/patient_station.h"
+#include "tests/app/console/bracelet/patient_bracelet.h"
 #include "tests/widgets/parts.h"
 #include "widgets/bracelet/strength_panel.h"
 
@@ -31,7 +31,7 @@ class StrongestTest : public QObject {
 
     QTemporaryDir m_config;
     core::StopSwitch m_stop;
-    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<BraceletService> m_station;
     QTimer m_clock;
     double m_seen = 0.0; ///< strongest that was given
 
@@ -55,7 +55,7 @@ private slots:
     void initTestCase() { qputenv("XDG_CONFIG_HOME", m_config.path().toLocal8Bit()); }
     void init() {
         QFile::remove(limitsFile());
-        m_station = test::patientStation(m_stop);
+        m_station = test::patientBracelet(m_stop);
         m_clock.disconnect();
         connect(&m_clock, &QTimer::timeout, this, [this] {
             m_station->tick();
@@ -127,7 +127,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("format = 'teleta-limits'\nversion = 1\n");
         file.close();
-        QSignalSpy failures(m_station.get(), &BraceletStation::strongestFailed);
+        QSignalSpy failures(m_station.get(), &BraceletService::strongestFailed);
         connectBracelet();
         QCOMPARE(failures.size(), 1);
         m_station->play(playback::programOf(*pattern::findBuiltIn("stiffness.E.static")), true);

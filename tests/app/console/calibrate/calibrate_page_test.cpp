@@ -2,7 +2,7 @@
 #include "app/console/calibrate/calibrate_page.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/motors/motor_file.h"
-#include "tests/app/console/bracelet/patient_station.h"
+#include "tests/app/console/bracelet/patient_bracelet.h"
 #include "tests/backend/motors/measured_motor.h"
 #include "tests/widgets/parts.h"
 #include "widgets/base/background.h"
@@ -30,7 +30,7 @@
 
 using namespace teleta;
 using console::BraceletChoice;
-using console::BraceletStation;
+using console::BraceletService;
 using console::CalibratePage;
 
 /// The page on the console's own bracelet, simulated: its motors are unequal, and nobody has told the page
@@ -39,7 +39,7 @@ class CalibratePageTest : public QObject {
     Q_OBJECT
 
     core::StopSwitch m_stop;
-    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<BraceletService> m_station;
     std::unique_ptr<console::SourceManager> m_sources;
     std::unique_ptr<CalibratePage> m_page;
     QTimer m_clock;
@@ -55,7 +55,7 @@ private slots:
     void init() {
         QFile::remove(QString::fromStdString(motors::profilePath("simulated")));
         m_stop.release();
-        m_station = test::patientStation(m_stop);
+        m_station = test::patientBracelet(m_stop);
         m_sources = std::make_unique<console::SourceManager>(m_stop);
         m_page = std::make_unique<CalibratePage>(*m_station, *m_sources);
         m_page->resize(1200, 800);

@@ -42,7 +42,7 @@ class GainCalibratorTest : public QObject {
 
     [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
     calibrate::GainsView& view() { return m_calibrator->view(); }
-    std::shared_ptr<pipeline::TouchChannel> channel() { return m_sources->active()->channel; }
+    std::shared_ptr<pipeline::TouchChannel> channel() { return m_sources->active()->array(); }
 
     void writeFrames(const char* name, int frames, double from_s, double load) {
         QFile file(path(name));
@@ -61,13 +61,14 @@ class GainCalibratorTest : public QObject {
     }
 
     void openRecording(const std::string& gainsPath = {}) {
-        console::RecordingRequest request;
+        console::CsvRequest request;
         request.path = path("run.csv").toStdString();
         request.layout = kLayout;
         request.tarePath = path("empty.csv").toStdString();
         request.gainsPath = gainsPath;
         request.speed = 20.0;
-        m_sources->openOnly(request);
+        m_sources->closeAll();
+        m_sources->open(request);
         QTRY_VERIFY(m_sources->active() != nullptr && m_sources->active()->channel != nullptr);
         QTRY_VERIFY(test::part(view(), "collect")->isEnabled());
     }
@@ -99,8 +100,8 @@ private slots:
         connect(&m_clock, &QTimer::timeout, m_calibrator, [this] {
             m_sources->poll();
             for (SourceManager::Item& item : m_sources->items()) {
-                if (item.channel)
-                    (void)item.channel->update();
+                if (const auto array = item.array())
+                    (void)array->update();
             }
             m_calibrator->tick();
         });

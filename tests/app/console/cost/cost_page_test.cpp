@@ -149,7 +149,7 @@ class CostPageTest : public QObject {
             if (m_sources) {
                 m_sources->poll();
                 if (const SourceManager::Item* item = m_sources->active())
-                    camera = item->camera;
+                    camera = item->camera();
                 if (camera)
                     camera->update();
             }
@@ -170,7 +170,7 @@ class CostPageTest : public QObject {
     }
     [[nodiscard]] QString rungOfCamera() {
         const SourceManager::Item* item = m_sources->active();
-        const auto rung = item->camera->snapshot().rung;
+        const auto rung = item->camera()->snapshot().rung;
         return QString::fromUtf8(rung.data(), static_cast<qsizetype>(rung.size()));
     }
 

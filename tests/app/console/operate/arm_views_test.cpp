@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/bracelet/bracelet_station.h"
+#include "app/console/bracelet/bracelet_service.h"
 #include "app/console/main_window.h"
 #include "app/console/operate/arm_views.h"
 #include "app/console/operate/operate_docks.h"
@@ -131,7 +131,7 @@ private slots:
         QVERIFY(record && record->located);
         QVERIFY(record->ready_s - record->start_s < 1.0);
         // Level 5 on the simulated bracelet, and how long that took.
-        auto& bracelet = m_window->operatePage().bracelet();
+        auto& bracelet = m_window->bracelet();
         QTRY_VERIFY(bracelet.lastEvent().has_value() && bracelet.lastEvent()->onset_s.has_value());
         QCOMPARE(QString::fromStdString(bracelet.lastEvent()->sent.patternId),
                  QStringLiteral("stiffness.E.dynamic"));
@@ -141,7 +141,7 @@ private slots:
 
     void tellsWhatWouldBeFeltWithoutABracelet() {
         openArm();
-        auto& bracelet = m_window->operatePage().bracelet();
+        auto& bracelet = m_window->bracelet();
         bracelet.choose(BraceletChoice::none);
         QTRY_VERIFY_WITH_TIMEOUT(bracelet.lastEvent().has_value(), 30'000);
         QVERIFY(!bracelet.lastEvent()->onset_s);
@@ -167,7 +167,7 @@ private slots:
     void theTitleOfTheBraceletSaysWhatIsPlayedAndThatItHasEnded() {
         openArm();
         const auto* view = m_window->operatePage().findChild<bracelet::BraceletView*>();
-        const auto& bracelet = m_window->operatePage().bracelet();
+        const auto& bracelet = m_window->bracelet();
         const QString name = QString::fromStdString(pattern::findBuiltIn("stiffness.E.dynamic")->name);
         const auto says = [&](const QString& text) { return view->accessibleDescription().contains(text); };
         QTRY_VERIFY_WITH_TIMEOUT(bracelet.isFeedbackPlaying(), 30'000);
@@ -225,7 +225,7 @@ private slots:
         QWidget parent;
         view3d::Scene3dView scene(&parent);
         core::StopSwitch stop;
-        console::BraceletStation station(stop);
+        console::BraceletService station(stop);
         console::ArmViews views(stop, station, scene, &parent);
         ScriptedChannel former;
         ScriptedChannel next;
@@ -236,9 +236,9 @@ private slots:
         views.setHand(touch::HandMotion{}, {});
         views.setHand(touch::HandMotion{{1.0, 0.0, 0.0}, true}, {});
         QVERIFY(!former.arm->commands.empty());
-        QVERIFY(former.arm->commands.back().rate_radPerS != core::JointArray{});
+        QVERIFY(former.arm->commands.back().rate_radPerS != core::JointVector::zeros(4));
         views.setArm(next.channel, base::Provenance::live);
-        QCOMPARE(former.arm->commands.back().rate_radPerS, core::JointArray{});
+        QCOMPARE(former.arm->commands.back().rate_radPerS, core::JointVector::zeros(4));
         QVERIFY(next.arm->commands.empty());
     }
 
@@ -246,7 +246,7 @@ private slots:
         QWidget parent;
         view3d::Scene3dView scene(&parent);
         core::StopSwitch stop;
-        console::BraceletStation station(stop);
+        console::BraceletService station(stop);
         console::ArmViews views(stop, station, scene, &parent);
         const auto* panel = parent.findChild<touch::JogPanel*>();
         ScriptedChannel arm; // whose device never says that anything is wrong
@@ -262,7 +262,7 @@ private slots:
 
     void stopHaltsArmAndBracelet() {
         openArm();
-        auto& bracelet = m_window->operatePage().bracelet();
+        auto& bracelet = m_window->bracelet();
         QTRY_VERIFY(bracelet.isReady());
         bracelet.play(playback::programOf(*pattern::findBuiltIn("stiffness.E.static")), false);
         QTRY_VERIFY(bracelet.given()[0] > 0.5);
@@ -277,7 +277,7 @@ private slots:
     void aStationEndsWhileItsBraceletsAreBeingOpenedAndClosed() {
         for (int i = 0; i < 20; ++i) {
             core::StopSwitch stop; // which devices must not look at any more
-            console::BraceletStation station(stop);
+            console::BraceletService station(stop);
             for (const BraceletChoice choice :
                  {BraceletChoice::simulated, BraceletChoice::none, BraceletChoice::simulated}) {
                 station.choose(choice);
@@ -286,7 +286,7 @@ private slots:
             }
         }
         core::StopSwitch stop;
-        console::BraceletStation station(stop);
+        console::BraceletService station(stop);
         station.choose(BraceletChoice::simulated);
         station.choose(BraceletChoice::none);
         station.choose(BraceletChoice::simulated);
@@ -321,7 +321,7 @@ private slots:
 
     void aTactorIsFeltWhileItIsHeld() {
         openArm();
-        auto& bracelet = m_window->operatePage().bracelet();
+        auto& bracelet = m_window->bracelet();
         auto* view = m_window->operatePage().findChild<bracelet::BraceletView*>();
         QTRY_VERIFY(bracelet.isReady());
         view->setFocus();
@@ -340,7 +340,7 @@ private slots:
         auto* rail = child<chrome::PageRail>();
         emit rail->pageRequested(QStringLiteral("patterns"));
         QVERIFY(page.isVisible());
-        auto& bracelet = m_window->operatePage().bracelet();
+        auto& bracelet = m_window->bracelet();
         m_window->operatePage().armViews().setProgramRunning(false); // no touch may play in between
         QTRY_VERIFY(bracelet.isReady());
         page.open(QStringLiteral("stiffness.E.static"));

@@ -62,7 +62,7 @@ private slots:
         QVERIFY(!sources.find(key)->isOpen());
         poll(sources, [&] { return sources.find(key) == nullptr || sources.find(key)->isOpen(); });
         QCOMPARE(failed.count(), 0);
-        const auto channel = sources.find(key)->camera;
+        const auto channel = sources.find(key)->camera();
         QVERIFY(channel != nullptr);
         QVERIFY(channel->description().recorded);
         QTRY_VERIFY_WITH_TIMEOUT((channel->update(), !channel->snapshot().contacts.empty()), 120'000);

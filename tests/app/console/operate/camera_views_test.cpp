@@ -178,7 +178,8 @@ private slots:
 
     void anUnpluggedCameraIsToldAndComesBack() {
         QVERIFY(comes([&] { return panel().isEnabled(); }));
-        auto& device = dynamic_cast<simulated::SimulatedCameraDevice&>(m_sources->active()->camera->source());
+        auto& device =
+            dynamic_cast<simulated::SimulatedCameraDevice&>(m_sources->active()->camera()->source());
         device.setFaults({.unplugged = true});
         QVERIFY(comes([&] {
             const core::DeviceState state = m_page->readings().front().state;

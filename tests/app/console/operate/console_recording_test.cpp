@@ -36,7 +36,7 @@ using console::ConsoleOptions;
 using console::ConsoleSettings;
 using console::MainWindow;
 using console::RecordingMark;
-using console::RecordingStation;
+using console::RecordingService;
 
 namespace {
 
@@ -116,10 +116,10 @@ class RecordingTest : public QObject {
     bool shows(const std::string& stream) const {
         auto* item = m_window->sources().active();
         const auto* playback =
-            item != nullptr ? std::get_if<console::PlaybackRequest>(&item->request) : nullptr;
+            item != nullptr ? std::get_if<console::RecordingRequest>(&item->request) : nullptr;
         return playback != nullptr && playback->stream == stream;
     }
-    RecordingStation& station() const { return m_window->recording().station(); }
+    RecordingService& station() const { return m_window->recorder(); }
     console::OperatePage& page() const { return m_window->operatePage(); }
 
     void waitForFrames(std::uint64_t frames) {
@@ -127,7 +127,7 @@ class RecordingTest : public QObject {
     }
     void end() {
         QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
-        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingStation::State::idle, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingService::State::idle, kPatience_ms);
     }
 
     void drop(const QString& path) {
@@ -162,20 +162,20 @@ private slots:
         // Three marks by key and button; the second one is taken back, the third gets a text.
         QTest::keyClick(m_window.get(), Qt::Key_M);
         QTest::mouseClick(indicator->findChild<QToolButton*>("mark"), Qt::LeftButton);
-        QCOMPARE(station().marks().size(), std::size_t(2));
+        QCOMPARE(station().marks().all().size(), std::size_t(2));
         page().docks().bringForward("marks");
         auto* table = page().marks().list().findChild<QTableWidget*>();
         QCOMPARE(table->rowCount(), 2);
         table->setFocus();
         QTest::keyClick(table, Qt::Key_Z, Qt::ControlModifier);
-        QTRY_COMPARE(station().marks().size(), std::size_t(1));
+        QTRY_COMPARE(station().marks().all().size(), std::size_t(1));
         QTest::keyClick(m_window.get(), Qt::Key_M);
-        page().marks().list().edit(station().marks().back().number);
+        page().marks().list().edit(station().marks().all().back().number);
         auto* editor = table->findChild<QLineEdit*>();
         QVERIFY(editor != nullptr);
         QTest::keyClicks(editor, "it moved");
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(station().marks().back().text, QString("it moved"));
+        QTRY_COMPARE(station().marks().all().back().text, QString("it moved"));
         auto* charts = m_window->findChild<charts::StripChartView*>();
         QTRY_COMPARE_WITH_TIMEOUT(charts->marks(), std::size_t(2), kPatience_ms);
 
@@ -236,7 +236,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(shows("tactile-indenter-frames") && showsData(), kPatience_ms);
         QCOMPARE(m_window->sources().items().size(), std::size_t(2));
         auto* item = m_window->sources().active();
-        QVERIFY(item->channel->description().recorded);
+        QVERIFY(item->channel->summary().recorded);
         auto* playback = item->channel->playback();
         QCOMPARE(playback->marks().size(), std::size_t(2));
         auto* bar = m_window->findChild<chrome::PlaybackBar*>();
@@ -251,12 +251,12 @@ private slots:
         QTest::keyClick(bar, Qt::Key_Space);
         QTRY_VERIFY(playback->position().paused);
         QTest::keyClick(bar, Qt::Key_Home);
-        QTRY_COMPARE_WITH_TIMEOUT(item->channel->snapshot().sourceTime_s,
+        QTRY_COMPARE_WITH_TIMEOUT(item->array()->snapshot().sourceTime_s,
                                   recording->time_s(firstTime(*recording, "tactile-indenter-frames")),
                                   kPatience_ms);
         const Frames features = framesOf(*recording, "tactile-indenter-features");
         const auto* first = reinterpret_cast<const double*>(features.values.data());
-        QCOMPARE(item->channel->snapshot().features.force_N, first[1]);
+        QCOMPARE(item->array()->snapshot().features.force_N, first[1]);
         QTest::keyClick(bar, Qt::Key_PageDown);
         QTRY_VERIFY(std::abs(playback->position().time_s - playback->marks()[0].time_s) < 0.1);
         // From its end it is played again.
@@ -280,7 +280,7 @@ private slots:
     void anArmIsPlayedWithItsSkinAndTheBraceletIsInTheFile() {
         openScene("teleta-touch");
         const QString path = m_folder.filePath("arm.teleta");
-        QTRY_VERIFY_WITH_TIMEOUT(page().bracelet().session() != nullptr, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->bracelet().session() != nullptr, kPatience_ms);
         station().start(path);
         waitForFrames(2000);
         m_stop->engage();
@@ -299,18 +299,18 @@ private slots:
         }));
         m_window->sources().closeAll();
         drop(path);
-        QTRY_VERIFY_WITH_TIMEOUT(showsData() && m_window->sources().active()->arm != nullptr, kPatience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->sources().active()->arm->samplesProcessed() > 100, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(showsData() && m_window->sources().active()->arm() != nullptr, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->sources().active()->arm()->samplesProcessed() > 100, kPatience_ms);
         // However slowly it is played, its joints are not stale.
         auto* item = m_window->sources().active();
         item->playback()->setLoop(true);
         item->playback()->setSpeed(0.01);
         item->playback()->play();
         const auto isOld = [&] {
-            const core::DeviceStatus status = item->arm->status();
+            const core::DeviceStatus status = item->arm()->jointStatus();
             return status.state == core::DeviceState::live &&
                    core::steadyNow_ns() - status.lastData_ns >
-                       core::staleAfter_ns(item->arm->description().nominalRate_Hz);
+                       core::staleAfter_ns(item->arm()->description().nominalRate_Hz);
         };
         QTRY_VERIFY_WITH_TIMEOUT(isOld(), kPatience_ms);
         const auto readings = page().readings();
@@ -323,7 +323,7 @@ private slots:
         const QString path = m_folder.filePath("tared.teleta");
         station().start(path);
         waitForFrames(50);
-        const auto& channel = m_window->sources().active()->channel;
+        const auto channel = m_window->sources().active()->array();
         const std::uint64_t revision = channel->settingsRevision();
         channel->requestTare(0.0);
         QTRY_VERIFY_WITH_TIMEOUT(channel->settingsRevision() > revision, kPatience_ms);
@@ -377,11 +377,11 @@ private slots:
     void aCameraIsPlayedWithTheReferenceThatItHad() {
         openScene("vtacarm-bump");
         auto* item = m_window->sources().active();
-        QTRY_VERIFY_WITH_TIMEOUT(item->camera->framesProcessed() > 3, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(item->camera()->framesProcessed() > 3, kPatience_ms);
         const QString path = m_folder.filePath("camera.teleta");
         station().start(path);
         waitForFrames(8);
-        item->camera->renewReference();
+        item->camera()->renewReference();
         QTRY_VERIFY_WITH_TIMEOUT(referencesIn(path) >= 2, kPatience_ms);
         waitForFrames(station().status().frames + 4);
         end();
@@ -389,8 +389,8 @@ private slots:
         drop(path);
         QTRY_VERIFY_WITH_TIMEOUT(showsData(), kPatience_ms);
         item = m_window->sources().active();
-        QVERIFY(item->camera != nullptr && item->camera->description().recorded);
-        QTRY_VERIFY_WITH_TIMEOUT(item->camera->snapshot().hasReference, kPatience_ms);
+        QVERIFY(item->camera() != nullptr && item->camera()->description().recorded);
+        QTRY_VERIFY_WITH_TIMEOUT(item->camera()->snapshot().hasReference, kPatience_ms);
         QVERIFY(m_window->findChild<chrome::PlaybackBar*>()->isVisible());
         QCOMPARE(page().messages().count(), 1); // that it was recorded
         // Whoever records it again gets the renewed one as well.
@@ -413,7 +413,7 @@ private slots:
         rlimit full = before;
         full.rlim_cur = std::filesystem::file_size(path.toStdString() + "-wal");
         QCOMPARE(setrlimit(RLIMIT_FSIZE, &full), 0);
-        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingStation::State::idle, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingService::State::idle, kPatience_ms);
         QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
         std::signal(SIGXFSZ, ignored);
         QCOMPARE(page().messages().count(), 1);
@@ -429,7 +429,7 @@ private slots:
         openScene("tactile-indenter");
         station().start("/proc/nowhere/run.teleta");
         QTRY_COMPARE_WITH_TIMEOUT(page().messages().count(), 1, kPatience_ms);
-        QCOMPARE(station().state(), RecordingStation::State::idle);
+        QCOMPARE(station().state(), RecordingService::State::idle);
         QVERIFY(m_window->sources().active() != nullptr);
     }
 
@@ -457,7 +457,7 @@ private slots:
             station().start(path);
             QTRY_VERIFY_WITH_TIMEOUT(station().isRecording(), kPatience_ms);
             QTest::keyClick(m_window.get(), Qt::Key_M);
-            QCOMPARE(station().marks().size(), std::size_t(1));
+            QCOMPARE(station().marks().all().size(), std::size_t(1));
         };
         const auto inFile = [](const QString& path) {
             const auto recording = recording::Recording::open(path.toStdString());
@@ -465,21 +465,21 @@ private slots:
         };
         const QString ended = m_folder.filePath("typed.teleta");
         begin(ended);
-        type(station().marks()[0], "it slipped");
+        type(station().marks().all()[0], "it slipped");
         auto* indicator = m_window->findChild<chrome::RecordingIndicator*>();
         QTRY_VERIFY(indicator->findChild<QToolButton*>("mark")->isVisible());
         QTest::mouseClick(indicator->findChild<QToolButton*>("mark"), Qt::LeftButton);
-        QCOMPARE(station().marks().size(), std::size_t(2));
-        QCOMPARE(station().marks()[0].text, QString("it slipped"));
-        QCOMPARE(station().marks()[1].text, QString());
-        type(station().marks()[1], "it fell");
+        QCOMPARE(station().marks().all().size(), std::size_t(2));
+        QCOMPARE(station().marks().all()[0].text, QString("it slipped"));
+        QCOMPARE(station().marks().all()[1].text, QString());
+        type(station().marks().all()[1], "it fell");
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_R, Qt::ControlModifier);
-        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingStation::State::idle, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingService::State::idle, kPatience_ms);
         QCOMPARE(inFile(ended), (std::vector<std::string>{"it slipped", "it fell"}));
 
         const QString closed = m_folder.filePath("typed-closed.teleta");
         begin(closed);
-        type(station().marks()[0], "the last word");
+        type(station().marks().all()[0], "the last word");
         m_window->close();
         m_window.reset();
         QCOMPARE(inFile(closed), std::vector<std::string>{"the last word"});
@@ -505,7 +505,7 @@ private slots:
             editor->selectAll();
             QTest::keyClicks(editor, text);
             QTest::keyClick(editor, Qt::Key_Return);
-            QTRY_COMPARE(station().marks()[static_cast<std::size_t>(row)].text, QString(text));
+            QTRY_COMPARE(station().marks().all()[static_cast<std::size_t>(row)].text, QString(text));
             QTRY_VERIFY(table->findChild<QLineEdit*>() == nullptr);
         };
         const auto inFile = [&] {
@@ -514,14 +514,14 @@ private slots:
         };
         type(0, "it slipped");
         station().stop();
-        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingStation::State::idle, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingService::State::idle, kPatience_ms);
         QCOMPARE(inFile(), (std::vector<std::string>{"it slipped", ""}));
         type(1, "it fell");
         type(0, "it held");
         QTRY_COMPARE(inFile(), (std::vector<std::string>{"it held", "it fell"}));
-        station().removeMark(station().marks()[0].number);
+        station().marks().remove(station().marks().all()[0].number);
         QTRY_COMPARE(inFile(), std::vector<std::string>{"it fell"});
-        station().undoStack().undo();
+        station().marks().undoStack().undo();
         QTRY_COMPARE(inFile(), (std::vector<std::string>{"it held", "it fell"}));
         QCOMPARE(page().messages().count(), 1); // that it was recorded
         // A file that is away is told, and gets what it missed with the next change.
@@ -534,7 +534,7 @@ private slots:
         QTRY_COMPARE(inFile(), (std::vector<std::string>{"it is back", "too late"}));
         // Or at the end.
         QVERIFY(QFile::rename(path, away));
-        station().removeMark(station().marks()[0].number);
+        station().marks().remove(station().marks().all()[0].number);
         QTRY_VERIFY(page().messages().count() > 2 || page().messages().repeats() > 1);
         QVERIFY(QFile::rename(away, path));
         m_window.reset(); // which is the end
@@ -573,8 +573,8 @@ private slots:
         }
 
         // One that is not opened after all holds up no other.
-        const auto request = std::get<console::PlaybackRequest>(sources.items().front().request);
-        const auto other = std::get<console::PlaybackRequest>(sources.items().back().request);
+        const auto request = std::get<console::RecordingRequest>(sources.items().front().request);
+        const auto other = std::get<console::RecordingRequest>(sources.items().back().request);
         sources.closeAll();
         sources.open(request);
         sources.close(sources.open(other));

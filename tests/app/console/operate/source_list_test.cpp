@@ -7,10 +7,10 @@
 #include <QTest>
 
 using teleta::console::CameraRequest;
-using teleta::console::guessRecording;
+using teleta::console::CsvRequest;
+using teleta::console::guessCsv;
 using teleta::console::isSourceList;
 using teleta::console::readSourceList;
-using teleta::console::RecordingRequest;
 using teleta::console::SceneRequest;
 using teleta::console::WtsRequest;
 
@@ -38,22 +38,22 @@ class SourceListTest : public QObject {
 private slots:
     void guessesKnownArraysAndTheUnloadedRecordingBesideThem() {
         const QString empty = writeRecording("bed_empty1.csv", 72);
-        const auto guess = guessRecording(writeRecording("bed_left1.csv", 72).toStdString());
+        const auto guess = guessCsv(writeRecording("bed_left1.csv", 72).toStdString());
         QVERIFY(guess.has_value());
         QCOMPARE(guess->layout.rows, 12);
         QCOMPARE(guess->layout.columns, 6);
         QCOMPARE(QString::fromStdString(guess->tarePath), empty);
-        const auto unloaded = guessRecording(empty.toStdString());
+        const auto unloaded = guessCsv(empty.toStdString());
         QVERIFY(unloaded.has_value());
         QVERIFY(unloaded->tarePath.empty());
     }
 
     void takesTheMostSquareShapeForAnUnknownArray() {
-        const auto guess = guessRecording(writeRecording("unknown.csv", 35).toStdString());
+        const auto guess = guessCsv(writeRecording("unknown.csv", 35).toStdString());
         QVERIFY(guess.has_value());
         QCOMPARE(guess->layout.rows, 5);
         QCOMPARE(guess->layout.columns, 7);
-        const auto prime = guessRecording(writeRecording("prime.csv", 13).toStdString());
+        const auto prime = guessCsv(writeRecording("prime.csv", 13).toStdString());
         QVERIFY(prime.has_value());
         QCOMPARE(prime->layout.rows, 1);
         QCOMPARE(prime->layout.columns, 13);
@@ -90,7 +90,7 @@ private slots:
         const auto requests = readSourceList(list.toStdString());
         QVERIFY2(requests.has_value(), requests ? "" : describe(requests.error()).c_str());
         QCOMPARE(requests->size(), std::size_t(2));
-        const auto& recording = std::get<RecordingRequest>((*requests)[0]);
+        const auto& recording = std::get<CsvRequest>((*requests)[0]);
         QCOMPARE(QString::fromStdString(recording.path), m_folder.filePath("a.csv"));
         QCOMPARE(recording.layout.rows, 6);
         QCOMPARE(QString::fromStdString(recording.gainsPath), m_folder.filePath("gains.csv"));

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/base/source_request.h"
+#include "backend/pipeline/touch_channel.h"
+#include "backend/pipeline/touch_pipeline.h"
+#include "tests/backend/pipeline/next_event.h"
 #include "tests/devices/manual_clock.h"
 #include "tests/devices/wts/emulated_wts.h"
 
@@ -17,19 +20,21 @@ WtsRequest requestFor(const EmulatedWts& sensor) {
     return request;
 }
 
-core::Expected<pipeline::OpenedSource> open(const WtsRequest& request) {
+core::Expected<std::shared_ptr<pipeline::TouchChannel>> open(const WtsRequest& request) {
     static const core::StopSwitch stop;
-    return makeSourceFactory(request, stop)();
+    return makeSourceFactory(request, stop)().map([](const std::shared_ptr<pipeline::Channel>& channel) {
+        return std::dynamic_pointer_cast<pipeline::TouchChannel>(channel);
+    });
 }
 
 TEST(WtsSource, takesAHundredthOfTheFullScaleForNoise) {
     EmulatedWts sensor(EmulatedWts::Link::pty);
     const auto opened = open(requestFor(sensor));
     ASSERT_TRUE(opened) << core::describe(opened.error());
-    EXPECT_DOUBLE_EQ(opened->settings.features.threshold_N, 40.95);
-    EXPECT_DOUBLE_EQ(opened->settings.segmentation.threshold_N, 40.95);
-    EXPECT_EQ(opened->settings.loadUnit, "counts");
-    EXPECT_EQ(opened->source->description().layout, (core::ArrayLayout{6, 14, 0.0034}));
+    EXPECT_DOUBLE_EQ((*opened)->settings().features.threshold_N, 40.95);
+    EXPECT_DOUBLE_EQ((*opened)->settings().segmentation.threshold_N, 40.95);
+    EXPECT_EQ((*opened)->settings().loadUnit, "counts");
+    EXPECT_EQ((*opened)->description().layout, (core::ArrayLayout{6, 14, 0.0034}));
 }
 
 TEST(WtsSource, showsForcesWhenItKnowsTheGain) {
@@ -39,9 +44,9 @@ TEST(WtsSource, showsForcesWhenItKnowsTheGain) {
     request.loadUnit = std::string("N");
     const auto opened = open(request);
     ASSERT_TRUE(opened) << core::describe(opened.error());
-    EXPECT_DOUBLE_EQ(opened->settings.features.threshold_N, 0.0819); // 1 % of 4095 counts of 2 mN
-    EXPECT_DOUBLE_EQ(opened->settings.conditioning.gain, 0.002);
-    EXPECT_EQ(opened->settings.loadUnit, "N");
+    EXPECT_DOUBLE_EQ((*opened)->settings().features.threshold_N, 0.0819); // 1 % of 4095 counts of 2 mN
+    EXPECT_DOUBLE_EQ((*opened)->settings().conditioning.gain, 0.002);
+    EXPECT_EQ((*opened)->settings().loadUnit, "N");
 }
 
 TEST(WtsSource, takesTheThresholdThatItIsGiven) {
@@ -50,7 +55,7 @@ TEST(WtsSource, takesTheThresholdThatItIsGiven) {
     request.threshold = 0.5;
     const auto opened = open(request);
     ASSERT_TRUE(opened) << core::describe(opened.error());
-    EXPECT_DOUBLE_EQ(opened->settings.features.threshold_N, 0.5);
+    EXPECT_DOUBLE_EQ((*opened)->settings().features.threshold_N, 0.5);
 }
 
 TEST(WtsSource, reachesTheViewsThroughThePipeline) {
@@ -58,16 +63,14 @@ TEST(WtsSource, reachesTheViewsThroughThePipeline) {
     const core::StopSwitch stop;
     pipeline::TouchPipeline pipeline;
     pipeline.open(makeSourceFactory(requestFor(sensor), stop));
-    pipeline.waitUntilIdle();
-    const auto events = pipeline.takeEvents();
-    ASSERT_EQ(events.size(), 1U);
-    ASSERT_EQ(events[0].kind, pipeline::ChannelEvent::Kind::opened) << core::describe(events[0].error);
+    const pipeline::ChannelEvent event = test::nextEvent(pipeline);
+    ASSERT_EQ(event.kind, pipeline::ChannelEvent::Kind::opened) << core::describe(event.error);
     ASSERT_TRUE(sensor.waitForRequests(wts::Command::startFrames, 1));
     std::vector<unsigned> cells(84);
     cells[20] = 1000;
     ASSERT_TRUE(sensor.send(wts::test::frame(1, false, cells)));
 
-    pipeline::TouchChannel& channel = *events[0].channel;
+    auto& channel = dynamic_cast<pipeline::TouchChannel&>(*event.channel);
     core::Wakeup never;
     ASSERT_TRUE(teleta::test::eventually(never, [&] { return channel.update(); }));
     EXPECT_EQ(channel.snapshot().loadUnit, "counts");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/patterns/patterns_page.h"
 #include "backend/pattern/model/built_in_patterns.h"
-#include "tests/app/console/bracelet/patient_station.h"
+#include "tests/app/console/bracelet/patient_bracelet.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/timeline/timeline_view.h"
@@ -37,7 +37,7 @@ class PatternPlaybackTest : public QObject {
 
     std::unique_ptr<QTemporaryDir> m_folder;
     core::StopSwitch m_stop;
-    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<BraceletService> m_station;
     std::unique_ptr<PatternCollection> m_collection;
     std::unique_ptr<PatternsPage> m_page;
     QTimer m_clock;
@@ -57,7 +57,7 @@ private slots:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
         m_stop.release();
-        m_station = test::patientStation(m_stop);
+        m_station = test::patientBracelet(m_stop);
         m_collection = std::make_unique<PatternCollection>(m_folder->filePath("patterns"));
         m_page = std::make_unique<PatternsPage>(*m_station, *m_collection, QString());
         m_page->resize(1500, 900);

@@ -5,7 +5,7 @@
 #include "backend/pattern/files/pattern_file.h"
 #include "backend/pattern/files/pattern_json.h"
 #include "backend/pattern/model/built_in_patterns.h"
-#include "tests/app/console/bracelet/patient_station.h"
+#include "tests/app/console/bracelet/patient_bracelet.h"
 #include "widgets/base/background.h"
 #include "widgets/pattern/document/pattern_names.h"
 #include "widgets/pattern/law_list.h"
@@ -109,7 +109,7 @@ class PatternsPageTest : public QObject {
 
     std::unique_ptr<QTemporaryDir> m_folder;
     core::StopSwitch m_stop;
-    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<BraceletService> m_station;
     std::unique_ptr<PatternCollection> m_collection;
     std::unique_ptr<PatternsPage> m_page;
     QTimer m_clock;
@@ -133,7 +133,7 @@ private slots:
     void init() {
         QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         m_folder = std::make_unique<QTemporaryDir>();
-        m_station = test::patientStation(m_stop);
+        m_station = test::patientBracelet(m_stop);
         m_clock.disconnect();
         connect(&m_clock, &QTimer::timeout, this, [this] {
             m_station->tick();

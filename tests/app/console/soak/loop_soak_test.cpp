@@ -33,7 +33,7 @@ using namespace teleta;
 using console::ConsoleOptions;
 using console::ConsoleSettings;
 using console::MainWindow;
-using console::RecordingStation;
+using console::RecordingService;
 
 namespace {
 
@@ -166,7 +166,7 @@ class LoopSoakTest : public QObject {
         return file.fileName();
     }
 
-    [[nodiscard]] RecordingStation& station() const { return m_window->recording().station(); }
+    [[nodiscard]] RecordingService& station() const { return m_window->recorder(); }
 
     void beginRecording() {
         station().start(m_folder.filePath(QStringLiteral("run%1.teleta").arg(m_recordings++)));
@@ -175,7 +175,7 @@ class LoopSoakTest : public QObject {
     void endRecording() {
         QVERIFY(!m_removing.valid() || m_removing.get());
         station().stop();
-        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingStation::State::idle, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(station().state(), RecordingService::State::idle, kPatience_ms);
         QVERIFY2(station().status().state == recording::RecorderStatus::State::stopped,
                  core::describe(station().status().error).c_str());
         QVERIFY(station().status().frames > 0);
@@ -197,8 +197,8 @@ class LoopSoakTest : public QObject {
         }
         // An arm that has come to the end of its program begins anew.
         for (const auto& item : m_window->sources().items())
-            if (item.arm && item.arm->device().drive() == core::ArmDrive::held)
-                item.arm->device().restartProgram();
+            if (item.arm() && item.arm()->device().drive() == core::ArmDrive::held)
+                item.arm()->device().restartProgram();
     }
 
     void showNext(std::size_t turn) {
@@ -223,14 +223,14 @@ class LoopSoakTest : public QObject {
                         reading.rate_Hz, static_cast<unsigned long long>(reading.lost),
                         m_notLive.contains(reading.name) ? m_notLive.at(reading.name) : 0, m_time_s.size());
         for (const auto& item : m_window->sources().items())
-            if (item.camera)
+            if (item.camera())
                 std::printf("pictures passed over for newer ones: %llu\n",
-                            static_cast<unsigned long long>(item.camera->snapshot().passedOver));
+                            static_cast<unsigned long long>(item.camera()->snapshot().passedOver));
         for (const auto& [name, latency_s] : m_latency_s)
             std::printf("%s to screen: p50 %.1f, p99 %.1f ms of %zu\n", qPrintable(name),
                         1e3 * quantileOf(latency_s, 0.5), 1e3 * quantileOf(latency_s, 0.99),
                         latency_s.size());
-        if (const auto felt = m_window->operatePage().bracelet().touchToSkin())
+        if (const auto felt = m_window->bracelet().touchToSkin())
             std::printf("touch to bracelet: p50 %.1f, p99 %.1f ms\n", 1e3 * felt->median_s,
                         1e3 * felt->p99_s);
         std::fflush(stdout);
@@ -292,8 +292,8 @@ private slots:
         QVERIFY(m_recorded > 0);
         QCOMPARE(m_notRecorded, std::uint64_t(0));
         for (const auto& item : items)
-            if (item.arm)
-                QCOMPARE(item.arm->samplesNotShown() + item.arm->touchesNotShown(), std::uint64_t(0));
+            if (item.arm())
+                QCOMPARE(item.arm()->samplesNotShown() + item.arm()->touchesNotShown(), std::uint64_t(0));
         if (duration_s < 2.0 * kWarmUp_s)
             QSKIP("Nothing was lost; memory is judged in a run of at least 2000 s only.");
         const auto warm =

@@ -5,7 +5,7 @@
 #include "backend/study/protocol/protocol_text.h"
 #include "backend/study/store/study_store.h"
 #include "devices/simulated/simulated_bracelet.h"
-#include "tests/app/console/bracelet/patient_station.h"
+#include "tests/app/console/bracelet/patient_bracelet.h"
 #include "tests/app/console/study/running_session.h"
 #include "widgets/study/participant/participant_window.h"
 #include "widgets/study/results/result_table.h"
@@ -61,7 +61,7 @@ protected:
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<core::StopSwitch> m_stop;
-    std::unique_ptr<console::BraceletStation> m_station;
+    std::unique_ptr<console::BraceletService> m_station;
     std::unique_ptr<console::StudyPage> m_page;
     std::unique_ptr<QTimer> m_tick;
 
@@ -193,7 +193,7 @@ protected:
     void setUp() {
         m_folder = std::make_unique<QTemporaryDir>();
         m_stop = std::make_unique<core::StopSwitch>();
-        m_station = test::patientStation(*m_stop);
+        m_station = test::patientBracelet(*m_stop);
         m_station->choose(console::BraceletChoice::simulated);
     }
     void tearDown() {

@@ -170,7 +170,7 @@ TEST(SimulatedArm, standsStillWhenItIsHeldOrStopped) {
     core::JointSample sample;
     for (int i = 0; i < 300; ++i)
         arm->next(kProgram, sample);
-    const core::JointArray reference_rad = sample.reference_rad;
+    const core::JointVector reference_rad = sample.reference_rad;
     for (const core::ArmDrive drive : {core::ArmDrive::stopped, core::ArmDrive::held}) {
         for (int i = 0; i < 1000; ++i) {
             arm->next({.drive = drive, .rate_radPerS = {1.0, 1.0, 1.0, 1.0}}, sample);
@@ -189,7 +189,7 @@ TEST(SimulatedArm, followsTheOperatorWithinItsLimits) {
     const scene::Scene scene = postScene(8562.9);
     const auto arm = made(scene);
     core::JointSample sample;
-    const core::JointArray start_rad = scene.arm().body.start_rad;
+    const core::JointVector start_rad = scene.arm().body.start_rad;
     for (int i = 0; i < 1000; ++i)
         arm->next({.drive = core::ArmDrive::jog, .rate_radPerS = {0.0, 0.1, std::nan(""), -5.0}}, sample);
     EXPECT_NEAR(sample.reference_rad[1], start_rad[1] + 0.1, 1e-9);
@@ -199,7 +199,7 @@ TEST(SimulatedArm, followsTheOperatorWithinItsLimits) {
         arm->next({.drive = core::ArmDrive::jog, .rate_radPerS = {0.0, 0.0, 0.0, -1.0}}, sample);
     EXPECT_EQ(sample.reference_rad[3], scene.arm().body.lowest_rad[3]);
     // The program takes the arm back without a jump, and finishes its touch.
-    const core::JointArray before_rad = sample.reference_rad;
+    const core::JointVector before_rad = sample.reference_rad;
     arm->next(kProgram, sample);
     for (std::size_t j = 0; j < 4; ++j)
         EXPECT_NEAR(sample.reference_rad[j], before_rad[j], 1e-3);

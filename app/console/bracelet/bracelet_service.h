@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/bracelet/bracelet_opener.h"
 #include "app/console/bracelet/bracelet_session.h"
+#include "app/console/bracelet/bracelet_texts.h"
+#include "app/console/bracelet/limits_keeper.h"
+#include "app/console/bracelet/touch_to_skin.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/threads/latest_copy.h"
 #include "backend/pattern/model/pattern_map.h"
@@ -10,39 +14,28 @@
 
 #include <QObject>
 #include <QString>
-#include <QStringList>
-#include <QThreadPool>
-#include <QTimer>
 
 #include <cstddef>
 #include <cstdint>
-#include <future>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace teleta::console {
 
-/// What was recognised, what was sent for it, and how long after the completed touch the bracelet began.
-struct FeedbackEvent {
-    pipeline::FeedbackSent sent;
-    std::optional<double> begin_s; ///< to the first frame of its pattern; empty: not yet, or never
-    std::optional<double> onset_s; ///< to the first frame that is not off, the first one to be felt
-};
-
-/// The bracelet of the console: opens and closes it off the GUI's thread, lets touches be felt on it, and
-/// tells what it does. Thread: GUI; no call waits but the destructor, for a device that is being opened or
-/// closed.
-class BraceletStation : public QObject {
+/// The bracelet of the console, which all pages share: which one is connected, who may drive it, what is felt
+/// of a touch. Others open it (BraceletOpener), keep its wearer's limits (LimitsKeeper), time it
+/// (TouchToSkin) and put it into words (BraceletTexts). Thread: GUI; no call waits but the destructor, for a
+/// device that is being opened or closed.
+class BraceletService : public QObject {
     Q_OBJECT
 
 public:
     /// player: of every bracelet, but for its limits and ranges. staleAfter_ns: so old may its newest report
     /// be; an idle one reports ten times a second.
-    explicit BraceletStation(core::StopSwitch& stop, QObject* parent = nullptr,
+    explicit BraceletService(core::StopSwitch& stop, QObject* parent = nullptr,
                              playback::PlayerConfig player = {},
                              std::int64_t staleAfter_ns = core::staleAfter_ns(10.0));
-    ~BraceletStation() override;
+    ~BraceletService() override;
 
     /// Takes another bracelet in place of the present one. deviceFile: of a Modbus bracelet.
     void choose(BraceletChoice choice, const QString& deviceFile = {});
@@ -110,21 +103,20 @@ public:
     [[nodiscard]] bool isTooHot() const;
     /// Ready, and not reserved: what is asked to be played is played.
     [[nodiscard]] bool isFree() const { return isReady() && !m_reserved; }
-    /// One line on the state; empty when there is nothing to say.
-    [[nodiscard]] QString note() const;
+    [[nodiscard]] bool isStopped() const { return m_stop.engaged(); }
+    /// Its reports are as young as they should be.
+    [[nodiscard]] bool isLive() const;
+    /// Of the bracelet that is connected, as it is seen from here.
+    [[nodiscard]] core::DeviceState state() const;
+    [[nodiscard]] QString note() const { return BraceletTexts::note(*this); }
     [[nodiscard]] bool isSimulated() const;
-    /// For the status bar; empty without a bracelet.
-    [[nodiscard]] std::optional<chrome::DeviceReading> reading() const;
-    /// Median and 99 % quantile of the newest kLatencies times from a completed touch to the first frame;
-    /// empty before the first.
-    struct Latency {
-        double median_s = 0.0;
-        double p99_s = 0.0;
-    };
-    static constexpr std::size_t kLatencies = 200;
-    [[nodiscard]] std::optional<Latency> touchToSkin() const;
+    [[nodiscard]] std::optional<chrome::DeviceReading> reading() const {
+        return BraceletTexts::reading(*this);
+    }
+    [[nodiscard]] std::optional<TouchToSkin::Latency> touchToSkin() const { return m_touchToSkin.latency(); }
+    [[nodiscard]] std::optional<double> newestTouchToSkin_s() const { return m_touchToSkin.newest_s(); }
     /// The newest thing that was recognised while a map was set.
-    [[nodiscard]] const std::optional<FeedbackEvent>& lastEvent() const { return m_last; }
+    [[nodiscard]] const std::optional<FeedbackEvent>& lastEvent() const { return m_touchToSkin.last(); }
 
 signals:
     void chosen(BraceletChoice choice);
@@ -142,47 +134,19 @@ signals:
     void felt(const FeedbackEvent& event);
 
 private:
-    /// A bracelet that is being closed on a thread of its own; its end waits for that thread.
-    struct Closing {
-        BraceletChoice choice = BraceletChoice::none;
-        std::future<void> done;
-    };
-    /// A bracelet that is being opened, likewise.
-    struct Opening {
-        BraceletChoice choice = BraceletChoice::none;
-        std::uint64_t number = 0;
-        std::future<core::Expected<std::shared_ptr<BraceletSession>>> result;
-    };
-
-    /// Of the bracelet that is connected, as it is seen from here.
-    [[nodiscard]] core::DeviceState stateNow() const;
-    /// Its reports are as young as they should be.
-    [[nodiscard]] bool isLive() const;
-    /// What its board tells of itself, a line each.
-    [[nodiscard]] QStringList boardDetails() const;
     void letGo();
-    void close(BraceletChoice choice, std::shared_ptr<BraceletSession> session);
-    template <typename Ending>
-    static std::vector<Ending> takeAll(std::vector<Ending>& endings, BraceletChoice choice);
     void takeOpened();
-    /// How long after the newest touch its pattern began.
-    void timeLast();
     void applyCalibration();
-    void keepLimits();
     void repeatHold();
 
     core::StopSwitch& m_stop;
-    playback::PlayerConfig m_player;
+    BraceletOpener m_opener;
     std::int64_t m_staleAfter_ns;
     BraceletChoice m_choice = BraceletChoice::none;
     QString m_deviceFile;
     motors::MotorCalibration m_calibration;
     motors::WearerLimits m_limits;
-    QTimer m_keepSoon;     ///< a slider that moves is not kept at each step
-    QThreadPool m_keeping; ///< of one thread: the last limits are the ones that stay
-    std::vector<Opening> m_openings;
-    std::vector<Closing> m_closings;
-    std::uint64_t m_chosen = 0;                 ///< number of the newest choice
+    LimitsKeeper m_keeper;
     std::shared_ptr<BraceletSession> m_session; ///< null while it is being opened
     /// The same for the pipeline's thread.
     std::shared_ptr<core::LatestCopy<std::shared_ptr<BraceletSession>>> m_slot;
@@ -195,10 +159,8 @@ private:
     std::shared_ptr<pipeline::TactileFeedback> m_feedback;
     pipeline::TactileFeedback::Library m_library;
     pattern::PatternMap m_map;
-    std::optional<FeedbackEvent> m_last;
-    std::optional<double> m_touchToSkin_s;
-    std::vector<double> m_latencies_s; ///< of the newest touches
-    std::uint64_t m_asked = 0;         ///< number of the newest program that was not for a touch
+    TouchToSkin m_touchToSkin;
+    std::uint64_t m_asked = 0; ///< number of the newest program that was not for a touch
     std::optional<std::size_t> m_held;
     bool m_reserved = false;
 };

@@ -5,7 +5,7 @@
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
-#include "tests/app/console/bracelet/patient_station.h"
+#include "tests/app/console/bracelet/patient_bracelet.h"
 #include "tests/support/peer_process.h"
 
 #include <QAction>
@@ -24,15 +24,15 @@
 using namespace teleta;
 using console::BraceletChoice;
 using console::BraceletMenu;
-using console::BraceletStation;
+using console::BraceletService;
 using console::ConsoleSettings;
 using core::DeviceState;
 
-class BraceletStationTest : public QObject {
+class BraceletServiceTest : public QObject {
     Q_OBJECT
 
     core::StopSwitch m_stop;
-    std::unique_ptr<BraceletStation> m_station;
+    std::unique_ptr<BraceletService> m_station;
     test::PeerProcess m_server;
     QTemporaryDir m_folder;
     QTimer m_clock;
@@ -69,8 +69,8 @@ private slots:
     }
     void init() {
         m_stop.release();
-        m_station = test::patientStation(m_stop);
-        connect(&m_clock, &QTimer::timeout, m_station.get(), &BraceletStation::tick);
+        m_station = test::patientBracelet(m_stop);
+        connect(&m_clock, &QTimer::timeout, m_station.get(), &BraceletService::tick);
         m_clock.start(10);
     }
     void cleanup() {
@@ -107,7 +107,7 @@ private slots:
     }
 
     void saysWhyADriverCannotBeOpened() {
-        QSignalSpy failures(m_station.get(), &BraceletStation::failed);
+        QSignalSpy failures(m_station.get(), &BraceletService::failed);
         m_station->choose(BraceletChoice::file, m_folder.filePath(QStringLiteral("none.toml")));
         QTRY_COMPARE_WITH_TIMEOUT(failures.size(), 1, 20'000);
         QCOMPARE(m_station->choice(), BraceletChoice::none);
@@ -145,5 +145,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(BraceletStationTest)
-#include "bracelet_station_test.moc"
+QTEST_MAIN(BraceletServiceTest)
+#include "bracelet_service_test.moc"

@@ -3,17 +3,18 @@
 
 #include "backend/core/error.h"
 #include "backend/core/threads/stop_switch.h"
-#include "backend/pipeline/touch_pipeline.h"
+#include "backend/pipeline/channel.h"
 
 #include <QString>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace teleta::console {
 
 /// One source of a recording of this program (.teleta): an array, an arm with its skin, or a camera.
-struct PlaybackRequest {
+struct RecordingRequest {
     std::string path;
     std::string stream; ///< name of the array's or the camera's stream
     std::string source; ///< the device, as people know it
@@ -26,11 +27,11 @@ struct PlaybackRequest {
 
 /// All sources of a recording. Reads the file: not on the GUI's thread. Error: as Recording::open and
 /// pipeline::recordedSources.
-[[nodiscard]] core::Expected<std::vector<PlaybackRequest>> playbacksOf(const std::string& path);
+[[nodiscard]] core::Expected<std::vector<RecordingRequest>> recordingRequestsOf(const std::string& path);
 
 /// Opens a source of a recording, which waits at its begin; all of them are played from the first frame of
-/// any to the last one. Not on the GUI's thread. Error: as playbacksOf.
-[[nodiscard]] core::Expected<pipeline::OpenedSource> openPlayback(const PlaybackRequest& request,
-                                                                  const core::StopSwitch& stop);
+/// any to the last one. Not on the GUI's thread. Error: as recordingRequestsOf.
+[[nodiscard]] core::Expected<std::shared_ptr<pipeline::Channel>>
+openRecording(const RecordingRequest& request, const core::StopSwitch& stop);
 
 } // namespace teleta::console

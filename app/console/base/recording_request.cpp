@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/base/recording_request.h"
+
+#include "backend/pipeline/arm_channel.h"
+#include "backend/pipeline/camera_channel.h"
+#include "backend/pipeline/recorded/recorded_sources.h"
+#include "backend/pipeline/touch_channel.h"
+#include "devices/replay/recorded_device.h"
+
+#include <QCoreApplication>
+
+#include <memory>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+struct PlaybackText {
+    Q_DECLARE_TR_FUNCTIONS(RecordingRequest)
+};
+
+using Opened = std::shared_ptr<pipeline::Channel>;
+
+core::Expected<Opened> openArray(replay::RecordedConfig config, pipeline::RecordedSource source) {
+    config.stream = source.arrayStream;
+    config.array = std::move(source.array.description);
+    config.jointStream = source.jointStream;
+    config.arm = std::move(source.arm);
+    TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
+    auto array = std::make_shared<pipeline::TouchChannel>(std::make_unique<replay::RecordedArray>(player),
+                                                          std::move(source.array.settings));
+    if (!source.jointStream)
+        return array;
+    return std::make_shared<pipeline::ArmChannel>(std::make_unique<replay::RecordedArm>(player),
+                                                  std::move(array));
+}
+
+core::Expected<Opened> openCamera(replay::RecordedConfig config, const recording::Recording& recording,
+                                  const pipeline::RecordedCamera& source, const core::StopSwitch& stop) {
+    auto reference = pipeline::firstReference(recording, source);
+    TELETA_CHECK(reference);
+    config.stream = source.stream;
+    config.camera = source.description;
+    config.referenceStream = source.referenceStream;
+    TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
+    pipeline::CameraChannel::Settings settings;
+    settings.tracker.bump = source.bump;
+    settings.reference = std::move(*reference);
+    auto channel = pipeline::CameraChannel::make(std::make_unique<replay::RecordedCamera>(player),
+                                                 source.camera, stop, nullptr, settings);
+    TELETA_CHECK(channel);
+    return *channel;
+}
+
+} // namespace
+
+bool isRecordingName(const QString& path) {
+    return path.endsWith(QLatin1String(".teleta"), Qt::CaseInsensitive);
+}
+
+core::Expected<std::vector<RecordingRequest>> recordingRequestsOf(const std::string& path) {
+    TELETA_TRY(const auto recording, recording::Recording::open(path));
+    TELETA_TRY(const auto sources, pipeline::recordedSources(recording));
+    std::vector<RecordingRequest> requests;
+    for (const pipeline::RecordedCamera& camera : sources.cameras)
+        requests.push_back({path, recording.streams()[camera.stream].name, camera.description.name, false});
+    // The first array last: what is opened last is shown.
+    for (auto array = sources.arrays.rbegin(); array != sources.arrays.rend(); ++array) {
+        const std::string& stream = recording.streams()[array->arrayStream].name;
+        requests.push_back({path, stream, array->array.description.name, false,
+                            pipeline::settingsChanged(recording.events(), stream)});
+    }
+    return requests;
+}
+
+core::Expected<std::shared_ptr<pipeline::Channel>> openRecording(const RecordingRequest& request,
+                                                                 const core::StopSwitch& stop) {
+    TELETA_TRY(const auto recording, recording::Recording::open(request.path));
+    TELETA_TRY(auto sources, pipeline::recordedSources(recording));
+    replay::RecordedConfig config;
+    config.path = request.path;
+    config.loop = request.loop;
+    config.autoplay = false;
+    config.span = replay::RecordedConfig::Span{sources.first_ns, sources.last_ns};
+    const auto isIt = [&](std::size_t stream) { return recording.streams()[stream].name == request.stream; };
+    for (pipeline::RecordedSource& source : sources.arrays)
+        if (isIt(source.arrayStream))
+            return openArray(std::move(config), std::move(source));
+    for (const pipeline::RecordedCamera& source : sources.cameras)
+        if (isIt(source.stream))
+            return openCamera(std::move(config), recording, source, stop);
+    return core::Unexpected(core::Error{core::ErrorKind::refused,
+                                        PlaybackText::tr("the recording has no stream \"%1\" to play")
+                                            .arg(QString::fromStdString(request.stream))
+                                            .toStdString(),
+                                        {},
+                                        {request.path}});
+}
+
+} // namespace teleta::console
