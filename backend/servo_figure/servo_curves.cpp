@@ -101,7 +101,7 @@ double ServoCurves::turnSinceStart_rad(const Eigen::Quaterniond& q_Base_Sensor) 
     if (!m_start_m || !isRotation(m_q_Base_Start) || !isRotation(q_Base_Sensor))
         return servo::ServoStep::kNone;
     const Eigen::Quaterniond turn = m_q_Base_Start.normalized().conjugate() * q_Base_Sensor.normalized();
-    return logSO3(turn.toRotationMatrix()).z();
+    return servo::logSO3(turn.toRotationMatrix()).z();
 }
 
 void ServoCurves::add(const servo::ServoStep& step, std::string_view phase) {

@@ -10,8 +10,8 @@ namespace teleta::described {
 
 core::Expected<std::unique_ptr<core::BraceletLink>> openBracelet(const std::string& path,
                                                                  const core::StopSwitch& stop) {
-    TELETA_TRY(const auto document, scene::TomlDocument::open(path));
-    scene::TomlTable root = document.root();
+    TELETA_TRY(const auto document, core::TomlDocument::open(path));
+    core::TomlTable root = document.root();
     const bool named = root.has("kind");
     const std::size_t kind = named ? root.choice("kind", {"modbus", "hid_bracelet"}) : 0;
     if (document.firstError())

@@ -14,7 +14,7 @@ namespace {
 constexpr int kProbedFrames = 32;
 constexpr double kPeriodOfUnknownRate_ns = 1e8;
 /// A gap in a recording may be longer than the clock can count.
-constexpr double kLongest_ns = 4e18;
+constexpr double kLongestTime_ns = 4e18;
 constexpr double kLongestPeriod_ns = 1e18;
 constexpr std::int64_t kRounding_ns = 1000;
 
@@ -31,7 +31,7 @@ core::Expected<double> probeRate_Hz(CsvCursor& cursor) {
 }
 
 std::int64_t toNs(double time_s) {
-    return std::llround(std::clamp(time_s * 1e9, -kLongest_ns, kLongest_ns));
+    return std::llround(std::clamp(time_s * 1e9, -kLongestTime_ns, kLongestTime_ns));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "backend/core/device/camera_source.h"
 #include "backend/core/device/device.h"
 #include "backend/core/error.h"
+#include "backend/core/threads/device_thread.h"
 #include "devices/replay/playback_config.h"
 #include "devices/replay/playback_worker.h"
 

@@ -108,7 +108,7 @@ public:
 /// What a simulated arm has to do in one step.
 struct ArmDemand {
     ArmDrive drive = ArmDrive::held;
-    JointVector rate_radPerS; ///< with jog
+    JointVector rate_radPerS{}; ///< with jog
 };
 
 /// What a simulated arm at another site has sent and the link has delivered.

@@ -148,7 +148,7 @@ core::Expected<std::vector<RecordedCamera>> recordedCameras(const recording::Rec
         if (!*camera)
             continue;
         TELETA_TRY(const auto extent, recording.extent(i));
-        if extent
+        if (extent)
             cameras.push_back(std::move(**camera));
     }
     return cameras;

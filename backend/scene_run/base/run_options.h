@@ -20,8 +20,8 @@ struct RunOptions {
 
     /// Whether the run is to end early; asks goOn every so many steps.
     [[nodiscard]] bool endsAt(std::uint64_t step, std::uint64_t every, double simulated_s,
-                              double duration_s) const {
-        return step % every == 0 && goOn && !goOn(simulated_s, duration_s);
+                              double whole_s) const {
+        return step % every == 0 && goOn && !goOn(simulated_s, whole_s);
     }
 };
 
