@@ -15,7 +15,7 @@ core::Expected<std::unique_ptr<core::BraceletLink>> openBracelet(const std::stri
     const bool named = root.has("kind");
     const std::size_t kind = named ? root.choice("kind", {"modbus", "hid_bracelet"}) : 0;
     if (document.firstError())
-        return core::Unexpected(document.firstError());
+        return core::Unexpected(*document.firstError());
     if (kind == 1) {
         TELETA_TRY(const auto file, bracelet::readHidBracelet(path));
         return bracelet::openHidBracelet(file.config, stop);

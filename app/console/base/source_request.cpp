@@ -148,11 +148,11 @@ core::Expected<Opened> openScene(const SceneRequest& request, const core::StopSw
 core::Expected<Opened> openWts(const WtsRequest& request) {
     constexpr double kThresholdShare = 0.01;
     TELETA_TRY(auto source, wts::WtsDevice::open(request.config));
-    const double fullScale = source.matrix().fullScale * request.gain;
+    const double fullScale = source->matrix().fullScale * request.gain;
     pipeline::ChannelSettings settings =
         settingsFor(request.threshold.value_or(kThresholdShare * fullScale), request.loadUnit);
     settings.conditioning.gain = request.gain;
-    TELETA_CHECK(takeGains(request.gainsPath, source.description().layout, settings));
+    TELETA_CHECK(takeGains(request.gainsPath, source->description().layout, settings));
     return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(settings));
 }
 

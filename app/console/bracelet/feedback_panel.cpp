@@ -150,7 +150,7 @@ void FeedbackPanel::writeLast(const FeedbackEvent& event) {
 }
 
 void FeedbackPanel::showLatency() {
-    const std::optional<BraceletService::Latency> latency = m_station.touchToSkin();
+    const std::optional<TouchToSkin::Latency> latency = m_station.touchToSkin();
     m_latency->setVisible(latency.has_value());
     if (!latency)
         return;

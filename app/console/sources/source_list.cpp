@@ -181,7 +181,7 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
     }
     root.finish();
     if (document.firstError())
-        return core::Unexpected(document.firstError());
+        return core::Unexpected(*document.firstError());
     return requests;
 }
 
