@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/contour_order.h"
 
+#include "backend/core/quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,26 +40,22 @@ double largestDistance(std::span<const Point> points) {
 double robustSize(std::span<const Point> points) {
     const std::size_t n = points.size();
     const std::size_t skipped = n < kPointsForRejection ? 0 : std::max<std::size_t>(1, n / 20);
-    const auto rank = static_cast<std::ptrdiff_t>(skipped);
+    const std::size_t rank = n - 1 - skipped;
     std::vector<double> farthest(n);
     std::vector<double> distances(n);
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t k = 0; k < n; ++k)
             distances[k] = (points[i] - points[k]).squaredNorm();
-        std::nth_element(distances.begin(), distances.begin() + rank, distances.end(), std::greater<>());
-        farthest[i] = distances[skipped];
+        farthest[i] = core::orderStatistic(distances, rank);
     }
-    std::nth_element(farthest.begin(), farthest.begin() + rank, farthest.end(), std::greater<>());
-    return std::sqrt(farthest[skipped]);
+    return std::sqrt(core::orderStatistic(farthest, rank));
 }
 
 double usualStep(std::span<const Point> points) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < points.size(); ++i)
         steps.push_back(distance(points[i], points[i - 1]));
-    const auto quartile = steps.begin() + static_cast<std::ptrdiff_t>(3 * steps.size() / 4);
-    std::nth_element(steps.begin(), quartile, steps.end());
-    return *quartile;
+    return core::orderStatistic(steps, 3 * steps.size() / 4);
 }
 
 /// Position of the foot of p on a closed polygon: index of the edge plus the share along it.

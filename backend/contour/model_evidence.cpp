@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/model_evidence.h"
 
+#include "backend/core/quantile.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -122,11 +124,9 @@ double logEvidenceOfWalk(std::span<const Point> points, const RobustFit& fit, st
     const double variance = std::max(kSmallestNoise * kSmallestNoise, squares / (2.0 * steps));
     const double walk = -steps * (std::log(2.0 * std::numbers::pi * variance) + 1.0) - 0.5 * std::log(steps);
 
-    std::vector<double> sorted = advances;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
+    const double median = core::upperMedianOf(std::vector(advances));
     for (double& advance : advances)
-        advance -= *middle;
+        advance -= median;
     const double curve = logLikelihood(groupResiduals, length) + logGain(advances, length);
     return logLikelihood(fit.residuals, length) + walk - curve;
 }

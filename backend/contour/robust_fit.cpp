@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/robust_fit.h"
 
+#include "backend/core/quantile.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -23,11 +25,9 @@ constexpr double kLargestStep = 0.5;
 double robustDeviation(const Eigen::VectorXd& residuals, Eigen::Index parameters) {
     std::vector<double> sizes(static_cast<std::size_t>(residuals.size()));
     std::transform(residuals.begin(), residuals.end(), sizes.begin(), [](double r) { return std::abs(r); });
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
     const auto n = static_cast<double>(residuals.size());
     const double freedom = std::max(1.0, n - static_cast<double>(parameters));
-    return kMadToDeviation * *middle * std::sqrt(n / freedom);
+    return kMadToDeviation * core::upperMedianOf(sizes) * std::sqrt(n / freedom);
 }
 
 /// Minimises the loss at a fixed scale, in place.

@@ -127,7 +127,7 @@ private:
         for (std::size_t frame = 0; frame < m_frames; ++frame) {
             collectFrame(frame, -std::numeric_limits<double>::infinity());
             if (2 * m_x.size() > good())
-                levels[frame] = medianOf(m_x);
+                levels[frame] = core::medianOf(m_x);
         }
         std::vector<double> sorted = levels;
         std::ranges::sort(sorted);
@@ -189,7 +189,7 @@ private:
             m_y.clear();
             for (const Constant& taxel : constant)
                 m_y.push_back(rawOf(taxel.taxel, taxel.reading).value_or(taxel.reading));
-            const double common = medianOf(m_y);
+            const double common = core::medianOf(m_y);
             const auto same = static_cast<std::size_t>(std::ranges::count(m_y, common));
             if (constant.size() > 2 && 2 * same > constant.size())
                 return core::refused(
@@ -197,9 +197,9 @@ private:
                     PressText::tr("a load that the taxels can measure"));
             return {};
         }
-        const double range = medianOf(ranges);
-        const double step = medianOf(steps);
-        const double usual = medianOf(usuals);
+        const double range = core::medianOf(ranges);
+        const double step = core::medianOf(steps);
+        const double usual = core::medianOf(usuals);
         if (!(usual > 0.0))
             return {};
         for (const Constant& taxel : constant) {
@@ -356,7 +356,7 @@ private:
             if (isGood(taxel))
                 m_buffer.push_back(m_noise[taxel]);
         }
-        m_usualNoise = m_buffer.empty() ? 0.0 : medianOf(m_buffer);
+        m_usualNoise = m_buffer.empty() ? 0.0 : core::medianOf(m_buffer);
         leaveOutExtremes();
         double mean = 0.0;
         const auto used = static_cast<double>(good());
@@ -381,7 +381,7 @@ private:
         }
         if (m_buffer.empty())
             return;
-        const double usual = medianOf(m_buffer);
+        const double usual = core::medianOf(m_buffer);
         for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
             if (!isGood(taxel))
                 continue;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/equilibration/robust_slope.h"
 
+#include "backend/core/quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 
 namespace teleta::equilibration {
 
@@ -17,15 +18,6 @@ constexpr int kMostSteps = 50;
 
 } // namespace
 
-double medianOf(std::span<double> values) {
-    const std::size_t half = values.size() / 2;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(half);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1)
-        return *middle;
-    return std::midpoint(*middle, *std::max_element(values.begin(), middle));
-}
-
 Slope robustSlope(std::span<const double> x, std::span<const double> y, std::vector<double>& buffer) {
     const std::size_t n = x.size();
     buffer.resize(n);
@@ -34,7 +26,7 @@ Slope robustSlope(std::span<const double> x, std::span<const double> y, std::vec
         buffer[i] = y[i] / x[i];
         largest = std::max(largest, std::abs(y[i]));
     }
-    Slope result{.slope = medianOf(buffer)};
+    Slope result{.slope = core::medianOf(buffer)};
     // Residuals within the rounding error count as zero.
     const double exact = 4.0 * std::numeric_limits<double>::epsilon() * largest;
     double influence = 0.0; // sum of squares of the bounded residuals
@@ -43,7 +35,7 @@ Slope robustSlope(std::span<const double> x, std::span<const double> y, std::vec
     for (int step = 0; step < kMostSteps; ++step) {
         for (std::size_t i = 0; i < n; ++i)
             buffer[i] = std::abs(y[i] - result.slope * x[i]);
-        result.noise = kNormalMad * medianOf(buffer);
+        result.noise = kNormalMad * core::medianOf(buffer);
         if (result.noise <= exact)
             result.noise = 0.0;
         const double bound = std::max(kHuber * result.noise, exact);

@@ -22,8 +22,4 @@ struct Slope {
 [[nodiscard]] Slope robustSlope(std::span<const double> x, std::span<const double> y,
                                 std::vector<double>& buffer);
 
-/// Median of the values, which are reordered; the mean of the middle two when their number is even. At least
-/// one.
-[[nodiscard]] double medianOf(std::span<double> values);
-
 } // namespace teleta::equilibration

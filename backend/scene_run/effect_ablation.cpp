@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/effect_ablation.h"
 
+#include "backend/core/quantile.h"
 #include "backend/scene_run/scene_run.h"
 #include "backend/scene_run/study/study_run.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/modbus/modbus_bracelet.h"
 
+#include "backend/core/quantile.h"
 #include "devices/modbus/libmodbus_link.h"
 #include "devices/modbus/modbus_bracelet_port.h"
 
@@ -30,8 +31,7 @@ double measureRate_Hz(ModbusBraceletPort& port, const core::PacingClock& clock) 
             return 0.0;
         duration_ns = clock.now_ns() - begin_ns;
     }
-    std::ranges::nth_element(durations_ns, durations_ns.begin() + durations_ns.size() / 2);
-    const double median_s = static_cast<double>(durations_ns[durations_ns.size() / 2]) * 1e-9;
+    const double median_s = static_cast<double>(core::upperMedianOf(durations_ns)) * 1e-9;
     return median_s > 0.0 ? std::min(kHighestRate_Hz, kShareOfTime / median_s) : kHighestRate_Hz;
 }
 

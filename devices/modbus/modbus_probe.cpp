@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/modbus/modbus_probe.h"
 
+#include "backend/core/quantile.h"
 #include "devices/modbus/input_reader.h"
 #include "devices/modbus/modbus_bracelet.h"
 
@@ -28,8 +29,7 @@ core::Expected<void> probeInputs(const RegisterMap& map, RegisterLink& link, con
             return failed(answer);
         duration_ns = clock.now_ns() - begin_ns;
     }
-    std::ranges::nth_element(durations_ns, durations_ns.begin() + durations_ns.size() / 2);
-    const std::int64_t median_ns = durations_ns[durations_ns.size() / 2];
+    const std::int64_t median_ns = core::upperMedianOf(durations_ns);
     if (median_ns > 0)
         probe.inputRate_Hz = 1e9 / static_cast<double>(median_ns);
     return {};

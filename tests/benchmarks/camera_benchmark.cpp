@@ -3,7 +3,7 @@
 // 288, dense inverse search of medium quality against the reference, maximum filter, threshold, contours), on
 // the same rendered frames of 1640 x 1232 and on one core. Counters: frames per second, mean distance from
 // the true contact in mm, missed contacts, time of each stage in ms.
-#include "backend/simulation/base/random_stream.h"
+#include "backend/core/random_stream.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/finders/contact_ladder.h"
 #include "tests/backend/simulation/camera/camera_scene.h"
@@ -41,7 +41,7 @@ const Frames& frames() {
         Frames result;
         result.tube = std::move(*simulation::SimulatedTube::make(test::cameraScene(), 1));
         result.tube->untouched(result.reference);
-        simulation::RandomStream random(9, "benchmark");
+        core::RandomStream random(9, "benchmark");
         for (int i = 0; i < kContacts; ++i) {
             simulation::SkinPress press;
             press.centre = {2.0 * std::numbers::pi * random.uniform(), 0.005 + 0.09 * (i + 0.5) / kContacts};

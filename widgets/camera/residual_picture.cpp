@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/residual_picture.h"
 
+#include "backend/core/quantile.h"
 #include "backend/vision/camera/nominal_camera.h"
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/numbers/number_format.h"
@@ -31,13 +32,6 @@ double roundDown(double value) {
             return factor * power;
     }
     return power;
-}
-
-double quantile(std::vector<double> values, double share) {
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
 }
 
 } // namespace
@@ -155,7 +149,7 @@ double ResidualPicture::enlargement(const QSizeF& size) const {
     if (lengths.empty())
         return 1.0;
     constexpr double kLargest = 1e6;
-    const double usual = quantile(std::move(lengths), 0.9);
+    const double usual = core::lowerQuantileOf(lengths, 0.9);
     return usual > 0.0 ? roundDown(std::clamp(2.0 * emOf(font) / usual, 1.0, kLargest)) : 1.0;
 }
 
@@ -168,7 +162,7 @@ double ResidualPicture::axialLimit_mm() const {
     }
     if (errors_mm.empty())
         return 1.0;
-    const double most = quantile(std::move(errors_mm), 0.98);
+    const double most = core::lowerQuantileOf(errors_mm, 0.98);
     return most > 0.0 ? most : 1.0;
 }
 

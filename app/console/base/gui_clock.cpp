@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/base/gui_clock.h"
 
+#include "backend/core/quantile.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,10 +15,7 @@ constexpr std::size_t kKeptTicks = 3600UL * 1000UL / GuiClock::kPeriod_ms;
 double quantile(std::vector<float> values, double share) {
     if (values.empty())
         return 0.0;
-    const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
-    std::nth_element(values.begin(), nth, values.end());
-    return static_cast<double>(*nth);
+    return static_cast<double>(core::lowerQuantileOf(values, share));
 }
 
 } // namespace

@@ -24,7 +24,7 @@ struct CalibrationCase {
 /// The 25 x 10 holes of the paper's shell; pixels with 0.5 px of noise, every tenth one anywhere in the
 /// image.
 CalibrationCase calibrationCase(std::size_t number) {
-    simulation::RandomStream random(number, "camera calibration ladder");
+    core::RandomStream random(number, "camera calibration ladder");
     constexpr int kAround = 25;
     constexpr int kAlong = 10;
     constexpr double kNoise_px = 0.5;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/random_stream.h"
 #include "backend/cost/ladders/exact_camera.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/simulation/base/random_stream.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/camera/nominal_camera.h"
 #include "backend/vision/finders/contact_ladder.h"
@@ -55,7 +55,7 @@ core::Expected<std::shared_ptr<TubeFrames>> renderFrames(std::size_t contacts) {
     auto frames = std::make_shared<TubeFrames>();
     frames->tube = std::move(*tube);
     frames->tube->untouched(frames->reference);
-    simulation::RandomStream random(9, "contact flow ladder");
+    core::RandomStream random(9, "contact flow ladder");
     for (std::size_t i = 0; i < contacts; ++i) {
         simulation::SkinPress press;
         press.centre = {2.0 * std::numbers::pi * random.uniform(),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/cubic_spline.h"
+#include "backend/core/random_stream.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/simulation/base/random_stream.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ TrueOutline bentOutline() {
 
 /// A closed outline is touched from anywhere on, an open one from end to end.
 std::vector<Point> touchOutline(const TrueOutline& outline, std::size_t count, std::size_t trial) {
-    simulation::RandomStream random(trial, "contour ladder");
+    core::RandomStream random(trial, "contour ladder");
     const double first = outline.closed ? random.uniform() : 0.0;
     const double gaps = static_cast<double>(outline.closed ? count : count - 1);
     std::vector<Point> points;

@@ -9,7 +9,7 @@
 
 namespace teleta::cost {
 
-vision::CameraParameters randomCamera(simulation::RandomStream& random) {
+vision::CameraParameters randomCamera(core::RandomStream& random) {
     const auto between = [&](double low, double high) { return low + (high - low) * random.uniform(); };
     vision::CameraParameters camera = vision::nominalCamera(1640, 1232).camera().parameters();
     camera.fx_px *= between(0.9, 1.1);

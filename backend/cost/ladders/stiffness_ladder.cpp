@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/random_stream.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/simulation/base/random_stream.h"
 #include "backend/stiffness/stiffness_estimator.h"
 
 #include <array>
@@ -25,7 +25,7 @@ struct Touch {
 /// The log of one touch, so dense that the window holds so many samples, its borders among them:
 ///   angle = torque / (P_C^2 k_i),  1/k_i = 1/k_o + 1/k_ri
 Touch simulateTouch(std::size_t trial, std::size_t samplesInWindow) {
-    simulation::RandomStream random(trial, "stiffness ladder");
+    core::RandomStream random(trial, "stiffness ladder");
     const stiffness::TorqueWindow window;
     Touch touch{{}, kTouched_NPerM[trial % kTouched_NPerM.size()]};
     const double total_NPerM = 1.0 / (1.0 / touch.object_NPerM + 1.0 / stiffness::kPaperLinkStiffness_NPerM);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contact/summit.h"
 #include "backend/contact/tactile_features.h"
+#include "backend/core/random_stream.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/simulation/array/foundation_contact.h"
-#include "backend/simulation/base/random_stream.h"
 
 #include <Eigen/Core>
 
@@ -30,7 +30,7 @@ struct PressedFrame {
 /// A ball of 12 mm anywhere on the array, its lowest point at least one taxel inside of the border, so that
 /// its contact may reach beyond; noise, and a taxel fires from 0.2 N on.
 std::vector<PressedFrame> pressedFrames(const core::ArrayLayout& layout) {
-    simulation::RandomStream random(1, "tactile features ladder");
+    core::RandomStream random(1, "tactile features ladder");
     constexpr double kTaxelStiffness_NPerM = 1200.0;
     constexpr double kReadingNoise_N = 0.015;
     simulation::FoundationContact foundation(layout, kTaxelStiffness_NPerM);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/random_stream.h"
 #include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/equilibration/taxel_gains.h"
-#include "backend/simulation/base/random_stream.h"
 
 #include <array>
 #include <cmath>
@@ -29,7 +29,7 @@ struct Pressed {
 /// A press whose load swings between 0.5 and 1.5; a link that loses readings, the more the harder it is
 /// pressed, and sparks.
 Pressed simulatePress(std::size_t trial, std::size_t frames) {
-    simulation::RandomStream random(trial, "taxel gains ladder");
+    core::RandomStream random(trial, "taxel gains ladder");
     Pressed press;
     for (std::size_t i = 0; i < kLayout.taxels(); ++i)
         press.response.push_back(std::exp(kSpread * random.normal()));

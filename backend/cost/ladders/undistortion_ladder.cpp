@@ -72,7 +72,7 @@ Ladder undistortionLadder() {
     ladder.errorUnit = "rad";
     ladder.trials = 64;
     ladder.makeRungs = []() -> core::Expected<std::vector<Rung>> {
-        simulation::RandomStream random(1, "undistortion ladder");
+        core::RandomStream random(1, "undistortion ladder");
         const vision::CameraParameters parameters = randomCamera(random);
         auto made = std::make_shared<UndistortionInput>(
             UndistortionInput{vision::CameraModel::create(parameters).value(), {}});

@@ -3,6 +3,7 @@
 
 #include "backend/core/data/csv_writer.h"
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/wav_writer.h"
 #include "backend/core/failure.h"
 
 #include <QCoreApplication>
@@ -19,40 +20,6 @@ namespace {
 struct SampledText {
     Q_DECLARE_TR_FUNCTIONS(PatternFile)
 };
-
-/// Little-endian on every machine.
-void put(std::string& bytes, std::uint64_t value, int count) {
-    for (int i = 0; i < count; ++i)
-        bytes += static_cast<char>((value >> (8 * i)) & 0xFFU);
-}
-
-constexpr std::uint32_t kBytesPerSample = 2;
-constexpr std::uint32_t kBytesPerFrame = kBytesPerSample * core::kTactors;
-constexpr std::uint32_t kHeaderBytes = 68;
-
-/// RIFF WAVE header with WAVE_FORMAT_EXTENSIBLE and the sub-format PCM.
-std::string wavHeader(std::uint32_t dataBytes, std::uint32_t rate_Hz) {
-    std::string header = "RIFF";
-    put(header, kHeaderBytes - 8 + dataBytes, 4);
-    header += "WAVEfmt ";
-    put(header, 40, 4);
-    put(header, 0xFFFE, 2);
-    put(header, core::kTactors, 2);
-    put(header, rate_Hz, 4);
-    put(header, std::uint64_t{rate_Hz} * kBytesPerFrame, 4);
-    put(header, kBytesPerFrame, 2);
-    put(header, 8 * kBytesPerSample, 2);
-    put(header, 22, 2);                  // of the extension
-    put(header, 8 * kBytesPerSample, 2); // valid bits
-    put(header, 0, 4);                   // speakers
-    put(header, 1, 4);                   // GUID of PCM: 00000001-0000-0010-8000-00AA00389B71
-    put(header, 0x0010'0000, 4);
-    put(header, 0xAA00'0080, 4);
-    put(header, 0x719B'3800, 4);
-    header += "data";
-    put(header, dataBytes, 4);
-    return header;
-}
 
 core::Unexpected refused(const std::string& path, const QString& message, const QString& expected) {
     return core::failed(core::ErrorKind::refused, message, expected, {path, 0, 0});
@@ -128,18 +95,14 @@ core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, c
         return refused(path, SampledText::tr("a WAV file cannot have this rate"),
                        SampledText::tr("a whole number of samples per second"));
     const std::uint64_t frames = samplesOf(pattern.duration_s, rate_Hz);
-    if (frames > (std::numeric_limits<std::uint32_t>::max() - kHeaderBytes) / kBytesPerFrame)
+    if (frames > core::WavWriter::mostFrames(core::kTactors))
         return refused(path, SampledText::tr("the pattern is too long for a WAV file"),
                        SampledText::tr("at most 4 GiB of samples"));
-    TELETA_TRY(core::OutputFile file, core::OutputFile::create(path));
-    file.write(wavHeader(static_cast<std::uint32_t>(frames) * kBytesPerFrame,
-                         static_cast<std::uint32_t>(std::lround(rate_Hz))));
-    std::string bytes;
+    TELETA_TRY(core::WavWriter file,
+               core::WavWriter::create(path, core::kTactors, static_cast<std::uint32_t>(std::lround(rate_Hz)),
+                                       frames));
     sample(pattern, options, rate_Hz, [&](double, const core::Intensities& intensities) {
-        bytes.clear();
-        for (const double intensity : intensities)
-            put(bytes, static_cast<std::uint64_t>(std::lround(32767.0 * intensity)), kBytesPerSample);
-        file.write(bytes);
+        file.write(intensities);
         return !file.failed();
     });
     return file.finish();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch/found_objects.h"
 
+#include "backend/core/quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,16 +15,6 @@ namespace {
 using stiffness::Stiffness;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// values: not empty, without NaN.
-double median(std::vector<double> values) {
-    const std::size_t half = values.size() / 2;
-    const auto upper = values.begin() + static_cast<std::ptrdiff_t>(half);
-    std::nth_element(values.begin(), upper, values.end());
-    if (values.size() % 2 == 1 || std::isinf(*upper))
-        return *upper;
-    return 0.5 * (*upper + *std::max_element(values.begin(), upper));
-}
 
 std::optional<double> ifFinite(double value) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
@@ -118,11 +110,11 @@ const FoundObject* FoundObjects::add(const TouchRecord& touch) {
         upper.push_back(high);
     }
     if (!values.empty()) {
-        const double value = median(std::move(values));
+        const double value = core::medianOf(values);
         object.stiffness = Stiffness{.value_NPerM = ifFinite(value),
                                      .se_NPerM = {},
-                                     .lower95_NPerM = median(std::move(lower)),
-                                     .upper95_NPerM = ifFinite(median(std::move(upper)))};
+                                     .lower95_NPerM = core::medianOf(lower),
+                                     .upper95_NPerM = ifFinite(core::medianOf(upper))};
         object.material = stiffness::classify(value);
     }
     object.recognition = open->explorer.contour().recognition;

@@ -34,7 +34,7 @@ std::optional<double> gainError(const scene::Scene& scene, const scene::GainSpre
     if (!gains)
         return std::nullopt;
     const std::vector<double> factors =
-        simulation::gainFactors(spec, layout.taxels(), simulation::RandomStream(seed, spec.kRow.name));
+        simulation::gainFactors(spec, layout.taxels(), core::RandomStream(seed, spec.kRow.name));
     // Nobody knows the load: the gains are right when all products are the same.
     double sum = 0.0;
     double squares = 0.0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/study/stimulus_bracelet.h"
 
+#include "backend/core/random_stream.h"
 #include "backend/core/steady_time.h"
-#include "backend/study/protocol/portable_random.h"
 #include "backend/study/protocol/trial_order.h"
 
 #include <algorithm>
@@ -62,9 +62,9 @@ StimulusBracelet::Shown StimulusBracelet::show(const pattern::Pattern& pattern, 
     Shown shown{frames, 0};
     if (m_scene.droppedFrames) {
         const Stopwatch watch(m_times_ns["dropped_frames"]);
-        study::PortableRandom random(study::derivedSeed(seed, kDroppedFrames));
+        core::RandomStream random(study::derivedSeed(seed, kDroppedFrames));
         for (std::size_t k = 0; k < frames; ++k) {
-            if (random.unit() >= *m_scene.droppedFrames)
+            if (random.uniform() >= *m_scene.droppedFrames)
                 continue;
             ++shown.lost;
             // The board keeps the last command.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/study/study_run.h"
 
+#include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
 #include "backend/scene_run/study/stimulus_bracelet.h"
 #include "backend/study/analysis/proportion.h"

@@ -18,7 +18,7 @@ constexpr double kWatchdog_s = 1e-9 * static_cast<double>(core::ArmCommand::kJog
 
 std::optional<LinkDelay> delayOf(const scene::Scene& scene, std::uint64_t seed, std::string_view stream) {
     const auto* spec = scene.listed<scene::LinkDelaySpec>();
-    return spec != nullptr ? std::optional(LinkDelay(*spec, RandomStream(seed, stream))) : std::nullopt;
+    return spec != nullptr ? std::optional(LinkDelay(*spec, core::RandomStream(seed, stream))) : std::nullopt;
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/arm/unknown_places.h"
 
-#include "backend/simulation/base/random_stream.h"
+#include "backend/core/random_stream.h"
 
 #include <cstddef>
 #include <utility>
@@ -11,7 +11,7 @@ namespace teleta::simulation {
 std::vector<scene::ArmObject> drawPlaces(const scene::ArmWorld& world, std::uint64_t seed) {
     std::vector<scene::ArmObject> objects = world.objects;
     const scene::UnknownPlaces& unknown = world.unknown;
-    RandomStream random(seed, "unknown_places");
+    core::RandomStream random(seed, "unknown_places");
     if (unknown.swap) {
         for (std::size_t i = objects.size(); i > 1; --i) {
             scene::ArmObject& a = objects[i - 1];

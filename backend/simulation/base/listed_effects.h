@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/random_stream.h"
 #include "backend/scene/scene.h"
 #include "backend/simulation/base/effect.h"
-#include "backend/simulation/base/random_stream.h"
 
 #include <cstdint>
 #include <memory>
@@ -41,7 +41,7 @@ struct Listed {
     double step_s = 0.0; ///< from one frame of the taxels to the next
 
     [[nodiscard]] std::string_view name() const { return Spec::kRow.name; }
-    [[nodiscard]] RandomStream random() const { return RandomStream(seed, name()); }
+    [[nodiscard]] core::RandomStream random() const { return core::RandomStream(seed, name()); }
 
     friend std::unique_ptr<EffectOn<Spec::kRow.actsOn>> makeEffect(const Listed<Spec>& listed);
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/camera/probing_plan.h"
 
-#include "backend/simulation/base/random_stream.h"
+#include "backend/core/random_stream.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr double kLifted = 0.95;
 ProbingPlan::ProbingPlan(const scene::Probing& probing, const scene::CameraSkin& skin, std::uint64_t seed)
     : m_probing(probing)
     , m_hole_s(probing.hole_s) {
-    RandomStream random(seed, "probing");
+    core::RandomStream random(seed, "probing");
     const auto place = [&](int ring, int hole) {
         const double share = probing.along > 1 ? static_cast<double>(ring) / (probing.along - 1) : 0.0;
         // Angles go on rising from ring to ring: the person walks around the tube.

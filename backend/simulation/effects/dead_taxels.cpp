@@ -19,7 +19,7 @@ public:
                              static_cast<std::size_t>(taxel.column));
         if (!m_dead.empty())
             return;
-        RandomStream random = listed.random();
+        core::RandomStream random = listed.random();
         m_dead.resize(layout.taxels());
         std::iota(m_dead.begin(), m_dead.end(), std::size_t{0});
         for (std::size_t i = 0; i < listed.spec.count; ++i)

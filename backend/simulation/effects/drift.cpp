@@ -37,7 +37,7 @@ private:
     double m_keep;   ///< a
     double m_kick_N; ///< sd sqrt(1 - a^2)
     std::vector<double> m_rest_N;
-    RandomStream m_random;
+    core::RandomStream m_random;
 };
 
 } // namespace

@@ -7,7 +7,8 @@
 
 namespace teleta::simulation {
 
-std::vector<double> gainFactors(const scene::GainSpreadSpec& spec, std::size_t taxels, RandomStream random) {
+std::vector<double> gainFactors(const scene::GainSpreadSpec& spec, std::size_t taxels,
+                                core::RandomStream random) {
     std::vector<double> factors(taxels);
     for (double& factor : factors)
         factor = std::exp(spec.sd * random.normal());

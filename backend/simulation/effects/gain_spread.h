@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/random_stream.h"
 #include "backend/scene/scene.h"
-#include "backend/simulation/base/random_stream.h"
 
 #include <cstddef>
 #include <vector>
@@ -11,6 +11,6 @@ namespace teleta::simulation {
 
 /// The factors by which so many taxels read more or less than their load: exp(sd z), z normal.
 [[nodiscard]] std::vector<double> gainFactors(const scene::GainSpreadSpec& spec, std::size_t taxels,
-                                              RandomStream random);
+                                              core::RandomStream random);
 
 } // namespace teleta::simulation

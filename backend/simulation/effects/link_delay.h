@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/random_stream.h"
 #include "backend/scene/scene.h"
-#include "backend/simulation/base/random_stream.h"
 
 #include <optional>
 
@@ -14,7 +14,7 @@ namespace teleta::simulation {
 /// numbers, whatever becomes of it: what is lost does not change the delays of the others. Thread: one.
 class LinkDelay {
 public:
-    LinkDelay(const scene::LinkDelaySpec& spec, RandomStream random)
+    LinkDelay(const scene::LinkDelaySpec& spec, core::RandomStream random)
         : m_spec(spec)
         , m_random(random) {}
 
@@ -24,7 +24,7 @@ public:
 
 private:
     scene::LinkDelaySpec m_spec;
-    RandomStream m_random;
+    core::RandomStream m_random;
 };
 
 } // namespace teleta::simulation

@@ -23,7 +23,7 @@ public:
 
 private:
     double m_sd_N;
-    RandomStream m_random;
+    core::RandomStream m_random;
 };
 
 } // namespace

@@ -23,7 +23,7 @@ public:
 
 private:
     double m_sd_Nm;
-    RandomStream m_random;
+    core::RandomStream m_random;
 };
 
 } // namespace

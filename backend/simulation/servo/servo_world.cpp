@@ -54,7 +54,7 @@ double frictionOf(const scene::Scene& scene) {
 
 TouchedObject objectOf(const scene::ServoWorld& world, std::uint64_t seed) {
     const scene::ServoObject& spec = world.object;
-    RandomStream random(seed, "object_pose");
+    core::RandomStream random(seed, "object_pose");
     const auto within = [&random](double bound) { return bound * (2.0 * random.uniform() - 1.0); };
     const double y_m = spec.y_m + within(spec.spread.y_m);
     const double gap_m = spec.gap_m + within(spec.spread.gap_m);

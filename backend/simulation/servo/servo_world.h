@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "backend/core/random_stream.h"
 #include "backend/scene/scene.h"
-#include "backend/simulation/base/random_stream.h"
 #include "backend/simulation/base/timed_effects.h"
 #include "backend/simulation/effects/effect_chain.h"
 #include "backend/simulation/servo/impedance_arm.h"

@@ -2,7 +2,7 @@
 #include "backend/study/analysis/information_transfer.h"
 
 #include "backend/core/quantile.h"
-#include "backend/study/protocol/portable_random.h"
+#include "backend/core/random_stream.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +86,7 @@ std::optional<Interval> bootstrapTransfer(std::span<const ConfusionMatrix> parti
                                           std::size_t resamples, std::uint64_t seed, double confidence) {
     if (participants.size() < 2 || resamples == 0 || !(confidence > 0.0 && confidence < 1.0))
         return std::nullopt;
-    PortableRandom random(seed);
+    core::RandomStream random(seed);
     std::vector<double> values_bit;
     values_bit.reserve(resamples);
     for (std::size_t i = 0; i < resamples; ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/analysis/proportion.h"
 
+#include "backend/core/quantile.h"
+
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
@@ -103,12 +105,7 @@ std::optional<GroupMean> groupMean(std::span<const double> values, double confid
 std::optional<double> median(std::span<const double> values) {
     if (values.empty() || !allFinite(values))
         return std::nullopt;
-    std::vector<double> sorted(values.begin(), values.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    if (sorted.size() % 2 == 1)
-        return *middle;
-    return std::midpoint(*std::max_element(sorted.begin(), middle), *middle);
+    return core::medianOf(std::vector(values.begin(), values.end()));
 }
 
 } // namespace teleta::study

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/protocol/trial_order.h"
 
-#include "backend/study/protocol/portable_random.h"
+#include "backend/core/random_stream.h"
 
 #include <algorithm>
 #include <span>
@@ -17,7 +17,7 @@ std::vector<std::size_t> trialOrder(OrderMethod method, std::size_t patterns, st
     std::vector<std::size_t> order(patterns * repetitions);
     for (std::size_t i = 0; i < order.size(); ++i)
         order[i] = i % patterns;
-    PortableRandom random(seed);
+    core::RandomStream random(seed);
     const std::span<std::size_t> all(order);
     if (method == OrderMethod::fullRandom) {
         random.shuffle(all);

@@ -17,8 +17,8 @@ enum class OrderMethod {
 [[nodiscard]] const char* toString(OrderMethod method);
 
 /// Patterns 0 .. patterns-1, each `repetitions` times, in random order: the list 0, 1, .., 0, 1, .. shuffled
-/// with PortableRandom, as a whole or each repetition in turn. The same seed gives the same order everywhere.
-/// Thread: any.
+/// with core::RandomStream, as a whole or each repetition in turn. The same seed gives the same order
+/// everywhere. Thread: any.
 [[nodiscard]] std::vector<std::size_t> trialOrder(OrderMethod method, std::size_t patterns,
                                                   std::size_t repetitions, std::uint64_t seed);
 

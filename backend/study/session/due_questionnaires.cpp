@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/session/due_questionnaires.h"
 
-#include "backend/study/protocol/portable_random.h"
+#include "backend/core/random_stream.h"
 #include "backend/study/protocol/trial_order.h"
 
 #include <algorithm>
@@ -9,9 +9,7 @@
 
 namespace teleta::study {
 
-namespace {
-
-} // namespace
+namespace {} // namespace
 
 std::vector<DueQuestionnaire> dueQuestionnaires(const Protocol& protocol, QuestionnaireTime when,
                                                 const SessionRecord& session,
@@ -37,7 +35,7 @@ std::vector<ItemAnswer> simulatedAnswers(const StudyHead& head, const Participan
     const Questionnaire& questionnaire = head.protocol.questionnaires.at(index);
     const std::uint64_t seed =
         isOfSession(questionnaire.when) ? plan.seed : derivedSeed(head.seed, participant.enrolment);
-    PortableRandom random(derivedSeed(derivedSeed(seed, kSeedOfQuestionnaires), index));
+    core::RandomStream random(derivedSeed(derivedSeed(seed, kSeedOfQuestionnaires), index));
     std::vector<ItemAnswer> answers;
     for (const QuestionnaireItem& item : questionnaire.items) {
         std::string value = "simulated";

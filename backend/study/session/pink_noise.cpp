@@ -2,7 +2,8 @@
 #include "backend/study/session/pink_noise.h"
 
 #include "backend/core/data/output_file.h"
-#include "backend/study/protocol/portable_random.h"
+#include "backend/core/data/wav_writer.h"
+#include "backend/core/random_stream.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -23,33 +24,10 @@ struct NoiseText {
 };
 
 constexpr std::size_t kMostSamples = std::size_t{1} << 26U;
-constexpr std::uint32_t kHeaderBytes = 44;
 
 core::Unexpected outOfRange(const QString& message, const QString& expected) {
     return core::Unexpected(
         core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
-}
-
-/// Little-endian on every machine.
-void put(std::string& bytes, std::uint64_t value, int count) {
-    for (int i = 0; i < count; ++i)
-        bytes += static_cast<char>((value >> (8 * i)) & 0xFFU);
-}
-
-std::string wavHeader(std::uint32_t dataBytes, std::uint32_t rate_Hz) {
-    std::string header = "RIFF";
-    put(header, kHeaderBytes - 8 + std::uint64_t{dataBytes}, 4);
-    header += "WAVEfmt ";
-    put(header, 16, 4);
-    put(header, 1, 2); // PCM
-    put(header, 1, 2); // channel
-    put(header, rate_Hz, 4);
-    put(header, std::uint64_t{rate_Hz} * 2, 4);
-    put(header, 2, 2);
-    put(header, 16, 2);
-    header += "data";
-    put(header, dataBytes, 4);
-    return header;
 }
 
 } // namespace
@@ -71,12 +49,12 @@ core::Expected<std::vector<float>> pinkNoise(const PinkNoiseSettings& settings) 
         return outOfRange(NoiseText::tr("the band contains no frequency"),
                           NoiseText::tr("more samples or a wider band"));
 
-    PortableRandom random(settings.seed);
+    core::RandomStream random(settings.seed);
     std::vector<std::complex<double>> spectrum(n);
     double power = 0.0;
     for (std::size_t k = first; k <= last; ++k) {
         const double amplitude = 1.0 / std::sqrt(static_cast<double>(k));
-        const double phase = 2.0 * std::numbers::pi * random.unit();
+        const double phase = 2.0 * std::numbers::pi * random.uniform();
         spectrum[k] = std::polar(amplitude / 2.0, phase);
         spectrum[n - k] = std::conj(spectrum[k]);
         power += amplitude * amplitude / 2.0;
@@ -103,18 +81,15 @@ core::Expected<std::vector<float>> pinkNoise(const PinkNoiseSettings& settings) 
 
 core::Expected<void> writeMonoWav(const std::vector<float>& samples, double rate_Hz,
                                   const std::string& path) {
-    if (samples.size() > (std::numeric_limits<std::uint32_t>::max() - kHeaderBytes) / 2)
+    if (samples.size() > core::WavWriter::mostFrames(1))
         return outOfRange(NoiseText::tr("the sound is too long for a WAV file"),
                           NoiseText::tr("at most 4 GiB of samples"));
-    TELETA_TRY(core::OutputFile file, core::OutputFile::create(path));
-    file.write(wavHeader(static_cast<std::uint32_t>(2 * samples.size()),
-                         static_cast<std::uint32_t>(std::lround(rate_Hz))));
-    std::string bytes;
+    TELETA_TRY(
+        core::WavWriter file,
+        core::WavWriter::create(path, 1, static_cast<std::uint32_t>(std::lround(rate_Hz)), samples.size()));
     for (const float sample : samples) {
-        bytes.clear();
-        put(bytes, static_cast<std::uint64_t>(std::lround(32767.0 * std::clamp<double>(sample, -1.0, 1.0))),
-            2);
-        file.write(bytes);
+        const double value = sample;
+        file.write({&value, 1});
     }
     return file.finish();
 }

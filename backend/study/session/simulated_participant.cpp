@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/session/simulated_participant.h"
 
-#include "backend/study/protocol/portable_random.h"
+#include "backend/core/random_stream.h"
 #include "backend/study/protocol/trial_order.h"
 
 #include <cmath>
@@ -43,22 +43,22 @@ SimulatedParticipant::Answer SimulatedParticipant::answer(std::size_t stimulus, 
 }
 
 bool SimulatedParticipant::isLapse(std::uint64_t seed) const {
-    return lapses > 0.0 && PortableRandom(derivedSeed(seed, kLapses)).unit() < lapses;
+    return lapses > 0.0 && core::RandomStream(derivedSeed(seed, kLapses)).uniform() < lapses;
 }
 
 double SimulatedParticipant::time_s(std::uint64_t seed) const {
     if (logSpread == 0.0)
         return medianResponse_s;
-    PortableRandom random(derivedSeed(seed, kTimes));
-    const double radius = std::sqrt(-2.0 * std::log1p(-random.unit()));
-    const double normal = radius * std::cos(2.0 * std::numbers::pi * random.unit());
+    core::RandomStream random(derivedSeed(seed, kTimes));
+    const double radius = std::sqrt(-2.0 * std::log1p(-random.uniform()));
+    const double normal = radius * std::cos(2.0 * std::numbers::pi * random.uniform());
     return medianResponse_s * std::exp(logSpread * normal);
 }
 
 std::size_t SimulatedParticipant::response(std::size_t stimulus, std::uint64_t seed) const {
     if (!matrix)
         return stimulus;
-    const double choice = PortableRandom(derivedSeed(seed, kConfusion)).unit();
+    const double choice = core::RandomStream(derivedSeed(seed, kConfusion)).uniform();
     const std::int64_t total = matrix->rowTotal(stimulus);
     if (total == 0)
         return static_cast<std::size_t>(choice * static_cast<double>(matrix->patterns()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/vision/calibration/camera_calibration.h"
 
+#include "backend/core/quantile.h"
 #include "backend/vision/calibration/camera_refinement.h"
 #include "backend/vision/calibration/camera_start.h"
 #include "backend/vision/calibration/pair_geometry.h"
@@ -43,12 +44,6 @@ std::vector<double> errors_px(Pairs pairs, const CameraParameters& camera) {
         result.push_back(projection ? (projection->pixel - pair.pixel).norm() : kInfinity);
     }
     return result;
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// With few pairs fewer distortion parameters are fitted, so that four redundant equations remain to judge
@@ -100,7 +95,7 @@ struct RobustFit {
 std::optional<RobustFit> descend(const CameraParameters& start, Pairs pairs) {
     CameraParameters camera = start;
     camera.skew_px = 0.0;
-    double spread_px = median(errors_px(pairs, camera));
+    double spread_px = core::upperMedianOf(errors_px(pairs, camera));
     if (!std::isfinite(spread_px))
         return std::nullopt;
     constexpr int kMostRounds = 15;
@@ -112,7 +107,7 @@ std::optional<RobustFit> descend(const CameraParameters& start, Pairs pairs) {
         const std::optional<CameraParameters> better = refineCamera(camera, pairs, settings);
         if (!better)
             break;
-        const double next_px = median(errors_px(pairs, *better));
+        const double next_px = core::upperMedianOf(errors_px(pairs, *better));
         if (!(next_px < spread_px))
             break;
         camera = *better;
@@ -177,7 +172,7 @@ void takeBack(RobustFit& fit, Pairs pairs) {
             return;
         other.camera = *camera;
     }
-    other.spread_px = median(errors_px(pairs, other.camera));
+    other.spread_px = core::upperMedianOf(errors_px(pairs, other.camera));
     other.kept.clear();
     settle(other, pairs);
     if (other.kept.size() == pairs.size() &&

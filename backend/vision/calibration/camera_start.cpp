@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/vision/calibration/camera_start.h"
 
+#include "backend/core/quantile.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -191,12 +193,6 @@ struct Candidate {
     double error_px = std::numeric_limits<double>::infinity();
 };
 
-double medianOf(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// Depth and focal length that best fit the distances from the middle of the image for one kind of lens.
 Candidate searchDepth(std::span<const CalibrationPair> pairs, const std::vector<Eigen::Index>& which,
                       const Eigen::Matrix3d& r, const Eigen::Vector2d& shift, bool equidistant,
@@ -231,10 +227,10 @@ Candidate searchDepth(std::span<const CalibrationPair> pairs, const std::vector<
             seen[i] = equidistant ? std::atan2(across, along) : across / along;
             focal[i] = distances_px[i] / std::max(seen[i], 1e-12);
         }
-        const double f = medianOf(focal);
+        const double f = core::upperMedianOf(focal);
         for (std::size_t i = 0; i < turned.size(); ++i)
             errors[i] = std::abs(distances_px[i] - f * seen[i]);
-        const double error_px = medianOf(errors);
+        const double error_px = core::upperMedianOf(errors);
         if (error_px < best.error_px) {
             best.error_px = error_px;
             best.camera.fx_px = f;

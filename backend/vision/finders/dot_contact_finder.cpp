@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/vision/finders/dot_contact_finder.h"
 
+#include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
 #include "backend/vision/finders/dot_detection.h"
 #include "backend/vision/finders/vision_text.h"
@@ -50,9 +51,7 @@ double pitchOf_m(const std::vector<SkinSample>& samples) {
         nearest_m2[i] = std::min(nearest_m2[i], distance_m2);
         nearest_m2[k] = std::min(nearest_m2[k], distance_m2);
     });
-    const auto middle = nearest_m2.begin() + static_cast<std::ptrdiff_t>(nearest_m2.size() / 2);
-    std::ranges::nth_element(nearest_m2, middle);
-    return std::sqrt(*middle);
+    return std::sqrt(core::upperMedianOf(nearest_m2));
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/vision/finders/dot_tracker.h"
 
+#include "backend/core/quantile.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -29,9 +31,7 @@ constexpr int kRounds = 4;
 constexpr double kSamplesAcross = 6.0; ///< at least so many of a dot, where there are so many pixels
 
 double median(std::array<double, kMostNeighbours>& values, std::size_t count) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    std::nth_element(values.begin(), middle, values.begin() + static_cast<std::ptrdiff_t>(count));
-    return *middle;
+    return core::upperMedianOf(std::span(values).first(count));
 }
 
 } // namespace
@@ -153,9 +153,7 @@ std::size_t DotTracker::setReference(const cv::Mat1b& frame) {
         dot.now_px = dot.rest_px;
         if (levels.empty())
             continue;
-        const auto bright = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() * 3 / 4);
-        std::nth_element(levels.begin(), bright, levels.end());
-        window.ground = static_cast<float>(*bright);
+        window.ground = static_cast<float>(core::orderStatistic(levels, levels.size() * 3 / 4));
         const Found found = centroid(frame, i, dot.rest_px, 1.0F, 3 * kSteps);
         window.mass = found.mass;
         window.darkest = found.darkest;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/vision/finders/flow_contact_finder.h"
 
+#include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
 #include "backend/vision/finders/vision_text.h"
 
@@ -29,12 +30,7 @@ constexpr double kFlowNoise_px = 0.3;
 constexpr double kDeep = 0.9; ///< quantile of the inward displacement that is a contact's depth
 
 float quantile(std::vector<float>& values, double share) {
-    if (values.empty())
-        return 0.0F;
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::ranges::nth_element(values, at);
-    return *at;
+    return values.empty() ? 0.0F : core::lowerQuantileOf(values, share);
 }
 
 int preset(FlowMethod method) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/protocol/portable_random.h"
+#include "backend/core/random_stream.h"
 #include "backend/study/session/rehearsal.h"
 #include "backend/study/store/study_store.h"
 #include "tests/app/cli/program_run.h"
@@ -70,7 +70,7 @@ TEST(StudyKill, aStudyKilledAtAHundredRandomInstantsLosesAndRepeatsNothing) {
     const std::vector<Row> expected = rowsOf(whole);
     ASSERT_EQ(expected.size(), 6U * 176U);
 
-    PortableRandom random(11);
+    teleta::core::RandomStream random(11);
     int studies = 0;
     int killsBetweenTrials = 0;
     // The while in which the kill falls follows the machine: longer when the program had not come to its

@@ -7,7 +7,6 @@
 #include <random>
 #include <vector>
 
-using teleta::equilibration::medianOf;
 using teleta::equilibration::robustSlope;
 using teleta::equilibration::Slope;
 
@@ -68,13 +67,4 @@ TEST(RobustSlope, errorIsThatOfTheLeastSquaresSlopeForNormalNoise) {
     }
     // Huber's efficiency at the normal distribution is 95 %.
     EXPECT_NEAR(said / std::sqrt(squares), 1.0, 0.06);
-}
-
-TEST(RobustSlope, medianOfEvenAndOddCounts) {
-    std::vector<double> odd{3.0, 1.0, 2.0};
-    std::vector<double> even{4.0, 1.0, 3.0, 2.0};
-    std::vector<double> one{5.0};
-    EXPECT_EQ(medianOf(odd), 2.0);
-    EXPECT_EQ(medianOf(even), 2.5);
-    EXPECT_EQ(medianOf(one), 5.0);
 }

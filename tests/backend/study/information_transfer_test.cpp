@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/random_stream.h"
 #include "backend/study/analysis/information_transfer.h"
-#include "backend/study/protocol/portable_random.h"
 #include "tests/backend/study/paper_tables.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(InformationTransfer, thereIsNoneWithoutTrials) {
 // 0.74 bit: the specification's value for a guesser of six patterns in 30 trials. Spread of the mean of 4000
 // guessers is about 0.002 bit.
 TEST(InformationTransfer, aGuesserOfSixPatternsShows074BitInThirtyTrials) {
-    PortableRandom random(7);
+    core::RandomStream random(7);
     constexpr int kGuessers = 4000;
     double sum_bit = 0.0;
     for (int g = 0; g < kGuessers; ++g) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/random_stream.h"
 #include "backend/study/analysis/proportion.h"
 #include "backend/study/analysis/repeated_anova.h"
-#include "backend/study/protocol/portable_random.h"
 
 #include <gtest/gtest.h>
 
@@ -53,13 +53,13 @@ protected:
 };
 
 ParticipantCells randomCells(std::size_t participants, std::size_t cells, std::uint64_t seed) {
-    PortableRandom random(seed);
+    core::RandomStream random(seed);
     ParticipantCells data(participants, std::vector<double>(cells));
     for (auto& row : data) {
-        const double skill = random.unit();
+        const double skill = random.uniform();
         for (std::size_t j = 0; j < cells; ++j)
             row[j] = skill + 0.1 * static_cast<double>(j % 3) +
-                     random.unit() * (1.0 + 0.3 * static_cast<double>(j));
+                     random.uniform() * (1.0 + 0.3 * static_cast<double>(j));
     }
     return data;
 }

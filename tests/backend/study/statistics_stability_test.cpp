@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/random_stream.h"
 #include "backend/study/analysis/information_transfer.h"
 #include "backend/study/analysis/proportion.h"
 #include "backend/study/analysis/repeated_anova.h"
 #include "backend/study/analysis/transfer_interval.h"
-#include "backend/study/protocol/portable_random.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 /// Small whole numbers, so that offsets and factors of powers of two are exact.
 ParticipantCells wholeNumbers(std::size_t participants, std::size_t cells, std::uint64_t seed) {
-    PortableRandom random(seed);
+    core::RandomStream random(seed);
     ParticipantCells data(participants, std::vector<double>(cells));
     for (auto& row : data) {
         for (double& value : row)

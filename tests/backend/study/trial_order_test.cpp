@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/protocol/portable_random.h"
 #include "backend/study/protocol/trial_order.h"
 
 #include <gtest/gtest.h>
@@ -60,14 +59,6 @@ TEST(TrialOrder, givesAllOrdersEquallyOften) {
     EXPECT_EQ(counts.size(), 6U);
     for (const auto& [order, count] : counts)
         EXPECT_NEAR(count, 1000, 145) << order;
-}
-
-// The standard fixes the 10000th output of mt19937_64 with its default seed.
-TEST(PortableRandom, isTheGeneratorOfTheStandard) {
-    PortableRandom random(std::mt19937_64::default_seed);
-    for (int i = 1; i < 10000; ++i)
-        (void)random.below(1);
-    EXPECT_EQ(random.below(std::uint64_t{1} << 63U), 9981545732273789042U % (std::uint64_t{1} << 63U));
 }
 
 TEST(WilliamsSquare, ofTwoConditionsIsAbBa) {

@@ -18,7 +18,7 @@ public:
 
 private:
     scene::MarkerPrintErrorSpec m_spec;
-    RandomStream m_random;
+    core::RandomStream m_random;
 };
 
 } // namespace

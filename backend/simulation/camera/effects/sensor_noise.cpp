@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    RandomStream m_random;
+    core::RandomStream m_random;
     std::vector<float> m_normal;
     float m_read2;
     float m_shot2PerLevel;

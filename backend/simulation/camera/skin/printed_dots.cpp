@@ -23,7 +23,7 @@ PrintedDots::PrintedDots(const scene::CameraSkin& skin)
     }
 }
 
-void PrintedDots::misprint(const scene::MarkerPrintErrorSpec& error, RandomStream& random) {
+void PrintedDots::misprint(const scene::MarkerPrintErrorSpec& error, core::RandomStream& random) {
     for (Dot& dot : m_dots) {
         dot.place.angle_rad += error.sd_m / m_tubeRadius_m * random.normal();
         dot.place.z_m += error.sd_m * random.normal();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/random_stream.h"
 #include "backend/scene/camera_world.h"
 #include "backend/scene/effects.h"
-#include "backend/simulation/base/random_stream.h"
 #include "backend/simulation/camera/skin/skin_deformation.h"
 
 #include <vector>
@@ -22,7 +22,7 @@ public:
     explicit PrintedDots(const scene::CameraSkin& skin);
 
     /// A misprint: moves and resizes each dot. Errors that are small against the step between dots.
-    void misprint(const scene::MarkerPrintErrorSpec& error, RandomStream& random);
+    void misprint(const scene::MarkerPrintErrorSpec& error, core::RandomStream& random);
 
     /// Distance from the rim of the nearest dot, negative inside it, and the direction away from its centre.
     struct Rim {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/protocol/portable_random.h"
+#include "backend/core/random_stream.h"
 #include "backend/study/session/rehearsal.h"
 #include "backend/study/store/study_store.h"
 
@@ -89,7 +89,7 @@ private slots:
         environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder.filePath(QStringLiteral("config")));
         environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
 
-        PortableRandom random(4);
+        teleta::core::RandomStream random(4);
         std::vector<Row> before;
         for (int kill = 0; kill < kKills; ++kill) {
             QProcess console;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm/joint_admittance.h"
+#include "backend/core/random_stream.h"
 #include "backend/simulation/arm/flexible_arm.h"
-#include "backend/simulation/base/random_stream.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ TEST_P(ArmEnergy, neverGrowsWithoutAMotorThatMoves) {
     const scene::JointControl control = admittance
                                             ? scene::JointControl(scene::AdmittanceControl{0.05, 0.0, 20.0})
                                             : scene::JointControl(scene::PositionControl{60.0});
-    RandomStream random(11, "energy");
+    core::RandomStream random(11, "energy");
     int touched = 0;
     for (int throwNumber = 0; throwNumber < 6; ++throwNumber) {
         const scene::ArmBody undamped = body(throwNumber % 2 == 0 ? 0.0 : 0.03);

@@ -22,7 +22,7 @@ namespace {
 using core::ArmDrive;
 
 LinkDelay linkOf(const scene::LinkDelaySpec& spec, std::uint64_t seed = 1) {
-    return {spec, RandomStream(seed, "link_delay")};
+    return {spec, core::RandomStream(seed, "link_delay")};
 }
 
 /// Share of the values that are at most the limit.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/simulation/base/random_stream.h"
+#include "backend/core/random_stream.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/contacts/camera_tracker.h"
 #include "backend/vision/finders/contact_ladder.h"
@@ -53,7 +53,7 @@ protected:
         cv::Mat1b frame;
         tube.untouched(frame);
         EXPECT_TRUE(tracker.next(frame, 0.0));
-        simulation::RandomStream random(static_cast<unsigned>(seed), "pokes");
+        core::RandomStream random(static_cast<unsigned>(seed), "pokes");
         simulation::SkinPress press;
         press.centre = {2.0 * std::numbers::pi * random.uniform(),
                         kNearest_m + (kFurthest_m - kNearest_m) * random.uniform()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/simulation/base/random_stream.h"
+#include "backend/core/random_stream.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/finders/contact_ladder.h"
 #include "tests/backend/simulation/camera/camera_scene.h"
@@ -57,7 +57,7 @@ protected:
             finders.push_back(std::move(*finder));
         }
         std::vector<Result> results(names.size());
-        simulation::RandomStream random(3, "contacts");
+        core::RandomStream random(3, "contacts");
         for (int i = 0; i < contacts; ++i) {
             simulation::SkinPress press;
             press.centre = {2.0 * std::numbers::pi * random.uniform(), 0.005 + 0.09 * random.uniform()};

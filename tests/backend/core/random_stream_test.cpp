@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/simulation/base/random_stream.h"
+#include "backend/core/random_stream.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-using teleta::simulation::RandomStream;
+using teleta::core::RandomStream;
 
 TEST(RandomStream, followsFromSeedAndNameAlone) {
     RandomStream noise(1, "noise");
@@ -57,4 +57,12 @@ TEST(RandomStream, drawsEveryIndexEquallyOften) {
         ++counts.at(stream.below(counts.size()));
     for (const int count : counts)
         EXPECT_NEAR(count, kCount / 7.0, 5.0 * std::sqrt(kCount / 7.0));
+}
+
+// The standard fixes the 10000th output of mt19937_64 with its default seed.
+TEST(RandomStream, isTheGeneratorOfTheStandard) {
+    RandomStream random(std::mt19937_64::default_seed);
+    for (int i = 1; i < 10000; ++i)
+        (void)random.below(1);
+    EXPECT_EQ(random.below(std::uint64_t{1} << 63U), 9981545732273789042U % (std::uint64_t{1} << 63U));
 }
