@@ -75,12 +75,6 @@ std::optional<MatrixInfo> readMatrixInfo(std::span<const std::uint8_t> params) {
                       readU16(params, 8)};
 }
 
-std::optional<double> readTemperature_C(std::span<const std::uint8_t> params) {
-    if (params.size() != 2)
-        return std::nullopt;
-    return static_cast<std::int16_t>(readU16(params, 0)) / 10.0;
-}
-
 tl::expected<std::uint32_t, FrameFault> readFrame(std::span<const std::uint8_t> payload,
                                                   std::span<float> cells) {
     if (payload.size() < kFrameHeaderBytes)

@@ -99,9 +99,6 @@ struct MatrixInfo {
 /// Empty unless the parameters have exactly the size of a matrix info.
 [[nodiscard]] std::optional<MatrixInfo> readMatrixInfo(std::span<const std::uint8_t> params);
 
-/// Device temperature in degrees Celsius, in steps of 0.1. Empty unless there are exactly two bytes.
-[[nodiscard]] std::optional<double> readTemperature_C(std::span<const std::uint8_t> params);
-
 /// Why a periodic frame with a right checksum is not one of this array.
 enum class FrameFault {
     tooShort, ///< not even timestamp and flags

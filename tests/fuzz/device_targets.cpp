@@ -32,8 +32,6 @@ void readPayload(const wts::Message& message) {
         require(answer->params.size() + 2 == message.payload.size(), "an answer has a status and the rest");
         require(wts::readMatrixInfo(answer->params).has_value() == (answer->params.size() == 10),
                 "a matrix info has ten bytes");
-        require(wts::readTemperature_C(answer->params).has_value() == (answer->params.size() == 2),
-                "a temperature has two bytes");
     }
 }
 

@@ -63,13 +63,6 @@ TEST(WtsCodec, refusesAMatrixInfoOfAnotherSize) {
     EXPECT_FALSE(readMatrixInfo({}));
 }
 
-TEST(WtsCodec, readsTemperaturesAboveAndBelowZero) {
-    EXPECT_DOUBLE_EQ(*readTemperature_C(Bytes{0x0F, 0x01}), 27.1);
-    EXPECT_DOUBLE_EQ(*readTemperature_C(Bytes{0xFB, 0xFF}), -0.5);
-    EXPECT_FALSE(readTemperature_C(Bytes{0x0F}));
-    EXPECT_FALSE(readTemperature_C(Bytes{0x0F, 0x01, 0x00}));
-}
-
 class WtsFrame : public testing::Test {
 protected:
     FrameFault faultOf(const Bytes& payload) {
