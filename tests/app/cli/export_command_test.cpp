@@ -85,7 +85,7 @@ TEST_F(ExportCommand, whatIsNoRecordingIsABadInput) {
     const ProgramResult result = run({"export", text, "--csv", m_folder.path("csv")});
     EXPECT_EQ(result.exitCode, 3);
     EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
-    EXPECT_NE(result.err.find("no recording"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("not a recording"), std::string::npos) << result.err;
     EXPECT_EQ(run({"export", m_folder.path("none.teleta"), "--csv", m_folder.path("csv")}).exitCode, 3);
     EXPECT_EQ(run({"export", text}).exitCode, 2);
 }

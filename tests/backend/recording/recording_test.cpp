@@ -77,14 +77,14 @@ TEST_F(RecordingTest, aFileThatIsNoRecordingIsToldFromOneThatIs) {
 
     const std::string text = m_folder.write("text.teleta", "time_s,t0\n0,1\n");
     EXPECT_EQ(openError(text).kind, core::ErrorKind::badInput);
-    EXPECT_EQ(openError(text).message, "this is no recording");
+    EXPECT_EQ(openError(text).message, "this is not a recording");
     EXPECT_FALSE(Recording::looksLikeOne(text));
-    EXPECT_EQ(openError(m_folder.write("empty.teleta", "")).message, "this is no recording");
+    EXPECT_EQ(openError(m_folder.write("empty.teleta", "")).message, "this is not a recording");
 
     const std::string other = m_folder.path("other.sqlite");
     askFile(other, QStringLiteral("CREATE TABLE study (one INTEGER)"));
     EXPECT_EQ(openError(other).kind, core::ErrorKind::badInput);
-    EXPECT_EQ(openError(other).message, "this is an SQLite database, but no recording");
+    EXPECT_EQ(openError(other).message, "this is an SQLite database, but not a recording");
 
     EXPECT_TRUE(Recording::looksLikeOne(write()));
 }
