@@ -2,6 +2,7 @@
 #include "backend/recording/csv_export.h"
 
 #include "backend/core/data/csv_writer.h"
+#include "backend/core/failure.h"
 #include "backend/core/number_text.h"
 #include "backend/recording/stream_columns.h"
 
@@ -193,11 +194,9 @@ writeAll(const Recording& recording, const std::vector<std::string>& paths, cons
     for (std::size_t i = 0; i < recording.streams().size(); ++i) {
         TELETA_TRY(auto file, exportStream(recording, i, paths[i], progress));
         if (progress.stopped() && !options.finishesWhenEnded)
-            return core::Unexpected(
-                core::Error{core::ErrorKind::cancelled,
-                            CsvExportText::tr("interrupted; nothing was written").toStdString(),
-                            {},
-                            {recording.path()}});
+            return core::failed(core::ErrorKind::cancelled,
+                                CsvExportText::tr("interrupted; nothing was written"), {},
+                                {recording.path()});
         files.push_back(std::move(file));
         if (progress.stopped())
             break;
@@ -214,20 +213,14 @@ core::Expected<std::vector<ExportedFile>> exportCsv(const Recording& recording, 
     const QString path = QString::fromStdString(folder);
     const bool isNew = !QFileInfo::exists(path);
     if (!QDir().mkpath(path) || !QFileInfo(path).isWritable())
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed,
-                        CsvExportText::tr("the folder cannot be created or written to").toStdString(),
-                        {},
-                        {folder}});
+        return core::failed(core::ErrorKind::ioFailed,
+                            CsvExportText::tr("the folder cannot be created or written to"), {}, {folder});
     const std::vector<std::string> paths = filePaths(recording, folder);
     const auto there = std::ranges::find_if(
         paths, [](const std::string& file) { return QFileInfo::exists(QString::fromStdString(file)); });
     if (!options.overwrite && there != paths.end())
-        return core::Unexpected(
-            core::Error{core::ErrorKind::refused,
-                        CsvExportText::tr("a file of this name already exists").toStdString(),
-                        CsvExportText::tr("another folder").toStdString(),
-                        {*there}});
+        return core::failed(core::ErrorKind::refused, CsvExportText::tr("a file of this name already exists"),
+                            CsvExportText::tr("another folder"), {*there});
     std::vector<ExportedFile> files;
     const auto leaveNothing = [&](const core::Error& error) {
         for (const ExportedFile& file : files)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/recording.h"
 
+#include "backend/core/failure.h"
 #include "backend/recording/block_times.h"
 #include "backend/recording/recording_database.h"
 
@@ -263,10 +264,8 @@ core::Expected<void> Recording::readHead() {
     if (!query.next() && query.lastError().isValid())
         return m_database->failed(query.lastError());
     if (!query.isValid())
-        return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            ReadingText::tr("the recording was never started").toStdString(),
-                                            {},
-                                            {path()}});
+        return core::failed(core::ErrorKind::badInput, ReadingText::tr("the recording was never started"), {},
+                            {path()});
     const auto text = [&](int column) { return query.value(column).toString().toStdString(); };
     m_head = {text(0), text(1), text(2), text(3), query.value(4).toLongLong()};
     return {};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/recording_database.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
@@ -133,16 +135,12 @@ core::Expected<void> RecordingDatabase::create() {
     // Exclusively, so that no recording is overwritten.
     if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly)) {
         if (file.exists())
-            return core::Unexpected(
-                core::Error{core::ErrorKind::refused,
-                            RecordingText::tr("a file of this name already exists").toStdString(),
-                            RecordingText::tr("a new name").toStdString(),
-                            {m_path}});
-        return core::Unexpected(core::Error{
-            core::ErrorKind::ioFailed,
-            RecordingText::tr("the recording cannot be written: %1").arg(file.errorString()).toStdString(),
-            RecordingText::tr("a writable folder").toStdString(),
-            {m_path}});
+            return core::failed(core::ErrorKind::refused,
+                                RecordingText::tr("a file of this name already exists"),
+                                RecordingText::tr("a new name"), {m_path});
+        return core::failed(core::ErrorKind::ioFailed,
+                            RecordingText::tr("the recording cannot be written: %1").arg(file.errorString()),
+                            RecordingText::tr("a writable folder"), {m_path});
     }
     file.close();
     // The schema is created before the write-ahead log, so that the file itself tells what it is.
@@ -169,39 +167,30 @@ core::Expected<void> RecordingDatabase::checkFile() const {
         return {};
     QFile file(QString::fromStdString(m_path));
     if (!file.exists())
-        return core::Unexpected(core::Error{core::ErrorKind::notFound,
-                                            RecordingText::tr("there is no such file").toStdString(),
-                                            {},
-                                            {m_path}});
+        return core::failed(core::ErrorKind::notFound, RecordingText::tr("there is no such file"), {},
+                            {m_path});
     if (!file.open(QIODevice::ReadOnly))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed, file.errorString().toStdString(), {}, {m_path}});
+        return core::failed(core::ErrorKind::ioFailed, file.errorString(), {}, {m_path});
     if (!beginsLikeOne(file))
-        return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                            RecordingText::tr("this is not a recording").toStdString(),
-                                            RecordingText::tr("a recording of this program").toStdString(),
-                                            {m_path}});
+        return core::failed(core::ErrorKind::badInput, RecordingText::tr("this is not a recording"),
+                            RecordingText::tr("a recording of this program"), {m_path});
     return {};
 }
 
 core::Expected<void> RecordingDatabase::checkKind(int& schema) {
     TELETA_TRY(auto kind, run(QStringLiteral("PRAGMA application_id")));
     if (!kind.next() || kind.value(0).toInt() != kApplicationId)
-        return core::Unexpected(
-            core::Error{core::ErrorKind::badInput,
-                        RecordingText::tr("this is an SQLite database, but not a recording").toStdString(),
-                        RecordingText::tr("a recording of this program").toStdString(),
-                        {m_path}});
+        return core::failed(core::ErrorKind::badInput,
+                            RecordingText::tr("this is an SQLite database, but not a recording"),
+                            RecordingText::tr("a recording of this program"), {m_path});
     TELETA_TRY(auto version, run(QStringLiteral("PRAGMA user_version")));
     schema = version.next() ? version.value(0).toInt() : 0;
     if (schema > currentSchema())
-        return core::Unexpected(core::Error{
+        return core::failed(
             core::ErrorKind::badInput,
             RecordingText::tr("the recording was made by a newer version of the program (format %1)")
-                .arg(schema)
-                .toStdString(),
-            RecordingText::tr("format %1 or older").arg(currentSchema()).toStdString(),
-            {m_path}});
+                .arg(schema),
+            RecordingText::tr("format %1 or older").arg(currentSchema()), {m_path});
     if (schema < 1)
         return damaged(RecordingText::tr("its format version is missing"));
     return {};
@@ -322,18 +311,13 @@ core::Unexpected RecordingDatabase::failed(const QSqlError& error) const {
     if (code == kCorrupt || code == kNotADatabase)
         return damaged(reasonOf(error));
     if (code == kFull)
-        return core::Unexpected(core::Error{
-            core::ErrorKind::ioFailed, RecordingText::tr("the disk is full").toStdString(), {}, {m_path}});
-    return core::Unexpected(
-        core::Error{core::ErrorKind::ioFailed, reasonOf(error).toStdString(), {}, {m_path}});
+        return core::failed(core::ErrorKind::ioFailed, RecordingText::tr("the disk is full"), {}, {m_path});
+    return core::failed(core::ErrorKind::ioFailed, reasonOf(error), {}, {m_path});
 }
 
 core::Unexpected RecordingDatabase::damaged(const QString& what) const {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::badInput,
-                    RecordingText::tr("the recording is damaged: %1").arg(what).toStdString(),
-                    {},
-                    {m_path}});
+    return core::failed(core::ErrorKind::badInput,
+                        RecordingText::tr("the recording is damaged: %1").arg(what), {}, {m_path});
 }
 
 } // namespace teleta::recording

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/bracelet/hid_bracelet_port.h"
 
+#include "backend/core/failure.h"
 #include "devices/bracelet/bracelet_reports.h"
 
 #include <QCoreApplication>
@@ -36,14 +37,11 @@ core::Expected<core::OpenedBracelet> openHidBraceletPort(std::unique_ptr<HidTran
     const auto identity =
         size > 0 ? decodeIdentity(std::span(bytes).first(static_cast<std::size_t>(size))) : std::nullopt;
     if (!identity)
-        return core::Unexpected(core::Error{
+        return core::failed(
             core::ErrorKind::unavailable,
-            QCoreApplication::translate("Bracelet", "The device does not respond like a bracelet.")
-                .toStdString(),
+            QCoreApplication::translate("Bracelet", "The device does not respond like a bracelet."),
             QCoreApplication::translate("Bracelet", "a feature report of layout version %1")
-                .arg(kLayoutVersion)
-                .toStdString(),
-            {}});
+                .arg(kLayoutVersion));
     core::BraceletDescription description;
     description.serial = identity->serial;
     description.model = std::to_string(identity->model);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/camera/camera_list.h"
 
+#include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "devices/camera/video_stream.h"
 
@@ -112,10 +113,8 @@ core::Expected<CameraProbe> probeCamera(const std::string& source, int width_px,
             break;
     }
     if (frames == 0)
-        return core::Unexpected(core::Error{core::ErrorKind::unavailable,
-                                            ListText::tr("no frame arrived").toStdString(),
-                                            {},
-                                            {source, 0, 0}});
+        return core::failed(core::ErrorKind::unavailable, ListText::tr("no frame arrived"), {},
+                            {source, 0, 0});
     if (stream->isCamera() && frames > 1)
         probe.measuredRate_Hz =
             1e9 * static_cast<double>(frames - 1) / static_cast<double>(now_ns - first_ns);

@@ -3,6 +3,7 @@
 
 #include "backend/core/device/node_claim.h"
 #include "backend/core/elapsed.h"
+#include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 
 #include <QCoreApplication>
@@ -93,7 +94,7 @@ bool isTaken(int number) {
 
 core::Unexpected failed(core::ErrorKind kind, const QString& message, const QString& expected,
                         const std::string& source) {
-    return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {source, 0, 0}});
+    return core::failed(kind, message, expected, {source, 0, 0});
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "devices/modbus/libmodbus_link.h"
 
 #include "backend/core/device/node_claim.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -36,13 +37,10 @@ Context makeContext(const RegisterMap& map) {
 core::Unexpected unavailable(const RegisterMap& map, int error) {
     if (error == EBUSY)
         return core::usedByAnother(linkName(map));
-    return core::Unexpected(core::Error{
+    return core::failed(
         core::ErrorKind::unavailable,
         QCoreApplication::translate("Modbus", "%1 cannot be opened: %2")
-            .arg(QString::fromStdString(linkName(map)), QString::fromLocal8Bit(modbus_strerror(error)))
-            .toStdString(),
-        {},
-        {}});
+            .arg(QString::fromStdString(linkName(map)), QString::fromLocal8Bit(modbus_strerror(error))));
 }
 
 Answer failure(int error) {

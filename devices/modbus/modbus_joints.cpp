@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/modbus/modbus_joints.h"
 
+#include "backend/core/failure.h"
 #include "devices/modbus/libmodbus_link.h"
 
 #include <QCoreApplication>
@@ -35,11 +36,9 @@ ModbusJoints::ModbusJoints(const RegisterMap& map, LinkOpener opener, const core
 core::Expected<std::unique_ptr<core::ArmSource>>
 makeModbusJoints(const RegisterMap& map, const core::ArmDescription& arm, ModbusJointsConfig config) {
     if (map.joints.empty())
-        return core::Unexpected(
-            core::Error{core::ErrorKind::refused,
-                        QCoreApplication::translate("Modbus", "The device reports no joints.").toStdString(),
-                        QCoreApplication::translate("Modbus", "tables [[joint]] in its file").toStdString(),
-                        {}});
+        return core::failed(core::ErrorKind::refused,
+                            QCoreApplication::translate("Modbus", "The device reports no joints."),
+                            QCoreApplication::translate("Modbus", "tables [[joint]] in its file"));
     return std::make_unique<ModbusJoints>(map, libmodbusOpener(map), arm, std::move(config));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/toml_keys.h"
+#include "backend/core/failure.h"
 #include "devices/modbus/register_map.h"
 
 #include <QCoreApplication>
@@ -163,8 +164,9 @@ void tellJoints(Keys& keys, RegisterMap& map) {
                     all[i].torque = input("torque", "N m", "Name of the input with its torque");
                 });
     if (map.joints.size() > core::JointVector::kCapacity)
-        refuse(keys, "joint", RegisterMapReader::tr("too many joints: %1").arg(map.joints.size()),
-               RegisterMapReader::tr("at most %1, from the base to the tip").arg(core::JointVector::kCapacity));
+        refuse(
+            keys, "joint", RegisterMapReader::tr("too many joints: %1").arg(map.joints.size()),
+            RegisterMapReader::tr("at most %1, from the base to the tip").arg(core::JointVector::kCapacity));
 }
 
 void tellWatchdog(Keys& keys, RegisterMap& map) {
@@ -254,11 +256,8 @@ core::Expected<RegisterMap> readRegisterMap(const std::string& path) {
         return core::TomlDocument::open(path).and_then(core::readKeys<RegisterMap>);
     QFile file(QString::fromStdString(path));
     if (!file.open(QIODevice::ReadOnly))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::notFound,
-                        RegisterMapReader::tr("no such device comes with the program").toStdString(),
-                        {},
-                        {path}});
+        return core::failed(core::ErrorKind::notFound,
+                            RegisterMapReader::tr("no such device comes with the program"), {}, {path});
     return parseRegisterMap(file.readAll().toStdString(), path);
 }
 

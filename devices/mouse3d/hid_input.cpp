@@ -2,6 +2,7 @@
 #include "devices/mouse3d/hid_input.h"
 
 #include "backend/core/device/hidapi_mutex.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -68,25 +69,17 @@ core::Expected<std::unique_ptr<HidInput>> openMouse(const Mouse3dInfo& mouse) {
         return std::make_unique<HidapiInput>(device, mouse.product);
     const QString where = QString::fromStdString(mouse.path);
     if (access(mouse.path.c_str(), F_OK) == 0 && access(mouse.path.c_str(), R_OK | W_OK) != 0)
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed,
-                        MouseTexts::tr("No permission to open the 3D mouse at %1.").arg(where).toStdString(),
-                        MouseTexts::tr("read and write access, which the udev rule grants").toStdString(),
-                        {}});
-    return core::Unexpected(
-        core::Error{core::ErrorKind::unavailable,
-                    MouseTexts::tr("The 3D mouse at %1 cannot be opened.").arg(where).toStdString(),
-                    {},
-                    {}});
+        return core::failed(core::ErrorKind::ioFailed,
+                            MouseTexts::tr("No permission to open the 3D mouse at %1.").arg(where),
+                            MouseTexts::tr("read and write access, which the udev rule grants"));
+    return core::failed(core::ErrorKind::unavailable,
+                        MouseTexts::tr("The 3D mouse at %1 cannot be opened.").arg(where));
 }
 
 core::Expected<std::unique_ptr<HidInput>> openFirstMouse() {
     const std::vector<Mouse3dInfo> mice = listMice();
     if (mice.empty())
-        return core::Unexpected(core::Error{core::ErrorKind::unavailable,
-                                            MouseTexts::tr("No 3D mouse is plugged in.").toStdString(),
-                                            {},
-                                            {}});
+        return core::failed(core::ErrorKind::unavailable, MouseTexts::tr("No 3D mouse is plugged in."));
     return openMouse(mice.front());
 }
 

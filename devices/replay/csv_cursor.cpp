@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/csv_cursor.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 
 #include <utility>
@@ -10,12 +12,9 @@ namespace teleta::replay {
 core::Expected<CsvCursor> CsvCursor::open(const std::string& path, const core::ArrayLayout& layout) {
     TELETA_TRY(core::FrameFile file, core::FrameFile::open(path, layout));
     if (file.bytesTotal() == 0)
-        return core::Unexpected(
-            core::Error{core::ErrorKind::refused,
-                        QCoreApplication::translate("ReplayDevice", "only a file can be played, not a pipe")
-                            .toStdString(),
-                        {},
-                        {path}});
+        return core::failed(
+            core::ErrorKind::refused,
+            QCoreApplication::translate("ReplayDevice", "only a file can be played, not a pipe"), {}, {path});
     return CsvCursor(std::move(file));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/teleta_recording.h"
 
+#include "backend/core/failure.h"
 #include "devices/replay/recorded_track.h"
 
 #include <QCoreApplication>
@@ -13,11 +14,9 @@ core::Expected<std::unique_ptr<TeletaRecording>> TeletaRecording::open(const Rec
     TELETA_TRY(const recording::Recording recording, recording::Recording::open(config.path));
     TELETA_TRY(const auto found, recording.extent(config.stream));
     if (!found)
-        return core::Unexpected(core::Error{
-            core::ErrorKind::refused,
-            QCoreApplication::translate("ReplayDevice", "the recording has no frames").toStdString(),
-            {},
-            {config.path}});
+        return core::failed(core::ErrorKind::refused,
+                            QCoreApplication::translate("ReplayDevice", "the recording has no frames"), {},
+                            {config.path});
     PlaybackExtent extent{.first_ns = found->first_ns, .last_ns = found->last_ns, .frames = found->frames};
     if (extent.frames > 1)
         extent.period_ns =

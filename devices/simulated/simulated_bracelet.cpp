@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/simulated/simulated_bracelet.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 
 #include <utility>
@@ -52,11 +54,9 @@ core::BraceletOpener opener(std::shared_ptr<SimulatedBoard> board, core::Bracele
     return [board = std::move(board),
             description = std::move(description)]() -> core::Expected<core::OpenedBracelet> {
         if (board->faults().unplugged)
-            return core::Unexpected(core::Error{
+            return core::failed(
                 core::ErrorKind::unavailable,
-                QCoreApplication::translate("SimulatedBracelet", "The bracelet was unplugged.").toStdString(),
-                {},
-                {}});
+                QCoreApplication::translate("SimulatedBracelet", "The bracelet was unplugged."));
         return plugIn(board, description);
     };
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/wts/wts_config.h"
 
+#include "backend/core/failure.h"
 #include "devices/wts/wts_text.h"
 
 #include <QString>
@@ -14,13 +15,10 @@ namespace {
 constexpr std::string_view kTcp = "tcp://";
 
 core::Unexpected badAddress(std::string_view text) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::badInput,
-                    WtsText::tr("\"%1\" is not the address of a tactile array")
-                        .arg(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())))
-                        .toStdString(),
-                    WtsText::tr("the path of a serial port, or tcp://HOST:PORT").toStdString(),
-                    {}});
+    return core::failed(core::ErrorKind::badInput,
+                        WtsText::tr("\"%1\" is not the address of a tactile array")
+                            .arg(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()))),
+                        WtsText::tr("the path of a serial port, or tcp://HOST:PORT"));
 }
 
 } // namespace

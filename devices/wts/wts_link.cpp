@@ -2,6 +2,7 @@
 #include "devices/wts/wts_link.h"
 
 #include "backend/core/device/node_claim.h"
+#include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "devices/wts/wts_text.h"
 
@@ -52,10 +53,6 @@ std::optional<speed_t> speedOf(int baud) {
 
 QString systemText(int error) {
     return QString::fromLocal8Bit(std::generic_category().message(error).c_str());
-}
-
-core::Unexpected failure(core::ErrorKind kind, const QString& message, const QString& expected = {}) {
-    return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {}});
 }
 
 core::ErrorKind kindOf(int error) {
@@ -119,18 +116,18 @@ core::Expected<WtsLink> WtsLink::openSerial(const SerialAddress& address) {
         QStringList known;
         for (const BaudRate& rate : kBaudRates)
             known.append(QString::number(rate.baud));
-        return failure(core::ErrorKind::refused,
-                       WtsText::tr("a serial port cannot run at %1 baud").arg(address.baud),
-                       WtsText::tr("one of %1").arg(known.join(QStringLiteral(", "))));
+        return core::failed(core::ErrorKind::refused,
+                            WtsText::tr("a serial port cannot run at %1 baud").arg(address.baud),
+                            WtsText::tr("one of %1").arg(known.join(QStringLiteral(", "))));
     }
     Descriptor port(::open(address.path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     const auto cannotOpen = [&](int error) {
-        return failure(kindOf(error), WtsText::tr("cannot open %1: %2").arg(path, systemText(error)));
+        return core::failed(kindOf(error), WtsText::tr("cannot open %1: %2").arg(path, systemText(error)));
     };
     if (port.get() < 0)
         return errno == EBUSY ? core::usedByAnother(address.path) : cannotOpen(errno);
     if (::isatty(port.get()) == 0)
-        return failure(core::ErrorKind::refused, WtsText::tr("%1 is not a serial port").arg(path));
+        return core::failed(core::ErrorKind::refused, WtsText::tr("%1 is not a serial port").arg(path));
     // Terminal programs lock like this; TIOCEXCL would not keep privileged programs out.
     if (::flock(port.get(), LOCK_EX | LOCK_NB) != 0)
         return errno == EWOULDBLOCK ? core::usedByAnother(address.path) : cannotOpen(errno);
@@ -163,7 +160,7 @@ core::Expected<WtsLink> WtsLink::openTcp(const TcpAddress& address, std::int64_t
     if (const int code =
             ::getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &found);
         code != 0)
-        return failure(
+        return core::failed(
             core::ErrorKind::notFound,
             WtsText::tr("cannot find %1: %2").arg(name, QString::fromLocal8Bit(::gai_strerror(code))));
     const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> list(found, &::freeaddrinfo);
@@ -183,7 +180,7 @@ core::Expected<WtsLink> WtsLink::openTcp(const TcpAddress& address, std::int64_t
                 continue;
             const Outcome outcome = waitFor(socket.get(), POLLOUT, deadline_ns, wake, error);
             if (outcome == Outcome::woken)
-                return failure(core::ErrorKind::cancelled, WtsText::tr("connecting was cancelled"));
+                return core::failed(core::ErrorKind::cancelled, WtsText::tr("connecting was cancelled"));
             if (outcome == Outcome::timedOut)
                 error = ETIMEDOUT;
             if (outcome != Outcome::done)
@@ -198,8 +195,8 @@ core::Expected<WtsLink> WtsLink::openTcp(const TcpAddress& address, std::int64_t
         ::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
         return WtsLink(socket.release(), true);
     }
-    return failure(core::ErrorKind::unavailable,
-                   WtsText::tr("cannot connect to %1: %2").arg(name, systemText(error)));
+    return core::failed(core::ErrorKind::unavailable,
+                        WtsText::tr("cannot connect to %1: %2").arg(name, systemText(error)));
 }
 
 WtsLink::WtsLink(WtsLink&& other) noexcept

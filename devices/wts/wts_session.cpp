@@ -2,6 +2,7 @@
 #include "devices/wts/wts_session.h"
 
 #include "backend/core/data/array_layout.h"
+#include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "devices/wts/wts_text.h"
 
@@ -24,25 +25,21 @@ std::int64_t deadlineIn(int time_ms) {
     return core::steadyNow_ns() + time_ms * kMs_ns;
 }
 
-core::Unexpected error(core::ErrorKind kind, const QString& message, const QString& expected = {}) {
-    return core::Unexpected(core::Error{kind, message.toStdString(), expected.toStdString(), {}});
-}
-
 core::Expected<void> checkMatrix(const MatrixInfo& matrix) {
     const auto sideFits = [](int side) { return side >= 1 && side <= core::ArrayLayout::kMaximumSide; };
     if (!sideFits(matrix.rows) || !sideFits(matrix.columns) ||
         kFrameHeaderBytes + 2 * matrix.cells() > kLargestPayload)
-        return error(
+        return core::failed(
             core::ErrorKind::refused,
             WtsText::tr("the sensor reports %1 rows and %2 columns").arg(matrix.rows).arg(matrix.columns),
             WtsText::tr("an array of 1 to %1 rows and columns whose frame fits into one message")
                 .arg(core::ArrayLayout::kMaximumSide));
     if (matrix.cellWidth_10um == 0 || matrix.cellWidth_10um != matrix.cellHeight_10um)
-        return error(core::ErrorKind::refused,
-                     WtsText::tr("the sensor's cells are %1 mm wide and %2 mm high")
-                         .arg(matrix.cellWidth_10um / 100.0)
-                         .arg(matrix.cellHeight_10um / 100.0),
-                     WtsText::tr("square cells"));
+        return core::failed(core::ErrorKind::refused,
+                            WtsText::tr("the sensor's cells are %1 mm wide and %2 mm high")
+                                .arg(matrix.cellWidth_10um / 100.0)
+                                .arg(matrix.cellHeight_10um / 100.0),
+                            WtsText::tr("square cells"));
     return {};
 }
 
@@ -103,9 +100,9 @@ core::Expected<void> WtsSession::readMatrix(const WakePipe* wake) {
         return done;
     const std::optional<MatrixInfo> matrix = readMatrixInfo(m_answer);
     if (!matrix)
-        return error(core::ErrorKind::refused,
-                     WtsText::tr("the sensor describes its array in %1 bytes").arg(m_answer.size()),
-                     WtsText::tr("the 10 bytes of a WTS array"));
+        return core::failed(core::ErrorKind::refused,
+                            WtsText::tr("the sensor describes its array in %1 bytes").arg(m_answer.size()),
+                            WtsText::tr("the 10 bytes of a WTS array"));
     if (auto fits = checkMatrix(*matrix); !fits)
         return fits;
     m_matrix = *matrix;
@@ -125,8 +122,9 @@ core::Expected<void> WtsSession::startFrames(const WakePipe* wake) {
     // If it already runs, the answer to the first attempt was lost; the settings are those requested.
     if (status == Status::success || status == Status::alreadyRunning)
         return {};
-    return error(core::ErrorKind::unavailable,
-                 WtsText::tr("the sensor sends no frames: %1").arg(QString::fromStdString(describe(status))));
+    return core::failed(
+        core::ErrorKind::unavailable,
+        WtsText::tr("the sensor sends no frames: %1").arg(QString::fromStdString(describe(status))));
 }
 
 void WtsSession::stopFrames() {
@@ -175,14 +173,14 @@ core::Expected<Status> WtsSession::request(std::span<const std::uint8_t> bytes, 
         if (outcome != Outcome::timedOut)
             return failure(outcome);
     }
-    return error(core::ErrorKind::unavailable, WtsText::tr("the sensor does not answer"));
+    return core::failed(core::ErrorKind::unavailable, WtsText::tr("the sensor does not answer"));
 }
 
 core::Expected<void> WtsSession::demand(std::span<const std::uint8_t> bytes, int answer_ms, int attempts,
                                         const WakePipe* wake) {
     TELETA_TRY(const auto status, request(bytes, answer_ms, attempts, wake));
     if (status != Status::success)
-        return error(
+        return core::failed(
             core::ErrorKind::unavailable,
             WtsText::tr("the sensor refused a request: %1").arg(QString::fromStdString(describe(status))));
     return {};
@@ -190,7 +188,7 @@ core::Expected<void> WtsSession::demand(std::span<const std::uint8_t> bytes, int
 
 core::Unexpected WtsSession::failure(Outcome outcome) const {
     if (outcome == Outcome::woken)
-        return error(core::ErrorKind::cancelled, WtsText::tr("connecting was cancelled"));
+        return core::failed(core::ErrorKind::cancelled, WtsText::tr("connecting was cancelled"));
     return core::Unexpected(core::Error{core::ErrorKind::unavailable, m_link.goneReason(), {}, {}});
 }
 

@@ -2,6 +2,7 @@
 #include "devices/wts/wts_worker.h"
 
 #include "backend/core/device/device_state.h"
+#include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "devices/wts/wts_text.h"
 
@@ -89,7 +90,7 @@ core::Expected<void> WtsWorker::connect() {
     const MatrixInfo& found = session.matrix();
     if (found.rows != m_matrix.rows || found.columns != m_matrix.columns ||
         found.cellWidth_10um != m_matrix.cellWidth_10um)
-        return core::Unexpected(core::Error{
+        return core::failed(
             core::ErrorKind::refused,
             WtsText::tr(
                 "Another array is connected: %1 x %2 cells of %3 mm instead of %4 x %5 cells of %6 mm.")
@@ -98,10 +99,7 @@ core::Expected<void> WtsWorker::connect() {
                 .arg(found.cellWidth_10um / 100.0)
                 .arg(m_matrix.rows)
                 .arg(m_matrix.columns)
-                .arg(m_matrix.cellWidth_10um / 100.0)
-                .toStdString(),
-            {},
-            {}});
+                .arg(m_matrix.cellWidth_10um / 100.0));
     m_session = std::make_unique<WtsSession>(std::move(session));
     ++m_counters.connections;
     return {};

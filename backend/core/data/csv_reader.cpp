@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/csv_reader.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -132,17 +134,13 @@ public:
     [[nodiscard]] const char* rowEnd() const { return row() + rowLength; }
 
     [[nodiscard]] Unexpected systemError(ErrorKind kind, const QString& what, int code) const {
-        return Unexpected(
-            Error{kind,
-                  what.arg(QString::fromStdString(std::generic_category().message(code))).toStdString(),
-                  {},
-                  {path}});
+        return failed(kind, what.arg(QString::fromStdString(std::generic_category().message(code))), {},
+                      {path});
     }
 
     [[nodiscard]] Unexpected badInput(const QString& message, const QString& expected,
                                       SourcePlace where) const {
-        return Unexpected(
-            Error{ErrorKind::badInput, message.toStdString(), expected.toStdString(), std::move(where)});
+        return failed(ErrorKind::badInput, message, expected, std::move(where));
     }
 
     [[nodiscard]] SourcePlace placeOf(const char* position) const {
@@ -475,10 +473,8 @@ std::uint64_t CsvReader::bytesTotal() const {
 
 Expected<void> CsvReader::seek(std::uint64_t byteOffset, long long line) {
     if (!d->seekable)
-        return Unexpected(Error{ErrorKind::refused,
-                                CsvReaderText::tr("a pipe cannot be rewound").toStdString(),
-                                CsvReaderText::tr("a file").toStdString(),
-                                {d->path}});
+        return failed(ErrorKind::refused, CsvReaderText::tr("a pipe cannot be rewound"),
+                      CsvReaderText::tr("a file"), {d->path});
     if (byteOffset >= d->bufferOffset && byteOffset - d->bufferOffset <= d->end) {
         d->begin = static_cast<std::size_t>(byteOffset - d->bufferOffset);
     } else {

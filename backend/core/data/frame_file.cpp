@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/frame_file.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -18,8 +20,7 @@ struct FrameFileText {
 };
 
 Unexpected badInput(const QString& message, const QString& expected, SourcePlace where) {
-    return Unexpected(
-        Error{ErrorKind::badInput, message.toStdString(), expected.toStdString(), std::move(where)});
+    return failed(ErrorKind::badInput, message, expected, std::move(where));
 }
 
 /// True when the name is that of the taxel column of this index: "t0", "t1", ...

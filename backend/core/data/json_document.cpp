@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/json_document.h"
 
+#include "backend/core/failure.h"
 #include "backend/core/number_text.h"
 
 #include <QCoreApplication>
@@ -178,8 +179,8 @@ const ordered_json kEmptyArray = ordered_json::array();
 Expected<JsonDocument> JsonDocument::parse(std::string text, const std::string& file) {
     const auto failure = [&](std::optional<std::size_t> offset, const QString& message,
                              const QString& expected) {
-        return Unexpected(Error{ErrorKind::badInput, message.toStdString(), expected.toStdString(),
-                                offset ? placeOf(file, text, *offset) : SourcePlace{file, 0, 0}});
+        return failed(ErrorKind::badInput, message, expected,
+                      offset ? placeOf(file, text, *offset) : SourcePlace{file, 0, 0});
     };
     if (text.size() > kMostBytes)
         return failure({}, JsonText::tr("the file is too large"),

@@ -2,6 +2,7 @@
 #include "backend/core/data/toml_table.h"
 
 #include "backend/core/data/key_names.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -151,17 +152,14 @@ struct TomlTable::Data {
 Expected<TomlDocument> TomlDocument::open(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
     if (!stream)
-        return Unexpected(Error{ErrorKind::notFound,
-                                TomlReader::tr("the file cannot be opened").toStdString(),
-                                TomlReader::tr("a TOML file that can be read").toStdString(),
-                                {path}});
+        return failed(ErrorKind::notFound, TomlReader::tr("the file cannot be opened"),
+                      TomlReader::tr("a TOML file that can be read"), {path});
     std::ostringstream text;
     // An empty file sets failbit on the output, which is no read error.
     if (stream.peek() != std::ifstream::traits_type::eof())
         text << stream.rdbuf();
     if (stream.bad() || text.bad() || text.fail())
-        return Unexpected(
-            Error{ErrorKind::ioFailed, TomlReader::tr("the file cannot be read").toStdString(), {}, {path}});
+        return failed(ErrorKind::ioFailed, TomlReader::tr("the file cannot be read"), {}, {path});
     return parse(text.str(), path);
 }
 
@@ -171,11 +169,9 @@ Expected<TomlDocument> TomlDocument::parse(std::string_view text, const std::str
     try {
         data->root = toml::parse(text);
     } catch (const toml::parse_error& error) {
-        return Unexpected(
-            Error{ErrorKind::badInput,
-                  TomlReader::tr("not valid TOML: %1").arg(asQString(error.description())).toStdString(),
-                  {},
-                  data->placeOf(error.source())});
+        return failed(ErrorKind::badInput,
+                      TomlReader::tr("not valid TOML: %1").arg(asQString(error.description())), {},
+                      data->placeOf(error.source()));
     }
     return TomlDocument(std::move(data));
 }

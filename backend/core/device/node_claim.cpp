@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/device/node_claim.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 #include <QString>
 
@@ -30,13 +32,10 @@ NodeClaim::~NodeClaim() {
 }
 
 Unexpected usedByAnother(const std::string& what) {
-    return Unexpected(
-        Error{ErrorKind::unavailable,
-              QCoreApplication::translate("NodeClaim", "another program uses %1", "a device")
-                  .arg(QString::fromStdString(what))
-                  .toStdString(),
-              QCoreApplication::translate("NodeClaim", "it to be closed there first").toStdString(),
-              {}});
+    return failed(ErrorKind::unavailable,
+                  QCoreApplication::translate("NodeClaim", "another program uses %1", "a device")
+                      .arg(QString::fromStdString(what)),
+                  QCoreApplication::translate("NodeClaim", "it to be closed there first"));
 }
 
 } // namespace teleta::core
