@@ -73,7 +73,6 @@ public:
     [[nodiscard]] core::DeviceStatus status() const override { return m_source->status(); }
     [[nodiscard]] core::PlaybackControl* playback() override { return m_source->playback(); }
     [[nodiscard]] core::CameraSource& source() { return *m_source; }
-    [[nodiscard]] bool hasReaction() const { return m_reaction != nullptr; }
     [[nodiscard]] std::uint64_t framesProcessed() const override {
         return m_processed.load(std::memory_order_relaxed);
     }

@@ -106,8 +106,6 @@ TouchTable::TouchTable(QWidget* parent, std::size_t capacity)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view);
 
-    connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this] { emit touchSelected(selected().value_or(0)); });
     connect(m_view, &QTableView::activated, this,
             [this](const QModelIndex& index) { emit touchActivated(shownRecord(index.row()).number); });
     connect(m_export, &base::FigureExport::saved, this, &TouchTable::exported);
@@ -168,7 +166,6 @@ void TouchTable::append(const TouchRecord& record) {
 void TouchTable::clear() {
     m_model->clear();
     showEmptiness();
-    emit touchSelected(0);
 }
 
 void TouchTable::setProvenance(base::Provenance provenance) {

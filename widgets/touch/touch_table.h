@@ -48,8 +48,6 @@ public:
     [[nodiscard]] QSize sizeHint() const override;
 
 signals:
-    /// Another touch became current; 0 for none.
-    void touchSelected(std::uint64_t touch);
     /// Double click or Return.
     void touchActivated(std::uint64_t touch);
     void exported(const QString& path);

@@ -72,7 +72,7 @@ private slots:
     void aDirectionWithoutTheDeadManDoesNothing() {
         Desk desk;
         desk.press(Qt::Key_Q);
-        QTest::mousePress(desk.panel->directionButton(1, true), Qt::LeftButton);
+        QTest::mousePress(desk.panel->findChild<HoldButton*>("up1"), Qt::LeftButton);
         QVERIFY(!desk.panel->isMoving());
         QCOMPARE(desk.requests.size(), 0);
     }
@@ -88,7 +88,7 @@ private slots:
         QVERIFY(!desk.panel->isMoving());
         QVERIFY(desk.sentOneZeroAtTheEnd());
         QVERIFY(desk.panel->refusal().contains(QLatin1String("old")));
-        QVERIFY2(desk.panel->holdButton()->isEnabled(), "holding the arm stays possible");
+        QVERIFY2(desk.panel->findChild<QPushButton*>("hold")->isEnabled(), "holding the arm stays possible");
         desk.panel->setReadingsOld(false);
         QVERIFY(!desk.panel->isMoving());
         desk.press(Qt::Key_W, Qt::ShiftModifier);
@@ -188,7 +188,7 @@ private slots:
     void theDeadManWithoutADirectionDoesNothing() {
         Desk desk;
         desk.press(Qt::Key_Shift);
-        QTest::mousePress(desk.panel->deadManButton(), Qt::LeftButton);
+        QTest::mousePress(desk.panel->findChild<HoldButton*>("deadMan"), Qt::LeftButton);
         QVERIFY(!desk.panel->isMoving());
         QCOMPARE(desk.requests.size(), 0);
     }
@@ -206,7 +206,7 @@ private slots:
     void shiftAndAButtonMoveToo() {
         Desk desk;
         desk.panel->setSpeed(100);
-        QTest::mousePress(desk.panel->directionButton(2, true), Qt::LeftButton, Qt::ShiftModifier);
+        QTest::mousePress(desk.panel->findChild<HoldButton*>("up2"), Qt::LeftButton, Qt::ShiftModifier);
         QCOMPARE(desk.last(), (JointVector{0.0, 0.0, 1.4, 0.0}));
         QVERIFY(desk.panel->hasFocus());
         QTest::keyRelease(desk.panel, Qt::Key_Shift);
@@ -215,10 +215,10 @@ private slots:
 
     void theButtonOnTheScreenIsADeadManForTheKeys() {
         Desk desk;
-        QTest::mousePress(desk.panel->deadManButton(), Qt::LeftButton);
+        QTest::mousePress(desk.panel->findChild<HoldButton*>("deadMan"), Qt::LeftButton);
         desk.press(Qt::Key_Q);
         QVERIFY(desk.panel->isMoving());
-        QTest::mouseRelease(desk.panel->deadManButton(), Qt::LeftButton);
+        QTest::mouseRelease(desk.panel->findChild<HoldButton*>("deadMan"), Qt::LeftButton);
         QVERIFY(desk.sentOneZeroAtTheEnd());
     }
 
@@ -292,7 +292,7 @@ private slots:
 
     void aMouseThatLeavesTheButtonStopsAndItsReturnMovesNothing() {
         Desk desk;
-        HoldButton* button = desk.panel->directionButton(0, true);
+        HoldButton* button = desk.panel->findChild<HoldButton*>("up0");
         QTest::mousePress(button, Qt::LeftButton, Qt::ShiftModifier, button->rect().center());
         QVERIFY(desk.panel->isMoving());
         const auto dragTo = [&](const QPoint& point) {
@@ -312,7 +312,7 @@ private slots:
         desk.panel->setStopEngaged(true);
         QVERIFY(desk.sentOneZeroAtTheEnd());
         QVERIFY(desk.panel->refusal().contains("STOP"));
-        QVERIFY(!desk.panel->deadManButton()->isEnabled());
+        QVERIFY(!desk.panel->findChild<HoldButton*>("deadMan")->isEnabled());
         desk.move();
         QVERIFY(!desk.panel->isMoving());
         desk.panel->setStopEngaged(false);
@@ -326,7 +326,7 @@ private slots:
         desk.panel->setArm(std::nullopt);
         QVERIFY(desk.sentOneZeroAtTheEnd());
         QVERIFY(desk.panel->refusal().contains("No arm"));
-        QVERIFY(!desk.panel->directionButton(0, true)->isEnabled());
+        QVERIFY(!desk.panel->findChild<HoldButton*>("up0")->isEnabled());
         desk.move();
         QVERIFY(!desk.panel->isMoving());
     }
@@ -345,13 +345,33 @@ private slots:
         QVERIFY(!desk.panel->isMoving());
         QCOMPARE(desk.requests.size(), 0);
         desk.panel->setArm(test::sampleArm());
-        QVERIFY(desk.panel->directionButton(0, true)->isEnabled());
+        QVERIFY(desk.panel->findChild<HoldButton*>("up0")->isEnabled());
+    }
+
+    void anArmOfSevenJointsHasButtonsAndKeysForEach() {
+        Desk desk;
+        core::ArmDescription arm = test::sampleArm();
+        arm.lowest_rad = JointVector{-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0};
+        arm.highest_rad = arm.fastest_radPerS = JointVector{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+        desk.panel->setMode(JogPanel::Mode::tip);
+        desk.panel->setArm(arm);
+        QVERIFY2(desk.panel->mode() == JogPanel::Mode::joints, "its tip cannot be moved");
+        QVERIFY(desk.panel->findChild<JointRange*>("range6")->isVisible());
+        QVERIFY(desk.panel->findChild<HoldButton*>("up6")->isVisible());
+        desk.press(Qt::Key_Shift);
+        desk.press(Qt::Key_U, Qt::ShiftModifier);
+        QCOMPARE(desk.last(), (JointVector{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.2}));
+        desk.release(Qt::Key_Shift);
+        QCOMPARE(desk.last(), JointVector::zeros(7));
+        desk.panel->setArm(test::sampleArm());
+        QVERIFY(!desk.panel->findChild<JointRange*>("range6")->isVisible());
+        QVERIFY(!desk.panel->findChild<HoldButton*>("up6")->isVisible());
     }
 
     void theTipMovesAlongTheAxesOfTheBase() {
         Desk desk;
         desk.panel->setMode(JogPanel::Mode::tip);
-        QVERIFY(!desk.panel->directionButton(3, true)->isVisible());
+        QVERIFY(!desk.panel->findChild<HoldButton*>("up3")->isVisible());
         desk.press(Qt::Key_Shift);
         desk.press(Qt::Key_E, Qt::ShiftModifier); // z
         QVERIFY(desk.panel->isMoving());
@@ -364,9 +384,9 @@ private slots:
         Desk desk;
         QSignalSpy runs(desk.panel, &JogPanel::programRunRequested);
         QSignalSpy restarts(desk.panel, &JogPanel::programRestartRequested);
-        QTest::mouseClick(desk.panel->runButton(), Qt::LeftButton);
-        QTest::mouseClick(desk.panel->holdButton(), Qt::LeftButton);
-        QTest::mouseClick(desk.panel->restartButton(), Qt::LeftButton);
+        QTest::mouseClick(desk.panel->findChild<QPushButton*>("run"), Qt::LeftButton);
+        QTest::mouseClick(desk.panel->findChild<QPushButton*>("hold"), Qt::LeftButton);
+        QTest::mouseClick(desk.panel->findChild<QPushButton*>("restart"), Qt::LeftButton);
         QCOMPARE(runs.size(), 2);
         QCOMPARE(runs[0][0].toBool(), true);
         QCOMPARE(runs[1][0].toBool(), false);
@@ -374,17 +394,18 @@ private slots:
         core::ArmDescription plain = test::sampleArm();
         plain.hasProgram = false;
         desk.panel->setArm(plain);
-        QVERIFY(!desk.panel->runButton()->isEnabled());
+        QVERIFY(!desk.panel->findChild<QPushButton*>("run")->isEnabled());
     }
 
     void anglesAreInDegreesAndTheEndOfTheRangeIsNamed() {
         Desk desk;
-        QVERIFY2(desk.panel->range(0)->text().contains("5.7"), qPrintable(desk.panel->range(0)->text()));
-        QVERIFY(!desk.panel->range(0)->atLimit());
+        QVERIFY2(desk.panel->findChild<touch::JointRange*>("range0")->text().contains("5.7"),
+                 qPrintable(desk.panel->findChild<touch::JointRange*>("range0")->text()));
+        QVERIFY(!desk.panel->findChild<touch::JointRange*>("range0")->atLimit());
         core::JointSample sample;
         sample.angle_rad = {1.5, 0.0, 0.0, 1.0};
         desk.panel->setSample(sample);
-        QVERIFY(desk.panel->range(0)->text().endsWith("limit"));
+        QVERIFY(desk.panel->findChild<touch::JointRange*>("range0")->text().endsWith("limit"));
     }
 
     void theDriveIsAWord() {

@@ -342,7 +342,7 @@ private slots:
         Follower arm;
         const Vector3d there_m = arm.leadByMouse(0.0);
         QTest::keyClick(&arm.panel, Qt::Key_D);
-        QTest::mouseClick(arm.panel.directionButton(0, true), Qt::LeftButton);
+        QTest::mouseClick(arm.panel.findChild<HoldButton*>("up0"), Qt::LeftButton);
         arm.look({{0, 0, 0}, true, false}, 50);
         QVERIFY(arm.tip() == there_m);
     }
@@ -384,7 +384,7 @@ private slots:
 
     void theTextsTellWhatEndsTheMotion() {
         Follower arm;
-        const auto tip = [&] { return arm.panel.directionButton(0, true)->toolTip(); };
+        const auto tip = [&] { return arm.panel.findChild<HoldButton*>("up0")->toolTip(); };
         QVERIFY2(tip().contains("step"), qPrintable(tip()));
         QVERIFY(!arm.panel.whatsThis().contains("either"));
         arm.panel.setWay(JogPanel::Way::velocity);

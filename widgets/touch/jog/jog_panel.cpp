@@ -84,6 +84,10 @@ JogPanel::JogPanel(QWidget* parent)
     , m_clutch(new HoldButton(this))
     , m_grid(new QGridLayout) {
     setFocusPolicy(Qt::StrongFocus);
+    m_run->setObjectName(QStringLiteral("run"));
+    m_hold->setObjectName(QStringLiteral("hold"));
+    m_restart->setObjectName(QStringLiteral("restart"));
+    m_deadMan->setObjectName(QStringLiteral("deadMan"));
     m_message->setWordWrap(true);
     m_handText->setWordWrap(true);
     m_handText->hide();
@@ -181,10 +185,12 @@ void JogPanel::addRows() {
     while (m_rows.size() < std::max(joints(), kTipKeys.size())) {
         const int row = static_cast<int>(m_rows.size());
         Row& added = m_rows.emplace_back(Row{new QLabel(this), new JointRange(this), {}});
+        added.range->setObjectName(QStringLiteral("range%1").arg(row));
         m_grid->addWidget(added.name, row, 0);
         m_grid->addWidget(added.range, row, 1);
         for (const int side : {0, 1}) {
             auto* button = new HoldButton(this);
+            button->setObjectName((side == 1 ? QStringLiteral("up%1") : QStringLiteral("down%1")).arg(row));
             button->setFixedSize(base::em(this, 3.4), base::em(this, kTouchTarget_em));
             connect(button, &HoldButton::heldChanged, this, &JogPanel::onDirectionHeld);
             added.buttons[static_cast<std::size_t>(side)] = button;

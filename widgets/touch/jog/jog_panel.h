@@ -92,15 +92,6 @@ public:
     /// Why it cannot jog; empty when it can.
     [[nodiscard]] QString refusal() const;
 
-    /// Buttons of an axis (a joint, or x, y, z); up: towards larger values.
-    [[nodiscard]] HoldButton* directionButton(std::size_t axis, bool up) const;
-    [[nodiscard]] HoldButton* deadManButton() const { return m_deadMan; }
-    [[nodiscard]] HoldButton* clutchButton() const { return m_clutch; }
-    [[nodiscard]] JointRange* range(std::size_t joint) const { return m_rows[joint].range; }
-    [[nodiscard]] QPushButton* runButton() const { return m_run; }
-    [[nodiscard]] QPushButton* holdButton() const { return m_hold; }
-    [[nodiscard]] QPushButton* restartButton() const { return m_restart; }
-
 public slots:
     /// Takes all holds back; zero is sent when the arm was moving.
     void releaseAll();
@@ -142,6 +133,8 @@ private:
     [[nodiscard]] std::size_t joints() const;
     [[nodiscard]] std::size_t axes() const;
     [[nodiscard]] core::JointVector noRate() const { return core::JointVector::zeros(joints()); }
+    /// up: towards larger values.
+    [[nodiscard]] HoldButton* directionButton(std::size_t axis, bool up) const;
     /// As many as the arm needs.
     void addRows();
     void enableParts();

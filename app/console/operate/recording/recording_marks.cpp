@@ -5,22 +5,12 @@
 #include "backend/core/steady_time.h"
 #include "backend/recording/mark_changes.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <chrono>
 #include <iterator>
 #include <utility>
 
 namespace teleta::console {
-
-namespace {
-
-struct RecordingText {
-    Q_DECLARE_TR_FUNCTIONS(RecordingService)
-};
-
-} // namespace
 
 /// Something that is done to a mark, and undone.
 class MarkCommand : public QUndoCommand {
@@ -31,9 +21,9 @@ public:
         , m_what(what)
         , m_mark(std::move(mark))
         , m_text(std::move(text)) {
-        setText(what == What::add      ? RecordingText::tr("mark")
-                : what == What::remove ? RecordingText::tr("removal of a mark")
-                                       : RecordingText::tr("text of a mark"));
+        setText(what == What::add      ? RecordingMarks::tr("mark")
+                : what == What::remove ? RecordingMarks::tr("removal of a mark")
+                                       : RecordingMarks::tr("text of a mark"));
     }
 
     void redo() override {
