@@ -29,7 +29,7 @@ public:
     /// A recording by its name; of the other files a source list or a scene by what is in it.
     void openFile(const QString& path);
     void openRecording(const QString& path);
-    /// Asks nothing: what the command line does not say is guessed.
+    /// Opens without asking; what the command line omits is guessed.
     void openAs(const RecordingArguments& recording);
     void openList(const QString& path);
     void openScene(const QString& path);

@@ -7,11 +7,11 @@
 
 namespace teleta::playback {
 
-/// A pattern as it can be played, in the form made for many calls. Later changes of the pattern do not reach
+/// A pattern compiled for many evaluations. Later changes of the pattern do not affect
 /// it. Thread: any.
 [[nodiscard]] Program programOf(const pattern::Pattern& pattern);
 
-/// Where to begin a program that shall be felt as soon as possible: with the second frame when only the first
+/// Where to start a program so that it is felt as soon as possible: at the second frame when only the first
 /// one is off, else at 0. rate_Hz: of the frames, > 0. Without evaluate: 0. Thread: any; calls evaluate,
 /// whose exceptions are left to the playing.
 [[nodiscard]] double promptBegin_s(const Program& program, double rate_Hz);

@@ -14,7 +14,7 @@
 
 namespace teleta::playback {
 
-/// The work of the playback thread, one call a cycle:
+/// The work of the playback thread, one call per cycle:
 ///   STOP -> commands -> frame if one is due -> time of the next deadline, t0 + k dt
 /// A late frame is evaluated at the true time and deadlines that passed meanwhile are counted, not caught up.
 /// A live setpoint does not wait for the next deadline; one frame a period is written for it out of turn.
@@ -24,10 +24,10 @@ public:
     /// bracelet and stopSwitch must outlive the cycle.
     PlaybackCycle(core::BraceletSource& bracelet, const core::StopSwitch& stopSwitch, PlayerConfig config);
 
-    /// Carries out what is due now. Returns when it wants to be called again; PacingClock::kNever_ns: when a
+    /// Carries out what is due. Returns the time of its next call; PacingClock::kNever_ns: when a
     /// command comes.
     [[nodiscard]] std::int64_t run(PlayerCommands commands);
-    /// Ends the playing.
+    /// Ends the playback.
     void close();
 
     [[nodiscard]] core::Mailbox<Setpoint>& setpoints() { return m_setpoints; }

@@ -29,14 +29,14 @@ struct PlayerConfig {
     /// Of the frames: at least 20, at most what the bracelet can take. A bracelet that cannot take 20 misses
     /// deadlines.
     double rate_Hz = 200.0;
-    /// A live setpoint counts for so long.
+    /// Lifetime of a live setpoint.
     std::int64_t setpointLifetime_ns = 100'000'000;
-    /// After so long without a frame the board stops by itself, at least three periods; a cycle that is later
-    /// than this ends the playing, since the bracelet stood still meanwhile.
-    /// The board's own limit of it counts for both.
+    /// Time without a frame after which the board stops by itself, at least three periods; a cycle that is
+    /// later than this ends the playing, since the bracelet stood still meanwhile. The board's own limit of
+    /// it counts for both.
     std::uint16_t boardTimeout_ms = 100;
-    /// A bracelet that answers no frame for so long counts as lost: what it is told waits somewhere, and
-    /// would be played when it wakes.
+    /// A bracelet that answers no frame for this long counts as lost: its frames wait somewhere and
+    /// would play when it wakes.
     std::int64_t longestSilence_ns = 1'000'000'000;
     SafetyLimits limits{};
     DriveRanges ranges{};
@@ -52,7 +52,7 @@ enum class PlayerMode {
     live,    ///< setpoints are followed
 };
 
-/// Why the last playing ended.
+/// Why the last playback ended.
 enum class PlayerEnding {
     none,         ///< nothing was played yet, or something is
     finished,     ///< the program came to its end
@@ -80,7 +80,7 @@ struct PlayerStatus {
     core::Intensities given{}; ///< after the safety limits
 };
 
-/// Of the playing that runs, or of the last one.
+/// Of the current playback, or of the last one.
 struct PlayerCounters {
     std::uint64_t framesWritten = 0;
     std::uint64_t deadlineMisses = 0;    ///< deadlines that passed without a frame of their own
@@ -99,7 +99,7 @@ struct PlayerCounters {
     std::int64_t onset_ns = 0; ///< steady time at which the first frame other than zero was written; 0: none
 };
 
-/// How punctual the playing that runs, or the last one, is.
+/// Punctuality of the current playback, or of the last one.
 struct PlayerTimings {
     TimeHistogram lateness; ///< of regular frames: from the deadline to the begin of the frame's work
     TimeHistogram write;    ///< of a frame
@@ -125,7 +125,7 @@ struct ProgramChange {
 };
 struct LiveRequest {};
 
-/// What was asked since the last cycle, carried out in the order of the members.
+/// Requests since the last cycle, carried out in the order of the members.
 struct PlayerCommands {
     bool stop = false;
     std::optional<std::uint64_t> stopProgram; ///< the program with that number ends, nothing else

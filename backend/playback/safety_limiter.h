@@ -9,7 +9,7 @@
 
 namespace teleta::playback {
 
-/// How much a tactor may be driven. A value out of its range, or NaN, is taken as the nearest one on the safe
+/// Limits of a tactor's drive. A value out of range, or NaN, is replaced by the nearest one on the safe
 /// side: NaN allows nothing.
 struct SafetyLimits {
     /// Highest intensity of each tactor that the wearer wants, 0 .. 1.
@@ -57,7 +57,7 @@ public:
 
     void setLimits(const SafetyLimits& limits);
 
-    /// What the tactors may be told now.
+    /// The intensities that may be sent now.
     /// elapsed_s: since the last call; the last output held for so long. The slew limit counts no more than
     /// two periods of it: after a pause tactors rise from rest. Not above 0, or NaN: no time has passed.
     /// NaN among the intensities is off at once, however slow a fall may be.

@@ -7,7 +7,7 @@
 
 namespace teleta::playback {
 
-/// How long something took, each time, of a whole run: counts in buckets that are at most 3.2 % wide, so that
+/// Histogram of durations over a whole run, in buckets at most 3.2 % wide, so that
 /// quantiles are known to that. Nothing is allocated. Thread: one.
 class TimeHistogram {
 public:

@@ -12,7 +12,7 @@ class QWidget;
 
 namespace teleta::console {
 
-/// Which bracelet the console drives: as a menu, as remembered, as the command line says. Thread: GUI.
+/// Chooses the bracelet: from the menu, the settings or the command line. Thread: GUI.
 class BraceletMenu : public QObject {
     Q_OBJECT
 

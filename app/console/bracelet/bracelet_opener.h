@@ -33,7 +33,7 @@ public:
     [[nodiscard]] std::optional<Opened> take();
 
 private:
-    /// The end of both waits for its thread.
+    /// The destructors of both wait for their threads.
     struct Closing {
         BraceletChoice choice = BraceletChoice::none;
         std::future<void> done;

@@ -30,83 +30,83 @@ class BraceletService : public QObject {
     Q_OBJECT
 
 public:
-    /// player: of every bracelet, but for its limits and ranges. staleAfter_ns: so old may its newest report
-    /// be; an idle one reports ten times a second.
+    /// player: configuration of every bracelet except limits and ranges. staleAfter_ns: longest age of its
+    /// newest report; an idle bracelet reports ten times a second.
     explicit BraceletService(core::StopSwitch& stop, QObject* parent = nullptr,
                              playback::PlayerConfig player = {},
                              std::int64_t staleAfter_ns = core::staleAfter_ns(10.0));
     ~BraceletService() override;
 
-    /// Takes another bracelet in place of the present one. deviceFile: of a Modbus bracelet.
+    /// Replaces the bracelet. deviceFile: describes the device.
     void choose(BraceletChoice choice, const QString& deviceFile = {});
     [[nodiscard]] BraceletChoice choice() const { return m_choice; }
     [[nodiscard]] const QString& deviceFile() const { return m_deviceFile; }
-    /// Null while none is connected, or one is being opened. It ends when its last owner lets it go, which
+    /// Null while none is connected, or one is being opened. It ends when its last owner releases it, which
     /// may wait.
     [[nodiscard]] const std::shared_ptr<BraceletSession>& session() const { return m_session; }
 
-    /// What is known of the motors of the bracelet; of none, assumed ones.
+    /// Calibration of the motors; assumed values without a bracelet.
     [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
-    /// Takes effect with the next frame; of a reserved bracelet, when it is given back. Writes no file.
+    /// Takes effect with the next frame; while reserved, when the reservation ends. Writes no file.
     void setCalibration(const motors::MotorCalibration& calibration);
 
-    /// How strong each motor may be at most, 0 .. 1, whoever drives the bracelet; of none, full.
+    /// Upper limit of each motor, 0 .. 1, whoever drives the bracelet; full without a bracelet.
     [[nodiscard]] const core::Intensities& strongest() const { return m_limits.strongest; }
-    /// Takes effect with the next frame, also while the bracelet is reserved, and is kept in a file for this
-    /// bracelet soon. Without a bracelet: ignored.
+    /// Takes effect with the next frame, even while reserved, and is soon saved in a file for this
+    /// bracelet. Without a bracelet: ignored.
     void setStrongest(const core::Intensities& strongest);
 
-    /// For the arm whose touches are to be felt. It goes on telling what would be played without a bracelet.
+    /// For the arm whose touches are felt. Without a bracelet it still reports what would be played.
     [[nodiscard]] const std::shared_ptr<pipeline::TactileFeedback>& feedback() const { return m_feedback; }
     void setMap(const pattern::PatternMap& map);
     /// Where the patterns of the map come from (the built-in ones until then); looks all of them up again.
     void setLibrary(pipeline::TactileFeedback::Library library);
     void setMode(pipeline::FeedbackMode mode);
 
-    /// Plays a program from a time on, once or again and again. Its number tells it from what others play; 0:
+    /// Plays a program from a time on, once or in a loop. Returns the number that identifies it; 0:
     /// there is nothing to play it on.
     std::uint64_t play(playback::Program program, bool loop, double from_s = 0.0);
-    /// Goes on with another program in place of the one with that number, see Player::change.
+    /// Replaces the program with that number without a break, see Player::change.
     void change(std::uint64_t number, playback::Program program, double shift_s);
     void setLoop(bool loop);
-    /// Ends what is played for a touch, as when the arm tells nothing any more; nothing else.
+    /// Ends what is played for a touch, for instance when the arm's data stop; nothing else.
     void endFeedback();
-    /// As endFeedback(), and what was recognised last is not known any more.
+    /// endFeedback(), and forgets what was recognised last.
     void forgetFeedback();
-    /// What was sent for a touch is played now.
+    /// Whether feedback for a touch plays now.
     [[nodiscard]] bool isFeedbackPlaying() const;
-    /// Goes on somewhere else in what is played.
+    /// Moves to another time in what is played.
     void seek(double time_s);
     void stopPlaying();
-    /// Where the pattern that is played stands; empty while none is.
+    /// Time in the pattern that plays; empty while none does.
     [[nodiscard]] std::optional<double> playingPosition_s() const;
-    /// The one with that number has not ended yet, and nothing else is played instead.
+    /// Whether the program with that number still plays.
     [[nodiscard]] bool isPlaying(std::uint64_t number) const;
-    /// Something is played, held or felt.
+    /// Whether anything plays or is held.
     [[nodiscard]] bool isDriven() const;
-    /// Lets one tactor be felt while it is held; empty: none.
+    /// Drives one tactor while its button is held; empty: none.
     void hold(std::optional<std::size_t> tactor);
 
-    /// For whoever drives session() alone: meanwhile nothing else is played or held.
+    /// Reserves session() for one user: nothing else is played or held meanwhile.
     void reserve(bool reserved);
     [[nodiscard]] bool isReserved() const { return m_reserved; }
 
     /// Collects what happened since the last tick.
     void tick();
-    /// What the tactors do now, after the safety limits.
+    /// Intensities now, after the safety limits.
     [[nodiscard]] core::Intensities given() const;
     /// Connected, and not stopped.
     [[nodiscard]] bool isReady() const;
-    /// Ready, its reports arrive and do not say that it is too hot: what is played is felt.
+    /// Ready, reporting and not too hot: what is played is felt.
     [[nodiscard]] bool isAnswering() const;
-    /// The newest report of its board says that it is too hot; nothing is played on it until it is not.
+    /// The board reports that it is too hot; nothing plays until it has cooled down.
     [[nodiscard]] bool isTooHot() const;
-    /// Ready, and not reserved: what is asked to be played is played.
+    /// Ready and not reserved: play requests are carried out.
     [[nodiscard]] bool isFree() const { return isReady() && !m_reserved; }
     [[nodiscard]] bool isStopped() const { return m_stop.engaged(); }
-    /// Its reports are as young as they should be.
+    /// Ready, and its reports are recent.
     [[nodiscard]] bool isLive() const;
-    /// Of the bracelet that is connected, as it is seen from here.
+    /// State of the connected bracelet, stale reports included.
     [[nodiscard]] core::DeviceState state() const;
     [[nodiscard]] QString note() const { return BraceletTexts::note(*this); }
     [[nodiscard]] bool isSimulated() const;
@@ -115,7 +115,7 @@ public:
     }
     [[nodiscard]] std::optional<TouchToSkin::Latency> touchToSkin() const { return m_touchToSkin.latency(); }
     [[nodiscard]] std::optional<double> newestTouchToSkin_s() const { return m_touchToSkin.newest_s(); }
-    /// The newest thing that was recognised while a map was set.
+    /// The newest recognition while a map was set.
     [[nodiscard]] const std::optional<FeedbackEvent>& lastEvent() const { return m_touchToSkin.last(); }
 
 signals:
@@ -128,7 +128,7 @@ signals:
     /// The file with the motors' profile cannot be used.
     void calibrationFailed(const core::Error& error);
     void strongestChanged(const teleta::core::Intensities& strongest);
-    /// What was set of strongest() before is not known, or could not be kept.
+    /// The saved limits could not be read or written.
     void strongestFailed(const core::Error& error);
     /// Something new was recognised, or its onset became known.
     void felt(const FeedbackEvent& event);

@@ -50,9 +50,9 @@ public:
     /// Why that file could not be used.
     [[nodiscard]] const std::optional<core::Error>& calibrationError() const { return m_calibrationError; }
 
-    /// How strong its wearer wants it to be at most; the player keeps to it.
+    /// The wearer's limits, which the player obeys.
     [[nodiscard]] const motors::WearerLimits& limits() const { return m_limits; }
-    /// Why what was set before is not known: then it is weak.
+    /// Why the saved limits could not be read; weak limits are used then.
     [[nodiscard]] const std::optional<core::Error>& limitsError() const { return m_limitsError; }
 
 private:

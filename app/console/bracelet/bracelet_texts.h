@@ -14,18 +14,18 @@ namespace teleta::console {
 
 class BraceletService;
 
-/// What is said of the bracelet. Thread: GUI.
+/// Texts about the bracelet. Thread: GUI.
 class BraceletTexts {
     Q_DECLARE_TR_FUNCTIONS(BraceletTexts)
 
 public:
-    /// One line on its state; empty when there is nothing to say.
+    /// A line about its state; empty when there is nothing to report.
     [[nodiscard]] static QString note(const BraceletService& bracelet);
     /// For the status bar; empty without a bracelet.
     [[nodiscard]] static std::optional<chrome::DeviceReading> reading(const BraceletService& bracelet);
 
 private:
-    /// What its board tells of itself, a line each.
+    /// What its board reports, a line each.
     [[nodiscard]] static QStringList boardDetails(const core::BraceletTelemetry& telemetry);
 };
 

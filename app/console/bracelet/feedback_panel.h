@@ -16,7 +16,7 @@ class QLabel;
 
 namespace teleta::console {
 
-/// What is felt of a touch: which of the things that are recognised, by which patterns, and what was sent
+/// Chooses what is felt of a touch: which recognitions, by which patterns; shows what was sent
 /// last. Thread: GUI.
 class FeedbackPanel : public QWidget {
     Q_OBJECT
@@ -24,8 +24,8 @@ class FeedbackPanel : public QWidget {
 public:
     explicit FeedbackPanel(BraceletService& station, QWidget* parent = nullptr);
 
-    /// What was recognised last and the pattern that was sent for it, for a title: whether it is played
-    /// still. Empty while nothing was.
+    /// The last recognition and its pattern, for a title that also says whether
+    /// it still plays. Empty before the first.
     [[nodiscard]] QString lastText() const;
     /// As before anything was recognised.
     void forgetLast();

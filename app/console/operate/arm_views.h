@@ -49,10 +49,11 @@ public:
     ArmViews(core::StopSwitch& stop, BraceletService& bracelet, view3d::Scene3dView& scene, QWidget* parent);
 
     void addTo(OperateDocks& docks);
-    /// The arm whose data are shown from now on; null: none. The former one stops being moved and felt.
+    /// Shows another arm; null: none. The previous one is no longer moved, and its touches are no longer
+    /// felt.
     void setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenance provenance);
     [[nodiscard]] const std::shared_ptr<pipeline::ArmChannel>& arm() const { return m_arm; }
-    /// What a 3D mouse wants now, and its state in a line.
+    /// Motion of a 3D mouse, and a line about its state.
     void setHand(const std::optional<touch::HandMotion>& hand, const QString& text);
     /// Shows what came since the last tick.
     void tick();
@@ -60,11 +61,11 @@ public:
     [[nodiscard]] std::optional<double> latency_s() const { return m_latency_s; }
 
     void setProgramRunning(bool running);
-    /// Begins the program anew; what was found until then is forgotten once it has begun.
+    /// Restarts the program; earlier findings are dropped once it has restarted.
     void restartProgram();
-    /// Its own words, those in the reconstruction, in the language of now.
+    /// Translates the labels in the reconstruction anew.
     void retranslate();
-    /// What is touched from now on is another object.
+    /// Starts a new object with the next touch.
     void forgetContour();
     [[nodiscard]] FeedbackPanel& feedbackPanel() { return *m_feedback; }
 
@@ -72,7 +73,7 @@ signals:
     void exportFailed(const QString& message);
 
 private:
-    /// What is kept of an arm that is not looked at.
+    /// State kept for an arm that is not shown.
     struct Kept {
         touch::RunSheetModel::Notes notes;
         charts::JointChartView::Content joints;
@@ -87,7 +88,7 @@ private:
     void showContour(const pipeline::ExploredContour& contour);
     void showArm(const pipeline::ArmSnapshot& snapshot);
     void clear();
-    /// What was felt before is of a run that is over.
+    /// Drops the touches of the previous run.
     void beginAnew(std::int64_t begun_ns);
 
     core::StopSwitch& m_stop;
@@ -103,7 +104,7 @@ private:
     FeedbackPanel* m_feedback;
 
     std::shared_ptr<pipeline::ArmChannel> m_arm;
-    /// Of the other open arms, for when they are looked at again.
+    /// State of the other open arms, restored when they are shown again.
     std::map<std::weak_ptr<pipeline::ArmChannel>, Kept, std::owner_less<>> m_kept;
     std::vector<pipeline::TouchRecord> m_shownTouches; ///< of this arm, the oldest first
     arm::Arm4Kinematics m_kinematics;

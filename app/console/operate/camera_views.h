@@ -32,7 +32,7 @@ public:
     CameraViews(view3d::Scene3dView& scene, QWidget* parent);
 
     void addTo(OperateDocks& docks);
-    /// The camera that is shown from now on; null: none.
+    /// Shows another camera; null: none.
     void setCamera(std::shared_ptr<pipeline::CameraChannel> camera, base::Provenance provenance);
     [[nodiscard]] const std::shared_ptr<pipeline::CameraChannel>& camera() const { return m_camera; }
     /// Shows what came since the last tick; true when there was a new picture.
@@ -53,7 +53,7 @@ private:
     camera::CameraPanel* m_panel;
     camera::EventTable* m_events;
     std::shared_ptr<pipeline::CameraChannel> m_camera;
-    /// What the list showed of the other open cameras, for when they are looked at again.
+    /// Events of the other open cameras, restored when they are shown again.
     std::map<std::weak_ptr<pipeline::CameraChannel>, std::deque<pipeline::CameraEvent>, std::owner_less<>>
         m_kept;
     std::optional<double> m_latency_s;

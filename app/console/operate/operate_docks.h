@@ -59,16 +59,16 @@ public:
 
     /// Puts a view into its dock, which owns it; once for each dock, before anything is shown.
     void add(Dock dock, QWidget* view);
-    /// The same with a view that scrolls where its dock is low: fields, which cannot be drawn smaller.
+    /// Like add(), for a form, which cannot shrink: it scrolls when its dock is too low.
     void addScrolling(Dock dock, QWidget* view);
-    /// When all views are there: the default layouts.
+    /// Call once all views are added: builds the default layouts.
     void begin();
 
     void setKind(Kind kind);
     [[nodiscard]] Kind kind() const { return m_kind; }
     /// Names of the docks, for options and settings.
     [[nodiscard]] static QStringList names();
-    /// Brings a dock to the front, whatever kind of source shows it next; unknown names are ignored.
+    /// Brings a dock to the front as soon as a source shows it; unknown names are ignored.
     void bringForward(const QString& name);
 
     /// Shows and hides docks; those that do not belong to this kind of source are disabled.
@@ -76,9 +76,9 @@ public:
 
     /// All layouts.
     [[nodiscard]] QByteArray saveLayouts() const;
-    /// False when they are of another version or damaged; the default layouts are then in place.
+    /// False if they are damaged or of another version; the default layouts are used then.
     bool restoreLayouts(const QByteArray& layouts);
-    /// The default layout of what is shown.
+    /// Restores the default layout of the kind that is shown.
     void resetLayout();
     void retranslate();
 

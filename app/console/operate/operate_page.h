@@ -51,11 +51,11 @@ public:
 
     /// Repaints what changed since the last tick.
     void tick();
-    /// What the status bar says of the open sources.
+    /// Readings of the open sources for the status bar.
     [[nodiscard]] std::vector<chrome::DeviceReading> readings() const;
 
     [[nodiscard]] chrome::SourceChooser& chooser() { return *m_chooser; }
-    /// Scenes to try the program with: in the menu, and on the page while nothing is open.
+    /// Demo scenes for the menu, and for the page while nothing is open.
     void setDemos(const std::vector<chrome::SourceChooser::Demo>& demos);
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
 
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] ArmViews& armViews() { return *m_arm; }
     [[nodiscard]] CameraViews& cameraViews() { return *m_camera; }
     [[nodiscard]] MarkViews& marks() { return *m_marks; }
-    /// The shown source moves by itself in a way that can be held and begun anew: an arm's program or a
+    /// The shown source runs a program that can be held and restarted: an arm's program or a
     /// scene.
     [[nodiscard]] bool hasProgram() const;
     void setProgramRunning(bool running);
@@ -81,7 +81,7 @@ protected:
 
 private:
     void onActiveChanged();
-    /// Charts that were left stay as they were until they are looked at again.
+    /// Keeps the charts of the previous source until it is shown again.
     void changeCharts(pipeline::ChannelKey shown);
     void onSourcesChanged();
     void onBraceletFailed(const core::Error& error);
@@ -91,10 +91,10 @@ private:
     void showArray(pipeline::TouchChannel* array, base::Provenance provenance);
     void tickArray(pipeline::TouchChannel& array, SourceManager::Item& item, std::int64_t now_ns);
     void watchFailures(const SourceManager::Item& item);
-    /// Tells once of what a recording had that is not played.
+    /// Reports once what a recording contains that is not played.
     void watchDamage(const SourceManager::Item& item);
     core::PlaybackControl* playback();
-    /// Tells the other sources of the recording that is shown what was asked of it.
+    /// Applies a playback command to the other sources of the shown recording.
     template <typename Call>
     void withOthers(const Call& call);
     void startPlayback();

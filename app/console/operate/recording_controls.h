@@ -22,13 +22,13 @@ namespace teleta::console {
 
 class OperatePage;
 
-/// How a person records: actions with keys, the part of the status bar, messages, the folder of the files.
+/// The controls for recording: actions with shortcuts, status bar, messages, folder.
 /// Thread: GUI.
 class RecordingControls : public QObject {
     Q_OBJECT
 
 public:
-    /// window: of dialogs, and owner.
+    /// window: parent of dialogs, and owner.
     RecordingControls(RecordingService& service, SourceManager& sources, OperatePage& page,
                       ConsoleSettings& settings, QWidget* window);
 
@@ -37,12 +37,12 @@ public:
     [[nodiscard]] RecordingExport& csv() { return m_export; }
     /// Adds the actions.
     void fill(QMenu& menu);
-    /// Records into a new file of the usual folder, or ends the recording.
+    /// Starts a recording in the usual folder, or ends it.
     void toggle();
-    /// Ends the recording, with the text of a mark that is being typed.
+    /// Ends the recording; first takes the text of a mark that is being typed.
     void stop();
     void tick();
-    /// Where recordings are kept.
+    /// Folder of the recordings.
     [[nodiscard]] QString folder() const;
 
 private:

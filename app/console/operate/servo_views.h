@@ -33,15 +33,15 @@ class ServoViews : public QObject {
     Q_OBJECT
 
 public:
-    /// Points of the edge that lie nearer to the one before are not kept.
+    /// Points closer than this to the previous one are dropped.
     static constexpr double kSpacing_m = 0.001;
-    /// With more points every second one is kept, and points lie twice as far apart from then on.
+    /// Beyond this number every second point is dropped and the spacing doubles.
     static constexpr std::size_t kMostPoints = 4000;
 
     ServoViews(view3d::Scene3dView& scene, QWidget* parent);
 
     void addTo(OperateDocks& docks);
-    /// The servo that is shown from now on; null: none.
+    /// Shows another servo; null: none.
     void setServo(std::shared_ptr<servo::ServoLink> servo, const QString& name, base::Provenance provenance);
     [[nodiscard]] const std::shared_ptr<servo::ServoLink>& servo() const { return m_servo; }
     /// Shows what came since the last tick.
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] static std::array<view3d::ArmLink, 4> linksOf(const servo::ServoReport& report);
 
 signals:
-    /// Something could not be saved or read.
+    /// A file could not be saved or read.
     void failed(const QString& message);
 
 private:
@@ -77,7 +77,7 @@ private:
     std::shared_ptr<servo::ServoLink> m_servo;
     Edge m_edge;
     bool m_edgeChanged = false;
-    /// Of the other open servos, for when they are looked at again.
+    /// Edges of the other open servos, restored when they are shown again.
     std::map<std::weak_ptr<servo::ServoLink>, Edge, std::owner_less<>> m_kept;
 };
 

@@ -19,7 +19,7 @@ namespace teleta::pipeline {
 /// Index of the joint whose torque and angle give the stiffness, in an arm of arm::Arm4Kinematics.
 inline constexpr std::size_t kElbow = 3;
 
-/// What each joint feels; past the arm's joints: free.
+/// Contact phase of each joint; free past the arm's joints.
 using JointPhases = std::array<stiffness::ContactPhase, core::JointVector::kCapacity>;
 
 /// How touches are recognised and evaluated. Times are those of the arm's stream.

@@ -20,7 +20,7 @@ class QSlider;
 
 namespace teleta::touch {
 
-/// What a hand on a 3D mouse wants.
+/// The motion that a hand on a 3D mouse asks for.
 struct HandMotion {
     std::array<double, 3>
         velocity{}; ///< -1 .. 1 of the full deflection, right, away, up: x, y, z of the base
@@ -65,17 +65,17 @@ public:
     void setSample(const core::JointSample& sample);
     void setDrive(core::ArmDrive drive);
     void setStopEngaged(bool engaged);
-    /// How old the newest reading is by now: the older, the more slowly the tip is led by position.
+    /// Age of the newest reading: the older, the more slowly the tip is guided by position.
     void setReadingsAge(double age_s) { m_age_s = age_s; }
-    /// The joint readings do not come any more: nothing is moved blindly.
+    /// The joint readings are stale: the arm is not moved blindly.
     void setReadingsOld(bool old);
-    /// What a 3D mouse tells now; empty: none is there.
+    /// Reading of a 3D mouse; empty: none is connected.
     void setHand(const std::optional<HandMotion>& hand);
     /// Its state, in a line; empty: not shown.
     void setHandText(const QString& text);
 
-    /// Ends what moves the arm here; keys, buttons and the mouse's dead man count again once they were let
-    /// go.
+    /// Stops moving the arm; keys, buttons and the mouse's dead man count again once they were
+    /// released.
     void letGo();
 
     void setMode(Mode mode);
@@ -86,14 +86,14 @@ public:
     void setSpeed(int percent);
     [[nodiscard]] int speed() const;
 
-    /// What is asked of the arm now.
+    /// The rates requested now.
     [[nodiscard]] const core::JointVector& rate_radPerS() const { return m_rate; }
     [[nodiscard]] bool isMoving() const;
-    /// Why it cannot jog; empty when it can.
+    /// Why jogging is impossible; empty when it is possible.
     [[nodiscard]] QString refusal() const;
 
 public slots:
-    /// Takes all holds back; zero is sent when the arm was moving.
+    /// Releases everything; sends zero if the arm was moving.
     void releaseAll();
 
 signals:
@@ -115,7 +115,7 @@ private:
         JointRange* range;
         std::array<HoldButton*, 2> buttons; ///< 0 down, 1 up
     };
-    /// Who leads the tip by position.
+    /// Who guides the tip by position.
     enum class Leader { nobody, keys, hand };
 
     [[nodiscard]] bool isOwnKey(int key) const;

@@ -13,8 +13,8 @@ class QTableWidgetItem;
 
 namespace teleta::console {
 
-/// The marks of a recording: when, and what somebody wrote about it. Texts are typed in their row, Delete
-/// takes a mark out, Ctrl+Z undoes; a double click on a time goes there. Thread: GUI.
+/// The marks of a recording, with time and note. A note is edited in its row, Delete
+/// removes a mark, Ctrl+Z undoes; double-clicking a time seeks there. Thread: GUI.
 class MarkList : public QWidget {
     Q_OBJECT
 
@@ -31,9 +31,9 @@ public:
 
     void setMarks(std::vector<Row> rows, bool editable);
     [[nodiscard]] const std::vector<Row>& marks() const { return m_rows; }
-    /// Begins to type the text of a mark.
+    /// Starts editing the text of a mark.
     void edit(std::uint64_t number);
-    /// Takes the text that is being typed as it is, as Enter does.
+    /// Accepts the text that is being typed, like Enter.
     void finishEditing();
 
 signals:
@@ -47,7 +47,7 @@ protected:
 
 private:
     void rebuild();
-    /// The item of a cell, made when there is none.
+    /// The item of a cell, created if missing.
     QTableWidgetItem* itemAt(int row, int column);
     void retranslate();
 

@@ -28,19 +28,19 @@ public:
 
     [[nodiscard]] MarkList& list() { return *m_list; }
 
-    /// Another source is shown, whose charts begin anew. playback: null when it is none.
+    /// Another source is shown and its charts start empty. playback: null unless it is a playback.
     void setSource(const core::PlaybackControl* playback);
     /// The marks of the recording that runs, or of the last one. live: it runs.
     void setRecorded(std::vector<RecordingMark> marks, bool live);
-    /// A sample that the charts got.
+    /// Call for each sample that the charts get.
     void take(const pipeline::FeatureSample& sample);
     void tick();
 
-    /// Of the playback that is shown.
+    /// Marks of the playback that is shown.
     [[nodiscard]] const std::vector<core::PlaybackMark>& played() const { return m_played; }
 
 signals:
-    /// The user wants a mark at a moment that the charts show.
+    /// The user asks for a mark at a time in the charts.
     void markRequested(std::int64_t time_ns);
     void seekRequested(double time_s);
 

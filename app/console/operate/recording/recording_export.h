@@ -19,14 +19,14 @@ class QWidget;
 
 namespace teleta::console {
 
-/// Writes the streams of a recording as CSV files, as `teleta export` does, on a thread of its own; a window
-/// that blocks nothing shows how far it is and can cancel it. One export at a time. Thread: GUI; no call
-/// waits but the destructor, for the thread to see that it is to end.
+/// Writes the streams of a recording as CSV files, like `teleta export`, on its own thread; a non-modal
+/// window shows the progress and can cancel. One export at a time. Thread: GUI; only the destructor waits,
+/// for the thread to end.
 class RecordingExport : public QObject {
     Q_OBJECT
 
 public:
-    /// window: of dialogs.
+    /// window: parent of dialogs.
     explicit RecordingExport(QWidget* window);
     ~RecordingExport() override;
 
@@ -38,7 +38,7 @@ public:
 
 signals:
     void busyChanged(bool busy);
-    /// Nothing is said of an export that was cancelled, and none of its files stays. complete: the recording
+    /// Not emitted for a cancelled export, whose files are removed. complete: the recording
     /// was not cut off.
     void finished(const QString& folder, int files, int damagedBlocks, bool complete);
     void failed(const QString& name, const core::Error& error);

@@ -11,19 +11,19 @@
 
 namespace teleta::console {
 
-/// Opens recordings as sources: those of this program (.teleta) at once, CSV files after it was asked how
-/// they are to be read. Files are read on other threads. Thread: GUI.
+/// Opens recordings as sources: .teleta files at once, CSV files after asking how
+/// to read them. Files are read on other threads. Thread: GUI.
 class RecordingFiles : public QObject {
     Q_OBJECT
 
 public:
-    /// window: of the dialogs, and owner.
+    /// window: parent of dialogs, and owner.
     RecordingFiles(SourceManager& sources, ConsoleSettings& settings, QWidget* window);
 
     void open(const QString& path);
-    /// Asks nothing: what the command line does not say is guessed.
+    /// Opens without asking; what the command line omits is guessed.
     void openAs(const RecordingArguments& recording);
-    /// Where the newest recording is that was opened, or else that folder; of one that is not there, where it
+    /// Folder of the recording that was opened last, or else the given one; for a missing folder, where it
     /// would be.
     [[nodiscard]] QString folder(const QString& otherwise) const;
 

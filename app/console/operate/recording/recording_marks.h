@@ -16,7 +16,7 @@
 
 namespace teleta::console {
 
-/// A moment that somebody marked while it was recorded.
+/// A moment marked during a recording.
 struct RecordingMark {
     std::uint64_t number = 0;
     std::int64_t time_ns = 0; ///< steady clock
@@ -24,8 +24,8 @@ struct RecordingMark {
     QString text;
 };
 
-/// The marks of the recording that runs, or of the last one, whose file is then changed on another thread.
-/// What is done to them can be undone. Thread: GUI; no call waits but the destructor, for changes to be kept.
+/// The marks of the current recording, or of the last one, whose file is changed on another thread.
+/// Every change can be undone. Thread: GUI; only the destructor waits, for changes to be written.
 class RecordingMarks : public QObject {
     Q_OBJECT
 
@@ -33,16 +33,16 @@ public:
     explicit RecordingMarks(QObject* parent = nullptr);
     ~RecordingMarks() override;
 
-    /// A recording is about to be begun: it has none.
+    /// Call before a recording starts: removes all marks.
     void clear();
-    /// From now on moments can be marked. start_ns: of the recording.
+    /// Allows marks from now on. start_ns: start of the recording.
     void begin(std::shared_ptr<recording::Recorder> recorder, std::int64_t start_ns);
-    /// The recording ends; its file cannot be changed yet. What was done so far can no longer be undone.
+    /// Call when the recording ends: clears the undo stack. The file cannot be changed yet.
     void end();
-    /// Nobody writes the file any more.
+    /// Call when nobody writes the file any more: changes may be written to it.
     void release();
 
-    /// Marks now, or an earlier moment of the recording; only while it is recorded.
+    /// Marks now, or an earlier moment; only during a recording.
     void add();
     void add(std::int64_t time_ns);
     void rename(std::uint64_t number, const QString& text);
@@ -51,13 +51,13 @@ public:
     [[nodiscard]] const std::vector<RecordingMark>& all() const { return m_marks; }
     [[nodiscard]] QUndoStack& undoStack() { return m_undo; }
 
-    /// Looks what became of the changes of the file.
+    /// Collects the result of changes to the file.
     void tick();
 
 signals:
     void changed();
-    /// Changes could not be kept in the file, which the error names. It is tried again with the next change,
-    /// and at the end.
+    /// Changes could not be written to the file that the error names. The next change tries again,
+    /// and so does the destructor.
     void notKept(const core::Error& error);
 
 private:

@@ -21,7 +21,7 @@ namespace teleta::console {
 class BraceletSession;
 class BraceletService;
 
-/// Records what all open sources and the bracelet deliver into one file. Sources that open meanwhile join.
+/// Records all open sources and the bracelet into one file. Sources opened later join.
 /// Thread: GUI; no call waits but the destructor, for the file to be completed.
 class RecordingService : public QObject {
     Q_OBJECT
@@ -38,25 +38,25 @@ public:
                      QObject* parent = nullptr);
     ~RecordingService() override;
 
-    /// Begins a recording. The folder is made when it is missing; a name that is taken gets a number.
+    /// Starts a recording. Creates the folder if missing; a name that is taken gets a number.
     void start(const QString& path);
     void stop();
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] bool isRecording() const { return m_state == State::recording; }
-    /// Of the recording that runs, or of the last one.
+    /// Of the current recording, or of the last one.
     [[nodiscard]] const recording::RecorderStatus& status() const { return m_status; }
     [[nodiscard]] const QString& path() const { return m_path; }
-    /// Name of a file for a recording that begins now: UTC time and the source that is shown.
+    /// File name for a recording that starts now: UTC time and the shown source.
     [[nodiscard]] QString suggestedName() const;
 
     [[nodiscard]] RecordingMarks& marks() { return m_marks; }
 
-    /// Looks what became of the file, of STOP and of the sources.
+    /// Checks the file, STOP and the sources.
     void tick();
 
 signals:
     void stateChanged();
-    /// The recording could not be begun, or ended by itself. What was written before can be read.
+    /// The recording could not be started, or ended by itself. What was written before can be read.
     void failed(const core::Error& error, bool begun);
     void finished(const QString& path);
 
@@ -64,7 +64,7 @@ private:
     using Started = core::Expected<std::shared_ptr<recording::Recorder>>;
     void enter(State state);
     void begin(std::shared_ptr<recording::Recorder> recorder);
-    /// Ends the taps; the file is completed by a thread.
+    /// Stops the copying; another thread completes the file.
     void close();
     void join(SourceManager::Item& item);
     void joinBracelet();
