@@ -377,7 +377,7 @@ void StudyController::begin() {
 }
 
 void StudyController::beginTrials(const OpenedSession& opened) {
-    const study::PlannedSession& plan = m_running->plan;
+    const study::PlannedSession plan = m_running->plan;
     const core::Expected<void> begun =
         m_runner.begin(output(), m_overview->head.protocol, m_overview->head.stimuli, plan, opened.kept,
                        beganAt_ns(opened, now_ns(), m_utcNow()));

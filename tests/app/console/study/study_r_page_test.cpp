@@ -83,7 +83,6 @@ private slots:
         });
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(controller().isRehearsing(), kPatience_ms);
-        studyview::ResultsView& results = resultsView();
         QTRY_VERIFY_WITH_TIMEOUT(!controller().isRehearsing() && resultTable("anovaTable")->rowCount() >= 3,
                                  120'000);
         QVERIFY(practised);
