@@ -89,7 +89,7 @@ TEST(DueQuestionnaires, simulatedAnswersFitAndFollowTheSeedTheParticipantAndTheS
     };
     EXPECT_EQ(values(first, plan, 0), values(first, other, 0)) << "that of a participant has no session";
     EXPECT_EQ(values(first, plan, 1), values(first, plan, 1));
-    // Ten choices for each of many seeds: that all are alike by chance is out of the question.
+    // Ten choices for each of many seeds: they cannot all be equal by chance.
     int differ = 0;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         plan.seed = seed;

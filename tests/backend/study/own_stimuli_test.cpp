@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kLength_s = 0.25;
 
-/// A study of patterns of one's own: the task "taste" has none that comes with the program.
+/// A study with custom patterns: the task "taste" has no built-in ones.
 class OwnStimuliTest : public testing::Test {
 protected:
     /// One buzz on one tactor.
@@ -192,7 +192,7 @@ TEST_F(OwnStimuliTest, noSessionGoesOnWithOtherPatternsThanTheStudyWasBegunWith)
     EXPECT_EQ(refused.error().kind, core::ErrorKind::refused);
     EXPECT_NE(core::describe(refused.error()).find("0.7.1"), std::string::npos);
     store.reset();
-    // The first programs did not keep it.
+    // The first programs did not store it.
     runSql(QStringLiteral("UPDATE study SET stimulus_set_sha256 = ''"));
     store = std::move(StudyStore::open(study()).value());
     EXPECT_EQ(store->head().stimuliChanged(), std::nullopt);

@@ -71,7 +71,7 @@ TEST(PinkNoise, fallsByTenDecibelsADecadeOverThreeDecades) {
         EXPECT_NEAR(deviations_dB[i], mean_dB, 0.5) << "third octave " << i;
 }
 
-// The step over the seam is one like any other: its size lies within those inside.
+// The step over the seam is no larger than those inside.
 TEST(PinkNoise, hasNoSeamWhereItRepeats) {
     const std::vector<float> samples = pinkNoise().value();
     double largest = 0.0;

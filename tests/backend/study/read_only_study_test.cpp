@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const QDateTime kNow(QDate(2026, 11, 3), QTime(14, 22, 33), Qt::UTC);
 
-/// A study with one answered trial in a folder where nothing can be written, and a user for whom that counts.
+/// A study with one answered trial in a read-only folder, and an unprivileged user.
 class ReadOnlyStudyTest : public testing::Test {
 protected:
     static constexpr uid_t kNobody = 65'534;
@@ -45,7 +45,7 @@ protected:
         return result;
     }
 
-    /// Leaves it open when it returns: whoever calls closes it, or is killed.
+    /// Leaves the study open: the caller closes it, or is killed.
     StudyStore make() const {
         StudyStore store = std::move(StudyStore::create(folder(), head()).value());
         const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];
@@ -156,7 +156,7 @@ TEST_F(ReadOnlyStudyTest, takesNoTrialAndKeepsWhatIsThere) {
     fs::permissions(m_folder.path("bare"), fs::perms(0555));
     protect();
     const auto created = StudyStore::create(m_folder.path("other"), head());
-    // The folder is there but takes no file.
+    // The folder exists, but no file can be created in it.
     const auto createdInIt = StudyStore::create(m_folder.path("bare"), head());
     const auto opened = StudyStore::open(folder());
     core::Expected<Participant> enrolled = core::Unexpected(core::Error{});
@@ -190,7 +190,8 @@ TEST_F(ReadOnlyStudyTest, saysWhyOrReadsAllWhenItWasKilled) {
     makeAndKill();
     protect();
     {
-        // Whether SQLite can read the log here is its affair; a study without its last trials is none.
+        // SQLite may or may not be able to read the log here; a study without its last trials must not be
+        // opened.
         const auto store = StudyStore::openForReading(folder());
         if (store) {
             EXPECT_EQ(trialsIn(folder()), 1);
@@ -223,7 +224,7 @@ TEST_F(ReadOnlyStudyTest, ofAnOlderProgramIsRefusedThereAndBroughtUpToDateElsewh
             QSqlDatabase database = QSqlDatabase::addDatabase("QSQLITE", "older");
             database.setDatabaseName(QString::fromStdString(folder() + "/study.sqlite"));
             ASSERT_TRUE(database.open());
-            // Schema 3 knew no notes, no frames of a trial, and no patterns of one's own.
+            // Schema 3 had no notes, no frame statistics, and no custom patterns.
             QSqlQuery query(database);
             for (const char* step :
                  {"DROP TABLE stimulus", "DROP TABLE note", "ALTER TABLE trial DROP COLUMN frame_write_ms",

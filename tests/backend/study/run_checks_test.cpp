@@ -160,7 +160,7 @@ TEST(LookAtFolder, tellsWhatAFolderCanTake) {
     EXPECT_FALSE(lookAtFolder(folder.write("file", "a file is no folder")).exists);
 }
 
-// Root may write anywhere, so that another user has to look.
+// Root may write anywhere, so another user has to check.
 TEST(LookAtFolder, seesThatAFolderIsReadOnly) {
     const test::TemporaryFolder folder;
     std::filesystem::create_directory(folder.path("data"));

@@ -18,7 +18,7 @@ std::int64_t at(double time_s) {
     return std::llround(time_s * 1e9);
 }
 
-/// A session of the test phase only, and a hand that plays its trials.
+/// A session of the test phase only, and functions that play its trials.
 class SessionTest : public testing::Test {
 protected:
     void begin(Protocol protocol = smallProtocol(), std::vector<TrialResult> done = {}) {

@@ -37,7 +37,7 @@ protected:
         return std::move(StudyStore::create(m_folder.path("study"), head).value());
     }
 
-    /// Enrols a participant, who answers one trial in time and one not.
+    /// Enrols a participant who answers one trial in time and misses one.
     static void addSession(StudyStore& store, const std::string& id) {
         const Participant participant = store.enrol(id).value();
         const PlannedSession plan = planSessions(store.head().protocol, 5, participant.enrolment)[0];

@@ -120,7 +120,7 @@ TEST(StudyReport, saysHowTheStimuliWerePlayedWhereThatIsKnown) {
         has(reportHtml(results(), played),
             "110 trial(s) were played on a bracelet; the longest write of a frame took 0.75 ms. Frames "
             "were missed in 3 of them, 7 in all."));
-    // Nothing was written to a bracelet where no write was timed.
+    // Without timed writes nothing was written to a bracelet.
     played.frames.longestWrite_ms.reset();
     const std::string html = reportHtml(results(), played);
     EXPECT_TRUE(

@@ -27,7 +27,7 @@ void addCell(TrialTally& tally, const std::string& participant, const std::strin
                                trial < correct ? stimulus : other, 1.0 + trial}));
 }
 
-/// Data set A as trials: of each five so many correct, the others mistaken.
+/// Data set A as trials: of each five, the given number is correct, the others are wrong.
 TrialTally dataSetA() {
     TrialTally tally;
     for (std::size_t i = 0; i < kDataSetA.size(); ++i) {

@@ -278,7 +278,7 @@ TEST_F(StudyServerTest, aParticipantIsAtOneStationAtATime) {
     auto claim = std::make_unique<core::Expected<ParticipantClaim>>(two.claim(participant));
     ASSERT_TRUE(*claim);
     {
-        // A station that goes away frees its participants.
+        // A station that disconnects releases its participants.
         const StudyStore gone = std::move(two);
     }
     EXPECT_TRUE(one.claim(participant));
@@ -343,7 +343,7 @@ TEST_F(StudyServerTest, whoOnlyReadsLeavesAWaitingTrialToTheOneWhoRunsTheStudy) 
     EXPECT_EQ(reader->trials(session)->size(), 2U);
 }
 
-// The server had the trial but could not say so any more.
+// The server stored the trial but could not confirm it.
 TEST_F(StudyServerTest, aWaitingTrialThatTheServerHasIsNotKeptTwice) {
     StudyStore store = create();
     const SessionRecord session = begin(store, store.enrol("P07").value());
@@ -412,7 +412,7 @@ TEST_F(StudyServerTest, aStationWhoseNetworkWentAwayKeepsItsParticipant) {
     const SessionRecord session = begin(store, participant);
     ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow));
     StudyStore other = StudyStore::open(at("there")).value();
-    // Twice: the connection that comes of the first time breaks too.
+    // Twice: the new connection breaks too.
     for (std::size_t number = 2; number < 4; ++number) {
         const pid_t before = holder();
         line.cut();

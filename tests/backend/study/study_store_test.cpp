@@ -60,7 +60,7 @@ protected:
 
     [[nodiscard]] std::string folder() const { return m_folder.path("study"); }
 
-    /// Runs a statement on the file beside the store.
+    /// Runs a statement on the file, bypassing the store.
     void runSql(const QString& sql) {
         {
             QSqlDatabase database =
@@ -338,7 +338,7 @@ TEST_F(StudyStoreTest, keepsAnswersOfAQuestionnaireTogetherAndOnce) {
     ASSERT_TRUE(store.keepAnswers(participant, first, effort, {{"hard", "7"}}, kNow));
     ASSERT_TRUE(store.keepAnswers(participant, second, effort, {{"hard", "2"}}, kNow));
     EXPECT_FALSE(store.keepAnswers(participant, first, effort, {{"hard", "1"}}, kNow));
-    // Nobody may have heard that they were kept.
+    // Perhaps nobody learned that they were stored.
     const QDateTime later = kNow.addSecs(60);
     EXPECT_TRUE(
         store.keepAnswers(participant, {}, person, {{"name", "O'Neil, \"参\""}, {"more", {}}}, later));
@@ -373,7 +373,7 @@ TEST_F(StudyStoreTest, aParticipantIsInOneSessionAtATime) {
     EXPECT_FALSE(std::filesystem::exists(folder() + "/running-0.lock")) << "nobody holds it";
 }
 
-// Whoever waits for a lock that its holder gives up must not hold a file that others cannot find.
+// A waiter must not get the lock of a file that its last holder has just removed.
 TEST_F(StudyStoreTest, ofManyWhoTakeAParticipantInTurnNoTwoHaveHimAtOnce) {
     StudyStore store = create();
     const Participant participant = store.enrol("P07").value();
@@ -428,7 +428,7 @@ TEST_F(StudyStoreTest, aProgramThatWasKilledDoesNotKeepItsParticipant) {
     EXPECT_TRUE(store.claim(participant));
 }
 
-// A program that was killed right after it made the file has not written its name yet.
+// A program that was killed right after creating the file has not written its name yet.
 TEST_F(StudyStoreTest, anEmptyFileThatWasLeftBehindHoldsNobody) {
     StudyStore store = create();
     const Participant participant = store.enrol("P07").value();
@@ -469,7 +469,7 @@ TEST_F(StudyStoreTest, aFolderThatCannotBeMadeIsAnError) {
     EXPECT_EQ(StudyStore::create(folder(), head()).error().kind, core::ErrorKind::ioFailed);
 }
 
-// A limit on the size of files stands for a disk that is full: the write-ahead log cannot grow.
+// A limit on the file size simulates a full disk: the write-ahead log cannot grow.
 TEST_F(StudyStoreTest, aFullDiskLosesNothingThatWasKept) {
     StudyStore store = create();
     const PlannedSession plan = planSessions(store.head().protocol, store.head().seed, 0)[0];

@@ -27,7 +27,7 @@ PendingTrial pending(std::size_t number) {
 
 } // namespace
 
-// A limit on the size of files stands for a disk that is full.
+// A limit on the file size simulates a full disk.
 TEST(TrialJournal, aLineThatDidNotFitOnTheDiskSpoilsNoOther) {
     const test::TemporaryFolder folder;
     const TrialJournal journal(folder.path(""), 7);

@@ -92,7 +92,7 @@ TEST(WilliamsSquare, balancesPositionsAndPredecessors) {
     }
 }
 
-// First outputs of SplitMix64 with the seeds 0 and 1234567, as its authors' reference code gives them.
+// First outputs of SplitMix64 with the seeds 0 and 1234567, from its authors' reference code.
 TEST(DerivedSeed, isSplitMix64) {
     EXPECT_EQ(derivedSeed(0, 0), 0xE220A8397B1DCDAFU);
     EXPECT_EQ(derivedSeed(1234567, 0), 6457827717110365317U);

@@ -182,13 +182,13 @@ TEST_F(TrialSourceTest, refusesATrialThatIsThereTwice) {
         EXPECT_EQ(done.error().where.column, 42);
         EXPECT_NE(done.error().message.find("20261103T142233"), std::string::npos) << done.error().message;
     }
-    // What names no trial is what other programs write.
+    // Other programs write rows without trial numbers.
     EXPECT_TRUE(read(head + row + "NA,NA\n" + row + "NA,NA\n"));
     EXPECT_TRUE(read(kHead + "\nP1,shape,static,test,A,A\nP1,shape,static,test,A,A\n"));
     expectWrong(head + row + "one,1\n", 2, 42);
     expectWrong(head + row + "1,0\n", 2, 44);
     expectWrong(head + row + "18446744073709551616,1\n", 2, 42);
-    // Numbers that no bit is kept for.
+    // Numbers above those kept as bits.
     ASSERT_TRUE(read(head + row + "18446744073709551615,1\n"));
     EXPECT_FALSE(read(head + row + "18446744073709551615,1\n" + row + "18446744073709551615,1\n"));
 }
@@ -234,7 +234,7 @@ TEST_F(TrialSourceTest, peopleOfOneNameInTwoStudiesAreNotOne) {
     EXPECT_NE(text.find(one.shownName()), std::string::npos) << text;
     EXPECT_NE(text.find(other.shownName()), std::string::npos) << text;
 
-    // A study and what was exported of it, in both orders.
+    // A study and its export, in both orders.
     std::string exported;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(m_folder.path("third")))
         if (entry.path().string().ends_with("_data.csv"))

@@ -117,7 +117,7 @@ private slots:
         const std::vector<Row> rows = rowsOf(study);
         QCOMPARE(rows.size(), std::size_t(3 * 2 * 8));
         QVERIFY(std::equal(before.begin(), before.end(), rows.begin()));
-        // The order is the one that was planned, across all kills.
+        // The order is as planned, across all kills.
         std::map<std::pair<std::string, std::size_t>, std::vector<std::size_t>> tested;
         for (const Row& row : rows) {
             if (std::get<2>(row) == Phase::test)

@@ -26,7 +26,7 @@ class NewStudyTest : public QObject, protected test::StudyBench {
         return file.fileName();
     }
 
-    /// As somebody who wants a new study.
+    /// Opens the dialog as a user does.
     void askForOne() {
         openPage();
         QTest::mouseClick(m_page->findChild<QPushButton*>("newStudyButton"), Qt::LeftButton);
@@ -35,7 +35,7 @@ class NewStudyTest : public QObject, protected test::StudyBench {
         QTRY_VERIFY_WITH_TIMEOUT(m_dialog->isVisible(), kPatience_ms);
     }
 
-    /// Chooses a file as somebody who types its path.
+    /// Chooses a file by typing its path.
     void chooseFile(const QString& path) {
         QTest::mouseClick(m_dialog->findChild<QPushButton*>("fromFile"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(m_dialog->findChild<QFileDialog*>(), kPatience_ms);
@@ -101,7 +101,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(protocol()->currentText(), QStringLiteral("short (mine.toml)"),
                                   kPatience_ms);
         QCOMPARE(problem(), QString());
-        // Changed and read once more it is still one choice.
+        // After a change and another read it is still one choice.
         write(QStringLiteral("mine.toml"),
               QByteArray(test::kShort).replace("name = \"short\"", "name = \"shorter\""));
         chooseFile(path);

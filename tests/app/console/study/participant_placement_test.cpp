@@ -14,8 +14,7 @@ using console::ParticipantPlacement;
 using console::participantScreen;
 using console::placeBeside;
 
-/// With two screens of Qt's offscreen platform. That one of them is unplugged is told by the signal that Qt
-/// sends.
+/// With two screens of Qt's offscreen platform. Unplugging one is simulated by Qt's signal.
 class ParticipantPlacementTest : public QObject {
     Q_OBJECT
 

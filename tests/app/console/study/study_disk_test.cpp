@@ -10,7 +10,7 @@
 using namespace teleta;
 using test::kPatience_ms;
 
-/// A study on a disk that gets full while a session runs.
+/// A study on a disk that fills up during a session.
 class StudyDiskTest : public QObject, protected test::StudyBench {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ private slots:
     }
 
     void theAnswerStaysAndIsKeptOnceThereIsRoomAgain() {
-        // More than a run wants to have free.
+        // More than the free space that a run needs.
         m_disk = std::make_unique<test::SmallDisk>(studyFolder().toStdString(), 110);
         if (!m_disk->exists())
             QSKIP("No disk can be mounted here");
@@ -55,7 +55,7 @@ private slots:
         QCOMPARE(window()->scene().state, studyview::ParticipantScene::State::paused);
         QTest::keyClick(window(), Qt::Key_Space);
         QCOMPARE(runner().hold(), Hold::notKept);
-        // There is still no room.
+        // The disk is still full.
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!runner().isKeeping() && runner().hold() == Hold::notKept, kPatience_ms);
         QCOMPARE(runner().flow()->results().size(), answered);

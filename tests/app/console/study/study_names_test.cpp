@@ -14,7 +14,7 @@ using test::kPatience_ms;
 
 namespace {
 
-/// A language in which the names of studies stand in brackets.
+/// A language with the names of studies in brackets.
 class Brackets : public QTranslator {
 public:
     [[nodiscard]] QString translate(const char* context, const char* source, const char* /*note*/,
@@ -27,7 +27,7 @@ public:
 
 } // namespace
 
-/// What participants read of the protocols that come with the program, and of others.
+/// Names that participants see, of built-in protocols and of others.
 class StudyNamesTest : public QObject, protected test::StudyBench {
     Q_OBJECT
 

@@ -226,7 +226,7 @@ private slots:
             const pattern::Pattern* pattern = pattern::findBuiltIn(
                 trial.result.planned.stimulus == 0 ? "stiffness.E.dynamic" : "stiffness.D.dynamic");
             QVERIFY(pattern != nullptr && pattern->duration_s < 1.5);
-            // The first frame that is felt comes a little after the pattern's begin.
+            // The first nonzero frame comes a little after the pattern's start.
             const double length_s =
                 trial.result.responseTime_s.value() - trial.result.responseTimeOffset_s.value();
             QVERIFY2(length_s > pattern->duration_s - 0.2 && length_s <= pattern->duration_s + 0.2,
@@ -312,7 +312,7 @@ private slots:
         enrol("P01");
         beginSession();
         startTrial();
-        // Only the fifth motor runs, which no circle and no rectangle does.
+        // Only the fifth motor runs, unlike in a circle or a rectangle.
         const auto onlyFifth = [this] {
             const auto drive = bracelet().drive();
             for (std::size_t tactor = 0; tactor < drive.size(); ++tactor) {
@@ -357,7 +357,7 @@ private slots:
             QVERIFY2(after[i].result.onset_s > after[i - 1].result.onset_s,
                      "the session goes on all the same");
         }
-        // The next session is another one although its clock says that it began before.
+        // The next session is a new one although, by the clock, it began earlier.
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         beginSession();
         doTrial();

@@ -17,7 +17,7 @@ using namespace teleta;
 using study::Mode;
 using test::kPatience_ms;
 
-/// A study that is rehearsed, looked at and exported in the console, and computed again in R.
+/// A study that is rehearsed, analysed and exported in the console, and computed again in R.
 class StudyRPageTest : public QObject, protected test::StudyBench {
     Q_OBJECT
 
