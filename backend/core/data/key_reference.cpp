@@ -152,20 +152,26 @@ void KeyReference::choose(std::string_view key, std::size_t value, const KeyName
     m_when = before;
 }
 
-void KeyReference::table(std::string_view key, std::string_view about, Need need, const Tell& tell) {
-    add(key, m_words.table, need, "—", about);
-    KeyReference nested(*this, m_path.empty() ? std::string(key) : m_path + '.' + std::string(key), false);
+void KeyReference::addTable(std::string_view key, const std::string& accepts, Need need,
+                            std::string_view about, bool list, const Tell& tell) {
+    // What a page says in a heading of its own needs no row.
+    if (!about.empty())
+        add(key, accepts, need, "—", about);
+    KeyReference nested(*this, m_path.empty() ? std::string(key) : m_path + '.' + std::string(key), list);
     tell(nested);
+}
+
+void KeyReference::table(std::string_view key, std::string_view about, Need need, const Tell& tell) {
+    addTable(key, m_words.table, need, about, false, tell);
 }
 
 void KeyReference::tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t,
                              const std::function<void(std::size_t)>& resize,
                              const std::function<void(Keys&, std::size_t)>& tell) {
-    add(key, m_words.tables + (minimum > 1 ? ", ≥ " + std::to_string(minimum) : std::string()),
-        minimum > 0 ? Need::required : Need::optional, "—", about);
     resize(1);
-    KeyReference nested(*this, m_path.empty() ? std::string(key) : m_path + '.' + std::string(key), true);
-    tell(nested, 0);
+    addTable(key, m_words.tables + (minimum > 1 ? ", ≥ " + std::to_string(minimum) : std::string()),
+             minimum > 0 ? Need::required : Need::optional, about, true,
+             [&tell](Keys& keys) { tell(keys, 0); });
 }
 
 } // namespace teleta::core

@@ -73,6 +73,9 @@ private:
     void add(std::string_view key, std::string accepts, Need need, std::string fallback,
              std::string_view about);
 
+    void addTable(std::string_view key, const std::string& accepts, Need need, std::string_view about,
+                  bool list, const Tell& tell);
+
     std::shared_ptr<std::vector<ReferenceTable>> m_tables;
     ReferenceWords m_words;
     std::string m_path; ///< "indenter.keyframes"

@@ -247,12 +247,6 @@ private:
     std::string m_text;
 };
 
-template <typename World>
-void tellWorld(core::Keys& keys) {
-    World world;
-    world.tell(keys);
-}
-
 std::function<void(core::Keys&)> effectsOn(scene::ActsOn what) {
     return [what](core::Keys& keys) {
         std::vector<scene::Effect> effects;
