@@ -42,7 +42,7 @@ void tellReadings(Keys& keys, double& fullScale_N, double& firingThreshold_N) {
 }
 
 void refuseUnordered(Keys& keys, double before_s) {
-    keys.refuse("time_s", ArrayText::tr("the keyframes are not in the order of time").toStdString(),
+    keys.refuse("time_s", ArrayText::tr("the times of the keyframes do not increase").toStdString(),
                 ArrayText::tr("a time after %1 s").arg(before_s).toStdString());
 }
 

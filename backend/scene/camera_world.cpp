@@ -20,7 +20,7 @@ void tellDepth(Keys& keys, double& depth_m, const NumberRange& range, const Came
     keys.number("depth_m", depth_m, range, about);
     const double deepest_m = 0.5 * skin.radius_m;
     if (depth_m >= deepest_m)
-        keys.refuse("depth_m", CameraText::tr("this is deeper than the skin gives way").toStdString(),
+        keys.refuse("depth_m", CameraText::tr("this is deeper than the skin can yield").toStdString(),
                     CameraText::tr("less than %1 m").arg(deepest_m).toStdString());
 }
 

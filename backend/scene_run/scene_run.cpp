@@ -27,7 +27,7 @@ core::Expected<void> makeFolder(const std::string& path) {
         return {};
     core::Error error;
     error.kind = core::ErrorKind::ioFailed;
-    error.message = SceneRunText::tr("the folder cannot be made or written to").toStdString();
+    error.message = SceneRunText::tr("the folder cannot be created or written to").toStdString();
     error.where.file = path;
     return core::Unexpected(error);
 }

@@ -40,7 +40,7 @@ void CostMeasuring::read() {
         },
         [this](core::Expected<std::vector<cost::LadderCost>> costs) {
             if (!costs) {
-                emit failed(tr("The costs that were measured before cannot be read."),
+                emit failed(tr("The saved costs cannot be read."),
                             QString::fromStdString(core::describe(costs.error())));
                 return;
             }
@@ -138,7 +138,7 @@ void CostMeasuring::keep(std::vector<cost::LadderCost> costs) {
         },
         [this](const core::Expected<void>& written) {
             if (!written)
-                emit failed(tr("The measured costs cannot be kept."),
+                emit failed(tr("The costs cannot be saved."),
                             QString::fromStdString(core::describe(written.error())));
         });
 }

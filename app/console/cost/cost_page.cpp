@@ -322,9 +322,9 @@ void CostPage::showCosts() {
 
 void CostPage::showRunning() {
     const bool running = m_measuring->isRunning();
-    m_empty->setTexts(m_measuring->isMeasuring(ladderShown()) ? tr("Being measured")
+    m_empty->setTexts(m_measuring->isMeasuring(ladderShown()) ? tr("Measuring")
                                                               : tr("Not measured on this machine"),
-                      tr("Close other programs and sources first: what they compute makes times uncertain."));
+                      tr("Close other programs and sources first: their load makes the times unreliable."));
     m_measure->setEnabled(!running);
     m_measureAll->setEnabled(!running);
     m_measureEmpty->setEnabled(!running);
@@ -333,7 +333,7 @@ void CostPage::showRunning() {
     m_cancel->setVisible(running);
     m_progress->setVisible(running);
     if (running) {
-        m_progressText->setText(m_measuring->isCancelled() ? tr("Ending\u2026") : tr("Preparing\u2026"));
+        m_progressText->setText(m_measuring->isCancelled() ? tr("Stopping\u2026") : tr("Preparing\u2026"));
         return;
     }
     m_progress->setValue(0);
@@ -354,7 +354,7 @@ void CostPage::showBudget() {
                                        quantity(best->errorMean, QString::fromStdString(costs->errorUnit)),
                                        quantity(best->timeP99_s, QStringLiteral("s"))));
     } else {
-        m_budgetText->setText(tr("No rung is so quick: of 100 frames one may take longer."));
+        m_budgetText->setText(tr("No rung is fast enough: only one frame in 100 may take longer."));
     }
     m_useBest->setEnabled(m_camera != nullptr && !m_best.isEmpty());
 }
@@ -424,11 +424,11 @@ void CostPage::retranslate() {
     m_list->setAccessibleName(tr("Ladders of rungs from cheap to exact"));
     m_measure->setText(tr("&Measure this ladder"));
     m_measureAll->setText(tr("Measure &all ladders"));
-    m_measureAll->setToolTip(tr("Takes some minutes; the console can be used meanwhile"));
+    m_measureAll->setToolTip(tr("Takes a few minutes; you can go on using the console"));
     m_cancel->setText(tr("&Cancel"));
     m_measureEmpty->setText(tr("Measure this ladder"));
     m_measureAllEmpty->setText(tr("Measure all ladders"));
-    m_measureAllEmpty->setToolTip(tr("Takes some minutes; the console can be used meanwhile"));
+    m_measureAllEmpty->setToolTip(tr("Takes a few minutes; you can go on using the console"));
     m_table->setHorizontalHeaderLabels({tr("Rung"), tr("Parameter"), tr("Mean error"), tr("95 %"),
                                         tr("Worst"), tr("Median time"), tr("99 % time")});
     m_table->setAccessibleName(tr("Rungs with their errors and times"));

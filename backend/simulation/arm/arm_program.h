@@ -23,7 +23,7 @@ public:
     /// place.
     virtual void advance(double step_s, const arm::JointVector& torque_Nm,
                          arm::JointVector& reference_rad) = 0;
-    /// Somebody else has moved the references: takes up its work again from where they are.
+    /// Resumes from where the references are after somebody else has moved them.
     virtual void takeOver(const arm::JointVector& reference_rad) = 0;
     [[nodiscard]] virtual bool done() const = 0;
     virtual void restart() = 0;

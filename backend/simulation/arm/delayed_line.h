@@ -11,13 +11,13 @@
 
 namespace teleta::simulation {
 
-/// What the receiver makes of messages that overtake each other.
+/// How the receiver treats messages that overtake each other.
 enum class LineOrder {
     inOrder,    ///< waits for those that were sent before; lost ones are not waited for
     newestWins, ///< takes the newest that has arrived; those sent before it are of no use any more
 };
 
-/// One direction of a link: messages come out as late as its delay says, or never. Without a delay they come
+/// One direction of a link: messages come out after its delay, or never. Without a delay they come
 /// out at once. Times of all calls are the sender's and never run back. Thread: one.
 template <typename Message>
 class DelayedLine {

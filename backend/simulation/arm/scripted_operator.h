@@ -11,8 +11,8 @@
 
 namespace teleta::simulation {
 
-/// The operator of scene::OperatorProgram: leads the hanging forearm along the ways of his explorations and
-/// turns back when he feels that he touches. He knows nothing but what has come back to him:
+/// The operator of scene::OperatorProgram: guides the hanging forearm through his explorations and turns back
+/// when he feels a contact. He knows only what has come back to him:
 ///   rate = kGain (posture he wants - newest reference that he knows of)
 /// For each touch: around the place to where it begins -> to clearance_m before where he met the object last
 /// -> wait -> towards the place until a torque has
@@ -27,7 +27,7 @@ public:
     /// then he waits.
     [[nodiscard]] core::JointVector rates_radPerS(double step_s,
                                                   const std::optional<core::JointSample>& seen);
-    /// Somebody else has moved the arm: begins the touch that he was at anew.
+    /// Starts the current touch again after somebody else has moved the arm.
     void takeOver() { m_begun = false; }
     [[nodiscard]] bool done() const { return m_exploration >= m_program.explorations.size(); }
     void restart();

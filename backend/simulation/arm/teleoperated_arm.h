@@ -21,9 +21,9 @@ namespace teleta::simulation {
 ///   demand, or what the scripted operator asks -> link -> the newest that has arrived -> SimulatedArm
 ///   joint sample, with the skin frame that was read with it -> link, in order -> next(), takeArrival() ...
 /// STOP goes over the link like any command, once a step. An arm that hears nothing for
-/// core::ArmCommand::kJogLifetime_ns stands still (its watchdog). As long without news of the arm the
-/// scripted operator waits, and begins a touch of which he has missed as much anew. Without the effect
-/// link_delay nothing is late. Deterministic as SimulatedArm. Thread: one.
+/// core::ArmCommand::kJogLifetime_ns stands still (its watchdog). Without news from the arm
+/// for that long, the scripted operator waits, and repeats a touch that he missed so much of. Without the
+/// effect link_delay nothing is late. Deterministic as SimulatedArm. Thread: one.
 class TeleoperatedArm : public core::ArmGenerator {
 public:
     /// Error: badInput when the scene is not valid or has no operator.

@@ -17,14 +17,14 @@ namespace teleta::simulation {
 class JointEffect;
 class CameraEffect;
 
-/// What is made of the effects that act on something.
+/// The class of the effects that act on this.
 template <scene::ActsOn kOn>
 using EffectOn = std::conditional_t<
     kOn == scene::ActsOn::taxels, TaxelEffect,
     std::conditional_t<kOn == scene::ActsOn::joints, JointEffect,
                        std::conditional_t<kOn == scene::ActsOn::camera, CameraEffect, void>>>;
 
-// The makers are functions, not templates, on purpose.
+// GCC suspects that the friend below was meant to be a template. It was not: each row has a maker of its own.
 #pragma GCC diagnostic push
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wnon-template-friend"

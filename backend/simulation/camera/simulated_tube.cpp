@@ -63,11 +63,11 @@ core::Expected<std::unique_ptr<SimulatedTube>> SimulatedTube::make(const scene::
     TELETA_CHECK(checkCameraScene(scene));
     std::unique_ptr<SimulatedTube> tube(new SimulatedTube(scene, seed));
     if (!tube->m_renderer)
-        return core::Unexpected(
-            core::Error{core::ErrorKind::badInput,
-                        TubeText::tr("the lens of the camera folds: no camera has it").toStdString(),
-                        {},
-                        {}});
+        return core::Unexpected(core::Error{
+            core::ErrorKind::badInput,
+            TubeText::tr("the lens folds the image over itself: no camera has such a lens").toStdString(),
+            {},
+            {}});
     return tube;
 }
 

@@ -54,7 +54,7 @@ struct ImpedanceState {
 /// above the energy before it, and what nonlinearity would add to the kinetic energy is taken off; a change
 /// of the inertia with the posture keeps the kinetic energy. Energy therefore never grows unless the
 /// reference, the torque on the hinge or its inertia is moved, for any step and any contact stiffness.
-/// Torques of Coriolis are left out: below 0.1 rad/s they are under a thousandth of a Nm. Inertia and damping
+/// Coriolis torques are left out: below 0.1 rad/s they are under a thousandth of a Nm. Inertia and damping
 /// follow the posture whenever a joint has turned by 5 mrad. Thread: one; step() allocates nothing. Source:
 /// as FlexibleArm.
 class ImpedanceArm {

@@ -154,7 +154,7 @@ TEST(SceneReader, placesWhatIsWrongInAnIndenter) {
               "s.toml:16:13: \"keyframes\" has too few entries (expected at least 1)");
     EXPECT_EQ(errorOf(withIndenter(sphere + "keyframes = [{ time_s = 0, depth_m = 0 },\n"
                                             " { time_s = 0, depth_m = 0 }]\n")),
-              "s.toml:17:13: the keyframes are not in the order of time (expected a time after 0 s)");
+              "s.toml:17:13: the times of the keyframes do not increase (expected a time after 0 s)");
     EXPECT_EQ(
         errorOf(withIndenter(sphere + "keyframes = [{ time_s = 0, z_m = 0 }]\n")),
         "s.toml:16:28: unknown key \"z_m\"; perhaps \"x_m\" is meant (expected one of: time_s, x_m, y_m, "

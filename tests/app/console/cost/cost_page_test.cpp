@@ -212,11 +212,11 @@ private slots:
                 return label->isVisible() && label->text() == text;
             });
         };
-        QVERIFY(says("Being measured"));
+        QVERIFY(says("Measuring"));
         QVERIFY(!says("Not measured on this machine"));
         QTest::mouseClick(&part<QPushButton>("cancel"), Qt::LeftButton);
         // It is seen at once that the click was taken.
-        QVERIFY(says(QStringLiteral("Ending\u2026")));
+        QVERIFY(says(QStringLiteral("Stopping\u2026")));
         QVERIFY(!part<QPushButton>("cancel").isEnabled());
         const QRect cancel(part<QPushButton>("cancel").mapTo(m_page.get(), QPoint()),
                            part<QPushButton>("cancel").size());
