@@ -2,12 +2,12 @@
 #include "widgets/cost/cost_chart.h"
 
 #include "backend/core/number_text.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/cost/log_ticker.h"
 #include "widgets/plot/plot_style.h"
 
 #include <qcustomplot.h>
-#include <QEvent>
 #include <QMenu>
 #include <QVBoxLayout>
 
@@ -74,6 +74,8 @@ CostChart::CostChart(QWidget* parent)
         exporter->addActions(*menu);
         menu->popup(m_plot->mapToGlobal(point));
     });
+    base::onChange(this, &CostChart::draw, {QEvent::LanguageChange});
+    base::onChange(this, [this] { restyle(palette()); }, {QEvent::PaletteChange, QEvent::FontChange});
     restyle(palette());
 }
 
@@ -306,14 +308,6 @@ base::Figure CostChart::figure() {
     figure.paint = [picture](QPainter& painter) { painter.drawPicture(0, 0, picture); };
     figure.csv = [ladder = m_ladder] { return costCsv(ladder); };
     return figure;
-}
-
-void CostChart::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        draw();
-    else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        restyle(palette());
 }
 
 } // namespace teleta::costs

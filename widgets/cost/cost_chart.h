@@ -38,9 +38,6 @@ signals:
     void rungClicked(const QString& name);
     void exportFailed(const QString& message);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void restyle(const QPalette& colours);
     void draw();

@@ -3,8 +3,8 @@
 
 #include "widgets/base/background.h"
 #include "widgets/base/icons.h"
+#include "widgets/base/on_change.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -56,6 +56,7 @@ LawList::LawList(PatternDocument* document, QWidget* parent)
         m_document->fix(finding);
         check();
     });
+    base::onChange(this, &LawList::showFindings, {QEvent::LanguageChange});
     check();
 }
 
@@ -133,12 +134,6 @@ void LawList::takeCurrent() {
     m_fix->setEnabled(finding.suggestion.has_value());
     if (m_list->hasFocus()) // chosen by the user, not by a new check
         emit shown(row);
-}
-
-void LawList::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        showFindings();
 }
 
 } // namespace teleta::editor

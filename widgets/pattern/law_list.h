@@ -35,9 +35,6 @@ signals:
     /// The user has chosen a finding.
     void shown(int finding);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void checkLater();
     void showFindings();

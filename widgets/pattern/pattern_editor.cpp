@@ -2,6 +2,7 @@
 #include "widgets/pattern/pattern_editor.h"
 
 #include "widgets/base/icons.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
 #include "widgets/pattern/document/pattern_names.h"
@@ -15,7 +16,6 @@
 
 #include <QAction>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -130,7 +130,7 @@ PatternEditor::PatternEditor(QWidget* parent)
         m_snapStep->setEnabled(m_document->snapping());
     });
     connect(m_document, &PatternDocument::patternOpened, this, [this] { m_stroke->setStart(0.0); });
-    retranslate();
+    base::keepTranslated(this, &PatternEditor::retranslate);
 }
 
 void PatternEditor::makeActions() {
@@ -396,12 +396,6 @@ void PatternEditor::togglePlay() {
         emit stopRequested();
     else
         emit playRequested(m_document->pattern());
-}
-
-void PatternEditor::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace teleta::editor

@@ -65,9 +65,6 @@ signals:
     void duplicateRequested(const QString& idOrPath);
     void compareRequested(const QString& idOrPath);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void makeActions();
     void makeFileMenu();

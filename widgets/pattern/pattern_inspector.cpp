@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/pattern_inspector.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/pattern/timeline/timeline_menu.h"
 #include "widgets/pattern/timeline/timeline_painter.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -133,6 +133,13 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
         showSelection();
     });
     connect(m_document, &PatternDocument::selectionChanged, this, &PatternInspector::showSelection);
+    base::onChange(this,
+                   [this] {
+                       showPattern();
+                       rebuild();
+                       showSelection();
+                   },
+                   {QEvent::LanguageChange});
     showPattern();
     rebuild();
 }
@@ -299,15 +306,6 @@ QComboBox* PatternInspector::easingBox(const char* name) {
         box->addItem(easingName(easing), static_cast<int>(easing));
     m_form->addRow(tr("Curve:"), box);
     return box;
-}
-
-void PatternInspector::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        showPattern();
-        rebuild();
-        showSelection();
-    }
 }
 
 } // namespace teleta::editor

@@ -36,9 +36,6 @@ signals:
     /// The user has typed another loop; equal begin and end mean none.
     void loopEdited(double begin_s, double end_s);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void showPattern();
     void showSelection();

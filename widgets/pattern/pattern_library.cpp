@@ -4,6 +4,7 @@
 #include "backend/pattern/model/built_in_patterns.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/pattern/document/pattern_names.h"
 
@@ -91,6 +92,7 @@ PatternLibrary::PatternLibrary(QWidget* parent)
     });
     connect(m_tree, &QWidget::customContextMenuRequested, this, &PatternLibrary::showMenu);
     connect(m_undo, &QPushButton::clicked, this, &PatternLibrary::undoRequested);
+    base::onChange(this, &PatternLibrary::fill, {QEvent::LanguageChange, QEvent::PaletteChange});
     fill();
 }
 
@@ -294,12 +296,6 @@ bool PatternLibrary::eventFilter(QObject* watched, QEvent* event) {
     if (key->key() == Qt::Key_F2 && own)
         return take([&] { rename(chosen); });
     return QWidget::eventFilter(watched, event);
-}
-
-void PatternLibrary::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
-        fill();
 }
 
 } // namespace teleta::editor

@@ -3,6 +3,7 @@
 
 #include "backend/core/bracelet/tactor_ring.h"
 #include "widgets/base/focus_frame.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
 #include <QKeyEvent>
@@ -34,7 +35,7 @@ StrokePad::StrokePad(PatternDocument* document, QWidget* parent)
     setCursor(Qt::CrossCursor);
     connect(m_document, &PatternDocument::patternChanged, this, qOverload<>(&QWidget::update));
     connect(m_document, &PatternDocument::selectionChanged, this, qOverload<>(&QWidget::update));
-    retranslate();
+    base::keepTranslated(this, &StrokePad::retranslate);
 }
 
 void StrokePad::retranslate() {
@@ -242,12 +243,6 @@ void StrokePad::paintEvent(QPaintEvent*) {
         painter.drawText(arm().adjusted(0.0, 0.0, 0.0, -0.2 * em), Qt::AlignHCenter | Qt::AlignBottom,
                          tr("Draw a stroke here"));
     }
-}
-
-void StrokePad::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 QSize StrokePad::sizeHint() const {

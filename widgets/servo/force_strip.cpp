@@ -4,9 +4,9 @@
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/numbers/tabular_text.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QEvent>
 #include <QPainter>
 #include <QPolygonF>
 
@@ -23,19 +23,12 @@ constexpr int kTickStep_s = 5;
 ForceStrip::ForceStrip(QWidget* parent)
     : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    describe();
+    base::keepTranslated(this, &ForceStrip::describe);
 }
 
 void ForceStrip::describe() {
     setAccessibleName(tr("Force over time"));
     setToolTip(tr("Measured force (line) and desired force (dashes) over the last 20 s"));
-}
-
-void ForceStrip::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        describe();
-    update();
 }
 
 QSize ForceStrip::sizeHint() const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/servo/servo_panel.h"
 
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/servo/force_strip.h"
 #include "widgets/servo/servo_picture.h"
@@ -10,7 +12,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -122,7 +123,8 @@ ServoPanel::ServoPanel(QWidget* parent)
     wishes(&QCheckBox::toggled, m_moment, [](ServoTuning& wish, bool value) { wish.moment = value; });
     connect(m_tasks, &QComboBox::activated, this,
             [this](int index) { emit taskRequested(static_cast<std::size_t>(index)); });
-    retranslate();
+    base::keepTranslated(this, &ServoPanel::retranslate);
+    base::onChange(this, &ServoPanel::showTexts, {QEvent::PaletteChange});
     setReport(std::nullopt);
 }
 
@@ -164,17 +166,12 @@ void ServoPanel::setStopEngaged(bool engaged) {
 
 void ServoPanel::showTexts() {
     const base::StatusColours& colours = base::statusColours(palette());
-    const auto paint = [](QLabel* label, const QColor& colour) {
-        QPalette changed = label->palette();
-        changed.setColor(QPalette::WindowText, colour);
-        label->setPalette(changed);
-    };
     m_provenance->setText(base::provenanceText(m_shownProvenance));
     m_provenance->setVisible(m_report && m_shownProvenance != base::Provenance::live);
-    paint(m_provenance, colours.simulated);
+    base::setTextColour(m_provenance, colours.simulated);
     if (!m_report) {
         m_state->setText(tr("No servo"));
-        paint(m_state, palette().color(QPalette::WindowText));
+        base::setTextColour(m_state, palette().color(QPalette::WindowText));
         m_limits->clear();
         m_cost->clear();
         return;
@@ -188,12 +185,12 @@ void ServoPanel::showTexts() {
     const bool isStopped = m_report->stopped && !isHeld;
     const bool gone = !m_report->stopped && output.contact == ContactState::lost;
     const bool searches = !m_report->stopped && output.contact == ContactState::searching;
-    paint(m_state, isStopped || gone ? colours.lost
-                   : searches        ? colours.stale
-                                     : palette().color(QPalette::WindowText));
+    base::setTextColour(m_state, isStopped || gone ? colours.lost
+                                 : searches        ? colours.stale
+                                                   : palette().color(QPalette::WindowText));
     const QString limits = ServoTexts::limits(m_report->recentLimits);
     m_limits->setText(limits.isEmpty() ? tr("No limit acts.") : tr("Limits that act: %1").arg(limits));
-    paint(m_limits, limits.isEmpty() ? colours.neutral : colours.stale);
+    base::setTextColour(m_limits, limits.isEmpty() ? colours.neutral : colours.stale);
 }
 
 void ServoPanel::showTasks() {
@@ -230,14 +227,6 @@ void ServoPanel::showTuning(const ServoTuning& tuning, const TuningBounds& bound
     if (!m_gain->hasFocus())
         m_gain->setValue(100.0 * tuning.gain);
     m_moment->setChecked(tuning.moment);
-}
-
-void ServoPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::PaletteChange)
-        showTexts();
 }
 
 void ServoPanel::retranslate() {

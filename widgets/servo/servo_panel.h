@@ -42,9 +42,6 @@ signals:
     void tuningChanged(const teleta::servo::ServoTuning& tuning);
     void taskRequested(std::size_t index);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
     void showTexts();

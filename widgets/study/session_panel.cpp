@@ -3,12 +3,12 @@
 
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
-#include "widgets/study/text_colour.h"
 #include "widgets/study/watermark.h"
 
 #include <QCheckBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -173,7 +173,14 @@ SessionPanel::SessionPanel(QWidget* parent)
         m_note->clear();
         emit noteWritten(text);
     });
-    retranslate();
+    base::keepTranslated(this, &SessionPanel::retranslate);
+    base::onChange(this,
+                   [this] {
+                       showChecks();
+                       showOutcomes();
+                       refresh();
+                   },
+                   {QEvent::PaletteChange});
 }
 
 void SessionPanel::setScene(const SessionScene& scene) {
@@ -201,9 +208,9 @@ void SessionPanel::restoreNote(const QString& text) {
 void SessionPanel::refresh() {
     m_title->setText(m_scene.title);
     m_subtitle->setText(m_scene.subtitle);
-    setTextColour(m_subtitle, palette().color(QPalette::PlaceholderText));
+    base::setTextColour(m_subtitle, palette().color(QPalette::PlaceholderText));
     m_mark->setText(modeMark(m_scene.mode));
-    setTextColour(m_mark, modeColour(m_scene.mode, palette()));
+    base::setTextColour(m_mark, modeColour(m_scene.mode, palette()));
     if (m_next->text() != m_scene.next) {
         m_next->setText(m_scene.next);
         m_next->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Return)); // a new text takes it away
@@ -224,7 +231,7 @@ void SessionPanel::refresh() {
     m_progress->setValue(static_cast<int>(m_scene.done));
     m_progress->setFormat(QStringLiteral("%1  %v / %m").arg(m_scene.phase));
     m_device->setText(m_scene.device);
-    setTextColour(m_device, toneColour(m_scene.deviceTone, palette()));
+    base::setTextColour(m_device, toneColour(m_scene.deviceTone, palette()));
     m_saved->setText(m_scene.saved);
     m_saved->setVisible(!m_scene.saved.isEmpty());
     m_pause->setEnabled(m_scene.canPause);
@@ -246,7 +253,7 @@ void SessionPanel::showChecks() {
         const QString line = QStringLiteral("%1  %2: %3").arg(sign, check.name, check.finding);
         label->setText(check.remedy.isEmpty() ? line
                                               : line + QStringLiteral("\n     \u2192 ") + check.remedy);
-        setTextColour(label, toneColour(check.passed ? Tone::good : Tone::alarm, palette()));
+        base::setTextColour(label, toneColour(check.passed ? Tone::good : Tone::alarm, palette()));
         m_checkLines->addWidget(label);
     }
 }
@@ -333,17 +340,6 @@ void SessionPanel::retranslate() {
     m_pause->setToolTip(tr("Pauses after the current trial"));
     m_abort->setText(tr("&Abort\u2026"));
     refresh();
-}
-
-void SessionPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::PaletteChange) {
-        showChecks();
-        showOutcomes();
-        refresh();
-    }
 }
 
 } // namespace teleta::studyview

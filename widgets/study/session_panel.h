@@ -40,9 +40,6 @@ signals:
     void noisePlayRequested(bool play);
     void participantWindowRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
     void refresh();

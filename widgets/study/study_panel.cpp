@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/study/study_panel.h"
 
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
-#include "widgets/study/text_colour.h"
 #include "widgets/study/watermark.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -108,7 +108,13 @@ StudyPanel::StudyPanel(QWidget* parent)
         QMetaObject::invokeMethod(
             this, [this, index, session] { emit sessionChosen(index, session); }, Qt::QueuedConnection);
     });
-    retranslate();
+    base::keepTranslated(this, &StudyPanel::retranslate);
+    base::onChange(this,
+                   [this] {
+                       fillList();
+                       refresh();
+                   },
+                   {QEvent::PaletteChange});
 }
 
 void StudyPanel::askForName() {
@@ -133,9 +139,9 @@ void StudyPanel::setScene(const StudyScene& scene) {
 void StudyPanel::refresh() {
     m_name->setText(m_scene.name);
     m_mark->setText(modeMark(m_scene.mode));
-    setTextColour(m_mark, modeColour(m_scene.mode, palette()));
+    base::setTextColour(m_mark, modeColour(m_scene.mode, palette()));
     m_folder->setText(m_scene.folder);
-    setTextColour(m_folder, palette().color(QPalette::PlaceholderText));
+    base::setTextColour(m_folder, palette().color(QPalette::PlaceholderText));
     const bool usable = m_scene.storeProblem.isEmpty();
     const base::StatusColours& status = base::statusColours(palette());
     m_store->setVisible(!m_scene.store.isEmpty());
@@ -143,7 +149,7 @@ void StudyPanel::refresh() {
                      : m_scene.storeAway
                          ? tr("\u2717 Server unreachable: %1").arg(m_scene.storeProblem)
                          : tr("\u2717 The study cannot be used: %1").arg(m_scene.storeProblem));
-    setTextColour(m_store, usable ? status.live : status.lost);
+    base::setTextColour(m_store, usable ? status.live : status.lost);
     m_protocol->setText(m_scene.protocol);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_list, m_new, m_open, m_add})
         widget->setEnabled(!m_scene.locked);
@@ -200,16 +206,6 @@ void StudyPanel::retranslate() {
     m_add->setToolTip(tr("Enrol this participant"));
     fillList();
     refresh();
-}
-
-void StudyPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::PaletteChange) {
-        fillList();
-        refresh();
-    }
 }
 
 } // namespace teleta::studyview

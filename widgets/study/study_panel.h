@@ -74,9 +74,6 @@ signals:
     void enrolRequested(const QString& id);
     void sessionChosen(int participant, int session);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
     void refresh();

@@ -2,24 +2,17 @@
 #include "widgets/touch/contour_view.h"
 
 #include "widgets/base/focus_frame.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QContextMenuEvent>
-#include <QKeyEvent>
 #include <QMenu>
 #include <QPainter>
 
 namespace teleta::touch {
 
 ContourView::ContourView(QWidget* parent)
-    : QWidget(parent)
-    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
-    setFocusPolicy(Qt::StrongFocus);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
-    connect(m_export, &base::FigureExport::saved, this, &ContourView::exported);
-    connect(m_export, &base::FigureExport::failed, this, &ContourView::exportFailed);
-    retranslate();
+    : FigureView(parent) {
+    base::keepTranslated(this, &ContourView::retranslate);
 }
 
 void ContourView::retranslate() {
@@ -51,7 +44,7 @@ void ContourView::setProvenance(base::Provenance provenance) {
     update();
 }
 
-base::Figure ContourView::figure() const {
+base::Figure ContourView::figure() {
     base::Figure figure;
     figure.name = tr("contour");
     figure.size_px = QSizeF(size());
@@ -64,11 +57,9 @@ base::Figure ContourView::figure() const {
     return figure;
 }
 
-void ContourView::populateMenu(QMenu& menu) {
+void ContourView::addOwnActions(QMenu& menu, const QPoint& /*position*/) {
     QAction* forget = menu.addAction(tr("&Forget the explored contour"), this, &ContourView::forgetRequested);
     forget->setEnabled(!m_picture.contour.points_m.empty());
-    menu.addSeparator();
-    m_export->addActions(menu);
 }
 
 QSize ContourView::sizeHint() const {
@@ -84,26 +75,6 @@ void ContourView::paintEvent(QPaintEvent*) {
     m_picture.font = font();
     m_picture.paint(painter, QSizeF(size()), palette());
     base::paintFocusFrame(painter, *this);
-}
-
-void ContourView::keyPressEvent(QKeyEvent* event) {
-    if (event->matches(QKeySequence::Copy))
-        base::copyPicture(figure());
-    else
-        QWidget::keyPressEvent(event);
-}
-
-void ContourView::contextMenuEvent(QContextMenuEvent* event) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    populateMenu(*menu);
-    menu->popup(event->globalPos());
-}
-
-void ContourView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace teleta::touch

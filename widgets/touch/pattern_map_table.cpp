@@ -4,6 +4,7 @@
 #include "backend/pattern/files/pattern_json.h"
 #include "backend/stiffness/material.h"
 #include "widgets/base/icons.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/touch_texts.h"
@@ -127,7 +128,8 @@ PatternMapTable::PatternMapTable(QWidget* parent)
     };
     shortcut(QKeySequence::keyBindings(QKeySequence::Undo), &QUndoStack::undo);
     shortcut(base::redoKeys(), &QUndoStack::redo);
-    retranslate();
+    base::keepTranslated(this, &PatternMapTable::retranslate);
+    base::onChange(this, &PatternMapTable::showRecognised, {QEvent::PaletteChange});
 }
 
 QString PatternMapTable::rowName(int row) {
@@ -326,14 +328,6 @@ bool PatternMapTable::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     return QWidget::eventFilter(watched, event);
-}
-
-void PatternMapTable::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::PaletteChange)
-        showRecognised();
 }
 
 } // namespace teleta::touch

@@ -70,7 +70,6 @@ signals:
     void failed(const QString& message);
 
 protected:
-    void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

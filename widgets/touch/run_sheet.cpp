@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/run_sheet.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/redo_keys.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 
 #include <QClipboard>
@@ -61,7 +63,9 @@ RunSheet::RunSheet(QWidget* parent)
     connect(m_model, &QAbstractItemModel::rowsInserted, this, &RunSheet::showEmptiness);
     connect(m_export, &base::FigureExport::saved, this, &RunSheet::exported);
     connect(m_export, &base::FigureExport::failed, this, &RunSheet::exportFailed);
-    retranslate();
+    base::keepTranslated(this, &RunSheet::retranslate);
+    base::onChange(this, &RunSheet::restyle,
+                   {QEvent::LanguageChange, QEvent::PaletteChange, QEvent::FontChange});
     restyle();
 }
 
@@ -86,9 +90,7 @@ void RunSheet::showHint() {
 
 void RunSheet::restyle() {
     layout()->setContentsMargins(0, base::em(this, kTitle_em), 0, 0);
-    QPalette faint = palette();
-    faint.setColor(QPalette::WindowText, palette().color(QPalette::PlaceholderText));
-    m_empty->setPalette(faint);
+    base::setTextColour(m_empty, palette().color(QPalette::PlaceholderText));
     m_view->verticalHeader()->setDefaultSectionSize(base::em(this, 1.8));
     const QFontMetrics metrics(font());
     const auto wide = [&](int column, const QString& sample) {
@@ -211,15 +213,6 @@ bool RunSheet::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     return false;
-}
-
-void RunSheet::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange ||
-        event->type() == QEvent::FontChange)
-        restyle();
 }
 
 void RunSheet::paintEvent(QPaintEvent*) {

@@ -48,7 +48,6 @@ signals:
     void exportFailed(const QString& message);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 

@@ -2,9 +2,9 @@
 #include "widgets/touch/stiffness_gauge.h"
 
 #include "widgets/base/focus_frame.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -14,14 +14,8 @@
 namespace teleta::touch {
 
 StiffnessGauge::StiffnessGauge(QWidget* parent)
-    : QWidget(parent)
-    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
-    setFocusPolicy(Qt::StrongFocus);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
-    connect(m_export, &base::FigureExport::saved, this, &StiffnessGauge::exported);
-    connect(m_export, &base::FigureExport::failed, this, &StiffnessGauge::exportFailed);
-    retranslate();
+    : FigureView(parent) {
+    base::keepTranslated(this, &StiffnessGauge::retranslate);
 }
 
 void StiffnessGauge::retranslate() {
@@ -76,7 +70,7 @@ QString StiffnessGauge::toolTipAt(const QPointF& point) const {
     return GaugeTexts::spoken(m_content);
 }
 
-base::Figure StiffnessGauge::figure() const {
+base::Figure StiffnessGauge::figure() {
     base::Figure figure;
     figure.name = tr("stiffness");
     figure.size_px = QSizeF(size());
@@ -86,10 +80,6 @@ base::Figure StiffnessGauge::figure() const {
     };
     figure.csv = [content = m_content] { return gaugeCsv(content); };
     return figure;
-}
-
-void StiffnessGauge::populateMenu(QMenu& menu) {
-    m_export->addActions(menu);
 }
 
 QSize StiffnessGauge::sizeHint() const {
@@ -113,28 +103,6 @@ void StiffnessGauge::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     paintGauge(painter, layoutNow(), font(), m_content, palette());
     base::paintFocusFrame(painter, *this);
-}
-
-void StiffnessGauge::keyPressEvent(QKeyEvent* event) {
-    if (event->matches(QKeySequence::Copy))
-        base::copyPicture(figure());
-    else
-        QWidget::keyPressEvent(event);
-}
-
-void StiffnessGauge::contextMenuEvent(QContextMenuEvent* event) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    populateMenu(*menu);
-    menu->popup(event->globalPos());
-}
-
-void StiffnessGauge::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::FontChange)
-        updateGeometry();
 }
 
 } // namespace teleta::touch

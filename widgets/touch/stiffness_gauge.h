@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure_view.h"
 #include "widgets/touch/gauge_content.h"
 #include "widgets/touch/gauge_painter.h"
 
@@ -16,7 +16,7 @@ namespace teleta::touch {
 /// Stiffness of the object that was touched last, on a logarithmic scale with the classes of the paper's
 /// objects: the estimate with its 95 % interval, or the bound when only that is known, and whether the object
 /// is safe, by colour, word and shape. Ctrl+C copies the picture. Thread: GUI.
-class StiffnessGauge : public QWidget {
+class StiffnessGauge : public base::FigureView {
     Q_OBJECT
 public:
     explicit StiffnessGauge(QWidget* parent = nullptr);
@@ -34,22 +34,14 @@ public:
     [[nodiscard]] GaugeLayout layoutNow() const;
     /// What the tool tip says at a point.
     [[nodiscard]] QString toolTipAt(const QPointF& point) const;
-    [[nodiscard]] base::Figure figure() const;
-    void populateMenu(QMenu& menu);
+    [[nodiscard]] base::Figure figure() override;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
-signals:
-    void exported(const QString& path);
-    void exportFailed(const QString& message);
-
 protected:
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void retranslate();
@@ -57,7 +49,6 @@ private:
 
     GaugeContent m_content;
     bool m_defaultEmptyText = true;
-    base::FigureExport* m_export;
 };
 
 } // namespace teleta::touch

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/touch_table.h"
 
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 
 #include <QClipboard>
@@ -110,7 +112,9 @@ TouchTable::TouchTable(QWidget* parent, std::size_t capacity)
             [this](const QModelIndex& index) { emit touchActivated(shownRecord(index.row()).number); });
     connect(m_export, &base::FigureExport::saved, this, &TouchTable::exported);
     connect(m_export, &base::FigureExport::failed, this, &TouchTable::exportFailed);
-    retranslate();
+    base::keepTranslated(this, &TouchTable::retranslate);
+    base::onChange(this, &TouchTable::restyle,
+                   {QEvent::LanguageChange, QEvent::PaletteChange, QEvent::FontChange});
     restyle();
 }
 
@@ -128,9 +132,7 @@ void TouchTable::retranslate() {
 
 void TouchTable::restyle() {
     layout()->setContentsMargins(0, base::em(this, kHeader_em), 0, 0);
-    QPalette faint = palette();
-    faint.setColor(QPalette::WindowText, palette().color(QPalette::PlaceholderText));
-    m_empty->setPalette(faint);
+    base::setTextColour(m_empty, palette().color(QPalette::PlaceholderText));
     m_view->verticalHeader()->setDefaultSectionSize(base::em(this, 1.6));
     m_view->setIconSize(QSize(base::em(this, 1), base::em(this, 1)));
     const QFontMetrics metrics(font());
@@ -255,15 +257,6 @@ bool TouchTable::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Resize || event->type() == QEvent::Show)
         m_empty->setGeometry(m_view->viewport()->rect());
     return false;
-}
-
-void TouchTable::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange ||
-        event->type() == QEvent::FontChange)
-        restyle();
 }
 
 void TouchTable::resizeEvent(QResizeEvent* event) {

@@ -210,7 +210,7 @@ void StudyPage::connectViews() {
             [this](int index) { m_matrix->setPercent(index == 1); });
     connect(m_matrix, &studyview::ConfusionView::percentChanged, this,
             [this](bool percent) { m_counts->setCurrentIndex(percent ? 1 : 0); });
-    connect(&m_matrix->exporter(), &base::FigureExport::failed, this, [this](const QString& message) {
+    connect(m_matrix, &studyview::ConfusionView::exportFailed, this, [this](const QString& message) {
         m_messages->post(
             {chrome::Message::Severity::error, tr("The figure could not be saved."), {}, message});
     });

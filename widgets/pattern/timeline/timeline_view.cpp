@@ -2,6 +2,7 @@
 #include "widgets/pattern/timeline/timeline_view.h"
 
 #include "widgets/base/focus_frame.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/pattern/document/pattern_names.h"
 #include "widgets/pattern/timeline/timeline_menu.h"
@@ -65,7 +66,9 @@ TimelineView::TimelineView(PatternDocument* document, QWidget* parent)
         m_compiledReference = other ? CompiledPattern(*other) : CompiledPattern();
         invalidate();
     });
-    retranslate();
+    base::keepTranslated(this, &TimelineView::retranslate);
+    base::onChange(this, &TimelineView::invalidate,
+                   {QEvent::LanguageChange, QEvent::PaletteChange, QEvent::FontChange});
     zoomToFit();
 }
 
@@ -330,15 +333,6 @@ void TimelineView::contextMenuEvent(QContextMenuEvent* event) {
         m_document->select({{}, *object});
     populateMenu(*menu, event->reason() == QContextMenuEvent::Mouse ? std::optional(at) : std::nullopt);
     menu->popup(event->globalPos());
-}
-
-void TimelineView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange ||
-        event->type() == QEvent::FontChange)
-        invalidate();
 }
 
 QSize TimelineView::sizeHint() const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/study/participant/answer_button.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QEvent>
 #include <QFontMetricsF>
 #include <QPainter>
 
@@ -31,7 +31,7 @@ AnswerButton::AnswerButton(AnswerChoice choice, std::size_t digit, QWidget* pare
     // The window handles presses, in one place and as they arrive.
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    describe();
+    base::keepTranslated(this, &AnswerButton::describe);
 }
 
 void AnswerButton::describe() {
@@ -147,12 +147,6 @@ void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
                            paintDiagram(to, rect, m_choice.diagram, colours);
                        });
     }
-}
-
-void AnswerButton::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        describe();
 }
 
 } // namespace teleta::studyview

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/study/participant/questionnaire_form.h"
 
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/participant/questionnaire_item_view.h"
-#include "widgets/study/text_colour.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -56,7 +56,7 @@ QuestionnaireForm::QuestionnaireForm(QWidget* parent)
     layout->addWidget(m_column, 1000);
     layout->addStretch(1);
     connect(m_done, &QPushButton::clicked, this, &QuestionnaireForm::submit);
-    retranslate();
+    base::keepTranslated(this, &QuestionnaireForm::retranslate);
 }
 
 void QuestionnaireForm::setQuestionnaire(study::Questionnaire questionnaire,
@@ -99,7 +99,7 @@ void QuestionnaireForm::setLocked(bool locked) {
 void QuestionnaireForm::setProblem(const QString& problem) {
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());
-    setTextColour(m_problem, base::statusColours(palette()).lost);
+    base::setTextColour(m_problem, base::statusColours(palette()).lost);
 }
 
 void QuestionnaireForm::takeKeyboard() {
@@ -161,12 +161,6 @@ void QuestionnaireForm::retranslate() {
     m_done->setText(tr("&Done"));
     m_done->setToolTip(tr("Submits the answers (Ctrl+Return)"));
     showCount();
-}
-
-void QuestionnaireForm::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace teleta::studyview

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/study/participant/questionnaire_item_view.h"
 
+#include "widgets/base/on_change.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/participant/answer_keys.h"
-#include "widgets/study/text_colour.h"
 
 #include <QCoreApplication>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -76,7 +76,8 @@ QuestionnaireItemView::QuestionnaireItemView(study::QuestionnaireItem item, QWid
     }
     column->addWidget(m_problem);
     m_problem->hide();
-    retranslate();
+    base::keepTranslated(this, &QuestionnaireItemView::retranslate);
+    base::onChange(this, &QuestionnaireItemView::colour, {QEvent::PaletteChange});
     colour();
 }
 
@@ -208,7 +209,7 @@ void QuestionnaireItemView::colour() {
         }
         button->setPalette(colours);
     }
-    setTextColour(m_problem, base::statusColours(palette()).lost);
+    base::setTextColour(m_problem, base::statusColours(palette()).lost);
 }
 
 void QuestionnaireItemView::retranslate() {
@@ -223,14 +224,6 @@ void QuestionnaireItemView::retranslate() {
     for (std::size_t i = 0; i < m_item.points; ++i)
         m_buttons[i]->setAccessibleName(
             tr("%1: %2 of %3", "question, point, points").arg(question).arg(i + 1).arg(m_item.points));
-}
-
-void QuestionnaireItemView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    if (event->type() == QEvent::PaletteChange)
-        colour();
 }
 
 } // namespace teleta::studyview

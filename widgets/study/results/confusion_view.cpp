@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/study/results/confusion_view.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
@@ -16,13 +16,9 @@
 namespace teleta::studyview {
 
 ConfusionView::ConfusionView(QWidget* parent)
-    : QWidget(parent)
-    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
-    setFocusPolicy(Qt::StrongFocus);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
+    : FigureView(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    describe();
+    base::keepTranslated(this, &ConfusionView::describe);
 }
 
 void ConfusionView::setContent(ConfusionContent content) {
@@ -42,7 +38,7 @@ void ConfusionView::setPercent(bool percent) {
     emit percentChanged(percent);
 }
 
-base::Figure ConfusionView::figure() const {
+base::Figure ConfusionView::figure() {
     base::Figure figure;
     figure.name = QStringLiteral("confusion");
     const double side_px = 64.0;
@@ -106,16 +102,11 @@ void ConfusionView::paintEvent(QPaintEvent* /*event*/) {
     paintConfusion(painter, rect(), m_content, palette());
 }
 
-void ConfusionView::contextMenuEvent(QContextMenuEvent* event) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    QAction* percent = menu->addAction(tr("In &percent"));
+void ConfusionView::addOwnActions(QMenu& menu, const QPoint& /*position*/) {
+    QAction* percent = menu.addAction(tr("In &percent"));
     percent->setCheckable(true);
     percent->setChecked(m_content.percent);
     connect(percent, &QAction::toggled, this, &ConfusionView::setPercent);
-    menu->addSeparator();
-    m_export->addActions(*menu);
-    menu->popup(event->globalPos());
 }
 
 void ConfusionView::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
@@ -126,15 +117,7 @@ void ConfusionView::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
         setPercent(!m_content.percent);
     else
-        QWidget::keyPressEvent(event);
-}
-
-void ConfusionView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        describe();
-        update();
-    }
+        FigureView::keyPressEvent(event);
 }
 
 } // namespace teleta::studyview

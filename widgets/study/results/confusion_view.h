@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure_view.h"
 #include "widgets/study/results/confusion_picture.h"
 
 #include <QWidget>
@@ -10,7 +10,7 @@ namespace teleta::studyview {
 
 /// A confusion matrix, live or final; Space or a double click switches between counts and percent. It can be
 /// copied and saved as a picture and as data. Thread: GUI.
-class ConfusionView : public QWidget {
+class ConfusionView : public base::FigureView {
     Q_OBJECT
 
 public:
@@ -20,8 +20,7 @@ public:
     void setContent(ConfusionContent content);
     [[nodiscard]] const ConfusionContent& content() const { return m_content; }
     void setPercent(bool percent);
-    [[nodiscard]] base::Figure figure() const;
-    [[nodiscard]] base::FigureExport& exporter() { return *m_export; }
+    [[nodiscard]] base::Figure figure() override;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -31,17 +30,15 @@ signals:
 
 protected:
     bool event(QEvent* event) override;
+    void addOwnActions(QMenu& menu, const QPoint& position) override;
     void paintEvent(QPaintEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void describe();
 
     ConfusionContent m_content;
-    base::FigureExport* m_export;
 };
 
 } // namespace teleta::studyview

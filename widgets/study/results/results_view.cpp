@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/study/results/results_view.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/results/confusion_view.h"
 #include "widgets/study/results/interval_chart.h"
@@ -9,7 +10,6 @@
 #include "widgets/study/results/results_content.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -133,7 +133,7 @@ ResultsView::ResultsView(QWidget* parent)
     for (ResultTable* table : {m_groups, m_anova, m_people})
         connect(&table->exporter(), &base::FigureExport::failed, this, &ResultsView::figureFailed);
     m_content->hide();
-    retranslate();
+    base::keepTranslated(this, &ResultsView::retranslate);
 }
 
 void ResultsView::setScene(ResultsScene scene) {
@@ -214,7 +214,7 @@ void ResultsView::showMatrices(const study::TaskResults& results) {
         view->setPercent(m_counts->currentIndex() == 1);
         connect(view, &ConfusionView::percentChanged, this,
                 [this](bool percent) { m_counts->setCurrentIndex(percent ? 1 : 0); });
-        connect(&view->exporter(), &base::FigureExport::failed, this, &ResultsView::figureFailed);
+        connect(view, &ConfusionView::exportFailed, this, &ResultsView::figureFailed);
         m_matrices.push_back(view);
     }
     for (std::size_t i = 0; i < m_matrices.size(); ++i) {
@@ -280,12 +280,6 @@ void ResultsView::retranslate() {
     add(tr("&Results: tables, figures, R script"), QStringLiteral("analysis"));
     fillChoices();
     refresh();
-}
-
-void ResultsView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace teleta::studyview

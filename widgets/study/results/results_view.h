@@ -54,9 +54,6 @@ signals:
     void exportRequested(const QString& format);
     void figureFailed(const QString& message);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
     void fillChoices();

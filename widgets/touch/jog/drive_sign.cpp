@@ -2,10 +2,10 @@
 #include "widgets/touch/jog/drive_sign.h"
 
 #include "widgets/base/icons.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/touch_texts.h"
 
-#include <QEvent>
 #include <QPainter>
 #include <QPolygonF>
 
@@ -46,6 +46,7 @@ DriveSign::DriveSign(QWidget* parent)
     : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setDrive(std::nullopt);
+    base::onChange(this, [this] { setDrive(m_drive); }, {QEvent::LanguageChange});
 }
 
 void DriveSign::setDrive(std::optional<ArmDrive> drive) {
@@ -89,12 +90,6 @@ void DriveSign::paintEvent(QPaintEvent*) {
     painter.setPen(colour);
     const double left = m_drive ? square.right() + 0.5 * em : square.left();
     painter.drawText(QRectF(left, 0.0, width() - left, height()), Qt::AlignLeft | Qt::AlignVCenter, text());
-}
-
-void DriveSign::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        setDrive(m_drive);
 }
 
 } // namespace teleta::touch

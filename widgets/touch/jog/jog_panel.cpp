@@ -4,6 +4,7 @@
 #include "backend/arm/jog_rates.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/jog/drive_sign.h"
 #include "widgets/touch/jog/hold_button.h"
@@ -313,10 +314,8 @@ void JogPanel::enableParts() {
         : tip        ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
                      : tr("Hold Shift and a button, or Shift with %1 (up), %2 (down).")
                     .arg(lettersOf(joints(), &KeyPair::up), lettersOf(joints(), &KeyPair::down)));
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, able || isRecorded ? palette().color(QPalette::PlaceholderText)
-                                                              : base::statusColours(palette()).lost);
-    m_message->setPalette(colours);
+    base::setTextColour(m_message, able || isRecorded ? palette().color(QPalette::PlaceholderText)
+                                                      : base::statusColours(palette()).lost);
     m_deadMan->setEnabled(able);
     m_clutch->setEnabled(able && m_way == Way::position);
     for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
