@@ -12,7 +12,10 @@ namespace {
 QFileDialog* makeDialog(QWidget* parent, const FileQuestion& question, QFileDialog::FileMode mode) {
     auto* dialog = new QFileDialog(parent, question.title, question.folder);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setNameFilters(question.filters);
+    if (mode == QFileDialog::Directory)
+        dialog->setOption(QFileDialog::ShowDirsOnly);
+    else if (!question.filters.isEmpty())
+        dialog->setNameFilters(question.filters);
     dialog->setAcceptMode(mode == QFileDialog::AnyFile ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(mode);
     return dialog;
@@ -23,6 +26,14 @@ QFileDialog* makeDialog(QWidget* parent, const FileQuestion& question, QFileDial
 QFileDialog* askToOpen(QWidget* parent, const FileQuestion& question,
                        std::function<void(const QString&)> chosen) {
     QFileDialog* dialog = makeDialog(parent, question, QFileDialog::ExistingFile);
+    QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
+    dialog->open();
+    return dialog;
+}
+
+QFileDialog* askForFolder(QWidget* parent, const FileQuestion& question,
+                          std::function<void(const QString&)> chosen) {
+    QFileDialog* dialog = makeDialog(parent, question, QFileDialog::Directory);
     QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
     dialog->open();
     return dialog;

@@ -14,16 +14,19 @@ namespace teleta::base {
 /// The settings of a file dialog.
 struct FileQuestion {
     QString title;
-    QStringList filters; ///< in the format of QFileDialog: "Pairs (*.csv)"
-    QString folder = {}; ///< start folder; empty: that of the last dialog
-    QString suffix = {}; ///< default extension of a new file
-    QString name = {};   ///< proposed name of a new file
+    QStringList filters = {}; ///< in the format of QFileDialog: "Pairs (*.csv)"; empty: all files
+    QString folder = {};      ///< start folder; empty: that of the last dialog
+    QString suffix = {};      ///< default extension of a new file
+    QString name = {};        ///< proposed name of a new file
 };
 
 /// Opens a dialog for an existing file and returns at once; chosen is called with the path if the user
 /// accepts and the parent still exists. Thread: GUI.
 QFileDialog* askToOpen(QWidget* parent, const FileQuestion& question,
                        std::function<void(const QString&)> chosen);
+/// The same for an existing folder.
+QFileDialog* askForFolder(QWidget* parent, const FileQuestion& question,
+                          std::function<void(const QString&)> chosen);
 /// The same for several files at once.
 QFileDialog* askToOpenSeveral(QWidget* parent, const FileQuestion& question,
                               std::function<void(const QStringList&)> chosen);

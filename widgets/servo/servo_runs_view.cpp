@@ -4,11 +4,11 @@
 #include "backend/servo_figure/servo_figure.h"
 #include "widgets/base/background.h"
 #include "widgets/base/colour_maps.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/focus_frame.h"
 #include "widgets/base/theme.h"
 
 #include <QContextMenuEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
@@ -116,12 +116,10 @@ void ServoRunsView::addRecorded(const QString& path) {
 }
 
 void ServoRunsView::askForRecording() {
-    auto* dialog = new QFileDialog(this, tr("Add recorded run"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters({tr("Servo runs (servo.csv)"), tr("Comma-separated values (*.csv)")});
-    connect(dialog, &QFileDialog::fileSelected, this, &ServoRunsView::addRecorded);
-    dialog->open();
+    base::askToOpen(this,
+                    {.title = tr("Add recorded run"),
+                     .filters = {tr("Servo runs (servo.csv)"), tr("Comma-separated values (*.csv)")}},
+                    [this](const QString& path) { addRecorded(path); });
 }
 
 void ServoRunsView::forgetOthers() {

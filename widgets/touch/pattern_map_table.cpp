@@ -3,6 +3,7 @@
 
 #include "backend/pattern/files/pattern_json.h"
 #include "backend/stiffness/material.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/redo_keys.h"
@@ -13,7 +14,6 @@
 #include <QDir>
 #include <QEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -305,20 +305,17 @@ core::Expected<void> PatternMapTable::exportTo(const QString& path) const {
 }
 
 void PatternMapTable::askForFile(bool save) {
-    auto* dialog = new QFileDialog(this, save ? tr("Export patterns") : tr("Import patterns"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-    dialog->setFileMode(save ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
-    dialog->setNameFilter(tr("Map of patterns (*.json)"));
-    dialog->setDefaultSuffix(QStringLiteral("json"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, save](const QString& path) {
+    const auto ask = save ? &base::askToSave : &base::askToOpen;
+    const base::FileQuestion question{.title = save ? tr("Export patterns") : tr("Import patterns"),
+                                      .filters = {tr("Map of patterns (*.json)")},
+                                      .suffix = QStringLiteral("json")};
+    ask(this, question, [this, save](const QString& path) {
         const auto result = save ? exportTo(path) : importFrom(path);
         if (!result)
             emit failed(QString::fromStdString(core::describe(result.error())));
         else if (save)
             emit exported(QDir::toNativeSeparators(path));
     });
-    dialog->open();
 }
 
 bool PatternMapTable::eventFilter(QObject* watched, QEvent* event) {

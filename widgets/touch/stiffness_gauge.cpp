@@ -6,8 +6,6 @@
 #include "widgets/base/theme.h"
 
 #include <QHelpEvent>
-#include <QKeyEvent>
-#include <QMenu>
 #include <QPainter>
 #include <QToolTip>
 

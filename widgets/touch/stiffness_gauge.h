@@ -5,11 +5,7 @@
 #include "widgets/touch/gauge_content.h"
 #include "widgets/touch/gauge_painter.h"
 
-#include <QWidget>
-
 #include <optional>
-
-class QMenu;
 
 namespace teleta::touch {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/bracelet_menu.h"
 
+#include "widgets/base/file_dialog.h"
+
 #include <QActionGroup>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 
@@ -90,13 +91,9 @@ void BraceletMenu::choose(BraceletChoice choice, const QString& deviceFile) {
 }
 
 void BraceletMenu::askForFile() {
-    auto* dialog =
-        new QFileDialog(m_window, tr("Open the file of a bracelet"), QString(), tr("Devices (*.toml)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this](const QString& path) { choose(BraceletChoice::file, path); });
-    dialog->open();
+    base::askToOpen(m_window,
+                    {.title = tr("Open the file of a bracelet"), .filters = {tr("Devices (*.toml)")}},
+                    [this](const QString& path) { choose(BraceletChoice::file, path); });
 }
 
 } // namespace teleta::console

@@ -4,12 +4,12 @@
 #include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording/mark_views.h"
 #include "backend/core/steady_time.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/chrome/recording_indicator.h"
 
 #include <QAction>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QStandardPaths>
@@ -148,12 +148,8 @@ void RecordingControls::exportCsv() {
 }
 
 void RecordingControls::askForFolder() {
-    auto* dialog = new QFileDialog(m_window, tr("Folder of the recordings"), folder());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::Directory);
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this](const QString& path) { m_settings.setRecordingFolder(path); });
-    dialog->open();
+    base::askForFolder(m_window, {.title = tr("Folder of the recordings"), .folder = folder()},
+                       [this](const QString& path) { m_settings.setRecordingFolder(path); });
 }
 
 void RecordingControls::tick() {

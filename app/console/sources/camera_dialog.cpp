@@ -3,11 +3,11 @@
 
 #include "devices/camera/camera_device.h"
 #include "widgets/base/controls/form_row.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -69,12 +69,11 @@ void CameraDialog::check() {
 }
 
 void CameraDialog::chooseModel() {
-    auto* dialog = new QFileDialog(this, tr("Camera file"), QFileInfo(m_model->text()).path(),
-                                   tr("Camera files (*.json)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, m_model, &QLineEdit::setText);
-    dialog->open();
+    base::askToOpen(this,
+                    {.title = tr("Camera file"),
+                     .filters = {tr("Camera files (*.json)")},
+                     .folder = QFileInfo(m_model->text()).path()},
+                    [this](const QString& path) { m_model->setText(path); });
 }
 
 } // namespace teleta::console

@@ -2,10 +2,10 @@
 #include "app/console/sources/camera_source_field.h"
 
 #include "app/console/base/background.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QToolButton>
@@ -57,12 +57,11 @@ void CameraSourceField::setCameras(const std::vector<camera::CameraInfo>& camera
 
 void CameraSourceField::chooseVideo() {
     const QFileInfo now(source());
-    auto* dialog = new QFileDialog(this, tr("Video of a camera"), now.exists() ? now.path() : QString(),
-                                   tr("Videos and pictures (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, m_box, &QComboBox::setCurrentText);
-    dialog->open();
+    base::askToOpen(this,
+                    {.title = tr("Video of a camera"),
+                     .filters = {tr("Videos and pictures (*)")},
+                     .folder = now.exists() ? now.path() : QString()},
+                    [this](const QString& path) { m_box->setCurrentText(path); });
 }
 
 } // namespace teleta::console

@@ -8,6 +8,7 @@
 #include "app/console/study/forms/server_study_dialog.h"
 #include "app/console/study/study_writing.h"
 #include "backend/study/protocol/protocol_text.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/empty_state.h"
 #include "widgets/study/participant/participant_window.h"
@@ -22,7 +23,6 @@
 #include <QDateTime>
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -357,20 +357,13 @@ void StudyPage::showProtocol(const study::Protocol& protocol) {
 }
 
 void StudyPage::askForProtocol() {
-    auto* dialog = new QFileDialog(this, tr("Open a protocol"), QString(), tr("Protocols (*.toml)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &StudyPage::open);
-    dialog->open();
+    base::askToOpen(this, {.title = tr("Open a protocol"), .filters = {tr("Protocols (*.toml)")}},
+                    [this](const QString& path) { open(path); });
 }
 
 void StudyPage::askForStudy() {
-    auto* dialog = new QFileDialog(this, tr("Open a study"), studiesFolder());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::Directory);
-    dialog->setOption(QFileDialog::ShowDirsOnly);
-    connect(dialog, &QFileDialog::fileSelected, this, &StudyPage::open);
-    dialog->open();
+    base::askForFolder(this, {.title = tr("Open a study"), .folder = studiesFolder()},
+                       [this](const QString& path) { open(path); });
 }
 
 void StudyPage::askForServer() {

@@ -195,7 +195,7 @@ private slots:
     }
 
     void withoutATouchItSaysWhatToDo() {
-        const StiffnessGauge gauge;
+        StiffnessGauge gauge;
         QVERIFY(gauge.accessibleDescription().contains("Touch an object"));
         QVERIFY(gauge.figure().csv().isEmpty());
     }

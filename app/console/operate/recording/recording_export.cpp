@@ -2,10 +2,10 @@
 #include "app/console/operate/recording/recording_export.h"
 
 #include "backend/recording/recording.h"
+#include "widgets/base/file_dialog.h"
 
 #include <QDir>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QProgressDialog>
 
@@ -36,24 +36,21 @@ RecordingExport::~RecordingExport() {
 }
 
 void RecordingExport::ask(const QString& suggested) {
-    auto* dialog = new QFileDialog(m_window, tr("Export recording as CSV"), QFileInfo(suggested).path(),
-                                   tr("Recordings (*.teleta)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->selectFile(suggested);
-    connect(dialog, &QFileDialog::fileSelected, this, &RecordingExport::askForFolder);
-    dialog->open();
+    base::askToOpen(m_window,
+                    {.title = tr("Export recording as CSV"),
+                     .filters = {tr("Recordings (*.teleta)")},
+                     .folder = QFileInfo(suggested).path()},
+                    [this](const QString& path) { askForFolder(path); })
+        ->selectFile(suggested);
 }
 
 void RecordingExport::askForFolder(const QString& path) {
-    auto* dialog = new QFileDialog(m_window, tr("Folder for the CSV files"), QFileInfo(path).absolutePath());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::Directory);
-    connect(dialog, &QFileDialog::fileSelected, this, [this, path](const QString& chosen) {
+    const base::FileQuestion question{.title = tr("Folder for the CSV files"),
+                                      .folder = QFileInfo(path).absolutePath()};
+    base::askForFolder(m_window, question, [this, path](const QString& chosen) {
         // A folder of its own: several recordings have streams of the same names.
         start(path, chosen + QLatin1Char('/') + QFileInfo(path).completeBaseName());
     });
-    dialog->open();
 }
 
 void RecordingExport::start(const QString& path, const QString& folder) {

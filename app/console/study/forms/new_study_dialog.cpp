@@ -5,13 +5,13 @@
 #include "app/console/study/forms/server_fields.h"
 #include "backend/study/protocol/stimulus_set.h"
 #include "widgets/base/controls/form_row.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -180,20 +180,13 @@ study::StudyHead NewStudyDialog::head() const {
 }
 
 void NewStudyDialog::askForProtocol() {
-    auto* dialog = new QFileDialog(this, tr("Open a protocol"), QString(), tr("Protocols (*.toml)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &NewStudyDialog::read);
-    dialog->open();
+    base::askToOpen(this, {.title = tr("Open a protocol"), .filters = {tr("Protocols (*.toml)")}},
+                    [this](const QString& path) { read(path); });
 }
 
 void NewStudyDialog::chooseFolder() {
-    auto* dialog = new QFileDialog(this, tr("Study folder"), m_folder->text());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::Directory);
-    dialog->setOption(QFileDialog::ShowDirsOnly);
-    connect(dialog, &QFileDialog::fileSelected, m_folder, &QLineEdit::setText);
-    dialog->open();
+    base::askForFolder(this, {.title = tr("Study folder"), .folder = m_folder->text()},
+                       [this](const QString& path) { m_folder->setText(path); });
 }
 
 void NewStudyDialog::check() {
