@@ -408,7 +408,7 @@ void MainWindow::buildArmMenu() {
     const bool hasArm = item != nullptr && item->arm() != nullptr;
     const bool hasProgram = m_operate->hasProgram();
     const auto add = [&](const QString& text, const QKeySequence& key, bool isPossible, auto call) {
-        QAction* action = menu->addAction(text, key, m_operate, call);
+        QAction* action = menu->addAction(text, key, m_operate.get(), call);
         action->setEnabled(isPossible);
         return action;
     };

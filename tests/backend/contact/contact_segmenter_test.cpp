@@ -187,7 +187,7 @@ TEST(ContactSegmenter, theCentroidIsWeightedWithTheLoad) {
 
 TEST(ContactSegmenter, blobsOnTheBordersAreContactsOfTheirOwn) {
     Frame frame;
-    // Last taxel of a row and first one of the next: neighbours in memory only.
+    // The last taxel of a row and the first of the next one are neighbours in memory only.
     frame.at(2, 13) = 2.0F;
     frame.at(3, 0) = 1.5F;
     frame.at(0, 0) = 1.0F;
@@ -329,8 +329,8 @@ TEST(ContactSegmenter, segmentAllocatesNothingAfterTheFirstFrames) {
     EXPECT_EQ(again, contacts);
 }
 
-// The shipped scene presses a bar, turns it half way round (12.2 s to 18.6 s) and lifts it. On a grid of
-// taxels an oblique bar has a chain of summits, one wherever its axis crosses a taxel's centre.
+// The shipped scene presses a bar, turns it by 180 degrees (12.2 s to 18.6 s) and lifts it. On a grid of
+// taxels an oblique bar has a chain of summits, one wherever its axis crosses the centre of a taxel.
 TEST(ContactSegmenter, aBarThatTurnsStaysOneContact) {
     const scene::Scene scene = shipped("tactile-indenter.toml");
     const auto array = simulation::SimulatedArray::make(scene, 1);
@@ -369,7 +369,7 @@ TEST(ContactSegmenter, twoBallsStayTwoContactsAlsoWhereTheyTouch) {
             continue;
         const std::span<Contact> contacts = segmenter.segment(load_N);
         ASSERT_EQ(contacts.size(), 2U) << "at " << (*array)->time_s() << " s";
-        // Each contact lies at a ball, within the taxel that the dead one takes away.
+        // Each contact is at a ball, up to the taxel that the dead one removes.
         for (const simulation::IndenterTruth& ball : (*array)->truth().indenters) {
             double error_m = 1.0;
             for (const Contact& contact : contacts)

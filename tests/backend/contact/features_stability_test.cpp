@@ -26,7 +26,7 @@ double axisError_rad(double a_rad, double b_rad) {
     return std::remainder(a_rad - b_rad, kHalfTurn_rad);
 }
 
-/// Rounding of single precision moves no axis that is this clear.
+/// Rounding to single precision does not move an axis that is this distinct.
 bool hasClearAxis(const TactileFeatures& features) {
     return features.alphaZ_rad && *features.lambda1_m2 > 1.01 * *features.lambda2_m2;
 }

@@ -23,7 +23,7 @@ struct Conditioned {
 };
 
 Conditioned condition(const ConditioningSettings& settings, const std::vector<float>& raw) {
-    // Old contents must not shine through.
+    // Old contents must be overwritten.
     Conditioned result{std::vector<float>(raw.size(), 7.0F), std::vector<std::uint8_t>(raw.size(), 9), 0};
     result.count = FrameConditioner(raw.size(), settings).apply(raw, result.load_N, result.dead);
     return result;
@@ -70,7 +70,7 @@ TEST(FrameConditioner, eachTaxelHasItsOwnGain) {
     EXPECT_EQ(result.load_N, (std::vector<float>{2.0F, 4.0F, 0.0F, 0.0F}));
     EXPECT_EQ(result.dead, (std::vector<std::uint8_t>{0, 0, 1, 0}));
     EXPECT_EQ(result.count, 1U);
-    // Of another size: none.
+    // Settings of another size count as empty.
     EXPECT_EQ(condition({.tare = {}, .taxelGain = {9.0F}, .dead = {}}, {1.0F, 2.0F}).load_N,
               (std::vector<float>{1.0F, 2.0F}));
 }

@@ -146,8 +146,8 @@ TEST_P(RecordedArrays, forcesOfTheContactsAddUpToTheLoadOverTheThreshold) {
     }
 }
 
-// A contact that moves by less than half a taxel, with no other one of the two frames within the gate of it,
-// can be nobody else.
+// A contact that moves by less than half a taxel, with no other contact of the two frames within its gate,
+// must be the same one.
 TEST_P(RecordedArrays, contactsThatStayInTheirPlaceKeepTheirIdentities) {
     const FrameConditioner conditioner = this->conditioner();
     ContactSegmenter segmenter(layout(), {.threshold_N = GetParam().threshold});

@@ -33,7 +33,7 @@ SegmentationSettings settingsOf(double height, int minimumTaxels = 1) {
     return {.threshold_N = 0.2, .noiseHeight = height, .minimumTaxels = minimumTaxels};
 }
 
-/// Loads that are all different, so that no tie hangs on the order in memory.
+/// All loads differ, so that no tie depends on the order in memory.
 Frame distinctFrame(std::mt19937& random, const ArrayLayout& layout, double share, int margin = 0) {
     Frame frame(layout);
     std::vector<int> values(layout.taxels());
@@ -255,7 +255,7 @@ TEST(SegmentationStability, anArrayOf256By256WithAContactOnEverySecondTaxelHasTh
 }
 
 TEST(SegmentationStability, anArrayOf256By256OfNoiseEqualsThePlainFloodingInItsParts) {
-    // Blocks of 14 x 14 with an empty taxel around each do not know of each other.
+    // Blocks of 14 x 14 with an empty taxel around each are independent of each other.
     const ArrayLayout layout{256, 256, 0.001};
     std::mt19937 random(26);
     Frame frame = randomFrame(random, layout, 0.1);

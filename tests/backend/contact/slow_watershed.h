@@ -10,8 +10,8 @@
 
 namespace teleta::contact::test {
 
-/// The watershed written down plainly, for comparison: water falls taxel by taxel from the highest load (of
-/// equal ones, the first) to the threshold. A taxel that emerges joins the basin of its highest neighbour
+/// A plain implementation of the watershed, for comparison: water falls taxel by taxel from the highest load
+/// (of equal ones, the first) to the threshold. A taxel that emerges joins the basin of its highest neighbour
 /// that is already dry, or starts a basin; where basins meet at it, every one whose summit rises less than
 /// height_N over it joins the one with the highest summit. Quadratic. Returns the region of each taxel, 0 for
 /// none, numbered by the first taxel of a region.

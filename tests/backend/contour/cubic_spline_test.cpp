@@ -45,7 +45,7 @@ double midSegmentDeviation_percent(SplineKind kind, std::size_t count) {
     return 100.0 * std::abs(1.0 - CubicSpline::fit(circlePoints(count), kind, true)->position_m(0.5).norm());
 }
 
-/// Dense solve of the interpolation conditions and end conditions, none of the structure used.
+/// Dense solve of the interpolation and end conditions without using their structure.
 Points denseControl(const Points& points, bool closed) {
     const auto n = static_cast<Eigen::Index>(points.size());
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + 2, n + 2); // c_{-1} .. c_n

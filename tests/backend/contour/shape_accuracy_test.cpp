@@ -79,8 +79,8 @@ TEST(ShapeAccuracy, whatIsNoneOfThemIsUnknown) {
 }
 
 TEST(ShapeAccuracy, mostShapesAreStillRightWithNoiseOfFivePercent) {
-    // Eight points with so much noise do not tell a square from a circle; what is right is what more points
-    // tell.
+    // Eight points with this much noise do not distinguish a square from a circle; the right answer is the
+    // one that more points give.
     for (const Kind& kind : kinds())
         if (kind.shape != Shape::unknown) {
             EXPECT_GE(shareRight_percent(kind, 300, 0.05, 0.05),

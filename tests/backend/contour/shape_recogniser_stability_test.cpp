@@ -35,7 +35,7 @@ struct Named {
     Points points;
 };
 
-/// One of each, with a little noise so that nothing is exact.
+/// One shape of each kind, with a little noise so that nothing is exact.
 std::vector<Named> examples(double noise_m = 0.0005) {
     return {
         {Shape::circle, noisy(circlePoints(30, 0.04), noise_m, 1)},

@@ -17,7 +17,7 @@ using simulated::SimulatedBracelet;
 
 namespace {
 
-/// Plays on where a busy machine pauses.
+/// Continues to play when a busy machine pauses.
 const playback::PlayerConfig kPatient{.boardTimeout_ms = 10'000, .longestSilence_ns = 10'000'000'000};
 
 class ExcitationRunTest : public testing::Test {
@@ -41,7 +41,7 @@ protected:
     std::atomic<double> m_progress{0.0};
 };
 
-/// The longest time between two samples: a pause of the machine leaves a hole.
+/// The longest time between two samples; a pause of the machine leaves a gap.
 double longestHole_s(const motors::MotorRecording& recording) {
     double longest_s = 0.0;
     for (std::size_t i = 1; i < recording.size(); ++i)
@@ -90,7 +90,8 @@ TEST_F(ExcitationRunTest, recordsTheDriveThatWasWrittenAndTheSpeedOfThatMotor) {
     make(simulated::unequalMotors());
     m_player->setRanges({{{0.5, 1}, {0.5, 1}, {0.5, 1}, {0.5, 1}, {0.5, 1}, {0.5, 1}}});
     auto recording = record(shortOne());
-    // The shortest step lasts 0.15 s: with a hole like that it may be missing, so it is measured anew.
+    // The shortest step lasts 0.15 s and may be missing if there is a gap of that length; then the
+    // measurement is repeated.
     for (int more = 0; more < 50 && recording && longestHole_s(*recording) > 0.05; ++more)
         recording = record(shortOne());
     ASSERT_TRUE(recording) << core::describe(recording.error());

@@ -119,11 +119,11 @@ TEST(FeltThreshold, refusesAnswersThatCannotBeTrue) {
     for (FeltTrial& trial : trials)
         trial.yes = true;
     EXPECT_NE(refusal(trials).find("Everything was felt"), std::string::npos);
-    // Weak is felt, strong is not.
+    // A weak drive is felt, a strong one is not.
     for (FeltTrial& trial : trials)
         trial.yes = trial.drive < 0.3;
     EXPECT_NE(refusal(trials).find("contradict"), std::string::npos) << refusal(trials);
-    // Felt what was not there.
+    // Something was felt although nothing was presented.
     for (FeltTrial& trial : trials)
         trial.yes = trial.drive > 0.3;
     trials.push_back({0.0, true, true});

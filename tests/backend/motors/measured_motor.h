@@ -24,8 +24,8 @@ private:
     std::int64_t m_now_ns = 1'000'000'000;
 };
 
-/// What the sensor of a simulated board tells of motor 3, of this kind, during an excitation: a frame every 5
-/// ms, a reading every millisecond. The board knows its motor; who fits does not.
+/// Readings of the sensor of a simulated board for motor 3 during an excitation: a frame every 5 ms, a
+/// reading every millisecond. The board knows its motor; the fit does not.
 inline motors::MotorRecording measured(const simulated::SimulatedMotor& motor, double noise_Hz,
                                        std::uint64_t seed = 1,
                                        const motors::Excitation& excitation = motors::stairsAndPulses(),

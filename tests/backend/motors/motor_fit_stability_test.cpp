@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Over many motors, noises and seeds: what is found is right within its own standard errors.
+// Over many motors, noise levels and seeds the results are correct within their own standard errors.
 #include "backend/motors/motor_fit.h"
 #include "tests/backend/motors/measured_motor.h"
 
@@ -25,7 +25,7 @@ SimulatedMotor randomMotor(std::mt19937_64& random) {
                  .start = between(0.05, 0.6),
                  .fullSpeed_Hz = between(120.0, 350.0),
                  .bend = between(0.5, 1.3)};
-        // What starts with less than 5 % of the full speed counts as standing.
+        // A motor slower than 5 % of the full speed counts as standing still.
     } while (std::pow(motor.start, motor.bend) < 0.1);
     return motor;
 }

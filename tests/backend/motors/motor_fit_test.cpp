@@ -43,7 +43,7 @@ MotorRecording changed(const auto& change) {
 
 } // namespace
 
-// The board's motor is another code than the fit's model; its closed form is the truth.
+// The motor of the board is different code from the model of the fit; its closed form is the truth.
 TEST(MotorFit, findsStartLagAndCurveOfAMotorWithoutNoise) {
     const auto fit = fitMotor(measured(kMotor, 0.0));
     ASSERT_TRUE(fit) << core::describe(fit.error());
@@ -123,7 +123,7 @@ TEST(MotorFit, tellsAClippedSensorFromASaturatedMotor) {
             speed_Hz = std::min(speed_Hz, 200.0);
     });
     EXPECT_NE(refusal(clipped).find("clipped"), std::string::npos) << refusal(clipped);
-    // The supply gives no more than 70 % of the drive; the sensor has noise of its own.
+    // The supply delivers at most 70 % of the drive; the sensor has noise.
     MotorRecording saturated = measured(kMotor, 0.0);
     std::mt19937_64 random(3);
     std::normal_distribution<double> noise(0.0, 0.5);
@@ -134,7 +134,7 @@ TEST(MotorFit, tellsAClippedSensorFromASaturatedMotor) {
 
 TEST(MotorFit, refusesAMotorThatSticksNowAndThen) {
     MotorRecording recording = measured(kMotor, 0.5);
-    // It stands during the stairs from 0.5 to 0.55.
+    // The motor stands still during the stairs from 0.5 to 0.55.
     for (std::size_t i = 0; i < recording.size(); ++i)
         if (recording.drive[i] > 0.49 && recording.drive[i] < 0.56)
             recording.speed_Hz[i] = 0.0;
@@ -151,7 +151,7 @@ TEST(MotorFit, refusesATooCoarseRecordingOfTheLag) {
 
 TEST(MotorFit, refusesWhatIsNoLag) {
     MotorRecording recording = measured(kMotor, 0.5);
-    // The drive of another time: the log was put beside the wrong sensor data.
+    // The drive of another time: log and sensor data do not belong together.
     std::ranges::rotate(recording.speed_Hz, recording.speed_Hz.begin() + 150);
     const std::string why = refusal(recording);
     EXPECT_FALSE(why.empty());

@@ -88,7 +88,7 @@ TEST(SpeedFromSignal, followsTheMotorThroughStairsAndPulses) {
     ASSERT_TRUE(fit) << core::describe(fit.error());
     EXPECT_LE(fit->startLow, kMotor.start);
     EXPECT_GE(fit->startHigh, kMotor.start);
-    // A turn lasts 4 ms and more: lags of 24 and 33 ms are seen through it to a few percent.
+    // A turn lasts at least 4 ms, so lags of 24 and 33 ms are found to a few percent.
     EXPECT_NEAR(fit->profile.riseTime_s, test::rise90_s(kMotor), 0.05 * test::rise90_s(kMotor));
     EXPECT_NEAR(fit->profile.fallTime_s, test::fall10_s(kMotor), 0.15 * test::fall10_s(kMotor));
     for (const motors::SpeedLevel& level : fit->levels)

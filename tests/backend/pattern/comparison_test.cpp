@@ -56,7 +56,7 @@ TEST(Comparison, isTheSameTheOtherWayRound) {
 }
 
 TEST(Comparison, seesBothSidesOfAStep) {
-    // A step up at 0.5 s against a constant: 0.6 apart before it, 0.4 behind it.
+    // A step up at 0.5 s against a constant: 0.6 apart before it, 0.4 after it.
     const Pattern step = with(1.0, 0, {{0.0, 0.0}, {0.5, 0.0}, {0.5, 1.0}, {1.0, 1.0}});
     const Pattern level = with(1.0, 0, {{0.0, 0.6}, {1.0, 0.6}});
     const auto difference = compared(step, level);

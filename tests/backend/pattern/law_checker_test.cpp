@@ -23,7 +23,7 @@ std::vector<Finding> check(const Pattern& pattern) {
     return checkLaws(pattern, assumedMotors());
 }
 
-/// The only finding, with its fix carried out: then nothing is left.
+/// The only finding; after its fix none is left.
 Finding onlyFixable(const Pattern& pattern) {
     const std::vector<Finding> findings = check(pattern);
     EXPECT_EQ(findings.size(), 1U);
@@ -91,7 +91,7 @@ TEST(LawChecker, findsBurstsThatAreShorterThanTheRiseOfTheMotor) {
     EXPECT_EQ((Track(longer.begin(), longer.begin() + 5)),
               (Track(track.tracks[4].begin(), track.tracks[4].begin() + 5)))
         << "what lies before it stays";
-    // What follows begins when the longer burst ends, and a burst at the end makes the pattern longer.
+    // The next burst begins when the longer one ends, and a burst at the end extends the pattern.
     track.tracks[4] = {{0.9, 1.0}, {0.92, 1.0}, {0.92, 0.0}, {0.93, 0.0}, {0.93, 0.5}, {1.0, 0.5}};
     const auto merged = fixed(track, check(track).at(0));
     ASSERT_TRUE(merged);

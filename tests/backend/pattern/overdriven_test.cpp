@@ -44,7 +44,7 @@ Pattern overdrivenOf(const Pattern& pattern, const MotorProfiles& profiles) {
     return helped ? *helped : Pattern{};
 }
 
-/// Seconds at intensity 1, looked at in the middle of each step.
+/// Seconds at intensity 1, sampled in the middle of each step.
 double boosted_s(const Pattern& pattern, std::size_t tactor) {
     int steps = 0;
     for (int k = 0; (k + 0.5) * kOverdriveStep_s < pattern.duration_s; ++k)
@@ -117,7 +117,7 @@ TEST(Overdriven, manyBurstsShareTheBudgetWhichComesBackAtATenth) {
 TEST(Overdriven, whatIsAlreadyFullOrOffStaysAsItIs) {
     EXPECT_EQ(overdrivenOf(held(1.0), all(straightMotor())), held(1.0));
     EXPECT_EQ(overdrivenOf(held(0.0), all(straightMotor())), held(0.0));
-    // Balanced down: there is nothing above its full drive.
+    // Balanced down: the full drive cannot be exceeded.
     MotorProfile balanced = straightMotor();
     balanced.fullDrive = 0.6;
     EXPECT_EQ(overdrivenOf(held(1.0), all(balanced)), held(1.0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that are JSON, but not the JSON of their format: every value of a good file replaced by values of
-// every other type, and nesting without an end.
+// Files that are valid JSON but not of their format: every value of a good file is replaced by values of
+// every other type; and endless nesting.
 #include "backend/pattern/files/pattern_file.h"
 #include "backend/pattern/laws/law_checker.h"
 #include "tests/backend/core/temporary_folder.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Table C.3: for each contact type, what is commanded as motion does no work against the wrench that the
-// contact can bear, and what is commanded as force moves only where the contact allows no motion.
+// Table C.3: for each contact type, a commanded motion does no work against the wrench that the contact can
+// bear, and a commanded force moves only in directions in which the contact allows no motion.
 #include "tests/backend/servo/servo_frames.h"
 
 #include <gtest/gtest.h>
@@ -30,8 +30,8 @@ private:
 };
 
 /// Table C.3, for a contact frame with z along the normal and, for an edge, x along it: for each component
-/// either no force (the motion is free) or no motion (the force can be commanded). The row "mu_z = w_z = 0" of
-/// a point is both at once.
+/// either no force (the motion is free) or no motion (the force can be commanded). The row "mu_z = w_z = 0"
+/// of a point is both at once.
 struct NaturalConstraints {
     std::array<bool, 6> noForce{};
     std::array<bool, 6> noMotion{};
@@ -72,7 +72,7 @@ void expectReciprocal(ServoTask task, ContactType type, const teleta::contact::T
     }
 }
 
-/// The twist at the contact of one error alone.
+/// The twist at the contact caused by a single error.
 Twist atContact(const ServoTask& task, const teleta::contact::TactileFeatures& features) {
     ServoController controller = controllerOf(task);
     const Twist twist = controller.step(inputOf(features)).twist_Sensor;

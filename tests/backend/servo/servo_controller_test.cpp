@@ -36,7 +36,7 @@ TEST(ServoController, thePoseIsMeasuredOnceThenTheCommandIsTakenAsCurrent) {
     const Isometry3d start = somewhere();
     const ServoOutput first = controller.step(inputOf(kEven, 0.01, start));
     EXPECT_LE(distance(first.X_Base_Sensor, start * expSE3(0.01 * first.twist_Sensor)), 1e-15);
-    // The arm lags behind, and its pose is noisy: neither is in the command.
+    // The arm lags and its pose is noisy; neither affects the command.
     const ServoOutput second =
         controller.step(inputOf(kEven, 0.01, start * Eigen::Translation3d(0.0, 0.0, -0.002)));
     EXPECT_LE(distance(second.X_Base_Sensor, first.X_Base_Sensor * expSE3(0.01 * second.twist_Sensor)),
@@ -141,7 +141,7 @@ TEST(ServoController, anErrorThatStaysIsIntegratedUpToTheLimit) {
         out = controller.step(inputOf(f, 0.01, X));
         X = out.X_Base_Sensor;
     }
-    // The integral learns what K_P alone would not have left: e (1 - (1 - K_P dt)^k).
+    // The integral learns what K_P alone would not have left over: e (1 - (1 - K_P dt)^k).
     const double expected_s =
         (1.0 - std::pow(1.0 - 0.01 * task.gains.proportional[kZ], 100)) / task.gains.proportional[kZ];
     EXPECT_NEAR(out.twist_Sensor[kZ],
@@ -197,7 +197,7 @@ TEST(ServoController, limitsActAndAreReported) {
 }
 
 TEST(ServoController, theCommandStaysNearTheMeasuredPose) {
-    // Held by the hand: the arm does not follow.
+    // A person holds the arm, so that it does not follow.
     ServoController controller = controllerOf(exploreTask(5.0, 0.01));
     ServoOutput out;
     for (int i = 0; i < 2000; ++i)
@@ -254,17 +254,17 @@ TEST(ServoController, stopCommandsTheMeasuredPoseAndForgetsTheIntegrals) {
         input.X_Base_Sensor = out.X_Base_Sensor;
     }
     ASSERT_GT(out.integral[kZ], 0.0);
-    // The object keeps the array from where it is commanded to.
+    // The object keeps the array from reaching the commanded pose.
     input.X_Base_Sensor.translation() += Vector3d(0.001, 0.0, 0.004);
     const Isometry3d measured = input.X_Base_Sensor;
     input.hold = true;
     const ServoOutput held = controller.step(input);
     EXPECT_EQ(held.X_Base_Sensor.matrix(), measured.matrix());
-    // It lets go there, and does not run after itself.
+    // It lets go there and does not drift.
     input.X_Base_Sensor.translation() += Vector3d(0.0, 0.0, 0.01);
     EXPECT_EQ(controller.step(input).X_Base_Sensor.matrix(), measured.matrix());
     EXPECT_EQ(held.twist_Sensor.norm(), 0.0);
-    EXPECT_EQ(held.actual, out.actual); // what is felt is still shown
+    EXPECT_EQ(held.actual, out.actual); // the features are still reported
     input.hold = false;
     EXPECT_EQ(controller.step(input).integral[kZ], 0.0);
 }

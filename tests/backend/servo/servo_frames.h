@@ -10,7 +10,7 @@
 
 namespace teleta::servo::test {
 
-/// Frames of the WTS 0614 as a springy bed reads them.
+/// Frames of a WTS 0614 array modelled as a bed of springs.
 class Bed {
 public:
     static constexpr int kRows = 6;
@@ -51,7 +51,7 @@ private:
     contact::FeatureExtractor m_extractor;
 };
 
-/// Features of a contact with numbers of one's own.
+/// Features of a contact with given values.
 inline contact::TactileFeatures feel(contact::ContactType type, double force_N, double copX_m, double copY_m,
                                      double cocX_m, double cocY_m, double alphaZ_rad = 0.0) {
     contact::TactileFeatures f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hard cases of tactile servoing, each with what is expected.
+// Hard cases of tactile servoing and the expected behaviour.
 #include "backend/servo/servo_controller.h"
 #include "tests/backend/servo/servo_frames.h"
 #include "tests/support/floating_point_traps.h"
@@ -88,7 +88,7 @@ TEST(ServoHardCases, anEdgeAtNinetyDegreesTurnsOneWayAndArrives) {
         edge_rad -= 0.01 * out.twist_Sensor[kWz];
         if (i == 0)
             sign = out.twist_Sensor[kWz];
-        // As long as it is far from aligned the turn never changes its sense.
+        // While it is far from aligned the turn never changes its direction.
         if (std::abs(std::remainder(edge_rad, kPi)) > 0.3) {
             EXPECT_GT(out.twist_Sensor[kWz] * sign, 0.0) << i;
         }
@@ -105,7 +105,7 @@ TEST(ServoHardCases, anEdgeAcrossTheCornerIsDrawnToTheMiddle) {
     ASSERT_NEAR(*f.alphaZ_rad, kPi / 4.0, 1e-6);
     const ServoOutput out = controllerOf(edgeControlTask(5.0)).step(inputOf(f));
     EXPECT_GT(out.twist_Sensor[kWz], 0.0);
-    // The edge's centre comes nearer to the middle of the rows.
+    // The centre of the edge moves towards the middle row.
     const Vector3d p(*f.cocX_m, *f.cocY_m, 0.0);
     const Vector3d v = out.twist_Sensor.head<3>() + Vector3d(out.twist_Sensor.tail<3>()).cross(p);
     EXPECT_GT(v.y(), 0.0);
@@ -223,7 +223,7 @@ TEST(ServoHardCases, afterAMinuteAgainstAWallTheFirstStepBackLeadsBack) {
     const ServoOutput back =
         controller.step(inputOf(feel(ContactType::point, 5.0, -0.010, 0.0, -0.010, 0.0)));
     EXPECT_LT(back.twist_Sensor[kX], 0.0);
-    // And the force that had been missing for a minute does not make it push on.
+    // The force that was missing for a minute does not make it push on.
     const ServoOutput release =
         controller.step(inputOf(feel(ContactType::point, 12.0, -0.010, 0.0, -0.010, 0.0)));
     EXPECT_LT(release.twist_Sensor[kZ], 0.0);
@@ -267,7 +267,7 @@ TEST(ServoHardCases, aLostContactIsSearchedWithinTheBoundAndThenReported) {
 }
 
 TEST(ServoHardCases, aSearchWhoseTargetIsOutOfReachEndsAndSaysSo) {
-    // The joints are at their ends: whatever the search wants, the arm stays where it is.
+    // The joints are at their ends, so the arm cannot follow the search.
     const LwrKinematics arm;
     LwrVector q_rad;
     q_rad << 0.1, 0.6, 0.1, -1.4, 0.1, 0.9, 0.1;
@@ -354,7 +354,7 @@ TEST(ServoHardCases, anArmThroughItsSingularityGetsBoundedCommands) {
     ServoController controller = *ServoController::create(planOf(task), guard);
     LwrVector q_rad = LwrVector::Zero();
     q_rad[1] = 0.6;
-    q_rad[3] = -0.02; // all but stretched, and it shall reach further
+    q_rad[3] = -0.02; // almost stretched, and it is commanded further outwards
     Isometry3d last = arm.X_Base_Tool(q_rad);
     bool singular = false;
     for (int i = 0; i < 500; ++i) {

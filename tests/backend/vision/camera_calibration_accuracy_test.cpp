@@ -75,9 +75,9 @@ TEST(CameraCalibrationAccuracy, halfAPixelAndAFifthOfOutliersLeaveLessThanATenth
     EXPECT_LT(notLocated, 1e-3 * located);
 }
 
-/// Noise from none to 3 px, outliers from none to 60 %, shells with fewer holes, blocks of holes numbered
-/// wrongly: the points that are located are right to three times the uncertainty told, or the calibration
-/// says that something is wrong.
+/// Noise from none to 3 px, outliers from none to 60 %, shells with fewer holes, blocks of wrongly numbered
+/// holes: located points are correct within three times the stated uncertainty, or the calibration reports a
+/// problem.
 TEST(CameraCalibrationAccuracy, noWrongCalibrationPassesSilently) {
     CameraLottery lottery(103);
     int accepted = 0;
@@ -130,8 +130,8 @@ TEST(CameraCalibrationAccuracy, noWrongCalibrationPassesSilently) {
     EXPECT_LT(mostNotLocated, 0.01);
 }
 
-/// Exactly on the axis height, focal length and lens can stand in for one another over all rings but the
-/// first: of some draws the descent ends where that ring is off by 16 px.
+/// Exactly on the axis, height, focal length and lens can compensate for each other over all rings but the
+/// first: for some draws the descent ends where that ring is off by 16 px.
 TEST(CameraCalibrationAccuracy, aCameraExactlyOnTheAxisLosesNoRingOfRightPairs) {
     CameraParameters truth;
     truth.fx_px = truth.fy_px = 587.0;
@@ -152,8 +152,8 @@ TEST(CameraCalibrationAccuracy, aCameraExactlyOnTheAxisLosesNoRingOfRightPairs) 
     std::printf("100 draws of a camera exactly on the axis: at least %zu of 250 pairs kept\n", leastKept);
 }
 
-/// A pixel is not passed over silently: each one that a direction within the valid radius of a camera has
-/// comes back to it, and one that has no ray lies outside.
+/// No pixel is lost silently: the pixel of each direction within the valid radius of a camera returns to that
+/// direction, and a pixel without a ray lies outside.
 TEST(CameraCalibrationAccuracy, eachDirectionWithinTheValidRadiusOfAFoundCameraComesBackToItsPixel) {
     CameraLottery lottery(107);
     double most_px = 0.0;

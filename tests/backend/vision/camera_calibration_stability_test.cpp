@@ -77,7 +77,7 @@ TEST(CameraCalibrationStability, numbersThatAreNoneAreRefused) {
     settings.surface.radius_m = 0.0;
     EXPECT_EQ(calibrate(simulated.pairs, settings, CalibrationMethod::robust).error(),
               CalibrationRefusal::badSettings);
-    // A camera whose file could not be read is none.
+    // A camera whose file cannot be read is not used.
     for (const int side_px : {0, -1, kLargestSide_px + 1}) {
         settings = {};
         settings.width_px = side_px;
@@ -91,7 +91,7 @@ TEST(CameraCalibrationStability, numbersThatAreNoneAreRefused) {
 }
 
 TEST(CameraCalibrationStability, aRingThatThickensIsRefusedUntilItShowsTheCamera) {
-    // Two rings that move apart over eight decades: refused, or right to its own uncertainty.
+    // Two rings that move apart over eight decades: refused, or correct within the stated uncertainty.
     bool accepted = false;
     for (double apart_m = 1e-9; apart_m <= 0.09; apart_m *= 10.0) {
         std::vector<Eigen::Vector3d> points = ring(0.005);

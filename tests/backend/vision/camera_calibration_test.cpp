@@ -145,7 +145,7 @@ TEST(CameraCalibration, theLensModelIncreasesFartherThanThePairsReach) {
 TEST(CameraCalibration, residualsWithAPatternAreNoticed) {
     CameraLottery lottery(71);
     SimulatedPairs simulated = simulatePairs(paperCamera(), {0.05, 0.0}, lottery);
-    // A shell that has slipped on one side: no camera sees that.
+    // A shell that has slipped on one side; no camera model describes that.
     for (CalibrationPair& pair : simulated.pairs) {
         if (pair.p_Sensor_m.x() > 0.0)
             pair.p_Sensor_m.z() += 0.0004 * std::sin(200.0 * pair.p_Sensor_m.z());

@@ -9,7 +9,7 @@
 
 namespace teleta::vision {
 
-/// What is wrong with pairs.
+/// Disturbances of simulated pairs.
 struct PairErrors {
     double noise_px = 0.0;
     double outliers = 0.0; ///< share of the pairs
@@ -52,7 +52,7 @@ inline SimulatedPairs simulatePairs(const CameraParameters& parameters, const Pa
     return result;
 }
 
-/// How a calibrated camera locates what the true one sees.
+/// Error of a calibrated camera for points that the true one sees.
 struct SurfaceErrors {
     std::vector<double> errors_m;    ///< of the points that are located
     std::vector<double> farErrors_m; ///< of those in the last quarter of the tube

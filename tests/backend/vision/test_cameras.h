@@ -37,8 +37,8 @@ inline Eigen::Matrix3d rotation(const Eigen::Vector3d& vector) {
                                : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
-/// The camera of the paper: on the axis 20 mm before the sensor frame, looking along it through a lens of 160
-/// degrees.
+/// The camera of the paper: on the axis, 20 mm in front of the sensor frame, looking along it through a lens
+/// of 160 degrees.
 inline CameraParameters paperCamera() {
     CameraParameters camera;
     camera.fx_px = 700.0;
@@ -62,8 +62,8 @@ public:
     double uniform(double low, double high) { return std::uniform_real_distribution(low, high)(m_engine); }
     double normal(double deviation) { return std::normal_distribution(0.0, deviation)(m_engine); }
 
-    /// A camera like the paper's, as one would build, mount and number it: any roll, either handedness, and
-    /// a lens model that holds over at least 65 degrees.
+    /// A random camera like the paper's: any roll, either handedness, and a lens model that is valid over at
+    /// least 65 degrees.
     CameraParameters camera() {
         CameraParameters camera = paperCamera();
         camera.fx_px = uniform(500.0, 900.0);

@@ -212,7 +212,7 @@ private slots:
         document.setPattern(sample(), "a.json");
         document.setAutosaveDelay(50);
         QSignalSpy due(&document, &PatternDocument::autosaveDue);
-        // An edit every few milliseconds: a delay that began anew with each of them would never end.
+        // An edit every few milliseconds: a delay restarted by each of them would never end.
         QTimer edits;
         connect(&edits, &QTimer::timeout, &document, [&document] { document.rotate(1); });
         edits.start(5);

@@ -102,7 +102,7 @@ private slots:
             QVERIFY(std::abs(curves.predicted[0][k] - intensityOfSpeed(motors[0], speed_Hz)) < 1e-6);
             QCOMPARE(curves.commanded[0][k], curves.times_s[k] < 0.0 ? 0.0 : 1.0);
         }
-        // What is predicted does not depend on where the picture begins.
+        // The prediction does not depend on where the view begins.
         const TimelineCurves later = sampleCurves(step, CompiledPattern(step), motors, {0.05, 0.1}, 3);
         QVERIFY(std::abs(later.predicted[0][0] -
                          intensityOfSpeed(motors[0],
@@ -306,7 +306,7 @@ private slots:
         QVERIFY(f.document.pattern().objects.empty());
     }
 
-    /// An hour with 100 000 breakpoints: what is drawn depends on what is visible only.
+    /// An hour with 100 000 breakpoints: drawing depends on the visible part only.
     void aLongPatternPaintsOnlyWhatIsVisible() {
         Pattern hour;
         hour.id = "mine.hour";
@@ -316,7 +316,7 @@ private slots:
             hour.tracks[static_cast<std::size_t>(i % 6)].push_back(
                 {3600.0 * i / kPoints, i % 12 < 6 ? 0.2 : 0.9});
         Fixture f(hour);
-        QCOMPARE(f.view.drawnHandles(), 0); // all of them would lie on each other
+        QCOMPARE(f.view.drawnHandles(), 0); // all of them would overlap
         f.view.showSpan(1800.0, 3.6);
         (void)f.view.grab();
         // 100 breakpoints in 3.6 s, and those whose handles reach in from outside.
@@ -332,7 +332,7 @@ private slots:
         QCOMPARE(f.view.drawnHandles(), 0);
     }
 
-    /// Bursts that are narrower than a pixel are there all the same, with what the motors do.
+    /// Bursts narrower than a pixel are drawn nevertheless, with their prediction.
     void anHourSeenAsAWholeShowsEveryBurst() {
         Pattern hour;
         hour.id = "mine.hour";

@@ -282,7 +282,7 @@ private slots:
         QVERIFY(!wish.moment);
     }
 
-    /// Erratum 1: what is not defined is none, and not 0.
+    /// Erratum 1: an undefined feature is shown as undefined, not as 0.
     void whatIsNotDefinedIsADash() {
         ServoPicture picture;
         ServoReport report = exploring();

@@ -47,7 +47,7 @@ private slots:
     void aRestartBeginsAnotherRunThatSaysWhetherItHasTheMoment() {
         const int source = 0;
         ServoRuns runs;
-        runs.add(stepAt(0.0)); // nobody has said of what
+        runs.add(stepAt(0.0)); // no source has been set
         QVERIFY(runs.runs().empty());
         runs.setSource("bar", &source);
         runs.add(stepAt(0.0, 0, false));

@@ -104,7 +104,7 @@ private slots:
         QVERIFY(editor().isPlaying());
         QTRY_VERIFY(!editor().isPlaying());
         QCOMPARE(playhead_s(), 0.4);
-        // Once more, as a loop: it begins anew until it is stopped.
+        // Again, as a loop: it repeats until it is stopped.
         editor().findChild<QAction*>("loop")->setChecked(true);
         space();
         QTRY_VERIFY(playhead_s() > 0.2);
@@ -122,7 +122,7 @@ private slots:
         QTRY_COMPARE(m_station->given()[1], 0.5);
         const std::int64_t begun_ns = m_station->session()->player().status().begun_ns;
         const double before_s = playhead_s();
-        // More edits at once than are followed: the last one counts.
+        // More edits at once than take effect: the last one counts.
         for (int k = 1; k <= 20; ++k) {
             editor().document()->replacePoint({1, 0}, {0.0, 0.5 + 0.01 * k});
             editor().document()->replacePoint({1, 1}, {60.0, 0.5 + 0.01 * k});

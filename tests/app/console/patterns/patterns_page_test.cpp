@@ -62,7 +62,7 @@ Pattern edited() {
     return pattern;
 }
 
-/// A console that keeps edits aside and is then killed.
+/// A console that backs up edits and is then killed.
 int keepEdits(const QString& folder) {
     RecoveryKeeper keeper(folder);
     keeper.keep({edited(), "/home/somebody/wave.json", 1'790'000'000'000});
@@ -83,7 +83,7 @@ void draw(editor::StrokePad& pad, const QPointF& from, const QPointF& to) {
     send(QEvent::MouseButtonRelease, to, 1000 + 50 * kSteps);
 }
 
-/// As somebody at the other end of a pipe.
+/// Acts as the other end of a pipe.
 void writeTo(const QString& pipe, const std::string& text) {
     QFile file(pipe);
     if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) < 0)
@@ -286,7 +286,7 @@ private slots:
         m_page->editor().library()->setOwn({listed});
         QCOMPARE(selected(), QStringLiteral("Late wave"));
 
-        // Who looks at another line meanwhile stays there.
+        // A line selected meanwhile stays selected.
         tree->setCurrentItem(tree->topLevelItem(0)->child(1));
         const QString other = selected();
         m_page->editor().library()->setOwn({listed});
@@ -319,7 +319,7 @@ private slots:
         // While it runs, its edits are its own.
         QSignalSpy found(&m_page->recovery(), &RecoveryKeeper::found);
         m_page->recovery().look();
-        m_page.reset(); // which ends its search: later it would take what is to be found below
+        m_page.reset(); // ends its search, which would otherwise take what is to be found below
         QVERIFY(found.isEmpty());
         console.kill();
         QVERIFY(console.waitForFinished());
@@ -349,7 +349,7 @@ private slots:
         QVERIFY(other.lost().empty());
     }
 
-    /// In a sandbox each console has the name and the number of the one before.
+    /// In a sandbox each console has the name and process number of the previous one.
     void editsOfAKilledConsoleAreOfferedToOneOfItsNumber() {
         m_page.reset();
         QVERIFY(QDir().mkpath(recovery()));
@@ -399,7 +399,7 @@ private slots:
     }
 
     void aFileThatIsReadForLongDoesNotReplaceEditsMadeMeanwhile() {
-        // A pipe is read until somebody has written to it.
+        // Reading a pipe blocks until someone writes to it.
         const QString slow = m_folder->filePath("slow.json");
         QCOMPARE(mkfifo(qPrintable(slow), 0600), 0);
         const auto text = pattern::patternToJson(edited());
@@ -458,7 +458,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(document().pattern().id, std::string("mine.other"), kPatience_ms);
         QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
         writeTo(slow, *text);
-        // On the same pool and from the same thread: when this has come, that has.
+        // On the same pool and from the same thread, so both arrive in order.
         base::backgroundPool().waitForDone();
         QCoreApplication::processEvents();
         QVERIFY(opened.isEmpty());

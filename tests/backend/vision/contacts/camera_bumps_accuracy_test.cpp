@@ -29,8 +29,8 @@ struct Poke {
     bool seen = false;
 };
 
-/// Fingers that press at one speed anywhere on the tube, at frame rates of their own. Each seed is another
-/// print, another noise, another place and another moment.
+/// Fingers that press at constant speed anywhere on the tube, at various frame rates. Each seed has its own
+/// print, noise, place and time.
 class RenderedPokes : public testing::TestWithParam<double> {
 protected:
     static void SetUpTestSuite() {

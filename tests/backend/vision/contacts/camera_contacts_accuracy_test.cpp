@@ -79,7 +79,7 @@ protected:
                 for (std::size_t k = 0; k < finders.size(); ++k) {
                     const ContactRung& rung = *contactRung(names[k]);
                     if (step < kFramesToDepth && rung.method != FlowMethod::dots && !rung.warmStart)
-                        continue; // it knows nothing of the frame before
+                        continue; // the previous frame is unknown
                     const double start_s = cpu_s();
                     const auto found = finders[k]->find(frame);
                     results[k].time_s += cpu_s() - start_s;
@@ -150,8 +150,8 @@ TEST_F(RenderedContacts, areNowhereButWhereTheyPressOnRungsOfTheWholeImage) {
     }
 }
 
-/// A bump is told by what the noise of a depth could not make of it, so the noise that a contact states must
-/// not be smaller than that which its depth has.
+/// A bump must exceed the noise of the depth, so the noise that a contact states must not be smaller than
+/// that of its depth.
 TEST_F(RenderedContacts, ofASkinThatRestsHaveADepthThatWavesNoMoreThanTheNoiseTheyState) {
     auto tube = simulation::SimulatedTube::make(test::cameraScene(), 5);
     cv::Mat1b frame;
@@ -173,7 +173,7 @@ TEST_F(RenderedContacts, ofASkinThatRestsHaveADepthThatWavesNoMoreThanTheNoiseTh
                 (*tube)->pressed({press}, frame);
                 const auto found = (*finder)->find(frame);
                 if (!isDots && found && found->empty())
-                    break; // it sees less than the dots do
+                    break; // it finds fewer contacts than the dots
                 ASSERT_TRUE(found && !found->empty()) << rung.name << " at " << z_m;
                 depths_m.push_back(found->front().depth_m);
                 stated_m = found->front().depthNoise_m;

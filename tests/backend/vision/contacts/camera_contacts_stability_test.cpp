@@ -23,7 +23,7 @@ CylinderCamera cameraOf(int width_px, int height_px) {
     return {*CameraModel::create(parameters), {}};
 }
 
-/// Finds nothing and counts the references that it was given.
+/// Finds nothing and counts its references.
 class CountingFinder : public ContactFinder {
 public:
     [[nodiscard]] std::vector<Arrow> arrows(std::size_t) const override { return {}; }
@@ -40,7 +40,7 @@ private:
     }
 };
 
-/// Does what OpenCV does with images that it cannot work on.
+/// Throws as OpenCV does for images that it cannot process.
 class ThrowingFinder : public ContactFinder {
 public:
     [[nodiscard]] std::vector<Arrow> arrows(std::size_t) const override { return {}; }
@@ -287,7 +287,7 @@ TEST_F(HardFrames, thatJumpFurtherThanCanBeFollowedShowAContactAtThatPlaceOrNone
     for (const FollowedContact& followed : *contacts)
         EXPECT_LT((followed.contact.p_Sensor_Centre_m - truth_m).norm(), 0.01);
     EXPECT_FALSE(contacts->empty());
-    // And nothing of it stays when it is gone.
+    // Nothing remains of it when it is gone.
     for (int i = 2; i < 6; ++i)
         (void)m_tracker->next(m_rest, i * kPeriod_s);
     const auto after = m_tracker->next(m_rest, 6 * kPeriod_s);
@@ -323,7 +323,7 @@ TEST(CameraTracker, givesTheReferenceOnlyToAFinderThatHasNotTakenItYet) {
     const int& references = prepared->m_references;
     ASSERT_TRUE(tracker.changeFinder(std::move(prepared), reference));
     EXPECT_EQ(references, 1);
-    // A reference of before is none.
+    // The previous reference is no longer valid.
     tracker.renewReference();
     EXPECT_TRUE(tracker.reference().empty());
     ASSERT_TRUE(tracker.next(cv::Mat1b(4, 4, std::uint8_t{2}), 0.1));

@@ -49,7 +49,7 @@ TEST_F(PairCollectorTest, takesNoSecondPixelBeforeTheProbeWasLifted) {
     for (int i = 0; i < 20; ++i)
         taken += next({touch(10.0, 0.001)}) ? 1 : 0;
     EXPECT_EQ(taken, 1);
-    // What dots that were not found again leave behind is no touch.
+    // Traces of dots that were not found again are not a touch.
     EXPECT_FALSE(next({touch(300.0, 0.00003)}));
     EXPECT_EQ(m_collector.phase(), Phase::free);
     for (int i = 0; i < 20; ++i)
@@ -74,7 +74,7 @@ TEST_F(PairCollectorTest, takesNeitherALightTouchNorOneThatIsNotAlone) {
     for (int i = 0; i < 10; ++i)
         EXPECT_FALSE(next({touch(10.0, 0.001), touch(300.0, 0.0008)}));
     EXPECT_EQ(m_collector.phase(), Phase::several);
-    // A shallow ghost beside it does no harm, in whatever order they come.
+    // A shallow false contact next to it does no harm in either order.
     for (int i = 0; i < 3; ++i)
         EXPECT_FALSE(next({touch(300.0, 0.0002), touch(10.0, 0.001)}));
     const auto pixel = next({touch(300.0, 0.0002), touch(10.0, 0.001)});

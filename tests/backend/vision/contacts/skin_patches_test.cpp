@@ -70,7 +70,7 @@ TEST(SkinPatches, deepenByWhatTheirOwnPointsDidThatAreKnownInBothFrames) {
     ASSERT_EQ(patches.size(), 1U);
     // Both summits have the same shape, so the deepest point has gained 3 parts of 8 of its depth.
     EXPECT_NEAR(patches[0].deepened_m, patches[0].depth_m * 3.0 / 8.0, 1e-12);
-    // The deepest point was lost before: what it says now is no news.
+    // The deepest point was lost before, so its depth now is not a change.
     skin.nodes[patches[0].nodes.front()].inwardBefore_m = NAN;
     patches = skin.find();
     EXPECT_LT(patches[0].deepened_m, patches[0].depth_m * 3.0 / 8.0);
@@ -91,7 +91,7 @@ TEST(SkinPatches, haveNoDepthFromAPointThatJumpsAlone) {
     ASSERT_EQ(skin.find().size(), 1U);
     EXPECT_NEAR(skin.find()[0].depth_m, depth_m, 1e-12);
     EXPECT_NEAR(skin.find()[0].deepened_m, 0.0, 1e-12);
-    // Where others go along it is a dent that grows.
+    // If others move with it, a dent grows.
     skin.press(0.5, 0.03, 0.0008);
     EXPECT_GT(skin.find()[0].depth_m, 1.5 * depth_m);
 }
@@ -114,7 +114,7 @@ TEST(SkinPatches, haveNoDepthBeforeFromAPointThatHadJumpedAloneEither) {
     skin.press(0.5, 0.03, 0.0002);
     const SkinPatch after = patches.find(skin.nodes, skin.neighbours)[0];
     EXPECT_NEAR(after.deepened_m, 0.25 * before.depth_m, 1e-12);
-    // Of other nodes nothing is remembered.
+    // Nothing is remembered about other nodes.
     nextFrame();
     skin.nodes[before.nodes[1]].inward_m += 0.001;
     static_cast<void>(patches.find(skin.nodes, skin.neighbours));
@@ -153,7 +153,7 @@ TEST(SkinPatches, haveTheCentreOfASmoothSummitBetweenTheirPointsAlsoAtTheSeam) {
     }
 }
 
-/// A ball that rolls from one point to the next one must not be seen to move to and fro.
+/// A ball that rolls from one point to the next must not appear to move back and forth.
 TEST(SkinPatches, haveACentreThatHardlyDependsOnWhereAPressLiesBetweenThePoints) {
     Skin skin;
     constexpr int kSteps = 8;
