@@ -98,10 +98,8 @@ core::Expected<RowOutput> RowOutput::open(std::span<const std::string_view> colu
     rows.m_json = options.json;
     rows.m_table = !options.json && options.outPath.empty() && isatty(STDOUT_FILENO) != 0;
     if (!options.outPath.empty()) {
-        core::Expected<core::CsvWriter> csv = core::CsvWriter::create(options.outPath, columns);
-        if (!csv)
-            return core::Unexpected(csv.error());
-        rows.m_csv = std::move(*csv);
+        TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(options.outPath, columns));
+        rows.m_csv = std::move(csv);
     } else if (!options.json && !rows.m_table) {
         rows.m_csv.emplace(core::OutputFile::standardOutput(), columns);
     }

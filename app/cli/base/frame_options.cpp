@@ -30,10 +30,8 @@ core::Expected<contact::ConditioningSettings> conditioning(const FrameOptions& o
         return settings;
     settings->gain = options.gain;
     if (!options.gainsPath.empty()) {
-        const auto gains = equilibration::readTaxelGains(options.gainsPath, options.layout());
-        if (!gains)
-            return core::Unexpected(gains.error());
-        settings->taxelGain = gains->values();
+        TELETA_TRY(const auto gains, equilibration::readTaxelGains(options.gainsPath, options.layout()));
+        settings->taxelGain = gains.values();
     }
     return settings;
 }
@@ -80,10 +78,8 @@ core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning() const
         settings.dead[static_cast<std::size_t>(taxel)] = 1;
     }
     if (!tarePath.empty()) {
-        core::Expected<std::vector<float>> tare = core::readTare(tarePath, layout());
-        if (!tare)
-            return core::Unexpected(tare.error());
-        settings.tare = std::move(*tare);
+        TELETA_TRY(std::vector<float> tare, core::readTare(tarePath, layout()));
+        settings.tare = std::move(tare);
     }
     return settings;
 }
@@ -161,42 +157,36 @@ core::Expected<void> processFrames(const FrameOptions& options, std::span<const 
                                    const std::function<void(const ConditionedFrame&, RowOutput&)>& write) {
     const std::array inputs{options.path, options.array.tarePath, options.gainsPath};
     refuseToReplace(options.output.outPath, inputs);
-    core::Expected<contact::ConditioningSettings> settings = conditioning(options);
-    if (!settings)
-        return core::Unexpected(settings.error());
-    core::Expected<core::FrameFile> file = core::FrameFile::open(options.path, options.layout());
-    if (!file)
-        return core::Unexpected(file.error());
-    core::Expected<RowOutput> rows = RowOutput::open(columns, options.output);
-    if (!rows)
-        return core::Unexpected(rows.error());
+    TELETA_TRY(contact::ConditioningSettings settings, conditioning(options));
+    TELETA_TRY(core::FrameFile file, core::FrameFile::open(options.path, options.layout()));
+    TELETA_TRY(RowOutput rows, RowOutput::open(columns, options.output));
 
     const std::size_t taxels = options.layout().taxels();
-    const contact::FrameConditioner conditioner(taxels, std::move(*settings));
+    const contact::FrameConditioner conditioner(taxels, std::move(settings));
     std::vector<float> raw(taxels);
     std::vector<float> load_N(taxels);
     std::vector<std::uint8_t> dead(taxels);
     double time_s = 0.0;
-    const auto total = static_cast<double>(file->bytesTotal());
-    ProgressBar progress(ProgressBar::Unit::bytes, rows->onTerminal());
+    const auto total = static_cast<double>(file.bytesTotal());
+    ProgressBar progress(ProgressBar::Unit::bytes, rows.onTerminal());
     bool stopped = false;
-    while (!(stopped = interrupted()) && !rows->failed()) {
-        const core::Expected<bool> any = file->next(time_s, raw);
+    while (!(stopped = interrupted()) && !rows.failed()) {
+        const core::Expected<bool> any = file.next(time_s, raw);
         if (!any) {
             stopped = any.error().kind == core::ErrorKind::cancelled;
             if (stopped)
                 break;
-            rows->flush();
+            rows.flush();
             return core::Unexpected(any.error());
         }
         if (!*any)
             break;
         conditioner.apply(raw, load_N, dead);
-        write({time_s, load_N, dead}, *rows);
-        rows->flushIfDue();
-        progress.update(static_cast<double>(file->offset()), total);
+        write({time_s, load_N, dead}, rows);
+        rows.flushIfDue();
+        progress.update(static_cast<double>(file.offset()), total);
     }
-    const core::Expected<void> finished = rows->finish();
+    const core::Expected<void> finished = rows.finish();
     if (finished && stopped)
         return core::Unexpected(interruption());
     return finished;

@@ -136,16 +136,14 @@ core::Expected<void> CalibrateCommand::run() {
     if (!m_outPath.empty() && m_outPath == m_residualsPath)
         throw CLI::ValidationError("--residuals",
                                    CalibrateText::tr("the camera is written to this file").toStdString());
-    core::Expected<std::vector<vision::CalibrationPair>> pairs = vision::readPairs(m_pairsPath, interrupted);
-    if (!pairs)
-        return core::Unexpected(pairs.error());
-    for (vision::CalibrationPair& pair : *pairs)
+    TELETA_TRY(std::vector<vision::CalibrationPair> pairs, vision::readPairs(m_pairsPath, interrupted));
+    for (vision::CalibrationPair& pair : pairs)
         pair.p_Sensor_m.head<2>() *= m_holeFactor;
     m_settings.surface.radius_m = 1e-3 * m_radius_mm;
     m_settings.surface.highest_z_m = 1e-3 * m_length_mm;
-    const auto calibration = vision::calibrate(*pairs, m_settings, *vision::calibrationMethod(m_method));
+    const auto calibration = vision::calibrate(pairs, m_settings, *vision::calibrationMethod(m_method));
     if (!calibration) {
-        core::Error error = vision::describe(calibration.error(), pairs->size());
+        core::Error error = vision::describe(calibration.error(), pairs.size());
         error.where.file = m_pairsPath;
         return core::Unexpected(error);
     }
@@ -153,20 +151,18 @@ core::Expected<void> CalibrateCommand::run() {
         return core::Unexpected(interruption());
     const CameraFile file{calibration->camera, vision::summaryOf(*calibration)};
     if (!m_residualsPath.empty()) {
-        if (const core::Expected<void> written =
-                vision::writeResiduals(*pairs, *calibration, m_residualsPath);
+        if (const core::Expected<void> written = vision::writeResiduals(pairs, *calibration, m_residualsPath);
             !written)
             return written;
     }
     if (!m_outPath.empty()) {
-        if (const core::Expected<void> written = vision::writeCamera(file, m_outPath); !written)
-            return written;
+        TELETA_CHECK(vision::writeCamera(file, m_outPath));
         if (calibration->method == vision::CalibrationMethod::paper) {
             warn(CalibrateText::tr("The camera that was written has no lens: it is off by %1 mm on average "
                                    "over the pairs that it kept (%2 of %3).")
                      .arg(forPeople(1e3 * calibration->mean_error_m))
                      .arg(calibration->kept)
-                     .arg(pairs->size()));
+                     .arg(pairs.size()));
         }
     }
     return m_json ? printDocument(toJson(*calibration, file)) : printTable(*calibration);

@@ -70,29 +70,21 @@ core::Expected<void> TrackCommand::run() {
             throw CLI::ValidationError("--out",
                                        TrackText::tr("the output would replace the input").toStdString());
     }
-    const core::Expected<vision::CameraFile> file = vision::readCamera(m_cameraPath);
-    if (!file)
-        return core::Unexpected(file.error());
-    core::Expected<camera::VideoStream> stream = camera::VideoStream::open(m_video);
-    if (!stream)
-        return core::Unexpected(stream.error());
-    auto finder = vision::makeContactFinder(*vision::contactRung(m_preset), file->camera);
-    if (!finder)
-        return core::Unexpected(finder.error());
-    vision::CameraTracker tracker(std::move(*finder), {});
-    core::Expected<RowOutput> rows = RowOutput::open(vision::kContactColumns, m_output);
-    if (!rows)
-        return core::Unexpected(rows.error());
+    TELETA_TRY(const vision::CameraFile file, vision::readCamera(m_cameraPath));
+    TELETA_TRY(camera::VideoStream stream, camera::VideoStream::open(m_video));
+    TELETA_TRY(auto finder, vision::makeContactFinder(*vision::contactRung(m_preset), file.camera));
+    vision::CameraTracker tracker(std::move(finder), {});
+    TELETA_TRY(RowOutput rows, RowOutput::open(vision::kContactColumns, m_output));
 
-    ProgressBar progress(ProgressBar::Unit::simulatedSeconds, rows->onTerminal());
+    ProgressBar progress(ProgressBar::Unit::simulatedSeconds, rows.onTerminal());
     const double duration_s =
-        stream->rate_Hz() > 0.0 ? static_cast<double>(stream->framesTotal()) / stream->rate_Hz() : 0.0;
+        stream.rate_Hz() > 0.0 ? static_cast<double>(stream.framesTotal()) / stream.rate_Hz() : 0.0;
     cv::Mat1b image;
     Outcome outcome = Outcome::frame;
     bool stopped = false;
-    for (long long frame = 0; !(stopped = interrupted()) && !rows->failed(); ++frame) {
+    for (long long frame = 0; !(stopped = interrupted()) && !rows.failed(); ++frame) {
         double time_s = 0.0;
-        outcome = stream->next(image, time_s);
+        outcome = stream.next(image, time_s);
         if (outcome == Outcome::ended || outcome == Outcome::gone)
             break;
         if (outcome == Outcome::late)
@@ -108,18 +100,16 @@ core::Expected<void> TrackCommand::run() {
         const int bumped = tracker.bump() ? tracker.bump()->contact : 0;
         for (const vision::FollowedContact& followed : *contacts) {
             if (followed.seen || followed.event == vision::ContactEvent::ends)
-                vision::writeContact(*rows, frame, time_s, followed, bumped);
+                vision::writeContact(rows, frame, time_s, followed, bumped);
         }
-        rows->flushIfDue();
+        rows.flushIfDue();
         progress.update(time_s, duration_s);
     }
     progress.erase();
-    const core::Expected<void> finished = rows->finish();
-    if (!finished)
-        return finished;
+    TELETA_CHECK(rows.finish());
     warnOfUnusableFrames(tracker);
-    if (stream->framesSkipped() > 0)
-        warn(TrackText::tr("Frames that are missing by their time stamps: %1").arg(stream->framesSkipped()));
+    if (stream.framesSkipped() > 0)
+        warn(TrackText::tr("Frames that are missing by their time stamps: %1").arg(stream.framesSkipped()));
     if (stopped)
         return core::Unexpected(interruption());
     const auto failed = [&](core::ErrorKind kind, const QString& message) {

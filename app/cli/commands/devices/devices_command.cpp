@@ -71,34 +71,30 @@ std::vector<FoundDevice> listDevices() {
 }
 
 core::Expected<FoundDevice> probeRegisters(const std::string& path) {
-    const auto map = modbus::readRegisterMap(path);
-    if (!map)
-        return core::Unexpected(map.error());
-    FoundDevice found{.kind = "modbus", .name = map->name, .where = modbus::linkName(*map)};
+    TELETA_TRY(const auto map, modbus::readRegisterMap(path));
+    FoundDevice found{.kind = "modbus", .name = map.name, .where = modbus::linkName(map)};
     const auto probe =
-        modbus::probeModbus(*map, modbus::libmodbusOpener(*map), std::make_shared<const core::PacingClock>());
+        modbus::probeModbus(map, modbus::libmodbusOpener(map), std::make_shared<const core::PacingClock>());
     found.error = errorOf(probe);
     if (probe) {
         found.frameRate_Hz = probe->frameRate_Hz;
         found.inputRate_Hz = probe->inputRate_Hz;
         for (std::size_t i = 0; i < probe->values.size(); ++i)
-            found.values.push_back({map->inputs[i].name, probe->values[i], map->inputs[i].unit});
+            found.values.push_back({map.inputs[i].name, probe->values[i], map.inputs[i].unit});
     }
     return found;
 }
 
 core::Expected<FoundDevice> probeBracelet(const std::string& path) {
-    const auto file = bracelet::readHidBracelet(path);
-    if (!file)
-        return core::Unexpected(file.error());
-    FoundDevice found{.kind = "hid_bracelet", .name = file->name, .where = "USB"};
-    for (const bracelet::HidDeviceInfo& info : bracelet::listHidBracelets(file->config)) {
-        if (file->config.serial.empty() || info.serial == file->config.serial) {
+    TELETA_TRY(const auto file, bracelet::readHidBracelet(path));
+    FoundDevice found{.kind = "hid_bracelet", .name = file.name, .where = "USB"};
+    for (const bracelet::HidDeviceInfo& info : bracelet::listHidBracelets(file.config)) {
+        if (file.config.serial.empty() || info.serial == file.config.serial) {
             found.where = info.path;
             break;
         }
     }
-    open(found, file->config);
+    open(found, file.config);
     return found;
 }
 
@@ -136,13 +132,11 @@ core::Expected<FoundDevice> probeCamera(const core::TomlDocument& document) {
 }
 
 core::Expected<FoundDevice> probeFile(const std::string& path) {
-    const auto document = core::TomlDocument::open(path);
-    if (!document)
-        return core::Unexpected(document.error());
-    core::TomlTable root = document->root();
+    TELETA_TRY(const auto document, core::TomlDocument::open(path));
+    core::TomlTable root = document.root();
     const std::size_t kind = root.choice("kind", {"modbus", "wts", "camera", "hid_bracelet"});
-    if (document->firstError())
-        return core::Unexpected(*document->firstError());
+    if (document.firstError())
+        return core::Unexpected(*document.firstError());
     // Without a kind the other keys say nothing either.
     if (!root.has("kind")) {
         root.finish();
@@ -156,7 +150,7 @@ core::Expected<FoundDevice> probeFile(const std::string& path) {
         return probeRegisters(path);
     if (kind == 3)
         return probeBracelet(path);
-    return kind == 1 ? probeArray(*document) : probeCamera(*document);
+    return kind == 1 ? probeArray(document) : probeCamera(document);
 }
 
 nlohmann::ordered_json toJson(const FoundDevice& device) {
@@ -244,17 +238,14 @@ core::Expected<void> DevicesCommand::run() {
     if (m_probePath.empty()) {
         devices = listDevices();
     } else {
-        auto found = probeFile(m_probePath);
-        if (!found)
-            return core::Unexpected(found.error());
-        devices.push_back(std::move(*found));
+        TELETA_TRY(auto found, probeFile(m_probePath));
+        devices.push_back(std::move(found));
     }
     if (m_json) {
         nlohmann::ordered_json list = nlohmann::ordered_json::array();
         for (const FoundDevice& device : devices)
             list.push_back(toJson(device));
-        if (const auto printed = printDocument({{"devices", std::move(list)}}); !printed)
-            return printed;
+        TELETA_CHECK(printDocument({{"devices", std::move(list)}}));
     } else if (const auto printed = printTable(devices); !printed) {
         return printed;
     }

@@ -77,9 +77,7 @@ void ExportCommand::declare(CLI::App& app) {
 }
 
 core::Expected<void> ExportCommand::run() {
-    const core::Expected<Recording> recording = Recording::open(m_path);
-    if (!recording)
-        return core::Unexpected(recording.error());
+    TELETA_TRY(const Recording recording, Recording::open(m_path));
     ProgressBar progress(ProgressBar::Unit::frames, false);
     recording::ExportOptions options;
     options.overwrite = m_force;
@@ -90,7 +88,7 @@ core::Expected<void> ExportCommand::run() {
         stopped = interrupted();
         return !stopped;
     };
-    const auto exported = recording::exportCsv(*recording, m_folder, options);
+    const auto exported = recording::exportCsv(recording, m_folder, options);
     progress.erase();
     if (!exported) {
         core::Error error = exported.error();
@@ -99,7 +97,7 @@ core::Expected<void> ExportCommand::run() {
         return core::Unexpected(std::move(error));
     }
     const core::Expected<void> printed =
-        m_json ? printJson(*recording, *exported) : printFiles(*recording, *exported);
+        m_json ? printJson(recording, *exported) : printFiles(recording, *exported);
     if (printed && stopped)
         return core::Unexpected(interruption());
     return printed;

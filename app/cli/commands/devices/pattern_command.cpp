@@ -273,16 +273,12 @@ core::Expected<void> PatternCommand::list() const {
 }
 
 core::Expected<void> PatternCommand::show() const {
-    const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
-    if (!pattern)
-        return core::Unexpected(pattern.error());
+    TELETA_TRY(const Pattern pattern, pattern::findPattern(m_pattern));
     if (!m_json)
-        return printPattern(*pattern);
-    const core::Expected<std::string> text = pattern::patternToJson(*pattern);
-    if (!text)
-        return core::Unexpected(text.error());
+        return printPattern(pattern);
+    TELETA_TRY(const std::string text, pattern::patternToJson(pattern));
     core::OutputFile output = core::OutputFile::standardOutput();
-    output.write(*text);
+    output.write(text);
     return output.finish();
 }
 
@@ -292,30 +288,24 @@ core::Expected<Pattern> PatternCommand::helped(const pattern::MotorProfiles& pro
 }
 
 core::Expected<void> PatternCommand::render() const {
-    const core::Expected<pattern::MotorProfiles> profiles = motors();
-    if (!profiles)
-        return core::Unexpected(profiles.error());
-    const core::Expected<Pattern> pattern = helped(*profiles);
-    if (!pattern)
-        return core::Unexpected(pattern.error());
+    TELETA_TRY(const pattern::MotorProfiles profiles, motors());
+    TELETA_TRY(const Pattern pattern, helped(profiles));
     constexpr std::array<std::string_view, 7> kColumns{"time_s", "t1", "t2", "t3", "t4", "t5", "t6"};
-    core::Expected<RowOutput> rows = RowOutput::open(kColumns, {m_json, m_outPath});
-    if (!rows)
-        return core::Unexpected(rows.error());
+    TELETA_TRY(RowOutput rows, RowOutput::open(kColumns, {m_json, m_outPath}));
     const auto addRow = [&](double t_s, const core::Intensities& intensities) {
-        rows->number(t_s);
+        rows.number(t_s);
         for (const double intensity : intensities)
-            rows->number(intensity);
-        rows->endRow();
-        return !rows->failed() && !interrupted();
+            rows.number(intensity);
+        rows.endRow();
+        return !rows.failed() && !interrupted();
     };
     if (m_predicted)
-        pattern::forEachPredictedSample(*pattern, *profiles, m_rate_Hz,
+        pattern::forEachPredictedSample(pattern, profiles, m_rate_Hz,
                                         [&](double t_s, const core::Intensities& intensities,
                                             const core::Intensities&) { return addRow(t_s, intensities); });
     else
-        pattern::forEachSample(*pattern, m_rate_Hz, addRow);
-    const core::Expected<void> done = rows->finish();
+        pattern::forEachSample(pattern, m_rate_Hz, addRow);
+    const core::Expected<void> done = rows.finish();
     if (done && interrupted())
         return core::Unexpected(interruption());
     return done;
@@ -328,20 +318,16 @@ core::Expected<pattern::MotorProfiles> PatternCommand::motors() const {
 }
 
 core::Expected<void> PatternCommand::play() const {
-    const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
-    if (!pattern)
-        return core::Unexpected(pattern.error());
-    return playPattern(*pattern, {.device = m_device,
-                                  .motorsPath = m_motorsPath,
-                                  .overdrive = m_overdrive,
-                                  .measure_s = m_measure_s,
-                                  .json = m_json});
+    TELETA_TRY(const Pattern pattern, pattern::findPattern(m_pattern));
+    return playPattern(pattern, {.device = m_device,
+                                 .motorsPath = m_motorsPath,
+                                 .overdrive = m_overdrive,
+                                 .measure_s = m_measure_s,
+                                 .json = m_json});
 }
 
 core::Expected<void> PatternCommand::convert() const {
-    const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
-    if (!pattern)
-        return core::Unexpected(pattern.error());
+    TELETA_TRY(const Pattern pattern, pattern::findPattern(m_pattern));
     const std::optional<pattern::PatternFormat> format = pattern::formatOf(m_outPath);
     if (!format)
         throw CLI::ValidationError(
@@ -358,33 +344,29 @@ core::Expected<void> PatternCommand::convert() const {
     samples.rate_Hz = m_convertRate_Hz;
     if (m_predicted)
         samples.motors = pattern::assumedMotors();
-    if (auto saved = pattern::savePattern(*pattern, m_outPath, samples); !saved || !m_json)
+    if (auto saved = pattern::savePattern(pattern, m_outPath, samples); !saved || !m_json)
         return saved;
-    return printDocument({{"id", pattern->id}, {"out", m_outPath}});
+    return printDocument({{"id", pattern.id}, {"out", m_outPath}});
 }
 
 core::Expected<void> PatternCommand::check() const {
-    const core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
-    if (!pattern)
-        return core::Unexpected(pattern.error());
-    const core::Expected<pattern::MotorProfiles> profiles = motors();
-    if (!profiles)
-        return core::Unexpected(profiles.error());
-    const std::vector<pattern::Finding> findings = pattern::checkLaws(*pattern, *profiles);
+    TELETA_TRY(const Pattern pattern, pattern::findPattern(m_pattern));
+    TELETA_TRY(const pattern::MotorProfiles profiles, motors());
+    const std::vector<pattern::Finding> findings = pattern::checkLaws(pattern, profiles);
     if (m_json) {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
         for (const pattern::Finding& finding : findings)
-            all.push_back(toJson(*pattern, finding));
-        return printDocument({{"id", pattern->id}, {"findings", std::move(all)}});
+            all.push_back(toJson(pattern, finding));
+        return printDocument({{"id", pattern.id}, {"findings", std::move(all)}});
     }
     core::OutputFile output = core::OutputFile::standardOutput();
     if (findings.empty())
-        output.write((PatternText::tr("%1 keeps all laws.").arg(QString::fromStdString(pattern->id)) +
+        output.write((PatternText::tr("%1 keeps all laws.").arg(QString::fromStdString(pattern.id)) +
                       QLatin1Char('\n'))
                          .toStdString());
     for (const pattern::Finding& finding : findings)
         output.write((PatternText::tr("%1, %2 s to %3 s: %4 %5")
-                          .arg(placeText(*pattern, finding), forPeople(finding.span.begin_s),
+                          .arg(placeText(pattern, finding), forPeople(finding.span.begin_s),
                                forPeople(finding.span.end_s), QString::fromStdString(describe(finding)),
                                QString::fromStdString(describeFix(finding))) +
                       QLatin1Char('\n'))

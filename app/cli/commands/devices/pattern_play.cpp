@@ -53,17 +53,15 @@ core::Expected<std::unique_ptr<core::BraceletSource>> openBracelet(const std::st
 
 core::Expected<pattern::MotorProfiles> motorsOf(const std::string& path, const std::string& serial) {
     if (!path.empty()) {
-        const auto read = motors::readMotors(path);
-        if (!read)
-            return core::Unexpected(read.error());
-        if (read->bracelet != serial)
+        TELETA_TRY(const auto read, motors::readMotors(path));
+        if (read.bracelet != serial)
             return core::Unexpected(core::Error{core::ErrorKind::badInput,
                                                 PlayText::tr("the profile is of the bracelet \"%1\"")
-                                                    .arg(QString::fromStdString(read->bracelet))
+                                                    .arg(QString::fromStdString(read.bracelet))
                                                     .toStdString(),
                                                 serial,
                                                 {path}});
-        return read->profiles();
+        return read.profiles();
     }
     return motors::findMotors(serial).map([](const std::optional<motors::MotorCalibration>& found) {
         return found ? found->profiles() : pattern::assumedMotors();
@@ -210,19 +208,11 @@ core::Expected<void> print(const core::BraceletSource& bracelet, const playback:
 core::Expected<void> playPattern(const pattern::Pattern& drawn, const PlayOptions& options) {
     core::StopSwitch stop;
     core::Wakeup wakeup;
-    auto opened = openBracelet(options.device, stop);
-    if (!opened)
-        return core::Unexpected(opened.error());
-    core::BraceletSource& bracelet = **opened;
-    const auto motors = motorsOf(options.motorsPath, bracelet.description().serial);
-    if (!motors)
-        return core::Unexpected(motors.error());
-    const auto limits = motors::findLimits(bracelet.description().serial);
-    if (!limits)
-        return core::Unexpected(limits.error());
-    const auto pattern = options.overdrive ? pattern::overdriven(drawn, *motors) : drawn;
-    if (!pattern)
-        return core::Unexpected(pattern.error());
+    TELETA_TRY(auto opened, openBracelet(options.device, stop));
+    core::BraceletSource& bracelet = *opened;
+    TELETA_TRY(const auto motors, motorsOf(options.motorsPath, bracelet.description().serial));
+    TELETA_TRY(const auto limits, motors::findLimits(bracelet.description().serial));
+    TELETA_TRY(const auto pattern, options.overdrive ? pattern::overdriven(drawn, motors) : drawn);
     bracelet.start(wakeup);
     const std::int64_t begin_ns = core::steadyNow_ns();
     while (bracelet.connection() == 0 && !interrupted() &&
@@ -237,13 +227,12 @@ core::Expected<void> playPattern(const pattern::Pattern& drawn, const PlayOption
             {}});
     }
 
-    playback::Player player(
-        bracelet, stop, {.limits = {.userLimit = limits->strongest}, .ranges = playback::rangesOf(*motors)});
-    player.play(playback::programOf(*pattern), options.measure_s.has_value());
+    playback::Player player(bracelet, stop,
+                            {.limits = {.userLimit = limits.strongest}, .ranges = playback::rangesOf(motors)});
+    player.play(playback::programOf(pattern), options.measure_s.has_value());
     waitFor(player, options.measure_s);
     const Measured program = measuredBy(player);
-    if (auto well = endedWell(player.status()); !well)
-        return well;
+    TELETA_CHECK(endedWell(player.status()));
     std::optional<Measured> live;
     if (options.measure_s && !interrupted()) {
         const std::int64_t before_ns = player.status().begun_ns;
@@ -252,14 +241,12 @@ core::Expected<void> playPattern(const pattern::Pattern& drawn, const PlayOption
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         postFor(player, *options.measure_s);
         live = measuredBy(player);
-        if (auto well = endedWell(player.status()); !well)
-            return well;
+        TELETA_CHECK(endedWell(player.status()));
     }
     const bool cut = interrupted();
     // Nothing is felt while whoever reads the output takes his time.
     player.stop();
-    if (auto printed = print(bracelet, player, program, live, options.json); !printed)
-        return printed;
+    TELETA_CHECK(print(bracelet, player, program, live, options.json));
     return cut ? core::Expected<void>(core::Unexpected(interruption())) : core::Expected<void>();
 }
 

@@ -96,27 +96,24 @@ void ReplayCommand::declare(CLI::App& app) {
 
 core::Expected<ReplayCommand::Source>
 ReplayCommand::chooseSource(const recording::Recording& recording) const {
-    auto sources = pipeline::recordedSources(recording);
-    if (!sources)
-        return core::Unexpected(sources.error());
+    TELETA_TRY(auto sources, pipeline::recordedSources(recording));
     QStringList names;
     const auto isChosen = [&](std::size_t stream) {
         const std::string& name = recording.streams()[stream].name;
         names << QString::fromStdString(name);
         return m_stream.empty() || name == m_stream;
     };
-    for (pipeline::RecordedSource& source : sources->arrays)
+    for (pipeline::RecordedSource& source : sources.arrays)
         if (isChosen(source.arrayStream))
             return Source(std::move(source));
-    for (pipeline::RecordedCamera& source : sources->cameras)
+    for (pipeline::RecordedCamera& source : sources.cameras)
         if (isChosen(source.stream))
             return Source(std::move(source));
     // What is there under that name may not be described.
     for (const recording::StreamInfo& stream : recording.streams()) {
         if (stream.name != m_stream || stream.kind != recording::StreamKind::array)
             continue;
-        if (const auto array = pipeline::recordedArray(stream, recording.path()); !array)
-            return core::Unexpected(array.error());
+        TELETA_CHECK(pipeline::recordedArray(stream, recording.path()));
     }
     throw CLI::ValidationError("--stream", ReplayText::tr("the recording has the arrays and cameras %1")
                                                .arg(names.join(QStringLiteral(", ")))
@@ -133,16 +130,12 @@ replay::RecordedConfig ReplayCommand::configOf(std::size_t stream) const {
 }
 
 core::Expected<void> ReplayCommand::run() {
-    const core::Expected<recording::Recording> recording = recording::Recording::open(m_path);
-    if (!recording)
-        return core::Unexpected(recording.error());
-    core::Expected<Source> source = chooseSource(*recording);
-    if (!source)
-        return core::Unexpected(source.error());
-    if (const auto* camera = std::get_if<pipeline::RecordedCamera>(&*source))
-        return replayCamera(*recording, *camera);
-    auto array = std::get<pipeline::RecordedSource>(std::move(*source));
-    if (pipeline::settingsChanged(recording->events(), recording->streams()[array.arrayStream].name))
+    TELETA_TRY(const recording::Recording recording, recording::Recording::open(m_path));
+    TELETA_TRY(Source source, chooseSource(recording));
+    if (const auto* camera = std::get_if<pipeline::RecordedCamera>(&source))
+        return replayCamera(recording, *camera);
+    auto array = std::get<pipeline::RecordedSource>(std::move(source));
+    if (pipeline::settingsChanged(recording.events(), recording.streams()[array.arrayStream].name))
         warn(ReplayText::tr("the settings changed during the recording; those of its beginning are used"));
     return replayArray(std::move(array));
 }
@@ -154,37 +147,28 @@ core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& rec
                                    ReplayText::tr("it is of an array, but the stream \"%1\" is of a camera")
                                        .arg(QString::fromStdString(recording.streams()[source.stream].name))
                                        .toStdString());
-    auto finder = vision::makeContactFinder(vision::contactLadder().front(), source.camera);
-    if (!finder)
-        return core::Unexpected(finder.error());
-    vision::CameraTracker tracker(std::move(*finder), {.identities = {}, .bump = source.bump});
-    const auto reference = pipeline::firstReference(recording, source);
-    if (!reference)
-        return core::Unexpected(reference.error());
-    if (!reference->isEmpty()) {
-        if (const auto taken = tracker.next(vision::viewOf(*reference), 0.0); !taken)
-            return core::Unexpected(taken.error());
+    TELETA_TRY(auto finder, vision::makeContactFinder(vision::contactLadder().front(), source.camera));
+    vision::CameraTracker tracker(std::move(finder), {.identities = {}, .bump = source.bump});
+    TELETA_TRY(const auto reference, pipeline::firstReference(recording, source));
+    if (!reference.isEmpty()) {
+        TELETA_CHECK(tracker.next(vision::viewOf(reference), 0.0));
     }
     replay::RecordedConfig config = configOf(source.stream);
     config.camera = source.description;
     config.referenceStream = source.referenceStream;
-    const auto player = replay::RecordedPlayer::open(std::move(config));
-    if (!player)
-        return core::Unexpected(player.error());
-    core::Expected<RowOutput> rows = RowOutput::open(vision::kContactColumns, m_output);
-    if (!rows)
-        return core::Unexpected(rows.error());
+    TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
+    TELETA_TRY(RowOutput rows, RowOutput::open(vision::kContactColumns, m_output));
 
     core::Wakeup data;
-    replay::RecordedCamera camera(*player);
-    ProgressBar progress(ProgressBar::Unit::frames, rows->onTerminal());
+    replay::RecordedCamera camera(player);
+    ProgressBar progress(ProgressBar::Unit::frames, rows.onTerminal());
     camera.start(data);
     core::DeviceStatus status;
     // The reference, wherever it is kept, is frame 0.
-    const long long first = reference->isEmpty() ? 0 : 1;
+    const long long first = reference.isEmpty() ? 0 : 1;
     long long done = 0;
     std::uint64_t lost = 0; // to a finder that is slower than the playing
-    for (bool ended = false; !ended && !interrupted() && !rows->failed();) {
+    for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
         status = camera.status();
         ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
         if (!ended)
@@ -205,17 +189,17 @@ core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& rec
             const int bumped = tracker.bump() ? tracker.bump()->contact : 0;
             for (const vision::FollowedContact& followed : *contacts) {
                 if (followed.seen || followed.event == vision::ContactEvent::ends)
-                    vision::writeContact(*rows, first + static_cast<long long>(frame.number), frame.capture_s,
+                    vision::writeContact(rows, first + static_cast<long long>(frame.number), frame.capture_s,
                                          followed, bumped);
             }
-            rows->flushIfDue();
+            rows.flushIfDue();
             progress.update(static_cast<double>(done), static_cast<double>(camera.position().frames));
         }
     }
     camera.stop();
     progress.erase();
     warnOfUnusableFrames(tracker);
-    return finish(*rows, camera, status, lost + status.framesLost);
+    return finish(rows, camera, status, lost + status.framesLost);
 }
 
 core::Expected<void> ReplayCommand::replayArray(pipeline::RecordedSource source) {
@@ -223,21 +207,17 @@ core::Expected<void> ReplayCommand::replayArray(pipeline::RecordedSource source)
     settings.features.threshold_N = m_threshold.value_or(settings.features.threshold_N);
     replay::RecordedConfig config = configOf(source.arrayStream);
     config.array = std::move(source.array.description);
-    const auto player = replay::RecordedPlayer::open(std::move(config));
-    if (!player)
-        return core::Unexpected(player.error());
-    core::Expected<RowOutput> rows = RowOutput::open(kFeatureColumns, m_output);
-    if (!rows)
-        return core::Unexpected(rows.error());
+    TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
+    TELETA_TRY(RowOutput rows, RowOutput::open(kFeatureColumns, m_output));
 
     core::Wakeup data;
-    auto made = std::make_unique<replay::RecordedArray>(*player);
+    auto made = std::make_unique<replay::RecordedArray>(player);
     const replay::RecordedArray& array = *made;
     pipeline::TouchChannel channel(std::move(made), std::move(settings));
-    ProgressBar progress(ProgressBar::Unit::frames, rows->onTerminal());
+    ProgressBar progress(ProgressBar::Unit::frames, rows.onTerminal());
     channel.start(data);
     core::DeviceStatus status;
-    for (bool ended = false; !ended && !interrupted() && !rows->failed();) {
+    for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
         status = channel.status();
         ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
         // Once more after the end: what was delivered before it.
@@ -246,15 +226,15 @@ core::Expected<void> ReplayCommand::replayArray(pipeline::RecordedSource source)
         channel.process();
         pipeline::FeatureSample sample;
         while (channel.popSample(sample))
-            writeFeatures(*rows, sample.sourceTime_s, sample.features);
-        rows->flushIfDue();
+            writeFeatures(rows, sample.sourceTime_s, sample.features);
+        rows.flushIfDue();
         progress.update(static_cast<double>(channel.framesProcessed()),
                         static_cast<double>(channel.playback()->position().frames));
     }
     channel.stop();
     progress.erase();
     if (channel.samplesNotShown() > 0) {
-        rows->flush();
+        rows.flush();
         return core::Unexpected(core::Error{core::ErrorKind::ioFailed,
                                             ReplayText::tr("%n frame(s) were not printed", nullptr,
                                                            static_cast<int>(channel.samplesNotShown()))
@@ -262,7 +242,7 @@ core::Expected<void> ReplayCommand::replayArray(pipeline::RecordedSource source)
                                             {},
                                             {m_path}});
     }
-    return finish(*rows, array, status, status.framesLost);
+    return finish(rows, array, status, status.framesLost);
 }
 
 } // namespace teleta::cli

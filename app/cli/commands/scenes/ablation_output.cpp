@@ -35,29 +35,27 @@ std::set<std::string> measuresThatChange(const scene_run::Ablation& ablation) {
 } // namespace
 
 core::Expected<void> printAblation(const scene_run::Ablation& ablation, const RowOptions& options) {
-    core::Expected<RowOutput> rows = RowOutput::open(kColumns, options);
-    if (!rows)
-        return core::Unexpected(rows.error());
+    TELETA_TRY(RowOutput rows, RowOutput::open(kColumns, options));
     const std::set<std::string> shown = measuresThatChange(ablation);
     for (const scene_run::EffectAblation& effect : ablation.effects)
         for (const scene_run::MeasureChange& change : effect.changes) {
             if (!shown.contains(change.measure))
                 continue;
-            rows->text(effect.effect);
-            rows->text(change.measure);
+            rows.text(effect.effect);
+            rows.text(change.measure);
             for (const double value : {change.mean, change.spread, change.meanWithout, change.change})
-                rows->number(value);
+                rows.number(value);
             // A measure without a spread has no such ratio, unless it stays as it is.
-            rows->number(change.spread > 0.0    ? std::optional(change.change / change.spread)
-                         : change.change == 0.0 ? std::optional(0.0)
-                                                : std::nullopt);
-            rows->integer(static_cast<long long>(change.differing));
-            rows->text(change.moves ? "yes" : "no");
+            rows.number(change.spread > 0.0    ? std::optional(change.change / change.spread)
+                        : change.change == 0.0 ? std::optional(0.0)
+                                               : std::nullopt);
+            rows.integer(static_cast<long long>(change.differing));
+            rows.text(change.moves ? "yes" : "no");
             for (const double time_s : {effect.own_s, effect.run_s, ablation.run_s})
-                rows->number(time_s);
-            rows->endRow();
+                rows.number(time_s);
+            rows.endRow();
         }
-    return rows->finish();
+    return rows.finish();
 }
 
 } // namespace teleta::cli

@@ -78,9 +78,7 @@ core::Expected<void> printScenes(bool json) {
     nlohmann::ordered_json document = nlohmann::ordered_json::array();
     std::vector<std::pair<QString, QString>> fields;
     for (const std::string& name : app::sceneNames()) {
-        const core::Expected<app::AnyScene> any = app::readAnyScene(name);
-        if (!any)
-            return core::Unexpected(any.error());
+        TELETA_TRY(const app::AnyScene any, app::readAnyScene(name));
         std::visit(
             [&](const auto& scene) {
                 document.push_back({{"id", name},
@@ -89,7 +87,7 @@ core::Expected<void> printScenes(bool json) {
                                     {"duration_s", scene.duration_s}});
                 fields.emplace_back(QString::fromStdString(name), QString::fromStdString(scene.name));
             },
-            *any);
+            any);
     }
     return json ? printDocument(document) : printFields(fields);
 }
@@ -173,40 +171,30 @@ core::Expected<void> SimulateCommand::ablate(const app::AnyScene& scene) const {
     const core::Expected<scene_run::Ablation> ablation =
         std::visit([&](const auto& any) { return scene_run::ablateEffects(any, options); }, scene);
     progress.erase();
-    if (!ablation)
-        return core::Unexpected(ablation.error());
+    TELETA_CHECK(ablation);
     return printAblation(*ablation, {.json = m_json, .outPath = m_outFolder});
 }
 
 core::Expected<std::vector<servo_figure::ServoCurves>> SimulateCommand::readEarlierRuns() const {
     std::vector<servo_figure::ServoCurves> runs;
     for (const std::string& folder : m_compare) {
-        core::Expected<servo_figure::ServoCurves> run = servo_figure::readServoCurves(folder);
-        if (!run)
-            return core::Unexpected(run.error());
-        runs.push_back(std::move(*run));
+        TELETA_TRY(servo_figure::ServoCurves run, servo_figure::readServoCurves(folder));
+        runs.push_back(std::move(run));
     }
     return runs;
 }
 
 core::Expected<void> SimulateCommand::writeFigures(std::vector<servo_figure::ServoCurves> runs) const {
-    core::Expected<servo_figure::ServoCurves> own = servo_figure::readServoCurves(m_outFolder);
-    if (!own)
-        return core::Unexpected(own.error());
-    runs.insert(runs.begin(), std::move(*own));
+    TELETA_TRY(servo_figure::ServoCurves own, servo_figure::readServoCurves(m_outFolder));
+    runs.insert(runs.begin(), std::move(own));
     const std::string svg = servo_figure::servoFigure(runs).standalone();
     for (const std::string& format : m_figures) {
-        const core::Expected<std::string> bytes = format == "pdf"   ? figure::pdfOf(svg)
-                                                  : format == "png" ? figure::pngOf(svg)
-                                                                    : core::Expected<std::string>(svg);
-        if (!bytes)
-            return core::Unexpected(bytes.error());
-        core::Expected<core::OutputFile> file = core::OutputFile::create(m_outFolder + "/servo." + format);
-        if (!file)
-            return core::Unexpected(file.error());
-        file->write(*bytes);
-        if (const core::Expected<void> written = file->finish(); !written)
-            return written;
+        TELETA_TRY(const std::string bytes, format == "pdf"   ? figure::pdfOf(svg)
+                                            : format == "png" ? figure::pngOf(svg)
+                                                              : core::Expected<std::string>(svg));
+        TELETA_TRY(core::OutputFile file, core::OutputFile::create(m_outFolder + "/servo." + format));
+        file.write(bytes);
+        TELETA_CHECK(file.finish());
     }
     return {};
 }
@@ -231,9 +219,7 @@ core::Expected<void> SimulateCommand::run() {
         throw CLI::ValidationError("--figures", SimulateText::tr("is for scenes of a servo").toStdString());
 
     // Before the run, which may take long; and the run may be of the same folder.
-    core::Expected<std::vector<servo_figure::ServoCurves>> earlier = readEarlierRuns();
-    if (!earlier)
-        return core::Unexpected(earlier.error());
+    TELETA_TRY(std::vector<servo_figure::ServoCurves> earlier, readEarlierRuns());
     // Nothing is printed before the end, so the bar may share the terminal with the results.
     ProgressBar progress(ProgressBar::Unit::simulatedSeconds, false);
     scene_run::RunOptions options;
@@ -250,14 +236,10 @@ core::Expected<void> SimulateCommand::run() {
         study != nullptr ? scene_run::runStudyScene(*study, options)
                          : scene_run::runScene(std::get<scene::Scene>(*scene), options);
     progress.erase();
-    if (!summary)
-        return core::Unexpected(summary.error());
+    TELETA_CHECK(summary);
     if (!m_figures.empty())
-        if (const core::Expected<void> drawn = writeFigures(std::move(*earlier)); !drawn)
-            return drawn;
-    const core::Expected<void> printed = m_json ? printDocument(summary->toJson()) : printTable(*summary);
-    if (!printed)
-        return printed;
+        TELETA_CHECK(writeFigures(std::move(earlier)));
+    TELETA_CHECK(m_json ? printDocument(summary->toJson()) : printTable(*summary));
     if (summary->interrupted)
         return core::Unexpected(interruption());
     return {};

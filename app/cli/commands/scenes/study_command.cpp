@@ -270,29 +270,23 @@ core::Expected<void> StudyCommand::run() {
 }
 
 core::Expected<void> StudyCommand::runRehearse() const {
-    const core::Expected<study::Protocol> protocol =
-        m_protocolPath.empty() ? study::paperProtocol() : study::readProtocol(m_protocolPath);
-    if (!protocol)
-        return core::Unexpected(protocol.error());
+    TELETA_TRY(const study::Protocol protocol,
+               m_protocolPath.empty() ? study::paperProtocol() : study::readProtocol(m_protocolPath));
     study::StudyHead head;
-    head.protocol = *protocol;
+    head.protocol = protocol;
     head.seed = m_seed;
     head.mode = study::Mode::simulated;
     head.plannedParticipants = m_participants;
     head.lapses = m_lapses;
     head.created = QDateTime::currentDateTimeUtc();
     head.appVersion = QCoreApplication::applicationVersion().toStdString();
-    core::Expected<study::StudyStore> store = study::StudyStore::create({m_outFolder, m_server}, head);
-    if (!store)
-        return core::Unexpected(store.error());
-    return goOn(*store);
+    TELETA_TRY(study::StudyStore store, study::StudyStore::create({m_outFolder, m_server}, head));
+    return goOn(store);
 }
 
 core::Expected<void> StudyCommand::runResume() const {
-    core::Expected<study::StudyStore> store = study::StudyStore::open({m_studyFolder, m_server});
-    if (!store)
-        return core::Unexpected(store.error());
-    return goOn(*store);
+    TELETA_TRY(study::StudyStore store, study::StudyStore::open({m_studyFolder, m_server}));
+    return goOn(store);
 }
 
 core::Expected<void> StudyCommand::goOn(study::StudyStore& store) const {
@@ -304,8 +298,7 @@ core::Expected<void> StudyCommand::goOn(study::StudyStore& store) const {
                             return !interrupted();
                         }});
     bar.erase();
-    if (!progress)
-        return core::Unexpected(progress.error());
+    TELETA_CHECK(progress);
     if (progress->interrupted)
         return core::Unexpected(interruption());
     const study::StudyHead& head = store.head();
@@ -403,11 +396,9 @@ core::Expected<void> StudyCommand::runAnalyze() const {
     study::ModeFilter modes;
     if (!m_mode.empty())
         modes.wanted = study::modeOf(m_mode);
-    if (const core::Expected<void> counted = tallyInputs(tally, modes); !counted)
-        return counted;
+    TELETA_CHECK(tallyInputs(tally, modes));
     const std::vector<study::TaskResults> results = study::studyResults(tally);
-    if (const core::Expected<void> written = writeAll(results, modes, tally.frames()); !written)
-        return written;
+    TELETA_CHECK(writeAll(results, modes, tally.frames()));
     const QString report = QDir(QString::fromStdString(m_outFolder)).filePath(QStringLiteral("report.html"));
     if (m_json) {
         nlohmann::ordered_json document = toJson(results);
@@ -425,11 +416,8 @@ core::Expected<void> StudyCommand::runNoise() const {
     study::PinkNoiseSettings settings;
     settings.level_dBFS = m_level_dBFS;
     settings.seed = m_seed;
-    const core::Expected<std::vector<float>> samples = study::pinkNoise(settings);
-    if (!samples)
-        return core::Unexpected(samples.error());
-    if (const auto written = study::writeMonoWav(*samples, settings.rate_Hz, m_outFolder); !written)
-        return written;
+    TELETA_TRY(const std::vector<float> samples, study::pinkNoise(settings));
+    TELETA_CHECK(study::writeMonoWav(samples, settings.rate_Hz, m_outFolder));
     const double duration_s = static_cast<double>(settings.samples) / settings.rate_Hz;
     if (m_json)
         return printDocument({{"file", m_outFolder},
@@ -444,21 +432,17 @@ core::Expected<void> StudyCommand::runNoise() const {
 }
 
 core::Expected<void> StudyCommand::runExport() const {
-    const core::Expected<study::StudyStore> store =
-        study::StudyStore::openForReading({m_studyFolder, m_server});
-    if (!store)
-        return core::Unexpected(store.error());
+    TELETA_TRY(const study::StudyStore store, study::StudyStore::openForReading({m_studyFolder, m_server}));
     const study::ExportFormat format = m_format == "bids"    ? study::ExportFormat::bids
                                        : m_format == "excel" ? study::ExportFormat::excel
                                                              : study::ExportFormat::psychds;
     const core::Expected<std::size_t> sessions =
-        store->ownFolder().and_then([&] { return study::exportStudy(*store, format); });
-    if (!sessions)
-        return core::Unexpected(sessions.error());
+        store.ownFolder().and_then([&] { return study::exportStudy(store, format); });
+    TELETA_CHECK(sessions);
     if (m_json)
-        return printDocument({{"study", store->folder()}, {"format", m_format}, {"sessions", *sessions}});
+        return printDocument({{"study", store.folder()}, {"format", m_format}, {"sessions", *sessions}});
     const std::vector<std::pair<QString, QString>> fields{
-        {StudyText::tr("Study"), QString::fromStdString(store->folder())},
+        {StudyText::tr("Study"), QString::fromStdString(store.folder())},
         {StudyText::tr("Format"), QString::fromStdString(m_format)},
         {StudyText::tr("Sessions"), QString::number(*sessions)}};
     return printFields(fields);

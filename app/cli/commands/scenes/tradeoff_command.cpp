@@ -94,8 +94,7 @@ core::Expected<void> TradeoffCommand::run() {
         return printLadders(ladders, m_json);
     // A folder that cannot be made is told before the work, not after it.
     if (!m_outFolder.empty())
-        if (const core::Expected<void> made = makeTradeoffFolder(m_outFolder); !made)
-            return made;
+        TELETA_CHECK(makeTradeoffFolder(m_outFolder));
 
     ProgressBar progress(ProgressBar::Unit::share, false);
     cost::MeasureSettings settings;
@@ -106,14 +105,10 @@ core::Expected<void> TradeoffCommand::run() {
     };
     const core::Expected<cost::Measurement> measured = cost::measureLadders(ladders, settings);
     progress.erase();
-    if (!measured)
-        return core::Unexpected(measured.error());
+    TELETA_CHECK(measured);
     if (!m_outFolder.empty())
-        if (const core::Expected<void> written = writeTradeoff(*measured, ladders, m_outFolder); !written)
-            return written;
-    const core::Expected<void> printed = printTradeoff(*measured, ladders, m_json, !m_outFolder.empty());
-    if (!printed)
-        return printed;
+        TELETA_CHECK(writeTradeoff(*measured, ladders, m_outFolder));
+    TELETA_CHECK(printTradeoff(*measured, ladders, m_json, !m_outFolder.empty()));
     if (measured->interrupted)
         return core::Unexpected(interruption());
     if (measured->refused() > 0)

@@ -143,16 +143,11 @@ core::Expected<void> makeTradeoffFolder(const std::string& folder) {
 
 core::Expected<void> writeTradeoff(const cost::Measurement& measured, std::span<const cost::Ladder> ladders,
                                    const std::string& folder) {
-    if (const auto written = cost::writeCostFile(measured.ladders, folder + "/tradeoff.csv"); !written)
-        return written;
+    TELETA_CHECK(cost::writeCostFile(measured.ladders, folder + "/tradeoff.csv"));
     for (const cost::LadderCost& ladder : measured.ladders) {
-        core::Expected<core::OutputFile> picture =
-            core::OutputFile::create(folder + "/" + ladder.ladder + ".svg");
-        if (!picture)
-            return core::Unexpected(picture.error());
-        picture->write(cost::costSvg(ladder, titleOf(ladders, ladder.ladder).toStdString()));
-        if (const auto written = picture->finish(); !written)
-            return written;
+        TELETA_TRY(core::OutputFile picture, core::OutputFile::create(folder + "/" + ladder.ladder + ".svg"));
+        picture.write(cost::costSvg(ladder, titleOf(ladders, ladder.ladder).toStdString()));
+        TELETA_CHECK(picture.finish());
     }
     return {};
 }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/tactile/contour_command.h"
 
+#include "app/cli/base/column_reader.h"
 #include "app/cli/base/command_io.h"
-#include "app/cli/base/interruption.h"
-#include "app/cli/base/progress_bar.h"
 #include "app/cli/base/validators.h"
-#include "backend/core/data/csv_reader.h"
 #include "backend/core/data/csv_writer.h"
 
 #include <QCoreApplication>
@@ -16,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
@@ -158,81 +157,60 @@ void ContourCommand::declare(CLI::App& app) {
 }
 
 core::Expected<void> ContourCommand::run() {
-    const core::Expected<std::vector<Point>> points = readPoints();
-    if (!points)
-        return core::Unexpected(points.error());
+    TELETA_TRY(const std::vector<Point> points, readPoints());
 
     contour::RecognitionSettings settings;
     settings.resolution_m = m_resolution_m;
     if (m_closed)
         settings.closed = true;
-    const std::optional<Recognition> seen = contour::recogniseShape(*points, settings);
+    const std::optional<Recognition> seen = contour::recogniseShape(points, settings);
     std::optional<CubicSpline> spline;
     if (seen)
         spline = CubicSpline::fit(
-            *points, m_spline == "interpolating" ? SplineKind::interpolating : SplineKind::approximating,
+            points, m_spline == "interpolating" ? SplineKind::interpolating : SplineKind::approximating,
             seen->closed);
     if (!spline) {
         core::Error error;
         error.where.file = m_pointsPath;
-        error.message = points->empty()
+        error.message = points.empty()
                             ? ContourText::tr("the file has no points").toStdString()
                             : ContourText::tr("a coordinate is too large to compute with").toStdString();
         error.expected = ContourText::tr("a row for each contact point, in metres").toStdString();
         return core::Unexpected(error);
     }
     if (!m_curvePath.empty()) {
-        const core::Expected<void> written = writeCurve(*spline);
-        if (!written)
-            return written;
+        TELETA_CHECK(writeCurve(*spline));
     }
     const double length_m = spline->length_m();
     const double curvature_perM = largestCurvature_perM(*spline, m_samples);
-    return m_json ? printDocument(toJson(points->size(), *seen, length_m, curvature_perM))
-                  : printTable(points->size(), *seen, length_m, curvature_perM);
+    return m_json ? printDocument(toJson(points.size(), *seen, length_m, curvature_perM))
+                  : printTable(points.size(), *seen, length_m, curvature_perM);
 }
 
 core::Expected<std::vector<Point>> ContourCommand::readPoints() const {
-    core::Expected<core::CsvReader> reader = core::CsvReader::open(m_pointsPath);
-    if (!reader)
-        return core::Unexpected(reader.error());
     constexpr std::array<std::string_view, 2> kNames{"x_m", "y_m"};
-    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kNames);
-    if (!columns)
-        return core::Unexpected(columns.error());
-
+    TELETA_TRY(ColumnReader reader, ColumnReader::open(m_pointsPath, kNames));
     std::vector<Point> points;
-    std::vector<double> row;
-    const auto total = static_cast<double>(reader->bytesTotal());
-    ProgressBar progress(ProgressBar::Unit::bytes, isatty(STDOUT_FILENO) != 0);
-    for (;;) {
-        const core::Expected<bool> more = reader->next(row);
-        if (!more)
-            return core::Unexpected(more.error());
-        if (!*more)
-            return points;
-        if (interrupted())
-            return core::Unexpected(interruption());
-        points.emplace_back(row[(*columns)[0]], row[(*columns)[1]]);
-        progress.update(static_cast<double>(reader->bytesRead()), total);
-    }
+    TELETA_CHECK(reader.forEachRow(isatty(STDOUT_FILENO) != 0, [&](std::span<const double> row) {
+        points.emplace_back(row[0], row[1]);
+        return true;
+    }));
+    return points;
 }
 
 core::Expected<void> ContourCommand::writeCurve(const CubicSpline& spline) const {
     constexpr std::array<std::string_view, 4> kColumns{"t", "x_m", "y_m", "curvature_per_m"};
-    core::Expected<core::CsvWriter> csv = core::CsvWriter::create(m_curvePath, kColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
-    for (int i = 0; i < m_samples && !csv->failed(); ++i) {
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(m_curvePath, kColumns));
+    for (int i = 0; i < m_samples && !csv.failed(); ++i) {
         const double t = parameter(spline, i, m_samples);
         const Point p = spline.position_m(t);
-        csv->number(static_cast<double>(i) / (m_samples - 1));
-        csv->number(p.x());
-        csv->number(p.y());
-        csv->number(spline.curvature_perM(t));
-        csv->endRow();
+        csv.number(static_cast<double>(i) / (m_samples - 1));
+        csv.number(p.x());
+        csv.number(p.y());
+        csv.number(spline.curvature_perM(t));
+        csv.endRow();
     }
-    return csv->finish();
+    return csv.finish();
 }
 
 } // namespace teleta::cli

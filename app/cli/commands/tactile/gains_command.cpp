@@ -71,11 +71,9 @@ core::Expected<void> printTable(const TaxelGains& gains) {
 }
 
 core::Expected<void> printRows(const TaxelGains& gains) {
-    core::Expected<RowOutput> rows = RowOutput::open(equilibration::kTaxelGainColumns, {});
-    if (!rows)
-        return core::Unexpected(rows.error());
-    equilibration::writeTaxelGainRows(gains, *rows);
-    return rows->finish();
+    TELETA_TRY(RowOutput rows, RowOutput::open(equilibration::kTaxelGainColumns, {}));
+    equilibration::writeTaxelGainRows(gains, rows);
+    return rows.finish();
 }
 
 /// What somebody should know before he uses the gains.
@@ -121,9 +119,7 @@ core::Expected<void> GainsCommand::run() {
     std::vector<std::string> inputs = m_paths;
     inputs.push_back(m_array.tarePath);
     refuseToReplace(m_output.outPath, inputs);
-    const core::Expected<contact::ConditioningSettings> settings = m_array.conditioning();
-    if (!settings)
-        return core::Unexpected(settings.error());
+    TELETA_TRY(const contact::ConditioningSettings settings, m_array.conditioning());
     std::vector<std::vector<float>> presses;
     for (const std::string& path : m_paths) {
         core::Expected<std::vector<float>> press =
@@ -134,21 +130,19 @@ core::Expected<void> GainsCommand::run() {
     }
     std::vector<equilibration::GainPress> read;
     for (const std::vector<float>& press : presses)
-        read.push_back({press, *settings});
-    const core::Expected<TaxelGains> gains = equilibration::findTaxelGains(m_array.layout(), read);
-    if (!gains)
-        return core::Unexpected(gains.error());
+        read.push_back({press, settings});
+    TELETA_TRY(const TaxelGains gains, equilibration::findTaxelGains(m_array.layout(), read));
     if (interrupted())
         return core::Unexpected(interruption());
-    warnOf(*gains);
+    warnOf(gains);
     if (!m_output.outPath.empty()) {
-        if (const core::Expected<void> written = equilibration::writeTaxelGains(*gains, m_output.outPath);
+        if (const core::Expected<void> written = equilibration::writeTaxelGains(gains, m_output.outPath);
             !written)
             return written;
     }
     if (m_output.json)
-        return printDocument(toJson(*gains));
-    return m_output.outPath.empty() ? printRows(*gains) : printTable(*gains);
+        return printDocument(toJson(gains));
+    return m_output.outPath.empty() ? printRows(gains) : printTable(gains);
 }
 
 } // namespace teleta::cli

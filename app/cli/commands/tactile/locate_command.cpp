@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/tactile/locate_command.h"
 
-#include "app/cli/base/interruption.h"
-#include "app/cli/base/progress_bar.h"
-#include "backend/core/data/csv_reader.h"
+#include "app/cli/base/column_reader.h"
 #include "backend/vision/calibration/camera_file.h"
 
 #include <QCoreApplication>
@@ -12,6 +10,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -62,45 +61,21 @@ void LocateCommand::declare(CLI::App& app) {
 }
 
 core::Expected<void> LocateCommand::run() {
-    const core::Expected<vision::CameraFile> file = vision::readCamera(m_cameraPath);
-    if (!file)
-        return core::Unexpected(file.error());
-    core::Expected<core::CsvReader> reader = core::CsvReader::open(m_pixelsPath);
-    if (!reader)
-        return core::Unexpected(reader.error());
+    TELETA_TRY(const vision::CameraFile file, vision::readCamera(m_cameraPath));
     constexpr std::array<std::string_view, 2> kNames{"u_px", "v_px"};
-    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kNames);
-    if (!columns)
-        return core::Unexpected(columns.error());
+    TELETA_TRY(ColumnReader reader, ColumnReader::open(m_pixelsPath, kNames));
     constexpr std::array<std::string_view, 4> kColumns{"x_m", "y_m", "z_m", "sd_m"};
-    core::Expected<RowOutput> rows = RowOutput::open(kColumns, m_output);
-    if (!rows)
-        return core::Unexpected(rows.error());
+    TELETA_TRY(RowOutput rows, RowOutput::open(kColumns, m_output));
 
-    const auto total = static_cast<double>(reader->bytesTotal());
-    ProgressBar progress(ProgressBar::Unit::bytes, rows->onTerminal());
-    std::vector<double> row;
-    core::Expected<void> stopped;
-    while (!rows->failed()) {
-        if (interrupted()) {
-            stopped = core::Unexpected(interruption());
-            break;
-        }
-        const core::Expected<bool> more = reader->next(row);
-        if (!more) {
-            stopped = core::Unexpected(more.error());
-            break;
-        }
-        if (!*more)
-            break;
-        writePoint(file->camera, {row[(*columns)[0]], row[(*columns)[1]]}, *rows);
-        rows->flushIfDue();
-        progress.update(static_cast<double>(reader->bytesRead()), total);
-    }
-    progress.erase();
-    // What was located before the end of the work is kept.
-    const core::Expected<void> finished = rows->finish();
-    return stopped ? finished : stopped;
+    const core::Expected<void> read =
+        reader.forEachRow(rows.onTerminal(), [&](std::span<const double> pixel) {
+            writePoint(file.camera, {pixel[0], pixel[1]}, rows);
+            rows.flushIfDue();
+            return !rows.failed();
+        });
+    // What was located before the work was cut short is kept.
+    const core::Expected<void> finished = rows.finish();
+    return read ? finished : read;
 }
 
 } // namespace teleta::cli

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/tactile/stiffness_command.h"
 
+#include "app/cli/base/column_reader.h"
 #include "app/cli/base/command_io.h"
-#include "app/cli/base/interruption.h"
-#include "app/cli/base/progress_bar.h"
 #include "app/cli/base/validators.h"
-#include "backend/core/data/csv_reader.h"
 
 #include <QCoreApplication>
 
@@ -15,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
@@ -178,12 +177,10 @@ core::Expected<void> StiffnessCommand::run() {
     }
     m_settings.method = *stiffness::methodFromString(m_method);
 
-    const core::Expected<std::vector<JointSample>> log = readLog();
-    if (!log)
-        return core::Unexpected(log.error());
-    const tl::expected<TouchStiffness, Refusal> touch = stiffness::estimateStiffness(*log, m_settings);
+    TELETA_TRY(const std::vector<JointSample> log, readLog());
+    const tl::expected<TouchStiffness, Refusal> touch = stiffness::estimateStiffness(log, m_settings);
     if (!touch)
-        return core::Unexpected(explain(touch.error(), *log));
+        return core::Unexpected(explain(touch.error(), log));
     if (touch->stifferThanLink)
         warn(StiffnessText::tr(
             "the touch is stiffer than the link allows: check contact distance and link stiffness"));
@@ -191,29 +188,14 @@ core::Expected<void> StiffnessCommand::run() {
 }
 
 core::Expected<std::vector<JointSample>> StiffnessCommand::readLog() const {
-    core::Expected<core::CsvReader> reader = core::CsvReader::open(m_logPath);
-    if (!reader)
-        return core::Unexpected(reader.error());
     constexpr std::array<std::string_view, 3> kNames{"time_s", "joint_angle_rad", "joint_torque_nm"};
-    const core::Expected<std::vector<std::size_t>> columns = reader->columns(kNames);
-    if (!columns)
-        return core::Unexpected(columns.error());
-
+    TELETA_TRY(ColumnReader reader, ColumnReader::open(m_logPath, kNames));
     std::vector<JointSample> log;
-    std::vector<double> row;
-    const auto total = static_cast<double>(reader->bytesTotal());
-    ProgressBar progress(ProgressBar::Unit::bytes, isatty(STDOUT_FILENO) != 0);
-    for (;;) {
-        const core::Expected<bool> more = reader->next(row);
-        if (!more)
-            return core::Unexpected(more.error());
-        if (!*more)
-            return log;
-        if (interrupted())
-            return core::Unexpected(interruption());
-        log.push_back({row[(*columns)[0]], row[(*columns)[1]], row[(*columns)[2]]});
-        progress.update(static_cast<double>(reader->bytesRead()), total);
-    }
+    TELETA_CHECK(reader.forEachRow(isatty(STDOUT_FILENO) != 0, [&](std::span<const double> row) {
+        log.push_back({row[0], row[1], row[2]});
+        return true;
+    }));
+    return log;
 }
 
 core::Error StiffnessCommand::explain(Refusal refusal, const std::vector<JointSample>& log) const {
