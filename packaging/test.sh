@@ -3,6 +3,8 @@
 # Installs what is missing, builds everything with warnings as errors and runs all checks:
 #   format      clang-format of every C++ file
 #   ci          the whole project: all tests, those with OpenGL on a screen in memory
+#   alone       each source of the programs compiles by itself, without what a unity build puts before it; only what
+#               changed since the last run is read again
 #   headless    backend and command line without any GUI library; statistics over many runs only in ci
 #   tsan        threads: parts of backend and devices under the thread sanitizer
 #   asan        parts of the backend, the hard cases of the others and what once broke a parser, under the address and
@@ -14,7 +16,7 @@
 set -uo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
-all_checks=(format ci headless tsan asan)
+all_checks=(format ci alone headless tsan asan)
 more_checks=(soak)
 for name in "$@"; do
     if [[ " ${all_checks[*]} ${more_checks[*]} " != *" $name "* ]]; then
@@ -107,6 +109,13 @@ for name in "${checks[@]}"; do
                 record format 1 0
             else
                 record format 0 1 "run packaging/format.sh"
+            fi
+            ;;
+        alone)
+            if configure alone && cmake --build "$root/build/alone" -- -k 0; then
+                record alone 1 0
+            else
+                record alone 0 1 "a source lacks an include"
             fi
             ;;
         tsan)

@@ -138,7 +138,7 @@ TEST(SourceTreeTest, hasTheAgreedTopLevel) {
     const std::set<std::string> agreed = {"app",       "widgets",           "backend",      "devices",
                                           "resources", "translations",      "tests",        "packaging",
                                           "LICENSE",   "CMakePresets.json", "README.md",    "ARCHITECTURE.md",
-                                          "build",     "CONTRIBUTING.md",   "CHANGELOG.md", "CMakeLists.txt"};
+                                          "build",     "CITATION.cff",      "CHANGELOG.md", "CMakeLists.txt"};
     for (const auto& entry : fs::directory_iterator(TELETA_SOURCE_DIR)) {
         const std::string name = entry.path().filename().string();
         EXPECT_TRUE(name.starts_with('.') || agreed.contains(name))

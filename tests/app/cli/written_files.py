@@ -11,17 +11,19 @@ Every command that writes a file runs with fixed seeds on the scenes, studies an
 output is compared where it is CSV or JSON. Left out, because it differs from run to run:
     summary.json            wall_s and the times of effects and parts (time_s)
     ablation                the columns own_time_s, run_s and run_with_all_s
-    recordings, studies     SQLite pages: each table is dumped row by row, without the versions of the program and the
-                            wall clock's times of creation; comments and descriptions of the scene or protocol inside
-    dates and versions      in reports, PDF files and dataset descriptions
+    recordings, studies     SQLite pages: each table is dumped row by row, without the version of the program, comments
+                            and descriptions of the scene or protocol; frames of a recording without their cut into blocks
+    times of the clock      in recordings; in studies they count from its beginning; dates of PDF
 Not run, because their files are times: tradeoff, pattern play. Not run, because they need a device or server: devices,
 study --store. Libraries are kept from choosing faster code on newer processors, so that sums hold on every x86-64.
 """
 import argparse
 import concurrent.futures
+import datetime
 import difflib
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
@@ -193,6 +195,22 @@ def write_all(program, folder, whole):
 # --- what differs from run to run is taken out
 
 LEFT_OUT_COLUMNS = {"app_version", "created_utc", "utc"}
+CLOCK = re.compile(rb"20\d\d-\d\d-\d\dT\d\d:\d\d:\d\d(?:\.\d+)?(?=Z)|20\d{6}T\d{6}(?!\d)")
+
+
+def instant(text):
+    whole, _, fraction = re.sub("[-:]", "", text).partition(".")
+    moment = datetime.datetime.strptime(whole, "%Y%m%dT%H%M%S").replace(tzinfo=datetime.timezone.utc)
+    return moment.timestamp() + float("0." + (fraction or "0"))
+
+
+def since(origin_s, content):
+    """Every time of the wall clock as seconds since the origin; without an origin they are left out. Names of sessions are
+    whole seconds, rounded down."""
+    def shift(match):
+        text = match[0].decode()
+        return b"+%.3f" % (instant(text) - (origin_s if "." in text else math.floor(origin_s)))
+    return CLOCK.sub(lambda match: b"TIME" if origin_s is None else shift(match), content)
 
 
 def bare(text):
@@ -200,25 +218,47 @@ def bare(text):
     return "\n".join(line for line in text.splitlines() if line and not line.startswith(("#", "description =")))
 
 
+def shown(name, value):
+    if isinstance(value, bytes):
+        return f"{name}={len(value)}:{hashlib.sha256(value).hexdigest()}"
+    return f"{name}={bare(value) if name in ('scene_text', 'protocol') else value!r}"
+
+
+def blocks(database):
+    """What a recording holds of each stream: how it was cut into blocks depends on how quickly it was written."""
+    for (stream,) in database.execute("SELECT key FROM stream ORDER BY key").fetchall():
+        rows = database.execute(
+            "SELECT width, height, first_ns * discontinuity, time_ns, source_time_s, data FROM block WHERE stream = ? "
+            "ORDER BY first_ns, key", (stream,)).fetchall()
+        sizes = sorted({row[:3] for row in rows})
+        joined = [b"".join(row[column] for row in rows) for column in (3, 4, 5)]
+        yield f"block: stream={stream} {sizes} " + " ".join(
+            shown(name, value) for name, value in zip(("time_ns", "source_time_s", "data"), joined))
+
+
 def dump(path):
-    lines = []
     database = sqlite3.connect(f"file:{path}?mode=ro", uri=True)
+    lines = [sql for (sql,) in database.execute("SELECT sql FROM sqlite_master WHERE sql IS NOT NULL ORDER BY sql")]
     tables = [name for (name,) in database.execute("SELECT name FROM sqlite_master WHERE type='table' ORDER BY name")]
-    for (sql,) in database.execute("SELECT sql FROM sqlite_master WHERE sql IS NOT NULL ORDER BY sql"):
-        lines.append(sql)
     for table in tables:
+        if table == "block":
+            lines += blocks(database)
+            continue
         cursor = database.execute(f'SELECT * FROM "{table}" ORDER BY 1, 2')
         names = [column[0] for column in cursor.description]
         for row in cursor:
-            cells = []
-            for name, value in zip(names, row):
-                if name in LEFT_OUT_COLUMNS:
-                    continue
-                if name in ("scene_text", "protocol"):
-                    value = bare(value)
-                cells.append(f"{name}={value.hex() if isinstance(value, bytes) else value!r}")
+            cells = [shown(name, value) for name, value in zip(names, row) if name not in LEFT_OUT_COLUMNS]
             lines.append(f"{table}: " + " ".join(cells))
     return "\n".join(lines).encode()
+
+
+def study_origin_s(folder):
+    """When the rehearsed study began; its clock goes on from there."""
+    for path in folder.glob("study/*.sqlite"):
+        database = sqlite3.connect(f"file:{path}?mode=ro", uri=True)
+        (created,) = database.execute("SELECT created_utc FROM study").fetchone()
+        return instant(created.rstrip("Z"))
+    return None
 
 
 def without_times(document):
@@ -243,13 +283,20 @@ def normalised(path, content):
 
 
 def normalise(folder):
-    """Leaves each file as it is compared."""
-    for path in sorted(folder.rglob("*")):
+    """Leaves each file as it is compared, under a name without times."""
+    origin_s = study_origin_s(folder)
+    for path in sorted(folder.rglob("*"), reverse=True):
+        of_study = path.relative_to(folder).parts[0] in ("study", "analysis", "analysis.json")
         if path.is_file():
             content = path.read_bytes()
             changed = normalised(path, content).replace(str(folder).encode(), b"FOLDER")
+            if path.suffix not in (".png", ".wav", ".zip"):
+                changed = since(origin_s if of_study else None, changed)
             if changed != content:
                 path.write_bytes(changed)
+        name = since(origin_s, path.name.encode()).decode() if of_study else path.name
+        if name != path.name:
+            path.rename(path.with_name(name))
 
 
 def sums_of(folder):
