@@ -8,6 +8,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/touch/jog/drive_sign.h"
 #include "widgets/touch/jog/hold_button.h"
+#include "widgets/touch/jog/jog_keys.h"
 #include "widgets/touch/jog/joint_range.h"
 #include "widgets/touch/touch_texts.h"
 
@@ -37,34 +38,6 @@ constexpr int kFirstSpeed_percent = 20;
 constexpr double kTouchTarget_em = 2.2;
 
 constexpr Qt::KeyboardModifiers kShortcutModifiers = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
-
-struct KeyPair {
-    int down, up;
-};
-constexpr std::array<KeyPair, 7> kJointKeys{{{Qt::Key_A, Qt::Key_Q},
-                                             {Qt::Key_S, Qt::Key_W},
-                                             {Qt::Key_D, Qt::Key_E},
-                                             {Qt::Key_F, Qt::Key_R},
-                                             {Qt::Key_G, Qt::Key_T},
-                                             {Qt::Key_H, Qt::Key_Y},
-                                             {Qt::Key_J, Qt::Key_U}}};
-constexpr std::array<KeyPair, 3> kTipKeys{
-    {{Qt::Key_A, Qt::Key_D}, {Qt::Key_S, Qt::Key_W}, {Qt::Key_Q, Qt::Key_E}}};
-
-/// Empty: it has buttons only.
-std::optional<KeyPair> keysOf(JogPanel::Mode mode, std::size_t axis) {
-    if (mode == JogPanel::Mode::tip)
-        return kTipKeys[axis];
-    return axis < kJointKeys.size() ? std::optional(kJointKeys[axis]) : std::nullopt;
-}
-
-/// "Q W E R"
-QString lettersOf(std::size_t joints, int KeyPair::*key) {
-    QStringList letters;
-    for (std::size_t joint = 0; joint < std::min(joints, kJointKeys.size()); ++joint)
-        letters += QChar(kJointKeys[joint].*key);
-    return letters.join(QLatin1Char(' '));
-}
 
 } // namespace
 
@@ -252,15 +225,15 @@ void JogPanel::retranslate() {
     m_deadMan->setToolTip(tr("Dead-man switch: the arm moves only while this button or Shift is held"));
     m_deadMan->setAccessibleName(tr("Dead-man switch"));
     constexpr std::array<char16_t, 3> kAxes{u'x', u'y', u'z'};
+    const bool tip = m_mode == Mode::tip;
     for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
         const QString joint = TouchTexts::joint(axis, joints());
         m_rows[axis].name->setText(joint);
         m_rows[axis].range->setAccessibleName(tr("Angle of %1").arg(joint));
         if (axis >= axes())
             continue;
-        const bool tip = m_mode == Mode::tip;
         const QString name = tip ? tr("tip along %1").arg(QChar(kAxes[axis])) : joint;
-        const std::optional<KeyPair> keys = keysOf(m_mode, axis);
+        const std::optional<KeyPair> keys = keysOf(tip, axis);
         for (const bool up : {false, true}) {
             HoldButton* button = directionButton(axis, up);
             const QString sign = up ? QStringLiteral("+") : QString(QChar(0x2212));
@@ -314,8 +287,9 @@ void JogPanel::enableParts() {
         : tip        ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
                      : tr("Hold Shift and a button, or Shift with %1 (up), %2 (down).")
                     .arg(lettersOf(joints(), &KeyPair::up), lettersOf(joints(), &KeyPair::down)));
-    base::setTextColour(m_message, able || isRecorded ? palette().color(QPalette::PlaceholderText)
-                                                      : base::statusColours(palette()).lost);
+    base::setTextColour(m_message, able || (m_arm && m_arm->recorded)
+                                       ? palette().color(QPalette::PlaceholderText)
+                                       : base::statusColours(palette()).lost);
     m_deadMan->setEnabled(able);
     m_clutch->setEnabled(able && m_way == Way::position);
     for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
@@ -424,10 +398,6 @@ int JogPanel::speed() const {
 
 bool JogPanel::isMoving() const {
     return std::ranges::any_of(m_rate, [](double rate) { return rate != 0.0; });
-}
-
-std::array<double, 3> JogPanel::handVelocity() const {
-    return m_handReady && m_hand.deadManHeld ? m_hand.velocity : std::array<double, 3>{};
 }
 
 JointVector JogPanel::tipRate(const std::array<double, 3>& share) const {
@@ -540,7 +510,8 @@ void JogPanel::onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers) {
 
 bool JogPanel::isOwnKey(int key) const {
     for (std::size_t axis = 0; axis < axes(); ++axis)
-        if (const auto keys = keysOf(m_mode, axis); keys && (key == keys->down || key == keys->up))
+        if (const auto keys = keysOf(m_mode == Mode::tip, axis);
+            keys && (key == keys->down || key == keys->up))
             return true;
     return key == Qt::Key_Shift || (key == Qt::Key_C && m_way == Way::position);
 }
@@ -554,7 +525,7 @@ void JogPanel::onKey(const QKeyEvent& event, bool pressed) {
         if (event.key() == Qt::Key_C)
             m_clutchKey = pressed;
         for (std::size_t axis = 0; axis < axes(); ++axis) {
-            const auto keys = keysOf(m_mode, axis);
+            const auto keys = keysOf(m_mode == Mode::tip, axis);
             if (!keys || (event.key() != keys->down && event.key() != keys->up))
                 continue;
             const bool up = event.key() == keys->up;

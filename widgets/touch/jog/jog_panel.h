@@ -120,7 +120,9 @@ private:
 
     [[nodiscard]] bool isOwnKey(int key) const;
     void onKey(const QKeyEvent& event, bool pressed);
-    [[nodiscard]] std::array<double, 3> handVelocity() const;
+    [[nodiscard]] std::array<double, 3> handVelocity() const {
+        return m_handReady && m_hand.deadManHeld ? m_hand.velocity : std::array<double, 3>{};
+    }
     [[nodiscard]] core::JointVector tipRate(const std::array<double, 3>& share) const;
     [[nodiscard]] core::JointVector guidedRate();
     void leadBy(Leader leader);
