@@ -90,7 +90,7 @@ std::string usageError(const CLI::App* app, const CLI::Error& error) {
         command += QLatin1Char(' ') + QString::fromStdString(app->get_name());
     }
     const QString unknown = unknownCommand(*app);
-    return ProgramText::tr("teleta: %1\n%2 --help says more.\n")
+    return ProgramText::tr("teleta: %1\nRun %2 --help for more.\n")
         .arg(unknown.isEmpty() ? QString::fromStdString(error.what()) : unknown, command)
         .toStdString();
 }

@@ -68,7 +68,7 @@ core::Expected<void> printTable(const Calibration& calibration) {
          parameters.mirrored ? CalibrateText::tr("yes") : CalibrateText::tr("no")},
         {CalibrateText::tr("Residuals"),
          calibration.isStructured()
-             ? CalibrateText::tr("neighbours are alike: the pairs hold something that this camera does not")
+             ? CalibrateText::tr("neighbours are alike: the camera does not explain everything in the pairs")
              : CalibrateText::tr("without a pattern")}});
 }
 
@@ -124,8 +124,7 @@ void CalibrateCommand::declare(CLI::App& app) {
                    help(QT_TRANSLATE_NOOP("CalibrateCommand", "Write the camera to this file")))
         ->type_name("CAMERA.json");
     app.add_option("--residuals", m_residualsPath,
-                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
-                                          "Write each pair with what the camera makes of it as CSV")))
+                   help(QT_TRANSLATE_NOOP("CalibrateCommand", "Write each pair and its residual as CSV")))
         ->type_name("OUT.csv");
     declareJson(app, m_json);
 }

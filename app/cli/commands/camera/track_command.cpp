@@ -31,7 +31,7 @@ struct TrackText {
 } // namespace
 
 QString TrackCommand::summary() const {
-    return TrackText::tr("Contacts on the soft tube in a video or before a camera");
+    return TrackText::tr("Find contacts on the soft tube in a video or live from a camera");
 }
 
 const char* TrackCommand::example() const {
@@ -54,8 +54,9 @@ void TrackCommand::declare(CLI::App& app) {
     for (const vision::ContactRung& rung : vision::contactLadder())
         presets.emplace_back(rung.name);
     m_preset = presets.front();
-    app.add_option("--preset", m_preset,
-                   help(QT_TRANSLATE_NOOP("TrackCommand", "How contacts are found: exact ones take longer")))
+    app.add_option(
+           "--preset", m_preset,
+           help(QT_TRANSLATE_NOOP("TrackCommand", "How contacts are found; the more exact, the slower")))
         ->type_name("NAME")
         ->check(CLI::IsMember(presets))
         ->capture_default_str();
@@ -109,14 +110,14 @@ core::Expected<void> TrackCommand::run() {
     TELETA_CHECK(rows.finish());
     warnOfUnusableFrames(tracker);
     if (stream.framesSkipped() > 0)
-        warn(TrackText::tr("Frames that are missing by their time stamps: %1").arg(stream.framesSkipped()));
+        warn(TrackText::tr("Frames missing according to their time stamps: %1").arg(stream.framesSkipped()));
     if (stopped)
         return core::Unexpected(interruption());
     const auto failed = [&](core::ErrorKind kind, const QString& message) {
         return core::Unexpected(core::Error{kind, message.toStdString(), {}, {m_video, 0, 0}});
     };
     if (outcome == Outcome::gone)
-        return failed(core::ErrorKind::unavailable, TrackText::tr("the camera gives no frames any more"));
+        return failed(core::ErrorKind::unavailable, TrackText::tr("the camera has stopped sending frames"));
     if (!tracker.hasReference())
         return failed(core::ErrorKind::badInput, TrackText::tr("the video has no frame that can be decoded"));
     return {};

@@ -217,7 +217,7 @@ core::Expected<void> printTable(const std::vector<FoundDevice>& devices) {
 } // namespace
 
 QString DevicesCommand::summary() const {
-    return DevicesText::tr("What is connected, why not, and how fast it is");
+    return DevicesText::tr("List connected devices, how fast they are, and why others cannot be used");
 }
 
 const char* DevicesCommand::example() const {

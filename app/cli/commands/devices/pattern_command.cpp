@@ -150,10 +150,11 @@ void PatternCommand::declare(CLI::App& app) {
             ->type_name("FILE");
     };
     const auto takesOverdrive = [&](CLI::App* command) {
-        command->add_flag("--overdrive", m_overdrive,
-                          help(QT_TRANSLATE_NOOP("PatternCommand",
-                                                 "Help the motors up: full intensity while they speed up, as "
-                                                 "long as their profile allows")));
+        command->add_flag(
+            "--overdrive", m_overdrive,
+            help(QT_TRANSLATE_NOOP(
+                "PatternCommand",
+                "Speed the motors up with full intensity first, for as long as their profile allows")));
     };
     app.require_subcommand(1);
 
@@ -185,7 +186,7 @@ void PatternCommand::declare(CLI::App& app) {
     declareJson(*m_render, m_json);
 
     m_convert = part("convert", QT_TRANSLATE_NOOP("PatternCommand",
-                                                  "Write a pattern in another format, told by the ending"));
+                                                  "Write a pattern in another format, chosen by the ending"));
     takesPattern(m_convert);
     m_convert
         ->add_option("out", m_outPath,
@@ -222,11 +223,10 @@ void PatternCommand::declare(CLI::App& app) {
     takesOverdrive(m_play);
     takesMotors(m_play);
     m_play
-        ->add_option(
-            "--measure", m_measure_s,
-            help(QT_TRANSLATE_NOOP(
-                "PatternCommand", "Play it over and over for so long, then live setpoints for as long again, "
-                                  "and print how punctual the frames were")))
+        ->add_option("--measure", m_measure_s,
+                     help(QT_TRANSLATE_NOOP("PatternCommand",
+                                            "Repeat it for this long, then send live setpoints for as long "
+                                            "again, and print how punctual the frames were")))
         ->type_name("S")
         ->check(between(0.1, 86'400.0));
     declareJson(*m_play, m_json);
@@ -331,7 +331,7 @@ core::Expected<void> PatternCommand::convert() const {
     const std::optional<pattern::PatternFormat> format = pattern::formatOf(m_outPath);
     if (!format)
         throw CLI::ValidationError(
-            "OUT", PatternText::tr("the ending of %1 tells no format; expected one of %2")
+            "OUT", PatternText::tr("the ending of %1 is not that of a format; expected one of %2")
                        .arg(QString::fromStdString(m_outPath), QString::fromStdString(pattern::allEndings()))
                        .toStdString());
     const bool sampled = format == pattern::PatternFormat::csv || format == pattern::PatternFormat::wav;

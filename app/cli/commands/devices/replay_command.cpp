@@ -144,7 +144,7 @@ core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& rec
                                                  const pipeline::RecordedCamera& source) {
     if (m_threshold)
         throw CLI::ValidationError("--threshold",
-                                   ReplayText::tr("it is of an array, but the stream \"%1\" is of a camera")
+                                   ReplayText::tr("this is for arrays, but the stream \"%1\" is a camera's")
                                        .arg(QString::fromStdString(recording.streams()[source.stream].name))
                                        .toStdString());
     TELETA_TRY(auto finder, vision::makeContactFinder(vision::contactLadder().front(), source.camera));

@@ -117,7 +117,7 @@ void SimulateCommand::declare(CLI::App& app) {
         ->check(seed());
     app.add_option("--duration", m_duration_s,
                    help(QT_TRANSLATE_NOOP("SimulateCommand",
-                                          "Simulated time in seconds; otherwise what the scene says")))
+                                          "Simulated time in seconds; default: as the scene says")))
         ->type_name("S")
         ->check(positive());
     app.add_option(
@@ -146,7 +146,7 @@ void SimulateCommand::declare(CLI::App& app) {
         "--ablate", m_ablate,
         help(QT_TRANSLATE_NOOP(
             "SimulateCommand",
-            "Leave out one effect at a time and tell how far the measures move against their spread")));
+            "Leave out one effect at a time and compare how far each measure moves with its spread")));
     ablate->excludes(figures);
     app.add_option(
            "--seeds", m_seeds,

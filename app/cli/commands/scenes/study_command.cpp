@@ -147,7 +147,7 @@ void StudyCommand::declareRehearse(CLI::App& app) {
         ->type_name("PROTOCOL.toml");
     m_rehearse
         ->add_option("--participants", m_participants,
-                     help(QT_TRANSLATE_NOOP("StudyCommand", "How many take part")))
+                     help(QT_TRANSLATE_NOOP("StudyCommand", "Number of participants")))
         ->type_name("N")
         ->capture_default_str()
         ->check(between(1, 10'000));

@@ -135,9 +135,9 @@ void ContourCommand::declare(CLI::App& app) {
         ->type_name("approximating|interpolating")
         ->capture_default_str()
         ->check(CLI::IsMember({"approximating", "interpolating"}).description(""));
-    app.add_flag("--closed", m_closed,
-                 help(QT_TRANSLATE_NOOP("ContourCommand",
-                                        "The contour comes back to its start; otherwise this is found out")));
+    app.add_flag(
+        "--closed", m_closed,
+        help(QT_TRANSLATE_NOOP("ContourCommand", "The contour is closed; otherwise the program decides")));
     app.add_option("--samples", m_samples,
                    help(QT_TRANSLATE_NOOP("ContourCommand",
                                           "Points of the curve, for the CSV and the largest curvature")))
@@ -145,7 +145,7 @@ void ContourCommand::declare(CLI::App& app) {
         ->capture_default_str()
         ->check(between(2, 1e7));
     app.add_option("--resolution-m", m_resolution_m,
-                   help(QT_TRANSLATE_NOOP("ContourCommand", "An extent under this is a point, m")))
+                   help(QT_TRANSLATE_NOOP("ContourCommand", "A contour smaller than this is a point, m")))
         ->type_name("M")
         ->capture_default_str()
         ->check(positive());

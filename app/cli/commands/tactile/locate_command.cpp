@@ -38,7 +38,7 @@ void writePoint(const vision::CylinderCamera& camera, const Eigen::Vector2d& pix
 } // namespace
 
 QString LocateCommand::summary() const {
-    return LocateText::tr("Points on the tactile cylinder that pixels of its camera show");
+    return LocateText::tr("Points on the tactile cylinder that belong to pixels of its camera");
 }
 
 const char* LocateCommand::example() const {
