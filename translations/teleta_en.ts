@@ -145,17 +145,17 @@
 <context>
     <name>teleta::camera::StageBar</name>
     <message numerus="yes">
-        <source>%n passed over</source>
-        <translation>
-            <numerusform>%n passed over</numerusform>
-            <numerusform>%n passed over</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n unusable</source>
         <translation>
             <numerusform>%n unusable</numerusform>
             <numerusform>%n unusable</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n passed over</numerusform>
+            <numerusform>%n passed over</numerusform>
         </translation>
     </message>
 </context>
@@ -221,7 +221,7 @@
 <context>
     <name>teleta::console::NewStudyDialog</name>
     <message numerus="yes">
-        <source>%n test trial(s) a participant</source>
+        <source>%n test trial(s) per participant</source>
         <translation>
             <numerusform>%n test trial a participant</numerusform>
             <numerusform>%n test trials a participant</numerusform>
@@ -241,7 +241,7 @@
 <context>
     <name>teleta::console::ProtocolDialog</name>
     <message numerus="yes">
-        <source>%n test trial(s) a participant</source>
+        <source>%n test trial(s) per participant</source>
         <translation>
             <numerusform>%n test trial a participant</numerusform>
             <numerusform>%n test trials a participant</numerusform>

@@ -35,10 +35,6 @@
         <translation>Esc Esc, Ctrl+.</translation>
     </message>
     <message>
-        <source>STOP: whatever moves stops at once</source>
-        <translation>STOP&#xa0;: tout ce qui bouge s’arrête aussitôt</translation>
-    </message>
-    <message>
         <source>Space</source>
         <translation>Espace</translation>
     </message>
@@ -155,10 +151,6 @@
         <translation>,  .  avec Shift</translation>
     </message>
     <message>
-        <source>Breakpoint before or after, one more of them, in the timeline</source>
-        <translation>Nœud précédent ou suivant, un de plus avec Shift, dans la chronologie</translation>
-    </message>
-    <message>
         <source>N, Shift+N</source>
         <translation>N, Shift+N</translation>
     </message>
@@ -179,16 +171,8 @@
         <translation>Touches fléchées, avec Shift</translation>
     </message>
     <message>
-        <source>Move what is selected, else the playhead and the lane, in the timeline</source>
-        <translation>Déplacer la sélection, sinon la tête de lecture et la piste, dans la chronologie</translation>
-    </message>
-    <message>
         <source>[  ]  \</source>
         <translation>[  ]  \</translation>
-    </message>
-    <message>
-        <source>Begin of the loop, its end, no loop, in the timeline</source>
-        <translation>Début de la boucle, sa fin, pas de boucle, dans la chronologie</translation>
     </message>
     <message>
         <source>Ctrl+[, Ctrl+], Ctrl+M, Ctrl+L</source>
@@ -266,6 +250,22 @@
         <source>Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate</source>
         <translation>Annuler, rétablir&#xa0;: les marques sur la page Conduite, les modifications sur les pages Motifs et Étalonnage</translation>
     </message>
+    <message>
+        <source>STOP: everything that moves stops at once</source>
+        <translation>STOP&#xa0;: tout ce qui bouge s’arrête aussitôt</translation>
+    </message>
+    <message>
+        <source>Previous or next breakpoint; with Shift, add it to the selection, in the timeline</source>
+        <translation>Nœud précédent ou suivant, un de plus avec Shift, dans la chronologie</translation>
+    </message>
+    <message>
+        <source>Move the selection; without one, the playhead and the lane, in the timeline</source>
+        <translation>Déplacer la sélection, sinon la tête de lecture et la piste, dans la chronologie</translation>
+    </message>
+    <message>
+        <source>Loop start, loop end, no loop, in the timeline</source>
+        <translation>Début de la boucle, sa fin, pas de boucle, dans la chronologie</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -312,24 +312,12 @@
         <translation>Aucun bracelet n’est branché.</translation>
     </message>
     <message>
-        <source>The device does not answer as a bracelet does.</source>
-        <translation>L’appareil ne répond pas comme un bracelet.</translation>
-    </message>
-    <message>
         <source>a feature report of layout version %1</source>
         <translation>un rapport de fonction (feature report) au format de version %1</translation>
     </message>
     <message>
         <source>Bracelet %1</source>
         <translation>Bracelet %1</translation>
-    </message>
-    <message>
-        <source>The bracelet at %1 may not be opened.</source>
-        <translation>Le bracelet sur %1 ne peut pas être ouvert, faute d’autorisation.</translation>
-    </message>
-    <message>
-        <source>read and write access to it, which the udev rule gives</source>
-        <translation>un accès en lecture et en écriture, que donne la règle udev</translation>
     </message>
     <message>
         <source>The bracelet at %1 cannot be opened.</source>
@@ -340,8 +328,95 @@
         <translation>Un autre programme utilise le bracelet sur %1.</translation>
     </message>
     <message>
-        <source>that it is closed there first</source>
+        <source>The device does not respond like a bracelet.</source>
+        <translation>L’appareil ne répond pas comme un bracelet.</translation>
+    </message>
+    <message>
+        <source>No permission to open the bracelet at %1.</source>
+        <translation>Le bracelet sur %1 ne peut pas être ouvert, faute d’autorisation.</translation>
+    </message>
+    <message>
+        <source>read and write access, which the udev rule grants</source>
+        <translation>un accès en lecture et en écriture, que donne la règle udev</translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
         <translation>qu’il y soit d’abord fermé</translation>
+    </message>
+</context>
+<context>
+    <name>BraceletTexts</name>
+    <message>
+        <source>STOP is engaged: the bracelet is off.</source>
+        <translation>STOP est enclenché&#xa0;: le bracelet est éteint.</translation>
+    </message>
+    <message>
+        <source>No bracelet: what would be played is named in the table of patterns.</source>
+        <translation>Pas de bracelet&#xa0;: ce qui serait joué est indiqué dans le tableau des motifs.</translation>
+    </message>
+    <message>
+        <source>Connecting to the bracelet…</source>
+        <translation>Connexion au bracelet…</translation>
+    </message>
+    <message>
+        <source>The bracelet is not connected. %1</source>
+        <translation>Le bracelet n’est pas connecté. %1</translation>
+    </message>
+    <message>
+        <source>The bracelet does not answer.</source>
+        <translation>Le bracelet ne répond pas.</translation>
+    </message>
+    <message>
+        <source>The bracelet is too hot: it is off until it has cooled down.</source>
+        <translation>Le bracelet est trop chaud&#xa0;: il est éteint jusqu’à ce qu’il ait refroidi.</translation>
+    </message>
+    <message>
+        <source>A study uses the bracelet.</source>
+        <translation>Une étude utilise le bracelet.</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low: %1 V.</source>
+        <translation>L’alimentation du bracelet est faible&#xa0;: %1&#xa0;V.</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low.</source>
+        <translation>L’alimentation du bracelet est faible.</translation>
+    </message>
+    <message>
+        <source>The bracelet refused what was played last: it did not understand it.</source>
+        <translation>Le bracelet a refusé ce qui a été joué en dernier&#xa0;: il ne l’a pas compris.</translation>
+    </message>
+    <message>
+        <source>The motors are not calibrated (page Calibrate).</source>
+        <translation>Les moteurs ne sont pas étalonnés (page Étalonnage).</translation>
+    </message>
+    <message>
+        <source>too hot: off until it has cooled down</source>
+        <translation>trop chaud&#xa0;: éteint jusqu’à ce qu’il ait refroidi</translation>
+    </message>
+    <message>
+        <source>supply low</source>
+        <translation>alimentation faible</translation>
+    </message>
+    <message>
+        <source>frames refused: %1</source>
+        <translation>trames refusées&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>supply %1 V</source>
+        <translation>alimentation %1&#xa0;V</translation>
+    </message>
+    <message>
+        <source>temperature %1 °C</source>
+        <translation>température %1&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>Bracelet</source>
+        <translation>Bracelet</translation>
+    </message>
+    <message>
+        <source>not calibrated: the motors are assumed</source>
+        <translation>non étalonnés&#xa0;: les moteurs sont supposés</translation>
     </message>
 </context>
 <context>
@@ -423,10 +498,6 @@
         <translation>Résidus</translation>
     </message>
     <message>
-        <source>neighbours are alike: the pairs hold something that this camera does not</source>
-        <translation>les voisins se ressemblent&#xa0;: les paires contiennent un effet que cette caméra ne décrit pas</translation>
-    </message>
-    <message>
         <source>without a pattern</source>
         <translation>sans structure</translation>
     </message>
@@ -463,10 +534,6 @@
         <translation>Écrire la caméra dans ce fichier</translation>
     </message>
     <message>
-        <source>Write each pair with what the camera makes of it as CSV</source>
-        <translation>Écrire en CSV chaque paire avec ce que la caméra en fait</translation>
-    </message>
-    <message>
         <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
         <translation>Les points sont les trous d’une coque&#xa0;: leurs x et y multipliés par ce facteur sont sur l’élastomère (coque de l’article&#xa0;: 0,97)</translation>
     </message>
@@ -477,6 +544,14 @@
     <message>
         <source>the camera is written to this file</source>
         <translation>la caméra est écrite dans ce fichier</translation>
+    </message>
+    <message>
+        <source>neighbours are alike: the camera does not explain everything in the pairs</source>
+        <translation>les voisins se ressemblent&#xa0;: les paires contiennent un effet que cette caméra ne décrit pas</translation>
+    </message>
+    <message>
+        <source>Write each pair and its residual as CSV</source>
+        <translation>Écrire en CSV chaque paire avec ce que la caméra en fait</translation>
     </message>
 </context>
 <context>
@@ -498,20 +573,20 @@
         <translation>une vidéo, ou le numéro d’une caméra</translation>
     </message>
     <message>
-        <source>the file is no video that can be read</source>
-        <translation>le fichier n’est pas une vidéo lisible</translation>
-    </message>
-    <message>
         <source>a video, a pattern like frame_%04d.png, or the number of a camera</source>
         <translation>une vidéo, un modèle comme frame_%04d.png, ou le numéro d’une caméra</translation>
     </message>
     <message>
-        <source>no frame comes</source>
+        <source>camera %1</source>
+        <translation>la caméra %1</translation>
+    </message>
+    <message>
+        <source>no frame arrived</source>
         <translation>aucune image n’arrive</translation>
     </message>
     <message>
-        <source>camera %1</source>
-        <translation>la caméra %1</translation>
+        <source>the file is not a readable video</source>
+        <translation>le fichier n’est pas une vidéo lisible</translation>
     </message>
 </context>
 <context>
@@ -568,31 +643,31 @@
         <translation>les focales de K ne sont pas positives</translation>
     </message>
     <message>
-        <source>R is no rotation</source>
-        <translation>R n’est pas une rotation</translation>
-    </message>
-    <message>
-        <source>the distortion folds on the axis already</source>
-        <translation>la distorsion se replie déjà sur l’axe</translation>
-    </message>
-    <message>
-        <source>this is no camera matrix</source>
-        <translation>ce n’est pas une matrice de caméra</translation>
-    </message>
-    <message>
-        <source>this is no camera file</source>
-        <translation>ce n’est pas un fichier de caméra</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>le fichier est d’une version plus récente</translation>
-    </message>
-    <message>
         <source>the cylinder has no length</source>
         <translation>le cylindre n’a pas de longueur</translation>
     </message>
     <message>
-        <source>The camera gives no frames any more.</source>
+        <source>this is not a camera matrix</source>
+        <translation>ce n’est pas une matrice de caméra</translation>
+    </message>
+    <message>
+        <source>R is not a rotation</source>
+        <translation>R n’est pas une rotation</translation>
+    </message>
+    <message>
+        <source>the distortion folds on the axis</source>
+        <translation>la distorsion se replie déjà sur l’axe</translation>
+    </message>
+    <message>
+        <source>this is not a camera file</source>
+        <translation>ce n’est pas un fichier de caméra</translation>
+    </message>
+    <message>
+        <source>the file was written by a newer version</source>
+        <translation>le fichier est d’une version plus récente</translation>
+    </message>
+    <message>
+        <source>The camera stopped sending frames.</source>
         <translation>La caméra ne donne plus d’images.</translation>
     </message>
 </context>
@@ -1017,16 +1092,8 @@ Exemples&#xa0;:
         <translation>approximating&#xa0;: les points sont les points de contrôle&#xa0;; interpolating&#xa0;: la courbe passe par les points</translation>
     </message>
     <message>
-        <source>The contour comes back to its start; otherwise this is found out</source>
-        <translation>Le contour revient à son début&#xa0;; sinon, c’est déterminé</translation>
-    </message>
-    <message>
         <source>Points of the curve, for the CSV and the largest curvature</source>
         <translation>Points de la courbe, pour le CSV et la courbure maximale</translation>
-    </message>
-    <message>
-        <source>An extent under this is a point, m</source>
-        <translation>Une étendue inférieure à cette valeur est un point, m</translation>
     </message>
     <message>
         <source>Write the curve as CSV t,x_m,y_m,curvature_per_m, t from 0 to 1</source>
@@ -1043,6 +1110,14 @@ Exemples&#xa0;:
     <message>
         <source>a row for each contact point, in metres</source>
         <translation>une ligne par point de contact, en mètres</translation>
+    </message>
+    <message>
+        <source>The contour is closed; otherwise the program decides</source>
+        <translation>Le contour revient à son début&#xa0;; sinon, c’est déterminé</translation>
+    </message>
+    <message>
+        <source>A contour smaller than this is a point, m</source>
+        <translation>Une étendue inférieure à cette valeur est un point, m</translation>
     </message>
 </context>
 <context>
@@ -1255,14 +1330,6 @@ Exemples&#xa0;:
         <translation>UTF-8</translation>
     </message>
     <message>
-        <source>text outside of the quotes of a column name</source>
-        <translation>texte hors des guillemets d’un nom de colonne</translation>
-    </message>
-    <message>
-        <source>a comma behind the closing quote</source>
-        <translation>une virgule après le guillemet fermant</translation>
-    </message>
-    <message>
         <source>the line is longer than 16 MiB</source>
         <translation>la ligne dépasse 16 MiB</translation>
     </message>
@@ -1299,14 +1366,6 @@ Exemples&#xa0;:
         <translation>%1 n’est pas un nombre fini</translation>
     </message>
     <message>
-        <source>the column %1 is there twice</source>
-        <translation>la colonne %1 est présente deux fois</translation>
-    </message>
-    <message>
-        <source>each name once</source>
-        <translation>chaque nom une seule fois</translation>
-    </message>
-    <message>
         <source>missing columns: %1; the file has: %2</source>
         <translation>colonnes manquantes&#xa0;: %1&#xa0;; le fichier contient&#xa0;: %2</translation>
     </message>
@@ -1319,24 +1378,40 @@ Exemples&#xa0;:
         <translation>la ligne est trop longue&#xa0;: plus de %1 valeurs</translation>
     </message>
     <message>
-        <source>one value a column: %1</source>
-        <translation>une valeur par colonne&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>the row is too short: %1 of %2 values</source>
         <translation>la ligne est trop courte&#xa0;: %1 valeurs sur %2</translation>
-    </message>
-    <message>
-        <source>a pipe has no positions to go to</source>
-        <translation>un tube (pipe) ne permet pas de se positionner</translation>
     </message>
     <message>
         <source>a file</source>
         <translation>un fichier</translation>
     </message>
     <message>
-        <source>text outside of the quotes of a value</source>
+        <source>one value per column: %1</source>
+        <translation>une valeur par colonne&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>text outside the quotes of a column name</source>
+        <translation>texte hors des guillemets d’un nom de colonne</translation>
+    </message>
+    <message>
+        <source>a comma after the closing quote</source>
+        <translation>une virgule après le guillemet fermant</translation>
+    </message>
+    <message>
+        <source>the column %1 appears twice</source>
+        <translation>la colonne %1 est présente deux fois</translation>
+    </message>
+    <message>
+        <source>each name only once</source>
+        <translation>chaque nom une seule fois</translation>
+    </message>
+    <message>
+        <source>text outside the quotes of a value</source>
         <translation>texte hors des guillemets d’une valeur</translation>
+    </message>
+    <message>
+        <source>a pipe cannot be rewound</source>
+        <translation>un tube (pipe) ne permet pas de se positionner</translation>
     </message>
 </context>
 <context>
@@ -1560,10 +1635,6 @@ Exemples&#xa0;:
         <translation>Aucun appareil n’est connecté.</translation>
     </message>
     <message>
-        <source>What is connected, why not, and how fast it is</source>
-        <translation>Ce qui est connecté, pourquoi un appareil ne l’est pas, et sa vitesse</translation>
-    </message>
-    <message>
         <source>Connect to the device of this description and read it; its motors are set to zero</source>
         <translation>Se connecter à l’appareil de cette description et le lire&#xa0;; ses moteurs sont mis à zéro</translation>
     </message>
@@ -1574,6 +1645,10 @@ Exemples&#xa0;:
     <message>
         <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot; or &quot;hid_bracelet&quot;</source>
         <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot; ou &quot;hid_bracelet&quot;</translation>
+    </message>
+    <message>
+        <source>List connected devices, how fast they are, and why others cannot be used</source>
+        <translation>Ce qui est connecté, pourquoi un appareil ne l’est pas, et sa vitesse</translation>
     </message>
 </context>
 <context>
@@ -1635,24 +1710,12 @@ Exemples&#xa0;:
         <translation>HJIF (ISO/IEC 23090-31)</translation>
     </message>
     <message>
-        <source>One channel a motor, with its place on the forearm. Can be read back.</source>
-        <translation>Un canal par moteur, avec sa place sur l’avant-bras. Peut être relu.</translation>
-    </message>
-    <message>
         <source>Haptic clips (.haptic in a zip)</source>
         <translation>Clips haptiques (.haptic dans un zip)</translation>
     </message>
     <message>
-        <source>One clip a motor. Can be read back.</source>
-        <translation>Un clip par moteur. Peut être relu.</translation>
-    </message>
-    <message>
         <source>AHAP (in a zip)</source>
         <translation>AHAP (dans un zip)</translation>
-    </message>
-    <message>
-        <source>One file a motor, for Core Haptics.</source>
-        <translation>Un fichier par moteur, pour Core Haptics.</translation>
     </message>
     <message>
         <source>tact</source>
@@ -1667,16 +1730,28 @@ Exemples&#xa0;:
         <translation>Tableau CSV</translation>
     </message>
     <message>
-        <source>Columns time_s, t1 to t6: a sample a row.</source>
-        <translation>Colonnes time_s, t1 à t6&#xa0;: un échantillon par ligne.</translation>
-    </message>
-    <message>
         <source>WAV, six channels</source>
         <translation>WAV, six canaux</translation>
     </message>
     <message>
         <source>The intensities as 16-bit samples, 1 is full scale.</source>
         <translation>Les intensités en échantillons de 16 bits, 1 est la pleine échelle.</translation>
+    </message>
+    <message>
+        <source>One channel per motor, with its place on the forearm. Can be read back.</source>
+        <translation>Un canal par moteur, avec sa place sur l’avant-bras. Peut être relu.</translation>
+    </message>
+    <message>
+        <source>One clip per motor. Can be read back.</source>
+        <translation>Un clip par moteur. Peut être relu.</translation>
+    </message>
+    <message>
+        <source>One file per motor, for Core Haptics.</source>
+        <translation>Un fichier par moteur, pour Core Haptics.</translation>
+    </message>
+    <message>
+        <source>Columns time_s, t1 to t6: one sample per row.</source>
+        <translation>Colonnes time_s, t1 à t6&#xa0;: un échantillon par ligne.</translation>
     </message>
 </context>
 <context>
@@ -1705,10 +1780,6 @@ Exemples&#xa0;:
         <translation>au moins %1</translation>
     </message>
     <message>
-        <source>Yes was answered although nothing was presented, %1 of %2 times.</source>
-        <translation>La réponse a été oui alors que rien n’était présenté, %1 fois sur %2.</translation>
-    </message>
-    <message>
         <source>yes only when something was clearly felt</source>
         <translation>oui seulement si quelque chose a été nettement senti</translation>
     </message>
@@ -1717,23 +1788,27 @@ Exemples&#xa0;:
         <translation>Rien n’a été senti, même à la commande la plus forte.</translation>
     </message>
     <message>
-        <source>a connected motor that lies on the skin</source>
-        <translation>un moteur connecté et posé sur la peau</translation>
-    </message>
-    <message>
         <source>Everything was felt, even at the lowest drive.</source>
         <translation>Tout a été senti, même à la commande la plus faible.</translation>
-    </message>
-    <message>
-        <source>no where nothing was felt</source>
-        <translation>non lorsque rien n’a été senti</translation>
     </message>
     <message>
         <source>The answers contradict each other: stronger was felt less often than weaker, or as often.</source>
         <translation>Les réponses se contredisent&#xa0;: le plus fort a été senti moins souvent que le plus faible, ou aussi souvent.</translation>
     </message>
     <message>
-        <source>answers to what was felt; undo the wrong ones or begin anew</source>
+        <source>The answer was yes in %1 of %2 cases in which nothing was presented.</source>
+        <translation>La réponse a été oui alors que rien n’était présenté, %1 fois sur %2.</translation>
+    </message>
+    <message>
+        <source>a connected motor in contact with the skin</source>
+        <translation>un moteur connecté et posé sur la peau</translation>
+    </message>
+    <message>
+        <source>no when nothing was felt</source>
+        <translation>non lorsque rien n’a été senti</translation>
+    </message>
+    <message>
+        <source>consistent answers; undo the wrong ones or start again</source>
         <translation>des réponses selon ce qui est senti&#xa0;; annulez les fausses ou recommencez</translation>
     </message>
 </context>
@@ -1846,40 +1921,16 @@ Exemples&#xa0;:
 <context>
     <name>FileText</name>
     <message>
-        <source>the ending of the name tells no format</source>
-        <translation>l’extension du nom n’indique aucun format</translation>
-    </message>
-    <message>
         <source>one of %1</source>
         <translation>l’un de %1</translation>
-    </message>
-    <message>
-        <source>these values contradict each other</source>
-        <translation>ces valeurs se contredisent</translation>
-    </message>
-    <message>
-        <source>0 &lt; start_drive &lt; full_drive, a curve that rises from the start or before it to the drive 1</source>
-        <translation>0 &lt; start_drive &lt; full_drive, une courbe qui monte depuis le démarrage ou avant jusqu’à la commande 1</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>le fichier est d’une version plus récente</translation>
     </message>
     <message>
         <source>there are %1 motors</source>
         <translation>il y a %1 moteurs</translation>
     </message>
     <message>
-        <source>the profile is of the bracelet &quot;%1&quot;</source>
-        <translation>le profil est celui du bracelet «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
         <source>there is no such file or built-in pattern</source>
         <translation>il n’y a pas de tel fichier ni de tel motif intégré</translation>
-    </message>
-    <message>
-        <source>a pattern file, or an id of teleta pattern list</source>
-        <translation>un fichier de motif, ou un identifiant de teleta pattern list</translation>
     </message>
     <message>
         <source>the file is too large</source>
@@ -1898,7 +1949,31 @@ Exemples&#xa0;:
         <translation>un nom qui se termine par %1</translation>
     </message>
     <message>
-        <source>patterns are written in this format, but not read</source>
+        <source>these values are inconsistent</source>
+        <translation>ces valeurs se contredisent</translation>
+    </message>
+    <message>
+        <source>0 &lt; start_drive &lt; full_drive, and a curve that rises from the start or below it to drive 1</source>
+        <translation>0 &lt; start_drive &lt; full_drive, une courbe qui monte depuis le démarrage ou avant jusqu’à la commande 1</translation>
+    </message>
+    <message>
+        <source>the file was written by a newer version</source>
+        <translation>le fichier est d’une version plus récente</translation>
+    </message>
+    <message>
+        <source>the profile belongs to the bracelet &quot;%1&quot;</source>
+        <translation>le profil est celui du bracelet «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a pattern file, or an id listed by teleta pattern list</source>
+        <translation>un fichier de motif, ou un identifiant de teleta pattern list</translation>
+    </message>
+    <message>
+        <source>the file name extension is unknown</source>
+        <translation>l’extension du nom n’indique aucun format</translation>
+    </message>
+    <message>
+        <source>this format can be written but not read</source>
         <translation>les motifs s’écrivent dans ce format, mais ne s’y lisent pas</translation>
     </message>
 </context>
@@ -1929,10 +2004,6 @@ Exemples&#xa0;:
         <translation>l’enregistrement n’a pas de trames</translation>
     </message>
     <message>
-        <source>at least one row behind the header</source>
-        <translation>au moins une ligne après l’en-tête</translation>
-    </message>
-    <message>
         <source>the time is %1</source>
         <translation>le temps est %1</translation>
     </message>
@@ -1947,6 +2018,10 @@ Exemples&#xa0;:
     <message>
         <source>times that do not decrease</source>
         <translation>des temps non décroissants</translation>
+    </message>
+    <message>
+        <source>at least one row after the header</source>
+        <translation>au moins une ligne après l’en-tête</translation>
     </message>
 </context>
 <context>
@@ -2314,12 +2389,12 @@ Exemples&#xa0;:
         <translation>des lettres, des chiffres, - et _</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is there twice</source>
-        <translation>«&#xa0;%1&#xa0;» est présent deux fois</translation>
-    </message>
-    <message>
         <source>each one once</source>
         <translation>chacun une seule fois</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; occurs twice</source>
+        <translation>«&#xa0;%1&#xa0;» est présent deux fois</translation>
     </message>
 </context>
 <context>
@@ -2356,10 +2431,6 @@ Exemples&#xa0;:
         <translation>chaque clé une seule fois</translation>
     </message>
     <message>
-        <source>the JSON text is damaged or cut off</source>
-        <translation>le texte JSON est endommagé ou tronqué</translation>
-    </message>
-    <message>
         <source>JSON in UTF-8</source>
         <translation>du JSON en UTF-8</translation>
     </message>
@@ -2386,10 +2457,6 @@ Exemples&#xa0;:
     <message>
         <source>an array of length %1 to %2</source>
         <translation>un tableau de longueur %1 à %2</translation>
-    </message>
-    <message>
-        <source>the array has a wrong length</source>
-        <translation>le tableau n’a pas la bonne longueur</translation>
     </message>
     <message>
         <source>this is not an array</source>
@@ -2427,6 +2494,14 @@ Exemples&#xa0;:
         <source>text</source>
         <translation>du texte</translation>
     </message>
+    <message>
+        <source>the JSON text is damaged or truncated</source>
+        <translation>le texte JSON est endommagé ou tronqué</translation>
+    </message>
+    <message>
+        <source>the array has the wrong length</source>
+        <translation>le tableau n’a pas la bonne longueur</translation>
+    </message>
 </context>
 <context>
     <name>LanguageMenu</name>
@@ -2442,16 +2517,16 @@ Exemples&#xa0;:
 <context>
     <name>LocateCommand</name>
     <message>
-        <source>Points on the tactile cylinder that pixels of its camera show</source>
-        <translation>Points du cylindre tactile que montrent des pixels de sa caméra</translation>
-    </message>
-    <message>
         <source>Camera file that teleta calibrate has written</source>
         <translation>Fichier de caméra écrit par teleta calibrate</translation>
     </message>
     <message>
         <source>CSV with the columns u_px,v_px</source>
         <translation>CSV avec les colonnes u_px,v_px</translation>
+    </message>
+    <message>
+        <source>Points on the tactile cylinder that belong to pixels of its camera</source>
+        <translation>Points du cylindre tactile que montrent des pixels de sa caméra</translation>
     </message>
 </context>
 <context>
@@ -2467,14 +2542,6 @@ Exemples&#xa0;:
     <message>
         <source>a table [tactors] in its file</source>
         <translation>une table [tactors] dans son fichier</translation>
-    </message>
-    <message>
-        <source>The device tells no joints.</source>
-        <translation>L’appareil n’indique pas d’articulations.</translation>
-    </message>
-    <message>
-        <source>four tables [[joint]] in its file</source>
-        <translation>quatre tables [[joint]] dans son fichier</translation>
     </message>
     <message>
         <source>illegal function</source>
@@ -2536,28 +2603,32 @@ Exemples&#xa0;:
         <source>The connection was lost.</source>
         <translation>La connexion a été perdue.</translation>
     </message>
+    <message>
+        <source>The device reports no joints.</source>
+        <translation>L’appareil n’indique pas d’articulations.</translation>
+    </message>
+    <message>
+        <source>tables [[joint]] in its file</source>
+        <translation>des tables [[joint]] dans son fichier</translation>
+    </message>
 </context>
 <context>
     <name>MotorFile</name>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>le fichier est d’une version plus récente</translation>
-    </message>
     <message>
         <source>there are %1 motors</source>
         <translation>il y a %1 moteurs</translation>
     </message>
     <message>
-        <source>the limits are of the bracelet &quot;%1&quot;</source>
+        <source>the file was written by a newer version</source>
+        <translation>le fichier est d’une version plus récente</translation>
+    </message>
+    <message>
+        <source>the limits belong to the bracelet &quot;%1&quot;</source>
         <translation>les limites sont celles du bracelet «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
     <name>MotorFit</name>
-    <message>
-        <source>The motor started at %1 of the full drive but stood at %2.</source>
-        <translation>Le moteur a démarré à %1 de la pleine commande mais était à l’arrêt à %2.</translation>
-    </message>
     <message>
         <source>a motor that starts at the same drive each time; look for a loose contact</source>
         <translation>un moteur qui démarre toujours à la même commande&#xa0;; cherchez un faux contact</translation>
@@ -2579,36 +2650,12 @@ Exemples&#xa0;:
         <translation>L’enregistrement ne commence pas au repos.</translation>
     </message>
     <message>
-        <source>a commanded drive of 0 at its begin</source>
-        <translation>une commande de 0 au début</translation>
-    </message>
-    <message>
         <source>The recording is too short: no drive was held for %1 s.</source>
         <translation>L’enregistrement est trop court&#xa0;: aucune commande n’a été maintenue %1 s.</translation>
     </message>
     <message>
         <source>a drive that is held until the motor has followed, 0.3 s</source>
         <translation>une commande maintenue jusqu’à ce que le moteur ait suivi, 0.3 s</translation>
-    </message>
-    <message>
-        <source>The rise time cannot be told: %1 s with a standard error of %2 s.</source>
-        <translation>Le temps de montée ne peut pas être déterminé&#xa0;: %1 s avec une erreur type de %2 s.</translation>
-    </message>
-    <message>
-        <source>more samples a second, or less noise</source>
-        <translation>plus d’échantillons par seconde, ou moins de bruit</translation>
-    </message>
-    <message>
-        <source>The fall time cannot be told: %1 s with a standard error of %2 s.</source>
-        <translation>Le temps de descente ne peut pas être déterminé&#xa0;: %1 s avec une erreur type de %2 s.</translation>
-    </message>
-    <message>
-        <source>The motor does not follow the drive as a motor with a lag: the model explains %1 of the speed.</source>
-        <translation>Le moteur ne suit pas la commande comme un moteur à retard&#xa0;: le modèle explique %1 de la vitesse.</translation>
-    </message>
-    <message>
-        <source>a recording of one motor, with the drive of the same time</source>
-        <translation>l’enregistrement d’un seul moteur, avec la commande au même instant</translation>
     </message>
     <message>
         <source>The recording is too short: %1 samples.</source>
@@ -2631,10 +2678,6 @@ Exemples&#xa0;:
         <translation>La vitesse n’est pas nulle alors que rien n’est commandé&#xa0;: %1 Hz.</translation>
     </message>
     <message>
-        <source>a sensor without an offset, and a motor at rest at the begin</source>
-        <translation>un capteur sans décalage, et un moteur au repos au début</translation>
-    </message>
-    <message>
         <source>The speed is clipped: it stays at the end of the sensor&apos;s range.</source>
         <translation>La vitesse est écrêtée&#xa0;: elle reste à la limite de la plage du capteur.</translation>
     </message>
@@ -2643,35 +2686,67 @@ Exemples&#xa0;:
         <translation>un capteur de plus grande plage</translation>
     </message>
     <message>
-        <source>The motor turned at one level of the drive only: neither its start nor its curve can be told.</source>
-        <translation>Le moteur n’a tourné qu’à un seul niveau de commande&#xa0;: ni son démarrage ni sa courbe ne peuvent être déterminés.</translation>
-    </message>
-    <message>
-        <source>The drive never falls while the motor turns: the fall time cannot be told.</source>
-        <translation>La commande ne descend jamais pendant que le moteur tourne&#xa0;: le temps de descente ne peut pas être déterminé.</translation>
-    </message>
-    <message>
         <source>a step down at the end</source>
         <translation>un échelon descendant à la fin</translation>
-    </message>
-    <message>
-        <source>The samples do not tell the motor&apos;s lag.</source>
-        <translation>Les échantillons ne révèlent pas le retard du moteur.</translation>
-    </message>
-    <message>
-        <source>more samples a second during the steps</source>
-        <translation>plus d’échantillons par seconde pendant les échelons</translation>
-    </message>
-    <message>
-        <source>The speed is saturated: from %1 of the drive on it does not rise.</source>
-        <translation>La vitesse est saturée&#xa0;: à partir de %1 de la commande, elle n’augmente plus.</translation>
     </message>
     <message>
         <source>a supply and a sensor that reach the full drive</source>
         <translation>une alimentation et un capteur qui atteignent la pleine commande</translation>
     </message>
     <message>
-        <source>What was measured makes no motor: its speed does not rise with the drive.</source>
+        <source>The motor started at %1 of the full drive but stood still at %2.</source>
+        <translation>Le moteur a démarré à %1 de la pleine commande mais était à l’arrêt à %2.</translation>
+    </message>
+    <message>
+        <source>a commanded drive of 0 at the beginning</source>
+        <translation>une commande de 0 au début</translation>
+    </message>
+    <message>
+        <source>The rise time cannot be determined: %1 s with a standard error of %2 s.</source>
+        <translation>Le temps de montée ne peut pas être déterminé&#xa0;: %1 s avec une erreur type de %2 s.</translation>
+    </message>
+    <message>
+        <source>more samples per second, or less noise</source>
+        <translation>plus d’échantillons par seconde, ou moins de bruit</translation>
+    </message>
+    <message>
+        <source>The fall time cannot be determined: %1 s with a standard error of %2 s.</source>
+        <translation>Le temps de descente ne peut pas être déterminé&#xa0;: %1 s avec une erreur type de %2 s.</translation>
+    </message>
+    <message>
+        <source>The motor does not behave like a motor with a lag: the model explains %1 of the speed.</source>
+        <translation>Le moteur ne suit pas la commande comme un moteur à retard&#xa0;: le modèle explique %1 de la vitesse.</translation>
+    </message>
+    <message>
+        <source>a recording of one motor with the drive at the same times</source>
+        <translation>l’enregistrement d’un seul moteur, avec la commande au même instant</translation>
+    </message>
+    <message>
+        <source>a sensor without an offset, and a motor at rest at the beginning</source>
+        <translation>un capteur sans décalage, et un moteur au repos au début</translation>
+    </message>
+    <message>
+        <source>The motor turned at one level of the drive only: neither its start nor its curve can be determined.</source>
+        <translation>Le moteur n’a tourné qu’à un seul niveau de commande&#xa0;: ni son démarrage ni sa courbe ne peuvent être déterminés.</translation>
+    </message>
+    <message>
+        <source>The drive never falls while the motor turns: the fall time cannot be determined.</source>
+        <translation>La commande ne descend jamais pendant que le moteur tourne&#xa0;: le temps de descente ne peut pas être déterminé.</translation>
+    </message>
+    <message>
+        <source>The samples do not determine the motor&apos;s lag.</source>
+        <translation>Les échantillons ne révèlent pas le retard du moteur.</translation>
+    </message>
+    <message>
+        <source>more samples per second during the steps</source>
+        <translation>plus d’échantillons par seconde pendant les échelons</translation>
+    </message>
+    <message>
+        <source>The speed is saturated: it does not rise above %1 of the drive.</source>
+        <translation>La vitesse est saturée&#xa0;: à partir de %1 de la commande, elle n’augmente plus.</translation>
+    </message>
+    <message>
+        <source>The measurement does not describe a motor: the speed does not rise with the drive.</source>
         <translation>Les mesures ne décrivent pas un moteur&#xa0;: sa vitesse n’augmente pas avec la commande.</translation>
     </message>
 </context>
@@ -2698,20 +2773,12 @@ Exemples&#xa0;:
         <translation>il n’y a ni colonne «&#xa0;speed_hz&#xa0;» ni colonne «&#xa0;signal&#xa0;»</translation>
     </message>
     <message>
-        <source>times, drives and speeds are not equally many</source>
-        <translation>les temps, commandes et vitesses ne sont pas en nombre égal</translation>
-    </message>
-    <message>
         <source>sample %1 is not a finite number</source>
         <translation>l’échantillon %1 n’est pas un nombre fini</translation>
     </message>
     <message>
         <source>The recording does not begin at rest.</source>
         <translation>L’enregistrement ne commence pas au repos.</translation>
-    </message>
-    <message>
-        <source>at least %1 s with the commanded drive 0</source>
-        <translation>au moins %1 s avec la commande 0</translation>
     </message>
     <message>
         <source>The signal is clipped: it stays at the end of its range.</source>
@@ -2730,24 +2797,24 @@ Exemples&#xa0;:
         <translation>un capteur sur le moteur, avec un signal supérieur à quatre fois son bruit</translation>
     </message>
     <message>
-        <source>%1 samples a second are too few for %2 turns a second.</source>
+        <source>the numbers of times, drives and speeds differ</source>
+        <translation>les temps, commandes et vitesses ne sont pas en nombre égal</translation>
+    </message>
+    <message>
+        <source>at least %1 s with a commanded drive of 0</source>
+        <translation>au moins %1 s avec la commande 0</translation>
+    </message>
+    <message>
+        <source>%1 samples per second are too few for %2 turns per second.</source>
         <translation>%1 échantillons par seconde sont trop peu pour %2 tours par seconde.</translation>
     </message>
     <message>
-        <source>at least %1 samples a turn</source>
+        <source>at least %1 samples per turn</source>
         <translation>au moins %1 échantillons par tour</translation>
     </message>
 </context>
 <context>
     <name>Mouse3d</name>
-    <message>
-        <source>The 3D mouse at %1 may not be opened.</source>
-        <translation>La souris 3D sur %1 ne peut pas être ouverte, faute d’autorisation.</translation>
-    </message>
-    <message>
-        <source>read and write access to it, which the udev rule gives</source>
-        <translation>un accès en lecture et en écriture, que donne la règle udev</translation>
-    </message>
     <message>
         <source>The 3D mouse at %1 cannot be opened.</source>
         <translation>La souris 3D sur %1 ne peut pas être ouverte.</translation>
@@ -2760,6 +2827,14 @@ Exemples&#xa0;:
         <source>The 3D mouse was unplugged.</source>
         <translation>La souris 3D a été débranchée.</translation>
     </message>
+    <message>
+        <source>No permission to open the 3D mouse at %1.</source>
+        <translation>La souris 3D sur %1 ne peut pas être ouverte, faute d’autorisation.</translation>
+    </message>
+    <message>
+        <source>read and write access, which the udev rule grants</source>
+        <translation>un accès en lecture et en écriture, que donne la règle udev</translation>
+    </message>
 </context>
 <context>
     <name>NodeClaim</name>
@@ -2769,7 +2844,7 @@ Exemples&#xa0;:
         <translation>un autre programme utilise %1</translation>
     </message>
     <message>
-        <source>that it is closed there first</source>
+        <source>it to be closed there first</source>
         <translation>qu’il y soit d’abord fermé</translation>
     </message>
 </context>
@@ -2854,7 +2929,7 @@ Aire %6</translation>
         <translation>Déplacement de la peau × %1, plus pâle si incertain</translation>
     </message>
     <message>
-        <source>Ellipses hold the centres with 95 %</source>
+        <source>Ellipses: 95 % regions of the centres</source>
         <translation>Les ellipses contiennent les centres à 95&#xa0;%</translation>
     </message>
 </context>
@@ -2881,32 +2956,12 @@ Aire %6</translation>
         <translation>au moins 6, mieux 50 ou plus</translation>
     </message>
     <message>
-        <source>the pairs repeat fewer than six different points</source>
-        <translation>les paires répètent moins de six points différents</translation>
-    </message>
-    <message>
         <source>at least 6 different points, each with its own pixel</source>
         <translation>au moins 6 points différents, chacun avec son propre pixel</translation>
     </message>
     <message>
-        <source>all points are on one line of the cylinder: the camera may turn about that line without a change in the image</source>
-        <translation>tous les points sont sur une même droite du cylindre&#xa0;: la caméra peut tourner autour de cette droite sans que l’image change</translation>
-    </message>
-    <message>
-        <source>all points are on one ring of the cylinder: the camera&apos;s distance and its focal length cannot be told apart</source>
-        <translation>tous les points sont sur un même anneau du cylindre&#xa0;: la distance de la caméra et sa focale ne peuvent pas être distinguées</translation>
-    </message>
-    <message>
-        <source>all points are in one plane: the camera&apos;s distance and its focal length cannot be told apart</source>
-        <translation>tous les points sont dans un même plan&#xa0;: la distance de la caméra et sa focale ne peuvent pas être distinguées</translation>
-    </message>
-    <message>
         <source>no camera agrees with enough of the pairs</source>
         <translation>aucune caméra ne concorde avec assez de paires</translation>
-    </message>
-    <message>
-        <source>half of the pairs and at least %1 in agreement: pixels in the order of their points, the right image size and cylinder radius</source>
-        <translation>la moitié des paires et au moins %1 concordantes&#xa0;: pixels dans l’ordre de leurs points, bonne taille d’image et bon rayon de cylindre</translation>
     </message>
     <message>
         <source>the pairs leave the camera undetermined: points on the surface would be uncertain by more than %1 mm</source>
@@ -2917,16 +2972,8 @@ Aire %6</translation>
         <translation>plus de paires, réparties sur toute la surface</translation>
     </message>
     <message>
-        <source>the lens model folds over within the pairs</source>
-        <translation>le modèle d’objectif se replie dans la zone des paires</translation>
-    </message>
-    <message>
         <source>more pairs near the lens, where the distortion is strongest</source>
         <translation>plus de paires près de l’objectif, où la distorsion est la plus forte</translation>
-    </message>
-    <message>
-        <source>the image or the cylinder has no size that can be used</source>
-        <translation>l’image ou le cylindre n’a pas de taille utilisable</translation>
     </message>
     <message>
         <source>a positive radius, width and height of 1 to %1 pixels</source>
@@ -2943,6 +2990,34 @@ Aire %6</translation>
     <message>
         <source>at most %1</source>
         <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>the size of the image or of the cylinder is invalid</source>
+        <translation>l’image ou le cylindre n’a pas de taille utilisable</translation>
+    </message>
+    <message>
+        <source>the pairs contain fewer than six different points</source>
+        <translation>les paires répètent moins de six points différents</translation>
+    </message>
+    <message>
+        <source>all points are on one line of the cylinder: the camera could turn about that line without changing the image</source>
+        <translation>tous les points sont sur une même droite du cylindre&#xa0;: la caméra peut tourner autour de cette droite sans que l’image change</translation>
+    </message>
+    <message>
+        <source>all points are on one ring of the cylinder: the camera&apos;s distance and its focal length cannot be distinguished</source>
+        <translation>tous les points sont sur un même anneau du cylindre&#xa0;: la distance de la caméra et sa focale ne peuvent pas être distinguées</translation>
+    </message>
+    <message>
+        <source>all points are in one plane: the camera&apos;s distance and its focal length cannot be distinguished</source>
+        <translation>tous les points sont dans un même plan&#xa0;: la distance de la caméra et sa focale ne peuvent pas être distinguées</translation>
+    </message>
+    <message>
+        <source>at least half of the pairs and at least %1 in agreement: check that pixels and points match, the image size and the cylinder radius</source>
+        <translation>la moitié des paires et au moins %1 concordantes&#xa0;: pixels dans l’ordre de leurs points, bonne taille d’image et bon rayon de cylindre</translation>
+    </message>
+    <message>
+        <source>the lens model folds in the region of the pairs</source>
+        <translation>le modèle d’objectif se replie dans la zone des paires</translation>
     </message>
 </context>
 <context>
@@ -3052,10 +3127,6 @@ Aire %6</translation>
         <translation>Écrire le CSV dans ce fichier, qui apparaît une fois complet</translation>
     </message>
     <message>
-        <source>Write a pattern in another format, told by the ending</source>
-        <translation>Écrire un motif dans un autre format, indiqué par l’extension</translation>
-    </message>
-    <message>
         <source>File to write</source>
         <translation>Fichier à écrire</translation>
     </message>
@@ -3066,10 +3137,6 @@ Aire %6</translation>
     <message>
         <source>s</source>
         <translation>s</translation>
-    </message>
-    <message>
-        <source>the ending of %1 tells no format; expected one of %2</source>
-        <translation>l’extension de %1 n’indique aucun format&#xa0;; attendu l’un de %2</translation>
     </message>
     <message>
         <source>%1 keeps all laws.</source>
@@ -3104,10 +3171,6 @@ Aire %6</translation>
         <translation>Jouer un motif sur un bracelet</translation>
     </message>
     <message>
-        <source>Play it over and over for so long, then live setpoints for as long again, and print how punctual the frames were</source>
-        <translation>Le jouer en continu pendant cette durée, puis des consignes en direct pendant la même durée, et afficher la ponctualité des trames</translation>
-    </message>
-    <message>
         <source>%1 holds no samples: --rate and --predicted are for .csv and .wav files</source>
         <translation>%1 ne contient pas d’échantillons&#xa0;: --rate et --predicted sont pour les fichiers .csv et .wav</translation>
     </message>
@@ -3116,28 +3179,24 @@ Aire %6</translation>
         <translation>usb, simulated, ou un fichier décrivant un bracelet</translation>
     </message>
     <message>
-        <source>Help the motors up: full intensity while they speed up, as long as their profile allows</source>
+        <source>Speed the motors up with full intensity first, for as long as their profile allows</source>
         <translation>Aider les moteurs à démarrer&#xa0;: pleine intensité pendant qu’ils accélèrent, aussi longtemps que leur profil le permet</translation>
+    </message>
+    <message>
+        <source>Write a pattern in another format, chosen by the ending</source>
+        <translation>Écrire un motif dans un autre format, indiqué par l’extension</translation>
+    </message>
+    <message>
+        <source>Repeat it for this long, then send live setpoints for as long again, and print how punctual the frames were</source>
+        <translation>Le jouer en continu pendant cette durée, puis des consignes en direct pendant la même durée, et afficher la ponctualité des trames</translation>
+    </message>
+    <message>
+        <source>the ending of %1 is not that of a format; expected one of %2</source>
+        <translation>l’extension de %1 n’indique aucun format&#xa0;; attendu l’un de %2</translation>
     </message>
 </context>
 <context>
     <name>PatternFile</name>
-    <message>
-        <source>the pattern cannot be stretched like that</source>
-        <translation>le motif ne peut pas être étiré ainsi</translation>
-    </message>
-    <message>
-        <source>a factor above 0 with which it lasts at most a day</source>
-        <translation>un facteur supérieur à 0 avec lequel il dure au plus un jour</translation>
-    </message>
-    <message>
-        <source>the times go back</source>
-        <translation>les temps reculent</translation>
-    </message>
-    <message>
-        <source>a time that is not before the one in front of it</source>
-        <translation>un temps qui ne précède pas le temps d’avant</translation>
-    </message>
     <message>
         <source>there is no tactor for the file &quot;%1&quot;</source>
         <translation>il n’y a pas de tacteur pour le fichier «&#xa0;%1&#xa0;»</translation>
@@ -3147,32 +3206,12 @@ Aire %6</translation>
         <translation>les fichiers tactor1.haptic à tactor6.haptic, chacun une fois</translation>
     </message>
     <message>
-        <source>a pattern cannot hold this</source>
-        <translation>un motif ne peut pas contenir cela</translation>
-    </message>
-    <message>
-        <source>the times go back or on for too long</source>
-        <translation>les temps reculent ou durent trop</translation>
-    </message>
-    <message>
         <source>there is no tactor left for this channel</source>
         <translation>il ne reste pas de tacteur pour ce canal</translation>
     </message>
     <message>
         <source>six channels with directions 60 degrees apart</source>
         <translation>six canaux de directions espacées de 60 degrés</translation>
-    </message>
-    <message>
-        <source>this is another format</source>
-        <translation>c’est un autre format</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>le fichier est d’une version plus récente</translation>
-    </message>
-    <message>
-        <source>this name is not known</source>
-        <translation>ce nom n’est pas connu</translation>
     </message>
     <message>
         <source>the pattern is too long for a WAV file</source>
@@ -3191,44 +3230,16 @@ Aire %6</translation>
         <translation>cet effet est pour d’autres appareils</translation>
     </message>
     <message>
-        <source>the folder cannot be made</source>
-        <translation>le dossier ne peut pas être créé</translation>
-    </message>
-    <message>
-        <source>this format cannot hold another name</source>
-        <translation>ce format ne peut pas contenir un autre nom</translation>
-    </message>
-    <message>
         <source>a pattern file that ends with .json</source>
         <translation>un fichier de motif qui se termine par .json</translation>
-    </message>
-    <message>
-        <source>this is no recovery file</source>
-        <translation>ce n’est pas un fichier de récupération</translation>
     </message>
     <message>
         <source>the key &quot;recovery&quot;</source>
         <translation>la clé «&#xa0;recovery&#xa0;»</translation>
     </message>
     <message>
-        <source>the rate of the samples is out of range</source>
-        <translation>la fréquence d’échantillonnage est hors limites</translation>
-    </message>
-    <message>
-        <source>%1 to %2 a second</source>
-        <translation>%1 à %2 par seconde</translation>
-    </message>
-    <message>
-        <source>the values of a motor contradict each other</source>
-        <translation>les valeurs d’un moteur se contredisent</translation>
-    </message>
-    <message>
         <source>a WAV file cannot have this rate</source>
         <translation>un fichier WAV ne peut pas avoir cette fréquence</translation>
-    </message>
-    <message>
-        <source>a whole number of samples a second</source>
-        <translation>un nombre entier d’échantillons par seconde</translation>
     </message>
     <message>
         <source>the pattern is too long for overdrive</source>
@@ -3246,20 +3257,76 @@ Aire %6</translation>
         <source>at most %1 breakpoints</source>
         <translation>au plus %1 nœuds</translation>
     </message>
+    <message>
+        <source>the pattern cannot be stretched by this factor</source>
+        <translation>le motif ne peut pas être étiré ainsi</translation>
+    </message>
+    <message>
+        <source>a factor above 0 that makes it at most a day long</source>
+        <translation>un facteur supérieur à 0 avec lequel il dure au plus un jour</translation>
+    </message>
+    <message>
+        <source>the times decrease</source>
+        <translation>les temps reculent</translation>
+    </message>
+    <message>
+        <source>a time that is not before the previous one</source>
+        <translation>un temps qui ne précède pas le temps d’avant</translation>
+    </message>
+    <message>
+        <source>a pattern cannot represent this</source>
+        <translation>un motif ne peut pas contenir cela</translation>
+    </message>
+    <message>
+        <source>the times decrease or exceed the longest pattern</source>
+        <translation>les temps reculent ou durent trop</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created</source>
+        <translation>le dossier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>this format cannot store another name</source>
+        <translation>ce format ne peut pas contenir un autre nom</translation>
+    </message>
+    <message>
+        <source>this name is unknown</source>
+        <translation>ce nom n’est pas connu</translation>
+    </message>
+    <message>
+        <source>this is a different format</source>
+        <translation>c’est un autre format</translation>
+    </message>
+    <message>
+        <source>the file was written by a newer version</source>
+        <translation>le fichier est d’une version plus récente</translation>
+    </message>
+    <message>
+        <source>this is not a recovery file</source>
+        <translation>ce n’est pas un fichier de récupération</translation>
+    </message>
+    <message>
+        <source>the sample rate is out of range</source>
+        <translation>la fréquence d’échantillonnage est hors limites</translation>
+    </message>
+    <message>
+        <source>%1 to %2 per second</source>
+        <translation>%1 à %2 par seconde</translation>
+    </message>
+    <message>
+        <source>the values of a motor are inconsistent</source>
+        <translation>les valeurs d’un moteur se contredisent</translation>
+    </message>
+    <message>
+        <source>a whole number of samples per second</source>
+        <translation>un nombre entier d’échantillons par seconde</translation>
+    </message>
 </context>
 <context>
     <name>PatternLaws</name>
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>A burst of %1 is too short for the motor, which needs %2 to rise.</source>
-        <translation>Une salve de %1 est trop courte pour le moteur, qui met %2 à monter.</translation>
-    </message>
-    <message>
-        <source>A turn of the ring takes %1; its direction is felt reliably from %2 on.</source>
-        <translation>Un tour de l’anneau dure %1&#xa0;; son sens est senti de façon fiable à partir de %2.</translation>
     </message>
     <message>
         <source>The bursts begin %1 apart; they are felt as one motion with %2.</source>
@@ -3294,10 +3361,6 @@ Aire %6</translation>
         <translation>Laisser la loi du mouvement apparent les espacer de %1.</translation>
     </message>
     <message>
-        <source>Let it begin at %1 s, when the other one is over.</source>
-        <translation>Le faire débuter à %1 s, quand l’autre est fini.</translation>
-    </message>
-    <message>
         <source>Give both the same intensity, or make them %1 Hz different.</source>
         <translation>Donner aux deux la même intensité, ou les écarter de %1 Hz.</translation>
     </message>
@@ -3308,6 +3371,18 @@ Aire %6</translation>
     <message>
         <source>Make motor %1 weaker there, by %2 %, so that they are %3 Hz apart.</source>
         <translation>Affaiblir là le moteur&#xa0;%1 de&#xa0;%2&#xa0;% pour qu’ils soient éloignés de&#xa0;%3 Hz.</translation>
+    </message>
+    <message>
+        <source>A burst of %1 is too short for the motor, which needs %2 to speed up.</source>
+        <translation>Une salve de %1 est trop courte pour le moteur, qui met %2 à monter.</translation>
+    </message>
+    <message>
+        <source>A turn of the ring takes %1; its direction is felt reliably only if a turn takes at least %2.</source>
+        <translation>Un tour de l’anneau dure %1&#xa0;; son sens est senti de façon fiable à partir de %2.</translation>
+    </message>
+    <message>
+        <source>Let it begin at %1 s, when the other one has ended.</source>
+        <translation>Le faire débuter à %1 s, quand l’autre est fini.</translation>
     </message>
 </context>
 <context>
@@ -3481,13 +3556,6 @@ Aire %6</translation>
     </message>
 </context>
 <context>
-    <name>PlaybackRequest</name>
-    <message>
-        <source>the recording has no stream &quot;%1&quot; to play</source>
-        <translation>l’enregistrement n’a pas de flux «&#xa0;%1&#xa0;» à lire</translation>
-    </message>
-</context>
-<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -3522,14 +3590,6 @@ Aire %6</translation>
         <translation>Afficher cette aide</translation>
     </message>
     <message>
-        <source>teleta: %1
-%2 --help says more.
-</source>
-        <translation>teleta&#xa0;: %1
-%2 --help en dit plus.
-</translation>
-    </message>
-    <message>
         <source>Computes contacts, stiffness and shape from what a tactile robot arm has felt.</source>
         <translation>Calcule contacts, raideur et forme d’après ce qu’a senti un bras robotisé tactile.</translation>
     </message>
@@ -3544,6 +3604,14 @@ Aire %6</translation>
     <message>
         <source>there is no command &apos;%1&apos;; expected one of %2</source>
         <translation>il n’y a pas de commande «&#xa0;%1&#xa0;»&#xa0;; attendu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>teleta: %1
+Run %2 --help for more.
+</source>
+        <translation>teleta&#xa0;: %1
+%2 --help en dit plus.
+</translation>
     </message>
 </context>
 <context>
@@ -3597,28 +3665,12 @@ Aire %6</translation>
 <context>
     <name>Recording</name>
     <message>
-        <source>block %1 of the stream &quot;%2&quot; is not whole</source>
-        <translation>le bloc %1 du flux «&#xa0;%2&#xa0;» n’est pas entier</translation>
-    </message>
-    <message>
-        <source>the recording was never begun</source>
-        <translation>l’enregistrement n’a jamais été commencé</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no time</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas un temps</translation>
-    </message>
-    <message>
         <source>the stream &quot;%1&quot; is described by &quot;%2&quot;</source>
         <translation>le flux «&#xa0;%1&#xa0;» est décrit par «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>the stream &quot;%1&quot; has %2 columns instead of %3</source>
         <translation>le flux «&#xa0;%1&#xa0;» a %2 colonnes au lieu de %3</translation>
-    </message>
-    <message>
-        <source>there is a file of this name already</source>
-        <translation>il y a déjà un fichier de ce nom</translation>
     </message>
     <message>
         <source>a new name</source>
@@ -3629,24 +3681,12 @@ Aire %6</translation>
         <translation>l’enregistrement ne peut pas être écrit&#xa0;: %1</translation>
     </message>
     <message>
-        <source>a folder that can be written to</source>
-        <translation>un dossier où l’on peut écrire</translation>
-    </message>
-    <message>
         <source>there is no such file</source>
         <translation>ce fichier n’existe pas</translation>
     </message>
     <message>
-        <source>this is no recording</source>
-        <translation>ce n’est pas un enregistrement</translation>
-    </message>
-    <message>
         <source>a recording of this program</source>
         <translation>un enregistrement de ce programme</translation>
-    </message>
-    <message>
-        <source>this is an SQLite database, but no recording</source>
-        <translation>c’est une base SQLite, mais pas un enregistrement</translation>
     </message>
     <message>
         <source>the recording was made by a newer version of the program (format %1)</source>
@@ -3655,10 +3695,6 @@ Aire %6</translation>
     <message>
         <source>format %1 or older</source>
         <translation>le format %1 ou antérieur</translation>
-    </message>
-    <message>
-        <source>it has no format</source>
-        <translation>il n’a pas de format</translation>
     </message>
     <message>
         <source>a folder that can be written to: the recording was cut off and has to be completed</source>
@@ -3672,17 +3708,41 @@ Aire %6</translation>
         <source>the recording is damaged: %1</source>
         <translation>l’enregistrement est endommagé&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>block %1 of the stream &quot;%2&quot; is incomplete</source>
+        <translation>le bloc %1 du flux «&#xa0;%2&#xa0;» n’est pas entier</translation>
+    </message>
+    <message>
+        <source>the recording was never started</source>
+        <translation>l’enregistrement n’a jamais été commencé</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un temps</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>il y a déjà un fichier de ce nom</translation>
+    </message>
+    <message>
+        <source>a writable folder</source>
+        <translation>un dossier où l’on peut écrire</translation>
+    </message>
+    <message>
+        <source>this is not a recording</source>
+        <translation>ce n’est pas un enregistrement</translation>
+    </message>
+    <message>
+        <source>this is an SQLite database, but not a recording</source>
+        <translation>c’est une base SQLite, mais pas un enregistrement</translation>
+    </message>
+    <message>
+        <source>its format version is missing</source>
+        <translation>il n’a pas de format</translation>
+    </message>
 </context>
 <context>
     <name>RecordingExport</name>
-    <message>
-        <source>the folder cannot be made or written to</source>
-        <translation>le dossier ne peut pas être créé, ou on ne peut pas y écrire</translation>
-    </message>
-    <message>
-        <source>there is a file of this name already</source>
-        <translation>il y a déjà un fichier de ce nom</translation>
-    </message>
     <message>
         <source>another folder</source>
         <translation>un autre dossier</translation>
@@ -3690,6 +3750,21 @@ Aire %6</translation>
     <message>
         <source>interrupted; nothing was written</source>
         <translation>interrompu&#xa0;; rien n’a été écrit</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created or written to</source>
+        <translation>le dossier ne peut pas être créé, ou on ne peut pas y écrire</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>il y a déjà un fichier de ce nom</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingRequest</name>
+    <message>
+        <source>the recording has no stream &quot;%1&quot; to play</source>
+        <translation>l’enregistrement n’a pas de flux «&#xa0;%1&#xa0;» à lire</translation>
     </message>
 </context>
 <context>
@@ -3759,14 +3834,6 @@ Aire %6</translation>
         <translation>un nom propre à chaque entrée</translation>
     </message>
     <message>
-        <source>the number of joints is wrong: %1</source>
-        <translation>le nombre d’articulations est faux&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>%1, from the shoulder on</source>
-        <translation>%1, à partir de l’épaule</translation>
-    </message>
-    <message>
         <source>the watchdog is a register of a motor</source>
         <translation>le chien de garde est un registre d’un moteur</translation>
     </message>
@@ -3818,6 +3885,14 @@ Aire %6</translation>
         <source>at most %1 s</source>
         <translation>au plus %1 s</translation>
     </message>
+    <message>
+        <source>too many joints: %1</source>
+        <translation>trop d’articulations : %1</translation>
+    </message>
+    <message>
+        <source>at most %1, from the base to the tip</source>
+        <translation>au plus %1, de la base à la pointe</translation>
+    </message>
 </context>
 <context>
     <name>ReplayCommand</name>
@@ -3867,12 +3942,12 @@ Aire %6</translation>
         <translation>l’enregistrement contient les matrices et caméras %1</translation>
     </message>
     <message>
-        <source>it is of an array, but the stream &quot;%1&quot; is of a camera</source>
-        <translation>cela concerne une matrice, mais le flux «&#xa0;%1&#xa0;» est celui d’une caméra</translation>
-    </message>
-    <message>
         <source>the settings changed during the recording; those of its beginning are used</source>
         <translation>les réglages ont changé pendant l’enregistrement&#xa0;; ceux du début sont utilisés</translation>
+    </message>
+    <message>
+        <source>this is for arrays, but the stream &quot;%1&quot; is a camera&apos;s</source>
+        <translation>cela concerne une matrice, mais le flux «&#xa0;%1&#xa0;» est celui d’une caméra</translation>
     </message>
 </context>
 <context>
@@ -4188,10 +4263,6 @@ Aire %6</translation>
         <translation>angle, degrés&#xa0;; z vers le haut, mm</translation>
     </message>
     <message>
-        <source>arrows %1 times</source>
-        <translation>flèches %1 fois</translation>
-    </message>
-    <message>
         <source>x: wrong pair   o: excluded   dashed: valid radius</source>
         <translation>x&#xa0;: paire fausse   o&#xa0;: exclue   tirets&#xa0;: rayon valide</translation>
     </message>
@@ -4202,6 +4273,10 @@ Aire %6</translation>
     <message>
         <source>+%1 mm</source>
         <translation>+%1 mm</translation>
+    </message>
+    <message>
+        <source>arrows enlarged %1 times</source>
+        <translation>flèches %1 fois</translation>
     </message>
 </context>
 <context>
@@ -4329,10 +4404,6 @@ Aire %6</translation>
         <translation>Transfert d’information de la matrice cumulée, tel que compté</translation>
     </message>
     <message>
-        <source>By how much it is too high on average: (R-1)(C-1) / (2 n ln 2)</source>
-        <translation>Excès moyen&#xa0;: (R-1)(C-1) / (2 n ln 2)</translation>
-    </message>
-    <message>
         <source>Measured less bias</source>
         <translation>Mesuré moins le biais</translation>
     </message>
@@ -4383,10 +4454,6 @@ Aire %6</translation>
     <message>
         <source>Information transfer as counted</source>
         <translation>Transfert d’information tel que compté</translation>
-    </message>
-    <message>
-        <source>By how much it is too high on average</source>
-        <translation>Excès moyen</translation>
     </message>
     <message>
         <source>Response time of right answers</source>
@@ -4461,28 +4528,36 @@ Aire %6</translation>
         <translation>Êta carré généralisé</translation>
     </message>
     <message>
-        <source>Participants that are complete</source>
-        <translation>Participants complets</translation>
-    </message>
-    <message>
         <source>without %1</source>
         <translation>sans %1</translation>
-    </message>
-    <message>
-        <source>The information transfer of few trials is too high: with %1 trials, somebody who only guesses shows %2 bit on average. Read the corrected value beside it.</source>
-        <translation>Le transfert d’information de peu d’essais est trop élevé&#xa0;: avec %1 essais, quelqu’un qui ne fait que deviner montre %2 bit en moyenne. Lisez la valeur corrigée à côté.</translation>
     </message>
     <message>
         <source>With fewer than 5 k² trials even the corrected value is rough.</source>
         <translation>Avec moins de 5 k² essais, même la valeur corrigée est approximative.</translation>
     </message>
     <message>
-        <source>There is one condition only, so the patterns are compared.</source>
-        <translation>Il n’y a qu’une condition&#xa0;: ce sont donc les motifs qui sont comparés.</translation>
-    </message>
-    <message>
         <source>Within participants, condition × pattern, of the shares of right answers; below, the conditions compared for each pattern.</source>
         <translation>Intra-participants, condition × motif, des parts de réponses correctes&#xa0;; en dessous, les conditions comparées pour chaque motif.</translation>
+    </message>
+    <message>
+        <source>Average overestimate: (R-1)(C-1) / (2 n ln 2)</source>
+        <translation>Excès moyen&#xa0;: (R-1)(C-1) / (2 n ln 2)</translation>
+    </message>
+    <message>
+        <source>Average overestimate</source>
+        <translation>Excès moyen</translation>
+    </message>
+    <message>
+        <source>Participants with complete data</source>
+        <translation>Participants complets</translation>
+    </message>
+    <message>
+        <source>Few trials give too high an information transfer: with %1 trials, guessing alone shows %2 bit on average. Use the corrected value next to it.</source>
+        <translation>Le transfert d’information de peu d’essais est trop élevé&#xa0;: avec %1 essais, quelqu’un qui ne fait que deviner montre %2 bit en moyenne. Lisez la valeur corrigée à côté.</translation>
+    </message>
+    <message>
+        <source>There is only one condition, so the patterns are compared.</source>
+        <translation>Il n’y a qu’une condition&#xa0;: ce sont donc les motifs qui sont comparés.</translation>
     </message>
 </context>
 <context>
@@ -4515,14 +4590,6 @@ Aire %6</translation>
         <translation>connectez-le et mesurez à nouveau</translation>
     </message>
     <message>
-        <source>The computer was too slow for the measurement: the bracelet stood still meanwhile.</source>
-        <translation>L’ordinateur était trop lent pour la mesure&#xa0;: le bracelet s’est arrêté entre-temps.</translation>
-    </message>
-    <message>
-        <source>measure again with less other work</source>
-        <translation>mesurez à nouveau avec moins d’autres tâches</translation>
-    </message>
-    <message>
         <source>Something else was played meanwhile.</source>
         <translation>Autre chose a été joué entre-temps.</translation>
     </message>
@@ -4550,97 +4617,17 @@ Aire %6</translation>
         <source>The measurement was ended.</source>
         <translation>La mesure a été arrêtée.</translation>
     </message>
+    <message>
+        <source>The computer was too slow for the measurement: the bracelet paused in between.</source>
+        <translation>L’ordinateur était trop lent pour la mesure&#xa0;: le bracelet s’est arrêté entre-temps.</translation>
+    </message>
+    <message>
+        <source>measure again with fewer programs running</source>
+        <translation>mesurez à nouveau avec moins d’autres tâches</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
-    <message>
-        <source>the frame rate of the scene is not a positive number</source>
-        <translation>la fréquence de trames de la scène n’est pas un nombre positif</translation>
-    </message>
-    <message>
-        <source>the size of the tactile array is out of range</source>
-        <translation>la taille de la matrice tactile est hors limites</translation>
-    </message>
-    <message>
-        <source>a property of the tactile array is out of range</source>
-        <translation>une propriété de la matrice tactile est hors limites</translation>
-    </message>
-    <message>
-        <source>the size of indenter &quot;%1&quot; is out of range</source>
-        <translation>la taille de l’indenteur «&#xa0;%1&#xa0;» est hors limites</translation>
-    </message>
-    <message>
-        <source>the motion of indenter &quot;%1&quot; is not a series of rising times</source>
-        <translation>le mouvement de l’indenteur «&#xa0;%1&#xa0;» n’est pas une suite de temps croissants</translation>
-    </message>
-    <message>
-        <source>a parameter of effect &quot;%1&quot; is out of range</source>
-        <translation>un paramètre de l’effet «&#xa0;%1&#xa0;» est hors limites</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; is listed twice</source>
-        <translation>l’effet «&#xa0;%1&#xa0;» est indiqué deux fois</translation>
-    </message>
-    <message>
-        <source>a property of the arm is out of range</source>
-        <translation>une propriété du bras est hors limites</translation>
-    </message>
-    <message>
-        <source>a property of the joint controllers is out of range</source>
-        <translation>une propriété des régulateurs d’articulation est hors limites</translation>
-    </message>
-    <message>
-        <source>a property of the arm&apos;s skin is out of range</source>
-        <translation>une propriété de la peau du bras est hors limites</translation>
-    </message>
-    <message>
-        <source>a property of object &quot;%1&quot; is out of range</source>
-        <translation>une propriété de l’objet «&#xa0;%1&#xa0;» est hors limites</translation>
-    </message>
-    <message>
-        <source>the program of the arm is out of range</source>
-        <translation>le programme du bras est hors limites</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs an arm</source>
-        <translation>l’effet «&#xa0;%1&#xa0;» demande un bras</translation>
-    </message>
-    <message>
-        <source>a property of the camera is out of range</source>
-        <translation>une propriété de la caméra est hors limites</translation>
-    </message>
-    <message>
-        <source>a property of the soft tube is out of range</source>
-        <translation>une propriété du tube souple est hors limites</translation>
-    </message>
-    <message>
-        <source>a finger&apos;s size or motion is out of range</source>
-        <translation>la taille ou le mouvement d’un doigt est hors limites</translation>
-    </message>
-    <message>
-        <source>a number of the probing is out of range</source>
-        <translation>un nombre du palpage est hors limites</translation>
-    </message>
-    <message>
-        <source>what the arm under the soft tube does is out of range</source>
-        <translation>ce que fait le bras sous le tube souple est hors limites</translation>
-    </message>
-    <message>
-        <source>a property of the servoing arm, its sensor, object or task is out of range</source>
-        <translation>une propriété du bras asservi, de son capteur, de son objet ou de sa tâche est hors limites</translation>
-    </message>
-    <message>
-        <source>a camera has no effect &quot;%1&quot;</source>
-        <translation>une caméra n’a pas d’effet «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs a camera</source>
-        <translation>l’effet «&#xa0;%1&#xa0;» demande une caméra</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs a servoing arm</source>
-        <translation>l’effet «&#xa0;%1&#xa0;» demande un bras asservi</translation>
-    </message>
     <message>
         <source>the scene is not that of a tactile array</source>
         <translation>la scène n’est pas celle d’une matrice tactile</translation>
@@ -4658,24 +4645,12 @@ Aire %6</translation>
         <translation>la scène n’est pas celle d’un bras asservi</translation>
     </message>
     <message>
-        <source>how far the objects may be displaced is out of range</source>
-        <translation>le déplacement admis des objets est hors limites</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs the program of an operator</source>
-        <translation>l’effet «&#xa0;%1&#xa0;» demande le programme d’un opérateur</translation>
-    </message>
-    <message>
         <source>the scene is not that of an arm with an operator</source>
         <translation>la scène n’est pas celle d’un bras avec un opérateur</translation>
     </message>
 </context>
 <context>
     <name>SceneReader</name>
-    <message>
-        <source>the keyframes are not in the order of time</source>
-        <translation>les images clés ne sont pas dans l’ordre du temps</translation>
-    </message>
     <message>
         <source>a time after %1 s</source>
         <translation>un temps après %1 s</translation>
@@ -4713,10 +4688,6 @@ Aire %6</translation>
         <translation>%1 de %2 à %3</translation>
     </message>
     <message>
-        <source>the waypoints are not in the order of time</source>
-        <translation>les points de passage ne sont pas dans l’ordre du temps</translation>
-    </message>
-    <message>
         <source>the program has no object to touch</source>
         <translation>le programme n’a pas d’objet à toucher</translation>
     </message>
@@ -4749,16 +4720,24 @@ Aire %6</translation>
         <translation>plus de %1 m et moins que le rayon de %2 m</translation>
     </message>
     <message>
-        <source>this is deeper than the skin gives way</source>
-        <translation>c’est plus profond que la peau ne peut céder</translation>
-    </message>
-    <message>
         <source>there is no tray to keep level</source>
         <translation>il n’y a pas de plateau à tenir horizontal</translation>
     </message>
     <message>
         <source>an [object.hinge]</source>
         <translation>une [object.hinge]</translation>
+    </message>
+    <message>
+        <source>the times of the keyframes do not increase</source>
+        <translation>les images clés ne sont pas dans l’ordre du temps</translation>
+    </message>
+    <message>
+        <source>this is deeper than the skin can yield</source>
+        <translation>c’est plus profond que la peau ne peut céder</translation>
+    </message>
+    <message>
+        <source>this scene cannot have the effect &quot;%1&quot;</source>
+        <translation>cette scène ne peut pas avoir l’effet « %1 »</translation>
     </message>
 </context>
 <context>
@@ -4771,47 +4750,47 @@ Aire %6</translation>
 <context>
     <name>SceneRun</name>
     <message>
-        <source>the folder cannot be made or written to</source>
-        <translation>le dossier ne peut pas être créé, ou on ne peut pas y écrire</translation>
-    </message>
-    <message>
         <source>the image cannot be written</source>
         <translation>l’image ne peut pas être écrite</translation>
     </message>
     <message>
-        <source>the protocol has a stimulus that does not come with the program</source>
+        <source>the folder cannot be created or written to</source>
+        <translation>le dossier ne peut pas être créé, ou on ne peut pas y écrire</translation>
+    </message>
+    <message>
+        <source>the protocol has a stimulus that is not built in</source>
         <translation>le protocole a un stimulus qui n’est pas fourni avec le programme</translation>
     </message>
     <message>
-        <source>tasks, letters and conditions whose patterns come with the program</source>
+        <source>tasks, letters and conditions whose patterns are built in</source>
         <translation>des tâches, lettres et conditions dont les motifs sont fournis avec le programme</translation>
     </message>
 </context>
 <context>
     <name>ServoCurves</name>
     <message>
-        <source>this is no number of a run</source>
-        <translation>ce n’est pas un nombre d’une exécution</translation>
-    </message>
-    <message>
         <source>a number from -1e12 to 1e12, or NA</source>
         <translation>un nombre de -1e12 à 1e12, ou NA</translation>
-    </message>
-    <message>
-        <source>the time falls, or there is none</source>
-        <translation>le temps diminue, ou manque</translation>
     </message>
     <message>
         <source>times in order</source>
         <translation>des temps dans l’ordre</translation>
     </message>
     <message>
-        <source>this is no limit of a servo</source>
-        <translation>ce n’est pas une limite d’un asservissement</translation>
-    </message>
-    <message>
         <source>names such as force+tool_speed, or nothing</source>
         <translation>des noms comme force+tool_speed, ou rien</translation>
+    </message>
+    <message>
+        <source>this is not a plausible number</source>
+        <translation>ce n’est pas un nombre d’une exécution</translation>
+    </message>
+    <message>
+        <source>the time decreases or is missing</source>
+        <translation>le temps diminue, ou manque</translation>
+    </message>
+    <message>
+        <source>this is not a limit of a servo</source>
+        <translation>ce n’est pas une limite d’un asservissement</translation>
     </message>
 </context>
 <context>
@@ -5031,10 +5010,6 @@ Aire %6</translation>
         <translation>Graine de tous les nombres aléatoires de la scène</translation>
     </message>
     <message>
-        <source>Simulated time in seconds; otherwise what the scene says</source>
-        <translation>Temps simulé en secondes&#xa0;; sinon ce que dit la scène</translation>
-    </message>
-    <message>
         <source>Share of %1</source>
         <translation>Part de %1</translation>
     </message>
@@ -5063,10 +5038,6 @@ Aire %6</translation>
         <translation>Dossiers d’exécutions d’asservissement antérieures pour le même graphique, cinq au plus</translation>
     </message>
     <message>
-        <source>Leave out one effect at a time and tell how far the measures move against their spread</source>
-        <translation>Retirer un effet à la fois et dire de combien les mesures bougent par rapport à leur dispersion</translation>
-    </message>
-    <message>
         <source>Runs of each variant, with seeds from --seed upwards</source>
         <translation>Exécutions de chaque variante, avec des graines croissantes à partir de --seed</translation>
     </message>
@@ -5081,6 +5052,14 @@ Aire %6</translation>
     <message>
         <source>a scene file, or a name that teleta simulate --list prints</source>
         <translation>un fichier de scène, ou un nom que teleta simulate --list affiche</translation>
+    </message>
+    <message>
+        <source>Simulated time in seconds; default: as the scene says</source>
+        <translation>Temps simulé en secondes&#xa0;; sinon ce que dit la scène</translation>
+    </message>
+    <message>
+        <source>Leave out one effect at a time and compare how far each measure moves with its spread</source>
+        <translation>Retirer un effet à la fois et dire de combien les mesures bougent par rapport à leur dispersion</translation>
     </message>
 </context>
 <context>
@@ -5118,7 +5097,7 @@ Aire %6</translation>
 <context>
     <name>SimulatedTube</name>
     <message>
-        <source>the lens of the camera folds: no camera has it</source>
+        <source>the lens folds the image over itself: no camera has such a lens</source>
         <translation>l’objectif de la caméra se replie&#xa0;: aucune caméra n’en a de tel</translation>
     </message>
 </context>
@@ -5129,20 +5108,8 @@ Aire %6</translation>
         <translation>ces données sont de modes différents&#xa0;: %1 et %2</translation>
     </message>
     <message>
-        <source>one mode, or to be told which one counts</source>
-        <translation>un seul mode, ou l’indication de celui qui compte</translation>
-    </message>
-    <message>
         <source>%1 cannot be &quot;%2&quot;</source>
         <translation>%1 ne peut pas être «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>%1 has trials in %2 too: these may be two people, or the same trials twice</source>
-        <translation>%1 a aussi des essais dans %2&#xa0;: ce sont peut-être deux personnes, ou deux fois les mêmes essais</translation>
-    </message>
-    <message>
-        <source>each participant in one study, under a name of their own</source>
-        <translation>chaque participant dans une seule étude, sous un nom qui lui est propre</translation>
     </message>
     <message>
         <source>run, pilot or simulated</source>
@@ -5161,24 +5128,12 @@ Aire %6</translation>
         <translation>correct, incorrect, timeout, aborted ou device_error</translation>
     </message>
     <message>
-        <source>what stimulus and response say</source>
-        <translation>ce que disent stimulus et response</translation>
-    </message>
-    <message>
         <source>a number of seconds or NA</source>
         <translation>un nombre de secondes ou NA</translation>
     </message>
     <message>
-        <source>a whole number from 1 on</source>
-        <translation>un nombre entier à partir de 1</translation>
-    </message>
-    <message>
         <source>%1 at most</source>
         <translation>%1 au plus</translation>
-    </message>
-    <message>
-        <source>trial %1 of session %2 of %3 was counted before</source>
-        <translation>l’essai %1 de la session %2 de %3 a déjà été compté</translation>
     </message>
     <message>
         <source>each trial once</source>
@@ -5191,6 +5146,30 @@ Aire %6</translation>
     <message>
         <source>there are too many different patterns</source>
         <translation>il y a trop de motifs différents</translation>
+    </message>
+    <message>
+        <source>one mode, or the choice of one</source>
+        <translation>un seul mode, ou l’indication de celui qui compte</translation>
+    </message>
+    <message>
+        <source>%1 also has trials in %2: these may be two people, or the same trials twice</source>
+        <translation>%1 a aussi des essais dans %2&#xa0;: ce sont peut-être deux personnes, ou deux fois les mêmes essais</translation>
+    </message>
+    <message>
+        <source>each participant in one study only, under a unique name</source>
+        <translation>chaque participant dans une seule étude, sous un nom qui lui est propre</translation>
+    </message>
+    <message>
+        <source>the value implied by stimulus and response</source>
+        <translation>ce que disent stimulus et response</translation>
+    </message>
+    <message>
+        <source>a whole number of at least 1</source>
+        <translation>un nombre entier à partir de 1</translation>
+    </message>
+    <message>
+        <source>trial %1 of session %2 of %3 was already counted</source>
+        <translation>l’essai %1 de la session %2 de %3 a déjà été compté</translation>
     </message>
 </context>
 <context>
@@ -5395,10 +5374,6 @@ Aire %6</translation>
         <translation>le bracelet a été perdu</translation>
     </message>
     <message>
-        <source>the bracelet stood still for too long</source>
-        <translation>le bracelet est resté arrêté trop longtemps</translation>
-    </message>
-    <message>
         <source>the pattern could not be played: %1</source>
         <translation>le motif n’a pas pu être joué&#xa0;: %1</translation>
     </message>
@@ -5421,35 +5396,39 @@ Aire %6</translation>
         <translation>%1, prêt&#xa0;; dernier stimulus&#xa0;: %2 trames, écriture la plus longue %3 ms, %4 en retard, %5 perdues</translation>
     </message>
     <message>
-        <source>the bracelet did not begin</source>
-        <translation>le bracelet n’a pas commencé</translation>
-    </message>
-    <message>
         <source>the bracelet does not answer</source>
         <translation>le bracelet ne répond pas</translation>
-    </message>
-    <message>
-        <source>the bracelet refused the stimulus: it did not understand it</source>
-        <translation>le bracelet a refusé le stimulus&#xa0;: il ne l’a pas compris</translation>
-    </message>
-    <message>
-        <source>the bracelet did not confirm that it got the stimulus</source>
-        <translation>le bracelet n’a pas confirmé avoir reçu le stimulus</translation>
     </message>
     <message>
         <source>something else used the bracelet</source>
         <translation>autre chose a utilisé le bracelet</translation>
     </message>
     <message>
-        <source>No bracelet: this rehearsal runs too fast to be played</source>
+        <source>playback stalled for too long</source>
+        <translation>la lecture s’est interrompue trop longtemps</translation>
+    </message>
+    <message>
+        <source>the bracelet did not start</source>
+        <translation>le bracelet n’a pas commencé</translation>
+    </message>
+    <message>
+        <source>the bracelet rejected the stimulus</source>
+        <translation>le bracelet a refusé le stimulus&#xa0;: il ne l’a pas compris</translation>
+    </message>
+    <message>
+        <source>the bracelet did not confirm the stimulus</source>
+        <translation>le bracelet n’a pas confirmé avoir reçu le stimulus</translation>
+    </message>
+    <message>
+        <source>No bracelet: this rehearsal is too fast to be played</source>
         <translation>Pas de bracelet&#xa0;: cette répétition générale est trop rapide pour être jouée</translation>
     </message>
     <message>
-        <source>nobody can tell in which folder this pattern is</source>
+        <source>the folder of this pattern is unknown</source>
         <translation>on ne peut pas savoir dans quel dossier est ce motif</translation>
     </message>
     <message>
-        <source>the whole path of the file</source>
+        <source>the full path of the file</source>
         <translation>le chemin complet du fichier</translation>
     </message>
 </context>
@@ -5464,56 +5443,20 @@ Aire %6</translation>
         <translation>impossible de créer le dossier de l’étude</translation>
     </message>
     <message>
-        <source>there is a study of this name already</source>
-        <translation>il y a déjà une étude de ce nom</translation>
-    </message>
-    <message>
-        <source>a new name, or to go on with the study</source>
-        <translation>un nouveau nom, ou la reprise de l’étude</translation>
-    </message>
-    <message>
-        <source>there is a study in this folder already</source>
-        <translation>il y a déjà une étude dans ce dossier</translation>
-    </message>
-    <message>
-        <source>a new folder, or to go on with the study</source>
-        <translation>un nouveau dossier, ou la reprise de l’étude</translation>
-    </message>
-    <message>
-        <source>the study was never completely made</source>
-        <translation>la création de l’étude n’a jamais été achevée</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; cannot name a participant</source>
         <translation>«&#xa0;%1&#xa0;» ne peut pas désigner un participant</translation>
-    </message>
-    <message>
-        <source>another name: files have %1 for no value or for all participants</source>
-        <translation>un autre nom&#xa0;: les fichiers ont %1 pour aucune valeur ou pour tous les participants</translation>
     </message>
     <message>
         <source>a text of 1 to %1 characters</source>
         <translation>un texte de 1 à %1 caractères</translation>
     </message>
     <message>
-        <source>the participant &quot;%1&quot; is enrolled already</source>
-        <translation>le participant «&#xa0;%1&#xa0;» est déjà inscrit</translation>
-    </message>
-    <message>
         <source>another name</source>
         <translation>un autre nom</translation>
     </message>
     <message>
-        <source>other stations enrol participants all the time</source>
-        <translation>d’autres postes inscrivent sans cesse des participants</translation>
-    </message>
-    <message>
         <source>to try again</source>
         <translation>une nouvelle tentative</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is in a session already, at %2</source>
-        <translation>«&#xa0;%1&#xa0;» est déjà en session, sur %2</translation>
     </message>
     <message>
         <source>one session of a participant at a time</source>
@@ -5524,12 +5467,48 @@ Aire %6</translation>
         <translation>un autre poste</translation>
     </message>
     <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
-    </message>
-    <message>
         <source>version %1 of the program, or a new study</source>
         <translation>la version %1 du programme, ou une nouvelle étude</translation>
+    </message>
+    <message>
+        <source>a study of this name already exists</source>
+        <translation>il y a déjà une étude de ce nom</translation>
+    </message>
+    <message>
+        <source>a new name, or to continue the study</source>
+        <translation>un nouveau nom, ou la reprise de l’étude</translation>
+    </message>
+    <message>
+        <source>this folder already contains a study</source>
+        <translation>il y a déjà une étude dans ce dossier</translation>
+    </message>
+    <message>
+        <source>a new folder, or to continue the study</source>
+        <translation>un nouveau dossier, ou la reprise de l’étude</translation>
+    </message>
+    <message>
+        <source>the study was not created completely</source>
+        <translation>la création de l’étude n’a jamais été achevée</translation>
+    </message>
+    <message>
+        <source>another name: in files, %1 means no value or all participants</source>
+        <translation>un autre nom&#xa0;: les fichiers ont %1 pour aucune valeur ou pour tous les participants</translation>
+    </message>
+    <message>
+        <source>the participant &quot;%1&quot; is already enrolled</source>
+        <translation>le participant «&#xa0;%1&#xa0;» est déjà inscrit</translation>
+    </message>
+    <message>
+        <source>other stations keep enrolling participants</source>
+        <translation>d’autres postes inscrivent sans cesse des participants</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is already in a session at %2</source>
+        <translation>«&#xa0;%1&#xa0;» est déjà en session, sur %2</translation>
+    </message>
+    <message>
+        <source>the patterns have changed since this study was created</source>
+        <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
     </message>
 </context>
 <context>
@@ -5600,16 +5579,8 @@ Aire %6</translation>
         <translation>Protocole</translation>
     </message>
     <message>
-        <source>Mend the protocol at this place and open it again.</source>
-        <translation>Corrigez le protocole à cet endroit et rouvrez-le.</translation>
-    </message>
-    <message>
         <source>no protocol is open</source>
         <translation>aucun protocole n’est ouvert</translation>
-    </message>
-    <message>
-        <source>Open a protocol, or begin with the paper&apos;s.</source>
-        <translation>Ouvrez un protocole, ou commencez par celui de l’article.</translation>
     </message>
     <message>
         <source>the protocol has no trials</source>
@@ -5624,20 +5595,8 @@ Aire %6</translation>
         <translation>Participant</translation>
     </message>
     <message>
-        <source>no participant is chosen</source>
-        <translation>aucun participant n’est choisi</translation>
-    </message>
-    <message>
         <source>Choose a participant, or add a new one.</source>
         <translation>Choisissez un participant, ou ajoutez-en un.</translation>
-    </message>
-    <message>
-        <source>%1 is in a session already</source>
-        <translation>%1 est déjà en session</translation>
-    </message>
-    <message>
-        <source>%1 is in a session already, at %2</source>
-        <translation>%1 est déjà en session, sur %2</translation>
     </message>
     <message>
         <source>Finish or abort the other session, or choose another participant.</source>
@@ -5672,10 +5631,6 @@ Aire %6</translation>
         <translation>%1 ne répond pas</translation>
     </message>
     <message>
-        <source>Check cable and power supply; it goes on by itself when it is back.</source>
-        <translation>Vérifiez le câble et l’alimentation&#xa0;; la suite est automatique à son retour.</translation>
-    </message>
-    <message>
         <source>STOP is engaged</source>
         <translation>STOP est enclenché</translation>
     </message>
@@ -5696,16 +5651,8 @@ Aire %6</translation>
         <translation>Dossier</translation>
     </message>
     <message>
-        <source>%1 is not there</source>
-        <translation>%1 n’est pas là</translation>
-    </message>
-    <message>
         <source>Connect the drive of the study, or choose another folder.</source>
         <translation>Connectez le disque de l’étude, ou choisissez un autre dossier.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>impossible d’écrire dans %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Allow writing to the folder, or choose another one.</source>
@@ -5720,20 +5667,12 @@ Aire %6</translation>
         <translation>%1 MB sont libres</translation>
     </message>
     <message>
-        <source>Free space until there are %1 MB, or choose another folder.</source>
-        <translation>Libérez de l’espace jusqu’à %1 MB, ou choisissez un autre dossier.</translation>
-    </message>
-    <message>
         <source>Data store</source>
         <translation>Stockage des données</translation>
     </message>
     <message>
         <source>ready</source>
         <translation>prêt</translation>
-    </message>
-    <message>
-        <source>Start the server or mend the network; then try again.</source>
-        <translation>Démarrez le serveur ou rétablissez le réseau, puis réessayez.</translation>
     </message>
     <message>
         <source>Make a copy of the study&apos;s folder and open the study again.</source>
@@ -5772,28 +5711,68 @@ Aire %6</translation>
         <translation>Stimuli</translation>
     </message>
     <message>
-        <source>there are no patterns %1</source>
+        <source>Correct the protocol at this place and open it again.</source>
+        <translation>Corrigez le protocole à cet endroit et rouvrez-le.</translation>
+    </message>
+    <message>
+        <source>Open a protocol, or start with the paper&apos;s.</source>
+        <translation>Ouvrez un protocole, ou commencez par celui de l’article.</translation>
+    </message>
+    <message>
+        <source>there are no tactile patterns for %1</source>
         <translation>il n’y a pas de motifs %1</translation>
     </message>
     <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
-    </message>
-    <message>
-        <source>Go on with version %1 of the program, which began it, or begin a new study.</source>
-        <translation>Continuez avec la version %1 du programme, qui l’a commencée, ou commencez une nouvelle étude.</translation>
-    </message>
-    <message>
-        <source>those with which the study was begun</source>
-        <translation>ceux avec lesquels l’étude a été commencée</translation>
-    </message>
-    <message>
-        <source>Make a study whose protocol names a file for each pattern that does not come with the program.</source>
+        <source>Create a study whose protocol names a file for each pattern that is not built in.</source>
         <translation>Créez une étude dont le protocole nomme un fichier pour chaque motif qui n’est pas fourni avec le programme.</translation>
     </message>
     <message>
-        <source>all there; whether the study was begun with others is not known</source>
+        <source>the patterns have changed since this study was created</source>
+        <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
+    </message>
+    <message>
+        <source>Use version %1 of the program, which created it, or create a new study.</source>
+        <translation>Continuez avec la version %1 du programme, qui l’a commencée, ou commencez une nouvelle étude.</translation>
+    </message>
+    <message>
+        <source>unchanged since the study was created</source>
+        <translation>ceux avec lesquels l’étude a été commencée</translation>
+    </message>
+    <message>
+        <source>all there; whether they have changed since the study was created is unknown</source>
         <translation>tous présents&#xa0;; on ne sait pas si l’étude a été commencée avec d’autres</translation>
+    </message>
+    <message>
+        <source>no participant is selected</source>
+        <translation>aucun participant n’est choisi</translation>
+    </message>
+    <message>
+        <source>%1 is already in a session</source>
+        <translation>%1 est déjà en session</translation>
+    </message>
+    <message>
+        <source>%1 is already in a session at %2</source>
+        <translation>%1 est déjà en session, sur %2</translation>
+    </message>
+    <message>
+        <source>Check cable and power supply; it reconnects by itself.</source>
+        <translation>Vérifiez le câble et l’alimentation&#xa0;; la suite est automatique à son retour.</translation>
+    </message>
+    <message>
+        <source>%1 was not found</source>
+        <translation>%1 n’est pas là</translation>
+    </message>
+    <message>
+        <source>cannot write to %1: %2</source>
+        <translation>impossible d’écrire dans %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Free up space to at least %1 MB, or choose another folder.</source>
+        <translation>Libérez de l’espace jusqu’à %1 MB, ou choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Start the server or repair the network connection, then try again.</source>
+        <translation>Démarrez le serveur ou rétablissez le réseau, puis réessayez.</translation>
     </message>
 </context>
 <context>
@@ -5825,10 +5804,6 @@ Aire %6</translation>
     <message>
         <source>Protocol of the study; otherwise the paper&apos;s</source>
         <translation>Protocole de l’étude&#xa0;; sinon celui de l’article</translation>
-    </message>
-    <message>
-        <source>How many take part</source>
-        <translation>Nombre de participants</translation>
     </message>
     <message>
         <source>Seed of all orders and answers</source>
@@ -5986,6 +5961,10 @@ Aire %6</translation>
         <source>Tables and figures</source>
         <translation>Tableaux et figures</translation>
     </message>
+    <message>
+        <source>Number of participants</source>
+        <translation>Nombre de participants</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -5994,12 +5973,12 @@ Aire %6</translation>
         <translation>impossible de créer le dossier</translation>
     </message>
     <message>
-        <source>the file does not hold what was written</source>
-        <translation>le fichier ne contient pas ce qui a été écrit</translation>
-    </message>
-    <message>
         <source>the study has no participant &quot;%1&quot;</source>
         <translation>l’étude n’a pas de participant «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the file differs from what was written</source>
+        <translation>le fichier ne contient pas ce qui a été écrit</translation>
     </message>
 </context>
 <context>
@@ -6086,16 +6065,8 @@ Aire %6</translation>
 <context>
     <name>StudyNoise</name>
     <message>
-        <source>these settings of the noise are out of range</source>
-        <translation>ces réglages du bruit sont hors limites</translation>
-    </message>
-    <message>
         <source>an even number of samples up to %1, and frequencies above 0 up to half the rate</source>
         <translation>un nombre pair d’échantillons jusqu’à %1, et des fréquences supérieures à 0 jusqu’à la moitié de la fréquence d’échantillonnage</translation>
-    </message>
-    <message>
-        <source>there is no frequency in this band</source>
-        <translation>il n’y a pas de fréquence dans cette bande</translation>
     </message>
     <message>
         <source>more samples or a wider band</source>
@@ -6116,6 +6087,14 @@ Aire %6</translation>
     <message>
         <source>at most 4 GiB of samples</source>
         <translation>au plus 4 GiB d’échantillons</translation>
+    </message>
+    <message>
+        <source>the noise settings are out of range</source>
+        <translation>ces réglages du bruit sont hors limites</translation>
+    </message>
+    <message>
+        <source>the band contains no frequency</source>
+        <translation>il n’y a pas de fréquence dans cette bande</translation>
     </message>
 </context>
 <context>
@@ -6160,10 +6139,6 @@ Aire %6</translation>
         <translation>%1 caractères au plus</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be answered by &quot;%2&quot;</source>
-        <translation>«&#xa0;%2&#xa0;» n’est pas une réponse possible à «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
         <source>a number from 1 to %1</source>
         <translation>un nombre de 1 à %1</translation>
     </message>
@@ -6172,11 +6147,15 @@ Aire %6</translation>
         <translation>l’un des choix</translation>
     </message>
     <message>
-        <source>the answers are not those of this questionnaire</source>
+        <source>&quot;%1&quot; cannot be answered with &quot;%2&quot;</source>
+        <translation>«&#xa0;%2&#xa0;» n’est pas une réponse possible à «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the answers do not match this questionnaire</source>
         <translation>les réponses ne sont pas celles de ce questionnaire</translation>
     </message>
     <message>
-        <source>one answer an item, in their order</source>
+        <source>one answer per item, in order</source>
         <translation>une réponse par question, dans leur ordre</translation>
     </message>
 </context>
@@ -6187,7 +6166,7 @@ Aire %6</translation>
         <translation>cette étude a de vrais participants</translation>
     </message>
     <message>
-        <source>a study that was begun as a rehearsal</source>
+        <source>a study created as a rehearsal</source>
         <translation>une étude commencée comme répétition générale</translation>
     </message>
 </context>
@@ -6216,10 +6195,6 @@ Aire %6</translation>
             <numerusform>%1&#xa0;: %n motif&#xa0;; %2</numerusform>
             <numerusform>%1&#xa0;: %n motifs&#xa0;; %2</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials a participant</source>
-        <translation>Répétitions de chaque motif&#xa0;: %1 à l’entraînement, %2 au test&#xa0;; %3 essais de test par participant</translation>
     </message>
     <message>
         <source>Stimulus %1 s, answer within %2 s %3</source>
@@ -6269,40 +6244,8 @@ Aire %6</translation>
         <translation>Session %1 sur %2, ligne %3 du carré de Williams</translation>
     </message>
     <message>
-        <source>Go on with this session</source>
-        <translation>Reprendre cette session</translation>
-    </message>
-    <message>
-        <source>Begin this session</source>
-        <translation>Commencer cette session</translation>
-    </message>
-    <message>
-        <source>This session was interrupted after %1 of %2 trials. What was answered is kept; it goes on with the same order.</source>
-        <translation>Cette session a été interrompue après %1 essais sur %2. Les réponses données sont conservées&#xa0;; elle reprend dans le même ordre.</translation>
-    </message>
-    <message>
-        <source>The session can begin when all checks have passed.</source>
-        <translation>La session peut commencer quand tous les contrôles sont positifs.</translation>
-    </message>
-    <message>
-        <source>Begin the rehearsal</source>
-        <translation>Commencer la répétition générale</translation>
-    </message>
-    <message>
-        <source>Go on with the rehearsal</source>
-        <translation>Reprendre la répétition générale</translation>
-    </message>
-    <message>
-        <source>Simulated participants go through all sessions, with the same code as people.</source>
-        <translation>Des participants simulés parcourent toutes les sessions, avec le même code que des personnes.</translation>
-    </message>
-    <message>
         <source>Halt the rehearsal</source>
         <translation>Interrompre la répétition générale</translation>
-    </message>
-    <message>
-        <source>To the next session</source>
-        <translation>À la session suivante</translation>
     </message>
     <message>
         <source>This session is finished.</source>
@@ -6321,10 +6264,6 @@ Aire %6</translation>
         <translation>Ajouter un participant</translation>
     </message>
     <message>
-        <source>Enrol the first participant at the left: the order of the conditions follows from the order of enrolment.</source>
-        <translation>Inscrivez le premier participant à gauche&#xa0;: l’ordre des conditions découle de l’ordre d’inscription.</translation>
-    </message>
-    <message>
         <source>Choose another participant</source>
         <translation>Choisir un autre participant</translation>
     </message>
@@ -6333,48 +6272,12 @@ Aire %6</translation>
         <translation>Ce participant a terminé toutes les sessions.</translation>
     </message>
     <message>
-        <source>It is asked again when a session of this participant begins or is gone on with.</source>
-        <translation>Il est de nouveau posé quand une session de ce participant commence ou reprend.</translation>
-    </message>
-    <message>
-        <source>It is asked again only when this session is interrupted and gone on with.</source>
-        <translation>Il n’est de nouveau posé que si cette session est interrompue puis reprise.</translation>
-    </message>
-    <message>
-        <source>The session is finished without it, and then it is not asked again.</source>
-        <translation>La session se termine sans lui, et il n’est plus posé ensuite.</translation>
-    </message>
-    <message>
         <source>The simulated participant fills in “%1”.</source>
         <translation>Le participant simulé remplit «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
-        <source>Noting that “%1” is left out …</source>
-        <translation>Note de l’omission de «&#xa0;%1&#xa0;» …</translation>
-    </message>
-    <message>
-        <source>Keeping the answers …</source>
-        <translation>Conservation des réponses …</translation>
-    </message>
-    <message>
         <source>The participant fills in “%1”.</source>
         <translation>Le participant remplit «&#xa0;%1&#xa0;».</translation>
-    </message>
-    <message>
-        <source>Try again to leave it out</source>
-        <translation>Réessayer de l’omettre</translation>
-    </message>
-    <message>
-        <source>“%1” could not be left out, because the note about it could not be kept. %2</source>
-        <translation>«&#xa0;%1&#xa0;» n’a pas pu être omis, car la note à ce sujet n’a pas pu être conservée. %2</translation>
-    </message>
-    <message>
-        <source>Try again to keep the answers</source>
-        <translation>Réessayer de conserver les réponses</translation>
-    </message>
-    <message>
-        <source>The answers to “%1” could not be kept; they are still in the participant&apos;s window. %2</source>
-        <translation>Les réponses à «&#xa0;%1&#xa0;» n’ont pas pu être conservées&#xa0;; elles sont encore dans la fenêtre du participant. %2</translation>
     </message>
     <message>
         <source>Show the questionnaire</source>
@@ -6397,20 +6300,12 @@ Aire %6</translation>
         <translation>En pause.</translation>
     </message>
     <message>
-        <source>Begin the test</source>
-        <translation>Commencer le test</translation>
-    </message>
-    <message>
         <source>Practice is over. In the test there is no feedback unless the protocol says so.</source>
         <translation>L’entraînement est terminé. Au test, il n’y a pas de retour sur les réponses, sauf si le protocole le prévoit.</translation>
     </message>
     <message>
         <source>Go on after STOP</source>
         <translation>Continuer après STOP</translation>
-    </message>
-    <message>
-        <source>STOPPED. The bracelet is off. A trial that ran will be shown again.</source>
-        <translation>ARRÊTÉ. Le bracelet est éteint. Un essai en cours sera présenté à nouveau.</translation>
     </message>
     <message>
         <source>The stimulus was interrupted: %1. The trial will be shown again.</source>
@@ -6421,40 +6316,16 @@ Aire %6</translation>
         <translation>Maintenez le bouton STOP une seconde pour le relâcher.</translation>
     </message>
     <message>
-        <source>Try again to keep the last trial</source>
-        <translation>Réessayer de conserver le dernier essai</translation>
-    </message>
-    <message>
-        <source>The last trial could not be kept; it is still in memory. %1</source>
-        <translation>Le dernier essai n’a pas pu être conservé&#xa0;; il est encore en mémoire. %1</translation>
-    </message>
-    <message>
         <source>Leave this session</source>
         <translation>Quitter cette session</translation>
-    </message>
-    <message>
-        <source>The session was aborted. What was answered is kept.</source>
-        <translation>La session a été abandonnée. Les réponses données sont conservées.</translation>
     </message>
     <message>
         <source>This session is finished. Thank the participant.</source>
         <translation>Cette session est terminée. Remerciez le participant.</translation>
     </message>
     <message>
-        <source>Keeping the trial …</source>
-        <translation>Conservation de l’essai …</translation>
-    </message>
-    <message>
         <source>Ready for the next trial.</source>
         <translation>Prêt pour l’essai suivant.</translation>
-    </message>
-    <message>
-        <source>The stimulus begins …</source>
-        <translation>Le stimulus commence …</translation>
-    </message>
-    <message>
-        <source>The stimulus is felt.</source>
-        <translation>Le stimulus est présenté.</translation>
     </message>
     <message>
         <source>The right answer is shown.</source>
@@ -6465,24 +6336,8 @@ Aire %6</translation>
         <translation>En attente de la réponse.</translation>
     </message>
     <message>
-        <source>The simulated participant is at work</source>
-        <translation>Le participant simulé est à l’œuvre</translation>
-    </message>
-    <message>
-        <source>The participant goes on with Space</source>
-        <translation>Le participant continue avec Espace</translation>
-    </message>
-    <message>
         <source>A pause follows.</source>
         <translation>Une pause suit.</translation>
-    </message>
-    <message>
-        <source>Your answers could not be kept yet. Please tell the experimenter.</source>
-        <translation>Vos réponses n’ont pas encore pu être conservées. Veuillez prévenir l’expérimentateur.</translation>
-    </message>
-    <message>
-        <source>No session is chosen</source>
-        <translation>Aucune session n’est choisie</translation>
     </message>
     <message>
         <source>%1, test</source>
@@ -6497,16 +6352,140 @@ Aire %6</translation>
         <translation>Terminer le repos</translation>
     </message>
     <message>
-        <source>Rest. The participant may go on in %1 s.</source>
+        <source>Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials per participant</source>
+        <translation>Répétitions de chaque motif&#xa0;: %1 à l’entraînement, %2 au test&#xa0;; %3 essais de test par participant</translation>
+    </message>
+    <message>
+        <source>Resume this session</source>
+        <translation>Reprendre cette session</translation>
+    </message>
+    <message>
+        <source>Start this session</source>
+        <translation>Commencer cette session</translation>
+    </message>
+    <message>
+        <source>This session was interrupted after %1 of %2 trials. All answers are saved; it resumes in the same order.</source>
+        <translation>Cette session a été interrompue après %1 essais sur %2. Les réponses données sont conservées&#xa0;; elle reprend dans le même ordre.</translation>
+    </message>
+    <message>
+        <source>The session can start when all checks have passed.</source>
+        <translation>La session peut commencer quand tous les contrôles sont positifs.</translation>
+    </message>
+    <message>
+        <source>Start the rehearsal</source>
+        <translation>Commencer la répétition générale</translation>
+    </message>
+    <message>
+        <source>Resume the rehearsal</source>
+        <translation>Reprendre la répétition générale</translation>
+    </message>
+    <message>
+        <source>Simulated participants go through all sessions, by the same rules as people.</source>
+        <translation>Des participants simulés parcourent toutes les sessions, avec le même code que des personnes.</translation>
+    </message>
+    <message>
+        <source>Next session</source>
+        <translation>À la session suivante</translation>
+    </message>
+    <message>
+        <source>Enrol the first participant on the left: the order of enrolment determines the order of the conditions.</source>
+        <translation>Inscrivez le premier participant à gauche&#xa0;: l’ordre des conditions découle de l’ordre d’inscription.</translation>
+    </message>
+    <message>
+        <source>It is asked again when a session of this participant starts or resumes.</source>
+        <translation>Il est de nouveau posé quand une session de ce participant commence ou reprend.</translation>
+    </message>
+    <message>
+        <source>It is asked again only if this session is interrupted and resumed.</source>
+        <translation>Il n’est de nouveau posé que si cette session est interrompue puis reprise.</translation>
+    </message>
+    <message>
+        <source>The session finishes without it, and it is not asked again.</source>
+        <translation>La session se termine sans lui, et il n’est plus posé ensuite.</translation>
+    </message>
+    <message>
+        <source>Recording that “%1” is skipped …</source>
+        <translation>Note de l’omission de «&#xa0;%1&#xa0;» …</translation>
+    </message>
+    <message>
+        <source>Saving the answers …</source>
+        <translation>Conservation des réponses …</translation>
+    </message>
+    <message>
+        <source>Try again to skip it</source>
+        <translation>Réessayer de l’omettre</translation>
+    </message>
+    <message>
+        <source>“%1” could not be skipped, because the note about it could not be saved. %2</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas pu être omis, car la note à ce sujet n’a pas pu être conservée. %2</translation>
+    </message>
+    <message>
+        <source>Try again to save the answers</source>
+        <translation>Réessayer de conserver les réponses</translation>
+    </message>
+    <message>
+        <source>The answers to “%1” could not be saved; they are still in the participant&apos;s window. %2</source>
+        <translation>Les réponses à «&#xa0;%1&#xa0;» n’ont pas pu être conservées&#xa0;; elles sont encore dans la fenêtre du participant. %2</translation>
+    </message>
+    <message>
+        <source>Rest. The participant may continue in %1 s.</source>
         <translation>Repos. Le participant peut continuer dans %1 s.</translation>
     </message>
     <message>
-        <source>Rest. The participant goes on with Space.</source>
+        <source>Rest. The participant continues with Space.</source>
         <translation>Repos. Le participant continue avec Espace.</translation>
     </message>
     <message>
-        <source>The last trial waits for the server. %1</source>
+        <source>Start the test</source>
+        <translation>Commencer le test</translation>
+    </message>
+    <message>
+        <source>STOPPED. The bracelet is off. An interrupted trial will be shown again.</source>
+        <translation>ARRÊTÉ. Le bracelet est éteint. Un essai en cours sera présenté à nouveau.</translation>
+    </message>
+    <message>
+        <source>Try again to save the last trial</source>
+        <translation>Réessayer de conserver le dernier essai</translation>
+    </message>
+    <message>
+        <source>The last trial is waiting for the server. %1</source>
         <translation>Le dernier essai attend le serveur. %1</translation>
+    </message>
+    <message>
+        <source>The last trial could not be saved; it is still in memory. %1</source>
+        <translation>Le dernier essai n’a pas pu être conservé&#xa0;; il est encore en mémoire. %1</translation>
+    </message>
+    <message>
+        <source>The session was aborted. All answers are saved.</source>
+        <translation>La session a été abandonnée. Les réponses données sont conservées.</translation>
+    </message>
+    <message>
+        <source>Saving the trial …</source>
+        <translation>Conservation de l’essai …</translation>
+    </message>
+    <message>
+        <source>The stimulus is starting …</source>
+        <translation>Le stimulus commence …</translation>
+    </message>
+    <message>
+        <source>The stimulus is playing.</source>
+        <translation>Le stimulus est présenté.</translation>
+    </message>
+    <message>
+        <source>The simulated participant is working</source>
+        <translation>Le participant simulé est à l’œuvre</translation>
+    </message>
+    <message>
+        <source>The participant continues with Space</source>
+        <translation>Le participant continue avec Espace</translation>
+    </message>
+    <message>
+        <source>Your answers could not be saved yet. Please tell the experimenter.</source>
+        <translation>Vos réponses n’ont pas encore pu être conservées. Veuillez prévenir l’expérimentateur.</translation>
+    </message>
+    <message>
+        <source>No session is selected</source>
+        <translation>Aucune session n’est choisie</translation>
     </message>
 </context>
 <context>
@@ -6531,11 +6510,11 @@ Aire %6</translation>
 <context>
     <name>StudySession</name>
     <message>
-        <source>the trials that were kept are not those of this plan</source>
+        <source>the stored trials do not belong to this session&apos;s plan</source>
         <translation>les essais conservés ne sont pas ceux de ce plan</translation>
     </message>
     <message>
-        <source>the order that the seed of the session gives</source>
+        <source>the order given by the session&apos;s seed</source>
         <translation>l’ordre que donne la graine de la session</translation>
     </message>
 </context>
@@ -6562,40 +6541,16 @@ Aire %6</translation>
         <translation>un dossier avec study.sqlite</translation>
     </message>
     <message>
-        <source>this trial is kept already</source>
-        <translation>cet essai est déjà conservé</translation>
-    </message>
-    <message>
         <source>each attempt of a trial once</source>
         <translation>chaque tentative d’un essai une seule fois</translation>
-    </message>
-    <message>
-        <source>a folder of its own for each study</source>
-        <translation>un dossier propre à chaque étude</translation>
-    </message>
-    <message>
-        <source>this folder has a study that is kept in it</source>
-        <translation>ce dossier contient une étude qui y est conservée</translation>
     </message>
     <message>
         <source>cannot read the file: %1</source>
         <translation>impossible de lire le fichier&#xa0;: %1</translation>
     </message>
     <message>
-        <source>this folder is that of another study, on %1</source>
-        <translation>ce dossier est celui d’une autre étude, sur %1</translation>
-    </message>
-    <message>
-        <source>this does not say which study the folder is for</source>
-        <translation>ceci ne dit pas à quelle étude le dossier est destiné</translation>
-    </message>
-    <message>
         <source>server, created_utc and seed of a study</source>
         <translation>server, created_utc et seed d’une étude</translation>
-    </message>
-    <message>
-        <source>this is no address of a PostgreSQL server</source>
-        <translation>ce n’est pas l’adresse d’un serveur PostgreSQL</translation>
     </message>
     <message>
         <source>the address has the port &quot;%1&quot;</source>
@@ -6622,10 +6577,6 @@ Aire %6</translation>
         <translation>«&#xa0;%1&#xa0;» ne peut pas désigner une étude sur un serveur</translation>
     </message>
     <message>
-        <source>small letters, digits and _, not a digit first</source>
-        <translation>des lettres minuscules, des chiffres et _, sans chiffre au début</translation>
-    </message>
-    <message>
         <source>Qt&apos;s driver for PostgreSQL is not installed</source>
         <translation>le pilote Qt pour PostgreSQL n’est pas installé</translation>
     </message>
@@ -6638,14 +6589,6 @@ Aire %6</translation>
         <translation>le serveur n’a pas d’étude «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>the name of a study that was begun there</source>
-        <translation>le nom d’une étude qui y a été commencée</translation>
-    </message>
-    <message>
-        <source>another station went on with this participant while the server was away</source>
-        <translation>un autre poste a continué avec ce participant pendant l’absence du serveur</translation>
-    </message>
-    <message>
         <source>one session of a participant at a time</source>
         <translation>une seule session à la fois par participant</translation>
     </message>
@@ -6654,24 +6597,8 @@ Aire %6</translation>
         <translation>un autre poste</translation>
     </message>
     <message>
-        <source>the study is damaged: a session or a trial has a number that its protocol does not have</source>
-        <translation>l’étude est endommagée&#xa0;: une session ou un essai a un numéro que son protocole n’a pas</translation>
-    </message>
-    <message>
         <source>these trials belong to another study</source>
         <translation>ces essais appartiennent à une autre étude</translation>
-    </message>
-    <message>
-        <source>The trial is safe in %1 and is sent when the server is back.</source>
-        <translation>L’essai est en sûreté dans %1 et sera envoyé au retour du serveur.</translation>
-    </message>
-    <message>
-        <source>this questionnaire belongs to another place in the study</source>
-        <translation>ce questionnaire appartient à un autre moment de l’étude</translation>
-    </message>
-    <message>
-        <source>this questionnaire was answered already</source>
-        <translation>ce questionnaire a déjà reçu ses réponses</translation>
     </message>
     <message>
         <source>each questionnaire once</source>
@@ -6682,44 +6609,96 @@ Aire %6</translation>
         <translation>impossible d’écrire le fichier&#xa0;: %1</translation>
     </message>
     <message>
-        <source>this is no trial</source>
-        <translation>ce n’est pas un essai</translation>
-    </message>
-    <message>
-        <source>a trial that was kept here</source>
-        <translation>un essai conservé ici</translation>
-    </message>
-    <message>
         <source>cannot remove the file: %1</source>
         <translation>impossible de supprimer le fichier&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>the program that ran this study was interrupted, and its last trials are in %1, which can only be read where something can be written</source>
-        <translation>le programme qui menait cette étude a été interrompu&#xa0;; ses derniers essais sont dans %1, qui ne peut être lu que là où l’on peut écrire</translation>
-    </message>
-    <message>
-        <source>a copy of the whole folder in a place that can be written</source>
-        <translation>une copie du dossier entier à un endroit où l’on peut écrire</translation>
     </message>
     <message>
         <source>cannot read the study: %1</source>
         <translation>impossible de lire l’étude&#xa0;: %1</translation>
     </message>
     <message>
-        <source>an older program made this study, and it cannot be brought up to date here</source>
+        <source>another try in a moment</source>
+        <translation>une nouvelle tentative dans un instant</translation>
+    </message>
+    <message>
+        <source>a separate folder for each study</source>
+        <translation>un dossier propre à chaque étude</translation>
+    </message>
+    <message>
+        <source>this folder already contains a study</source>
+        <translation>ce dossier contient une étude qui y est conservée</translation>
+    </message>
+    <message>
+        <source>this folder belongs to another study, on %1</source>
+        <translation>ce dossier est celui d’une autre étude, sur %1</translation>
+    </message>
+    <message>
+        <source>the file does not say which study the folder belongs to</source>
+        <translation>ceci ne dit pas à quelle étude le dossier est destiné</translation>
+    </message>
+    <message>
+        <source>this is not the address of a PostgreSQL server</source>
+        <translation>ce n’est pas l’adresse d’un serveur PostgreSQL</translation>
+    </message>
+    <message>
+        <source>lower-case letters, digits and _, no digit first</source>
+        <translation>des lettres minuscules, des chiffres et _, sans chiffre au début</translation>
+    </message>
+    <message>
+        <source>the program that ran this study was interrupted; its last trials are in %1, which can be read only in a writable folder</source>
+        <translation>le programme qui menait cette étude a été interrompu&#xa0;; ses derniers essais sont dans %1, qui ne peut être lu que là où l’on peut écrire</translation>
+    </message>
+    <message>
+        <source>a copy of the whole folder in a writable place</source>
+        <translation>une copie du dossier entier à un endroit où l’on peut écrire</translation>
+    </message>
+    <message>
+        <source>this study was made by an older program and cannot be upgraded here</source>
         <translation>un programme plus ancien a créé cette étude, et elle ne peut pas être mise à jour ici</translation>
     </message>
     <message>
-        <source>it cannot be written here, only be looked at</source>
-        <translation>elle ne peut pas être modifiée ici, seulement consultée</translation>
+        <source>the name of a study on that server</source>
+        <translation>le nom d’une étude qui y a été commencée</translation>
     </message>
     <message>
-        <source>the server still has the connection that broke, and with it this participant</source>
+        <source>another station took over this participant while the server was unreachable</source>
+        <translation>un autre poste a continué avec ce participant pendant l’absence du serveur</translation>
+    </message>
+    <message>
+        <source>the server still holds the broken connection, and with it this participant</source>
         <translation>le serveur garde encore la connexion rompue, et avec elle ce participant</translation>
     </message>
     <message>
-        <source>another try in a moment</source>
-        <translation>une nouvelle tentative dans un instant</translation>
+        <source>it is read-only here</source>
+        <translation>elle ne peut pas être modifiée ici, seulement consultée</translation>
+    </message>
+    <message>
+        <source>the study is damaged: a session or trial has a number outside its protocol</source>
+        <translation>l’étude est endommagée&#xa0;: une session ou un essai a un numéro que son protocole n’a pas</translation>
+    </message>
+    <message>
+        <source>this trial is already stored</source>
+        <translation>cet essai est déjà conservé</translation>
+    </message>
+    <message>
+        <source>The trial is safe in %1 and will be sent when the server is back.</source>
+        <translation>L’essai est en sûreté dans %1 et sera envoyé au retour du serveur.</translation>
+    </message>
+    <message>
+        <source>this questionnaire belongs elsewhere in the study</source>
+        <translation>ce questionnaire appartient à un autre moment de l’étude</translation>
+    </message>
+    <message>
+        <source>this questionnaire has already been answered</source>
+        <translation>ce questionnaire a déjà reçu ses réponses</translation>
+    </message>
+    <message>
+        <source>this is not a trial</source>
+        <translation>ce n’est pas un essai</translation>
+    </message>
+    <message>
+        <source>a stored trial</source>
+        <translation>un essai conservé ici</translation>
     </message>
 </context>
 <context>
@@ -6760,40 +6739,40 @@ Aire %6</translation>
         <translation>un nombre entier de 0 à %1</translation>
     </message>
     <message>
-        <source>taxel %1 is said to be in row %2, column %3</source>
-        <translation>le taxel %1 serait à la ligne %2, colonne %3</translation>
-    </message>
-    <message>
         <source>%1, in an array of %2 rows x %3 columns</source>
         <translation>%1, dans une matrice de %2 lignes x %3 colonnes</translation>
-    </message>
-    <message>
-        <source>taxel %1 is there twice</source>
-        <translation>le taxel %1 figure deux fois</translation>
     </message>
     <message>
         <source>each taxel once</source>
         <translation>chaque taxel une fois</translation>
     </message>
     <message>
-        <source>the gain is out of range or no number</source>
-        <translation>le gain est hors limites ou n’est pas un nombre</translation>
-    </message>
-    <message>
         <source>a number from %1 to %2, or NA</source>
         <translation>un nombre de %1 à %2, ou NA</translation>
     </message>
     <message>
-        <source>the standard error is out of range or no number</source>
+        <source>the state does not fit the gain</source>
+        <translation>l’état ne correspond pas au gain</translation>
+    </message>
+    <message>
+        <source>taxel %1 is listed in row %2, column %3</source>
+        <translation>le taxel %1 serait à la ligne %2, colonne %3</translation>
+    </message>
+    <message>
+        <source>taxel %1 is listed twice</source>
+        <translation>le taxel %1 figure deux fois</translation>
+    </message>
+    <message>
+        <source>the gain is not a number or out of range</source>
+        <translation>le gain est hors limites ou n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the standard error is not a number or out of range</source>
         <translation>l’erreur type est hors limites ou n’est pas un nombre</translation>
     </message>
     <message>
-        <source>a number from 0 on, or NA</source>
+        <source>a number of at least 0, or NA</source>
         <translation>un nombre à partir de 0, ou NA</translation>
-    </message>
-    <message>
-        <source>the state does not fit the gain</source>
-        <translation>l’état ne correspond pas au gain</translation>
     </message>
 </context>
 <context>
@@ -6801,10 +6780,6 @@ Aire %6</translation>
     <message>
         <source>Only %1 of %2 taxels feel the load.</source>
         <translation>Seuls %1 des %2 taxels ressentent la charge.</translation>
-    </message>
-    <message>
-        <source>a load on the whole array, and a tare without any</source>
-        <translation>une charge sur toute la matrice, et une tare sans charge</translation>
     </message>
     <message>
         <source>Only %1 frames are under load.</source>
@@ -6821,10 +6796,6 @@ Aire %6</translation>
     <message>
         <source>at least one</source>
         <translation>au moins un</translation>
-    </message>
-    <message>
-        <source>The frames have %1 values in all.</source>
-        <translation>Les trames ont %1 valeurs en tout.</translation>
     </message>
     <message>
         <source>a multiple of %1</source>
@@ -6847,12 +6818,20 @@ Aire %6</translation>
         <translation>une charge que les taxels peuvent mesurer</translation>
     </message>
     <message>
-        <source>In all but %1 frames under load the taxels are at the end of their range.</source>
+        <source>at least %1, under a smaller load</source>
+        <translation>au moins %1, sous une charge plus faible</translation>
+    </message>
+    <message>
+        <source>a load on the whole array, and a tare taken without load</source>
+        <translation>une charge sur toute la matrice, et une tare sans charge</translation>
+    </message>
+    <message>
+        <source>Only %1 frames under load are within the range of the taxels.</source>
         <translation>Sauf dans %1 trames sous charge, les taxels sont au bout de leur plage.</translation>
     </message>
     <message>
-        <source>at least %1, under a smaller load</source>
-        <translation>au moins %1, sous une charge plus faible</translation>
+        <source>The frames have %1 values in total.</source>
+        <translation>Les trames ont %1 valeurs en tout.</translation>
     </message>
 </context>
 <context>
@@ -6960,7 +6939,7 @@ Aire %6</translation>
         <translation>Δ %1&#xa0;%, RMS %2&#xa0;%</translation>
     </message>
     <message>
-        <source>O&amp;verdrive: help the motors up</source>
+        <source>O&amp;verdrive: make the motors start faster</source>
         <translation>S&amp;urintensité&#xa0;: aider les moteurs à démarrer</translation>
     </message>
 </context>
@@ -7237,20 +7216,16 @@ Aire %6</translation>
         <source>The touch was too quick: the arm&apos;s own inertia was felt with the object. Press slower.</source>
         <translation>Le toucher était trop rapide&#xa0;: l’inertie propre du bras a été sentie avec l’objet. Appuyez plus lentement.</translation>
     </message>
+    <message>
+        <source>joint %1</source>
+        <translation>articulation %1</translation>
+    </message>
 </context>
 <context>
     <name>TrackCommand</name>
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
         <translation>%1 images sur %2 étaient inutilisables. Dernière raison&#xa0;: %3</translation>
-    </message>
-    <message>
-        <source>Frames that are missing by their time stamps: %1</source>
-        <translation>Images manquantes d’après leur horodatage&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Contacts on the soft tube in a video or before a camera</source>
-        <translation>Contacts sur le tube souple dans une vidéo ou devant une caméra</translation>
     </message>
     <message>
         <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the tube in the first frame</source>
@@ -7261,20 +7236,28 @@ Aire %6</translation>
         <translation>Fichier de caméra, tel que l’écrit calibrate</translation>
     </message>
     <message>
-        <source>How contacts are found: exact ones take longer</source>
-        <translation>Comment les contacts sont trouvés&#xa0;: les détecteurs exacts prennent plus de temps</translation>
-    </message>
-    <message>
         <source>the output would replace the input</source>
         <translation>la sortie remplacerait l’entrée</translation>
     </message>
     <message>
-        <source>the camera gives no frames any more</source>
-        <translation>la caméra ne donne plus d’images</translation>
-    </message>
-    <message>
         <source>the video has no frame that can be decoded</source>
         <translation>la vidéo n’a pas d’image décodable</translation>
+    </message>
+    <message>
+        <source>Find contacts on the soft tube in a video or live from a camera</source>
+        <translation>Contacts sur le tube souple dans une vidéo ou devant une caméra</translation>
+    </message>
+    <message>
+        <source>How contacts are found; the more exact, the slower</source>
+        <translation>Comment les contacts sont trouvés&#xa0;: les détecteurs exacts prennent plus de temps</translation>
+    </message>
+    <message>
+        <source>Frames missing according to their time stamps: %1</source>
+        <translation>Images manquantes d’après leur horodatage&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>la caméra ne donne plus d’images</translation>
     </message>
 </context>
 <context>
@@ -7386,16 +7369,16 @@ Aire %6</translation>
         <translation>abandonné</translation>
     </message>
     <message>
-        <source>device fault, comes again</source>
-        <translation>panne de l’appareil, sera repris</translation>
-    </message>
-    <message>
         <source>practice %1</source>
         <translation>entraînement %1</translation>
     </message>
     <message>
         <source>test %1</source>
         <translation>test %1</translation>
+    </message>
+    <message>
+        <source>device fault, will be repeated</source>
+        <translation>panne de l’appareil, sera repris</translation>
     </message>
 </context>
 <context>
@@ -7456,16 +7439,8 @@ Aire %6</translation>
         <translation>L’image ne montre pas la peau&#xa0;: %1 points trouvés sur %2.</translation>
     </message>
     <message>
-        <source>The camera sees none of the skin.</source>
-        <translation>La caméra ne voit rien de la peau.</translation>
-    </message>
-    <message>
         <source>The image is too small for optical flow: %1 x %2 pixels.</source>
         <translation>L’image est trop petite pour le flot optique&#xa0;: %1 x %2 pixels.</translation>
-    </message>
-    <message>
-        <source>The image shows no pattern on the skin whose movement could be seen.</source>
-        <translation>L’image ne montre sur la peau aucun motif dont le mouvement puisse être vu.</translation>
     </message>
     <message>
         <source>There is no frame of the untouched skin to compare with.</source>
@@ -7484,11 +7459,19 @@ Aire %6</translation>
         <translation>La caméra a été fermée avant d’être prête.</translation>
     </message>
     <message>
-        <source>The image cannot be worked on: %1</source>
+        <source>The camera does not see the skin.</source>
+        <translation>La caméra ne voit rien de la peau.</translation>
+    </message>
+    <message>
+        <source>The image shows no pattern on the skin that could be tracked.</source>
+        <translation>L’image ne montre sur la peau aucun motif dont le mouvement puisse être vu.</translation>
+    </message>
+    <message>
+        <source>The image cannot be processed: %1</source>
         <translation>L’image ne peut pas être traitée&#xa0;: %1</translation>
     </message>
     <message>
-        <source>There is too little memory for images of this size.</source>
+        <source>There is not enough memory for images of this size.</source>
         <translation>La mémoire ne suffit pas pour des images de cette taille.</translation>
     </message>
 </context>
@@ -7529,10 +7512,6 @@ Aire %6</translation>
     <message>
         <source>inconsistent data</source>
         <translation>données incohérentes</translation>
-    </message>
-    <message>
-        <source>time-out in the sensor</source>
-        <translation>délai dépassé dans le capteur</translation>
     </message>
     <message>
         <source>read error in the sensor</source>
@@ -7603,10 +7582,6 @@ Aire %6</translation>
         <translation>L’appareil a été débranché.</translation>
     </message>
     <message>
-        <source>the sensor says that it has %1 rows and %2 columns</source>
-        <translation>le capteur dit avoir %1 lignes et %2 colonnes</translation>
-    </message>
-    <message>
         <source>an array of 1 to %1 rows and columns whose frame fits into one message</source>
         <translation>une matrice de 1 à %1 lignes et colonnes dont la trame tient dans un message</translation>
     </message>
@@ -7646,6 +7621,14 @@ Aire %6</translation>
         <source>The sensor has sent no usable frame for %1 s.</source>
         <translation>Le capteur n’a pas envoyé de trame utilisable depuis %1 s.</translation>
     </message>
+    <message>
+        <source>the sensor reports %1 rows and %2 columns</source>
+        <translation>le capteur dit avoir %1 lignes et %2 colonnes</translation>
+    </message>
+    <message>
+        <source>timeout in the sensor</source>
+        <translation>délai dépassé dans le capteur</translation>
+    </message>
 </context>
 <context>
     <name>ZipText</name>
@@ -7656,10 +7639,6 @@ Aire %6</translation>
     <message>
         <source>a zip archive that is not encrypted</source>
         <translation>une archive zip non chiffrée</translation>
-    </message>
-    <message>
-        <source>the zip archive could not be made</source>
-        <translation>l’archive zip n’a pas pu être créée</translation>
     </message>
     <message>
         <source>the zip archive has too many files</source>
@@ -7676,6 +7655,10 @@ Aire %6</translation>
     <message>
         <source>at most %1 MiB</source>
         <translation>au plus %1 MiB</translation>
+    </message>
+    <message>
+        <source>the zip archive could not be created</source>
+        <translation>l’archive zip n’a pas pu être créée</translation>
     </message>
 </context>
 <context>
@@ -7728,20 +7711,20 @@ Aire %6</translation>
         <translation>Bracelet</translation>
     </message>
     <message>
-        <source>&lt;p&gt;What the six motors of the bracelet do now, on the unrolled forearm: from left to right once around the arm. The fuller a disc, the stronger the motor vibrates.&lt;/p&gt;&lt;p&gt;Where a bracelet is connected, hold a disc with the mouse, or one of the keys 1 to 6, to feel that motor alone.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Ce que font maintenant les six moteurs du bracelet, sur l’avant-bras déroulé&#xa0;: de gauche à droite, un tour du bras. Plus un disque est plein, plus le moteur vibre fort.&lt;/p&gt;&lt;p&gt;Si un bracelet est connecté, maintenez un disque avec la souris, ou l’une des touches 1 à 6, pour sentir ce moteur seul.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>motor %1: %2 %</source>
         <translation>moteur %1&#xa0;: %2&#xa0;%</translation>
     </message>
     <message>
-        <source>Nothing is played</source>
-        <translation>Rien n’est joué</translation>
-    </message>
-    <message>
         <source>Motor %1 at %2°: %3 %</source>
         <translation>Moteur %1 à %2°&#xa0;: %3&#xa0;%</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What the six motors of the bracelet are doing, on the unrolled forearm: from left to right once around the arm. The fuller a disc, the stronger the motor vibrates.&lt;/p&gt;&lt;p&gt;With a bracelet connected, hold a disc with the mouse, or one of the keys 1 to 6, to feel that motor alone.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ce que font maintenant les six moteurs du bracelet, sur l’avant-bras déroulé&#xa0;: de gauche à droite, un tour du bras. Plus un disque est plein, plus le moteur vibre fort.&lt;/p&gt;&lt;p&gt;Si un bracelet est connecté, maintenez un disque avec la souris, ou l’une des touches 1 à 6, pour sentir ce moteur seul.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Nothing is playing</source>
+        <translation>Rien n’est joué</translation>
     </message>
 </context>
 <context>
@@ -7767,10 +7750,6 @@ Aire %6</translation>
         <translation>Chaque moteur</translation>
     </message>
     <message>
-        <source>How strong the motors may be at most, whatever is played, held or felt on this bracelet. It is kept for the bracelet.</source>
-        <translation>Force maximale des moteurs, quoi que l’on joue, maintienne ou ressente sur ce bracelet. Elle est conservée pour le bracelet.</translation>
-    </message>
-    <message>
         <source>A limit for each motor</source>
         <translation>Une limite pour chaque moteur</translation>
     </message>
@@ -7781,6 +7760,10 @@ Aire %6</translation>
     <message>
         <source>Strongest, motor %1</source>
         <translation>Intensité maximale, moteur %1</translation>
+    </message>
+    <message>
+        <source>The most that the motors may vibrate, whatever is played. Saved for this bracelet.</source>
+        <translation>Force maximale des moteurs, quoi que l’on joue, maintienne ou ressente sur ce bracelet. Elle est conservée pour le bracelet.</translation>
     </message>
 </context>
 <context>
@@ -7798,16 +7781,8 @@ Aire %6</translation>
         <translation>Démarrage du moteur %1</translation>
     </message>
     <message>
-        <source>Strength of motor %1, beside motor 1</source>
-        <translation>Force du moteur %1, à côté du moteur 1</translation>
-    </message>
-    <message>
         <source>%1 answers so far</source>
         <translation>%1 réponses jusqu’ici</translation>
-    </message>
-    <message>
-        <source>The answers do not fit together.</source>
-        <translation>Les réponses ne concordent pas.</translation>
     </message>
     <message>
         <source>Play the next burst.</source>
@@ -7842,10 +7817,6 @@ Aire %6</translation>
         <translation>Jouer (Espace)</translation>
     </message>
     <message>
-        <source>Let the burst be felt, as often as you like</source>
-        <translation>Faire sentir la salve, aussi souvent que vous le voulez</translation>
-    </message>
-    <message>
         <source>Yes (Y)</source>
         <translation>Oui (Y)</translation>
     </message>
@@ -7865,20 +7836,24 @@ Aire %6</translation>
         <source>Leave the motors as they were</source>
         <translation>Laisser les moteurs tels qu’ils étaient</translation>
     </message>
+    <message>
+        <source>Strength of motor %1, compared with motor 1</source>
+        <translation>Force du moteur %1, à côté du moteur 1</translation>
+    </message>
+    <message>
+        <source>The answers contradict each other.</source>
+        <translation>Les réponses ne concordent pas.</translation>
+    </message>
+    <message>
+        <source>Play the burst, as often as you like</source>
+        <translation>Faire sentir la salve, aussi souvent que vous le voulez</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::GainsView</name>
     <message>
-        <source>no gains</source>
-        <translation>aucun gain</translation>
-    </message>
-    <message>
         <source>%1 of %2 taxels have gains from %3 to %4.</source>
         <translation>%1 des %2 taxels ont des gains de %3 à %4.</translation>
-    </message>
-    <message>
-        <source>The least certain one is known to %1 % (standard error).</source>
-        <translation>Le moins sûr est connu à %1 % près (erreur type).</translation>
     </message>
     <message numerus="yes">
         <source>%n dead</source>
@@ -7918,24 +7893,8 @@ Aire %6</translation>
         <translation>Non utilisés&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>Gains differ by %1 % from press to press.</source>
-        <translation>Les gains diffèrent de %1 % d’un appui à l’autre.</translation>
-    </message>
-    <message>
-        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn what presses round by half and collect another press; the difference cancels.</source>
-        <translation>La réponse change de %1 % selon x et de %2 % selon y&#xa0;: la charge était peut-être inégale. Tournez d’un demi-tour ce qui appuie et recueillez un autre appui&#xa0;; l’écart s’annule.</translation>
-    </message>
-    <message>
         <source>No array</source>
         <translation>Aucune matrice</translation>
-    </message>
-    <message>
-        <source>Open an array, a recording or a scene: on the page Operate, or the demo here.</source>
-        <translation>Ouvrez une matrice, un enregistrement ou une scène&#xa0;: sur la page Conduite, ou la démonstration ici.</translation>
-    </message>
-    <message>
-        <source>finding the gains…</source>
-        <translation>recherche des gains…</translation>
     </message>
     <message>
         <source>no gains: every taxel counts as it is</source>
@@ -7950,20 +7909,8 @@ Aire %6</translation>
         <translation>gains utilisés, non enregistrés</translation>
     </message>
     <message>
-        <source>SIMULATED</source>
-        <translation>SIMULÉ</translation>
-    </message>
-    <message>
-        <source>RECORDED</source>
-        <translation>ENREGISTRÉ</translation>
-    </message>
-    <message>
         <source>1. The array is tared.</source>
         <translation>1. La matrice est tarée.</translation>
-    </message>
-    <message>
-        <source>1. Let nothing touch the array, and tare it.</source>
-        <translation>1. Ne laissez rien toucher la matrice, et tarez-la.</translation>
     </message>
     <message>
         <source>2. Press evenly on the whole array, with a bladder or with a plate on foam. The load may change.</source>
@@ -7993,24 +7940,12 @@ Aire %6</translation>
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Take back the last change (Ctrl+Z)</source>
-        <translation>Annuler la dernière modification (Ctrl+Z)</translation>
-    </message>
-    <message>
         <source>Redo</source>
         <translation>Rétablir</translation>
     </message>
     <message>
-        <source>Bring it back</source>
-        <translation>La rétablir</translation>
-    </message>
-    <message>
         <source>&amp;Load…</source>
         <translation>&amp;Charger…</translation>
-    </message>
-    <message>
-        <source>Read gains of an array of this size from a file (CSV)</source>
-        <translation>Lire dans un fichier (CSV) les gains d’une matrice de cette taille</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
@@ -8025,10 +7960,6 @@ Aire %6</translation>
         <translation>&amp;Enregistrer…</translation>
     </message>
     <message>
-        <source>Write the gains to a file (CSV): “Open recording”, source lists and the command line read it</source>
-        <translation>Écrire les gains dans un fichier (CSV)&#xa0;: «&#xa0;Ouvrir un enregistrement&#xa0;», les listes de sources et la ligne de commande le lisent</translation>
-    </message>
-    <message>
         <source>&amp;Tare now</source>
         <translation>&amp;Tarer maintenant</translation>
     </message>
@@ -8039,10 +7970,6 @@ Aire %6</translation>
     <message>
         <source>&amp;Collect a press</source>
         <translation>Re&amp;cueillir un appui</translation>
-    </message>
-    <message>
-        <source>Waits for a load and takes its frames; it ends by itself</source>
-        <translation>Attend une charge et prend ses trames&#xa0;; s’arrête tout seul</translation>
     </message>
     <message>
         <source>&amp;End</source>
@@ -8057,10 +7984,6 @@ Aire %6</translation>
         <translation>&amp;Ouvrir des appuis enregistrés…</translation>
     </message>
     <message>
-        <source>Frames as CSV, a file a press: time_s,t0,t1,…</source>
-        <translation>Trames en CSV, un fichier par appui&#xa0;: time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>Open the &amp;demo</source>
         <translation>Ouvrir la &amp;démonstration</translation>
     </message>
@@ -8069,16 +7992,8 @@ Aire %6</translation>
         <translation>Une plaque simulée appuie uniformément sur une matrice dont les taxels diffèrent</translation>
     </message>
     <message>
-        <source>Every taxel counts as it is. What each one is multiplied with will be seen here.</source>
-        <translation>Chaque taxel compte tel quel. Ce par quoi chacun est multiplié s’affichera ici.</translation>
-    </message>
-    <message>
         <source>Gains of the taxels</source>
         <translation>Gains des taxels</translation>
-    </message>
-    <message>
-        <source>Red taxels feel too little and are raised, blue ones are lowered, hatched ones are not used. Arrow keys or the mouse read a taxel.</source>
-        <translation>Les taxels rouges ressentent trop peu et sont relevés, les bleus sont abaissés, les hachurés ne sont pas utilisés. Les flèches ou la souris lisent un taxel.</translation>
     </message>
     <message>
         <source>Share of the press that has been collected</source>
@@ -8087,6 +8002,62 @@ Aire %6</translation>
     <message>
         <source>Calibration of an array&apos;s taxels</source>
         <translation>Étalonnage des taxels d’une matrice</translation>
+    </message>
+    <message>
+        <source>The least certain gain has a standard error of %1 %.</source>
+        <translation>Le moins sûr est connu à %1 % près (erreur type).</translation>
+    </message>
+    <message>
+        <source>Gains vary by %1 % from press to press.</source>
+        <translation>Les gains diffèrent de %1 % d’un appui à l’autre.</translation>
+    </message>
+    <message>
+        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn the bladder or plate by 180° and collect another press: the difference cancels out.</source>
+        <translation>La réponse change de %1 % selon x et de %2 % selon y&#xa0;: la charge était peut-être inégale. Tournez d’un demi-tour ce qui appuie et recueillez un autre appui&#xa0;; l’écart s’annule.</translation>
+    </message>
+    <message>
+        <source>Open an array, a recording or a scene on the page Operate, or the demo.</source>
+        <translation>Ouvrez une matrice, un enregistrement ou une scène&#xa0;: sur la page Conduite, ou la démonstration ici.</translation>
+    </message>
+    <message>
+        <source>computing the gains…</source>
+        <translation>recherche des gains…</translation>
+    </message>
+    <message>
+        <source>1. Tare the array with nothing touching it.</source>
+        <translation>1. Ne laissez rien toucher la matrice, et tarez-la.</translation>
+    </message>
+    <message>
+        <source>Undo the last change (Ctrl+Z)</source>
+        <translation>Annuler la dernière modification (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo the change undone last</source>
+        <translation>La rétablir</translation>
+    </message>
+    <message>
+        <source>Load gains for an array of this size from a file (CSV)</source>
+        <translation>Lire dans un fichier (CSV) les gains d’une matrice de cette taille</translation>
+    </message>
+    <message>
+        <source>Save the gains to a file (CSV) for “Open recording”, source lists and the command line</source>
+        <translation>Écrire les gains dans un fichier (CSV)&#xa0;: «&#xa0;Ouvrir un enregistrement&#xa0;», les listes de sources et la ligne de commande le lisent</translation>
+    </message>
+    <message>
+        <source>Wait for a load and collect its frames; stops by itself</source>
+        <translation>Attend une charge et prend ses trames&#xa0;; s’arrête tout seul</translation>
+    </message>
+    <message>
+        <source>Frames as CSV, one file per press: time_s,t0,t1,…</source>
+        <translation>Trames en CSV, un fichier par appui&#xa0;: time_s,t0,t1,…</translation>
+    </message>
+    <message>
+        <source>Every taxel counts as it is. Its gain will be shown here.</source>
+        <translation>Chaque taxel compte tel quel. Ce par quoi chacun est multiplié s’affichera ici.</translation>
+    </message>
+    <message>
+        <source>Red taxels read too low and are raised, blue ones are lowered, hatched ones are not used. Point at a taxel, or use the arrow keys, to read its gain.</source>
+        <translation>Les taxels rouges ressentent trop peu et sont relevés, les bleus sont abaissés, les hachurés ne sont pas utilisés. Les flèches ou la souris lisent un taxel.</translation>
     </message>
 </context>
 <context>
@@ -8204,10 +8175,6 @@ Aire %6</translation>
         <translation>Vitesse (Hz)</translation>
     </message>
     <message>
-        <source>Known from</source>
-        <translation>Origine</translation>
-    </message>
-    <message>
         <source>Drive at which the motor begins to turn, with its standard error</source>
         <translation>Commande à laquelle le moteur commence à tourner, avec son erreur type</translation>
     </message>
@@ -8227,49 +8194,17 @@ Aire %6</translation>
         <source>Speed at the full drive of this motor</source>
         <translation>Vitesse à la pleine commande de ce moteur</translation>
     </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::MotorsView</name>
     <message>
-        <source>answers</source>
-        <translation>réponses</translation>
-    </message>
-    <message>
-        <source>It turns at %1 Hz now, says the bracelet&apos;s sensor.</source>
-        <translation>Il tourne maintenant à %1 Hz, selon le capteur du bracelet.</translation>
-    </message>
-    <message>
-        <source>loading</source>
-        <translation>chargement</translation>
-    </message>
-    <message>
-        <source>reset</source>
-        <translation>réinitialisation</translation>
-    </message>
-    <message>
-        <source>All motors are assumed again. Undo brings back what was measured.</source>
-        <translation>Tous les moteurs sont de nouveau supposés. Annuler rétablit ce qui a été mesuré.</translation>
-    </message>
-    <message>
-        <source>balance</source>
-        <translation>équilibrage</translation>
-    </message>
-    <message>
-        <source>Every measured motor now ends at the speed of the slowest one.</source>
-        <translation>Chaque moteur mesuré finit maintenant à la vitesse du plus lent.</translation>
-    </message>
-    <message>
-        <source>Measuring motor %1: stairs up to the full drive, then pulses.</source>
-        <translation>Mesure du moteur %1&#xa0;: paliers jusqu’à la pleine commande, puis impulsions.</translation>
-    </message>
-    <message>
         <source>Motor %1 was not calibrated. %2</source>
         <comment>a motor, and why not</comment>
         <translation>Le moteur %1 n’a pas été étalonné. %2</translation>
-    </message>
-    <message>
-        <source>measurement</source>
-        <translation>mesure</translation>
     </message>
     <message>
         <source>Motor %1: starts at %2 to %3 % of the drive, rises in %4 ± %5 ms, falls in %6 ± %7 ms, reaches %8 Hz.</source>
@@ -8284,24 +8219,12 @@ Aire %6</translation>
         <translation>Choisissez un bracelet dans le menu Bracelet.</translation>
     </message>
     <message>
-        <source>not calibrated: motors are assumed</source>
-        <translation>non étalonné&#xa0;: les moteurs sont supposés</translation>
-    </message>
-    <message>
         <source>calibrated, saved</source>
         <translation>étalonné, enregistré</translation>
     </message>
     <message>
         <source>calibrated, not saved</source>
         <translation>étalonné, non enregistré</translation>
-    </message>
-    <message>
-        <source>a study uses the bracelet: its motors stay as they are</source>
-        <translation>une étude utilise le bracelet&#xa0;: ses moteurs restent tels quels</translation>
-    </message>
-    <message>
-        <source>SIMULATED</source>
-        <translation>SIMULÉ</translation>
     </message>
     <message>
         <source>Motor %1</source>
@@ -8320,48 +8243,24 @@ Aire %6</translation>
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Take back the last change, or the last answer (Ctrl+Z)</source>
-        <translation>Annuler la dernière modification, ou la dernière réponse (Ctrl+Z)</translation>
-    </message>
-    <message>
         <source>Redo</source>
         <translation>Rétablir</translation>
-    </message>
-    <message>
-        <source>Bring it back</source>
-        <translation>La rétablir</translation>
     </message>
     <message>
         <source>&amp;Load…</source>
         <translation>&amp;Charger…</translation>
     </message>
     <message>
-        <source>Read a profile of this bracelet from a file</source>
-        <translation>Lire d’un fichier un profil de ce bracelet</translation>
-    </message>
-    <message>
         <source>Save a &amp;copy…</source>
         <translation>Enregistrer une co&amp;pie…</translation>
-    </message>
-    <message>
-        <source>Write the profile to another file</source>
-        <translation>Écrire le profil dans un autre fichier</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
         <translation>&amp;Réinitialiser</translation>
     </message>
     <message>
-        <source>Forget what was measured</source>
-        <translation>Oublier ce qui a été mesuré</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>&amp;Enregistrer</translation>
-    </message>
-    <message>
-        <source>Keep the profile for this bracelet: it is used whenever it is connected</source>
-        <translation>Conserver le profil pour ce bracelet&#xa0;: il est utilisé à chaque connexion</translation>
     </message>
     <message>
         <source>&amp;Measure this motor</source>
@@ -8380,26 +8279,6 @@ Aire %6</translation>
         <translation>&amp;Ouvrir un enregistrement…</translation>
     </message>
     <message>
-        <source>CSV with time_s,commanded and speed_hz of a tachometer or signal of an accelerometer or microphone</source>
-        <translation>CSV avec time_s,commanded et speed_hz d’un tachymètre ou signal d’un accéléromètre ou d’un microphone</translation>
-    </message>
-    <message>
-        <source>Write the &amp;excitation…</source>
-        <translation>Écrire l’e&amp;xcitation…</translation>
-    </message>
-    <message>
-        <source>What the motor is told during a measurement, as CSV: for a sensor of your own</source>
-        <translation>Ce qui est commandé au moteur pendant une mesure, en CSV&#xa0;: pour votre propre capteur</translation>
-    </message>
-    <message>
-        <source>Find its start by &amp;feel</source>
-        <translation>&amp;Trouver son démarrage au ressenti</translation>
-    </message>
-    <message>
-        <source>Bursts that get weaker and stronger; you say what you felt</source>
-        <translation>Des salves qui faiblissent et se renforcent&#xa0;; vous dites ce que vous avez senti</translation>
-    </message>
-    <message>
         <source>&amp;Balance by feel</source>
         <translation>Équili&amp;brer au ressenti</translation>
     </message>
@@ -8412,10 +8291,6 @@ Aire %6</translation>
         <translation>Équilibrer par les co&amp;urbes</translation>
     </message>
     <message>
-        <source>Let all measured motors end at the speed of the slowest</source>
-        <translation>Faire finir tous les moteurs mesurés à la vitesse du plus lent</translation>
-    </message>
-    <message>
         <source>Stop measuring</source>
         <translation>Arrêter la mesure</translation>
     </message>
@@ -8423,13 +8298,81 @@ Aire %6</translation>
         <source>Calibration of the bracelet&apos;s motors</source>
         <translation>Étalonnage des moteurs du bracelet</translation>
     </message>
+    <message>
+        <source>Turning at %1 Hz, measured by the bracelet&apos;s sensor.</source>
+        <translation>Il tourne maintenant à %1 Hz, selon le capteur du bracelet.</translation>
+    </message>
+    <message>
+        <source>All motors use assumed values again. Undo brings the measurements back.</source>
+        <translation>Tous les moteurs sont de nouveau supposés. Annuler rétablit ce qui a été mesuré.</translation>
+    </message>
+    <message>
+        <source>Every measured motor is now limited to the top speed of the slowest one.</source>
+        <translation>Chaque moteur mesuré finit maintenant à la vitesse du plus lent.</translation>
+    </message>
+    <message>
+        <source>Measuring motor %1: steps up to full drive, then pulses.</source>
+        <translation>Mesure du moteur %1&#xa0;: paliers jusqu’à la pleine commande, puis impulsions.</translation>
+    </message>
+    <message>
+        <source>not calibrated: the motors use assumed values</source>
+        <translation>non étalonné&#xa0;: les moteurs sont supposés</translation>
+    </message>
+    <message>
+        <source>a study uses the bracelet: its motors cannot be changed</source>
+        <translation>une étude utilise le bracelet&#xa0;: ses moteurs restent tels quels</translation>
+    </message>
+    <message>
+        <source>Undo the last change or answer (Ctrl+Z)</source>
+        <translation>Annuler la dernière modification, ou la dernière réponse (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo the change undone last</source>
+        <translation>La rétablir</translation>
+    </message>
+    <message>
+        <source>Load a profile of this bracelet from a file</source>
+        <translation>Lire d’un fichier un profil de ce bracelet</translation>
+    </message>
+    <message>
+        <source>Save the profile to another file</source>
+        <translation>Écrire le profil dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>Discard the measurements</source>
+        <translation>Oublier ce qui a été mesuré</translation>
+    </message>
+    <message>
+        <source>Save the profile for this bracelet: it is used whenever the bracelet is connected</source>
+        <translation>Conserver le profil pour ce bracelet&#xa0;: il est utilisé à chaque connexion</translation>
+    </message>
+    <message>
+        <source>CSV with time_s, commanded, and speed_hz (tachometer) or signal (accelerometer, microphone)</source>
+        <translation>CSV avec time_s,commanded et speed_hz d’un tachymètre ou signal d’un accéléromètre ou d’un microphone</translation>
+    </message>
+    <message>
+        <source>Save the &amp;excitation…</source>
+        <translation>Écrire l’e&amp;xcitation…</translation>
+    </message>
+    <message>
+        <source>Save the drive signal of a measurement as CSV, to record with a sensor of your own</source>
+        <translation>Ce qui est commandé au moteur pendant une mesure, en CSV&#xa0;: pour votre propre capteur</translation>
+    </message>
+    <message>
+        <source>Find the start by &amp;feel</source>
+        <translation>&amp;Trouver son démarrage au ressenti</translation>
+    </message>
+    <message>
+        <source>Plays weaker and stronger bursts; you say what you felt</source>
+        <translation>Des salves qui faiblissent et se renforcent&#xa0;; vous dites ce que vous avez senti</translation>
+    </message>
+    <message>
+        <source>Limit all measured motors to the top speed of the slowest</source>
+        <translation>Faire finir tous les moteurs mesurés à la vitesse du plus lent</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::CameraPanel</name>
-    <message>
-        <source>Go on</source>
-        <translation>Reprendre</translation>
-    </message>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
@@ -8443,28 +8386,8 @@ Aire %6</translation>
         <translation>Pas encore de référence&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Not used: %1</source>
-        <translation>Non utilisée&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>This finder cannot be used: %1</source>
         <translation>Ce détecteur ne peut pas être utilisé&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>The finder %1 is being made ready.</source>
-        <translation>Le détecteur %1 est en préparation.</translation>
-    </message>
-    <message>
-        <source>The arm has drawn back from contact %1.</source>
-        <translation>Le bras s’est retiré du contact %1.</translation>
-    </message>
-    <message>
-        <source>The arm stands.</source>
-        <translation>Le bras est à l’arrêt.</translation>
-    </message>
-    <message>
-        <source>The arm draws back from contact %1.</source>
-        <translation>Le bras se retire du contact %1.</translation>
     </message>
     <message>
         <source>The arm follows contact %1.</source>
@@ -8487,10 +8410,6 @@ Aire %6</translation>
         <translation>Détecteur</translation>
     </message>
     <message>
-        <source>How contacts are found: the printed dots alone, or dense flow by one of OpenCV&apos;s presets; the number divides the image&apos;s size</source>
-        <translation>Comment les contacts sont trouvés&#xa0;: les points imprimés seuls, ou un flot dense selon l’un des préréglages d’OpenCV&#xa0;; le nombre divise la taille de l’image</translation>
-    </message>
-    <message>
         <source>&amp;Displacement</source>
         <translation>Dé&amp;placement</translation>
     </message>
@@ -8503,24 +8422,8 @@ Aire %6</translation>
         <translation>Nouvelle &amp;référence</translation>
     </message>
     <message>
-        <source>Take the next picture as that of the untouched tube</source>
-        <translation>Prendre l’image suivante comme celle du tube intact</translation>
-    </message>
-    <message>
-        <source>Keep this picture; contacts are followed on (Space)</source>
-        <translation>Garder cette image&#xa0;; le suivi des contacts continue (Espace)</translation>
-    </message>
-    <message>
         <source>The arm may r&amp;eact</source>
         <translation>Le bras peut réa&amp;gir</translation>
-    </message>
-    <message>
-        <source>Off: the arm stands, whatever touches it. STOP takes this away until you give it again.</source>
-        <translation>Désactivé&#xa0;: le bras ne bouge pas, quoi qui le touche. STOP retire cette autorisation jusqu’à ce que vous la redonniez.</translation>
-    </message>
-    <message>
-        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of what has moved there</source>
-        <translation>Comme dans les travaux publiés&#xa0;: flot dense dans une image de 512&#xa0;×&#xa0;288, et moyenne de ce qui s’y est déplacé</translation>
     </message>
     <message>
         <source>Each printed dot is followed in the whole picture. The default.</source>
@@ -8547,12 +8450,56 @@ Aire %6</translation>
         <translation>Flot dense selon un préréglage d’OpenCV (%1), dans l’image entière</translation>
     </message>
     <message>
-        <source>Only around what differs from the reference</source>
+        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of the points that moved</source>
+        <translation>Comme dans les travaux publiés&#xa0;: flot dense dans une image de 512&#xa0;×&#xa0;288, et moyenne de ce qui s’y est déplacé</translation>
+    </message>
+    <message>
+        <source>Only where the picture differs from the reference</source>
         <translation>Seulement autour de ce qui diffère de la référence</translation>
     </message>
     <message>
-        <source>Begun with the flow of the picture before</source>
+        <source>Starts from the flow of the previous picture</source>
         <translation>À partir du flot de l’image précédente</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Picture not used: %1</source>
+        <translation>Non utilisée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Preparing the finder %1.</source>
+        <translation>Le détecteur %1 est en préparation.</translation>
+    </message>
+    <message>
+        <source>The arm has retreated from contact %1.</source>
+        <translation>Le bras s’est retiré du contact %1.</translation>
+    </message>
+    <message>
+        <source>The arm is at rest.</source>
+        <translation>Le bras est à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>The arm is retreating from contact %1.</source>
+        <translation>Le bras se retire du contact %1.</translation>
+    </message>
+    <message>
+        <source>How contacts are found: from the printed dots alone, or with dense flow by one of OpenCV&apos;s presets; the number is how many times the image is reduced</source>
+        <translation>Comment les contacts sont trouvés&#xa0;: les points imprimés seuls, ou un flot dense selon l’un des préréglages d’OpenCV&#xa0;; le nombre divise la taille de l’image</translation>
+    </message>
+    <message>
+        <source>Take the next picture as the reference: nothing may touch the tube</source>
+        <translation>Prendre l’image suivante comme celle du tube intact</translation>
+    </message>
+    <message>
+        <source>Freeze the picture; contacts are still tracked (Space)</source>
+        <translation>Garder cette image&#xa0;; le suivi des contacts continue (Espace)</translation>
+    </message>
+    <message>
+        <source>Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react.</source>
+        <translation>Désactivé&#xa0;: le bras ne bouge pas, quoi qui le touche. STOP retire cette autorisation jusqu’à ce que vous la redonniez.</translation>
     </message>
 </context>
 <context>
@@ -8560,10 +8507,6 @@ Aire %6</translation>
     <message>
         <source>camera</source>
         <translation>caméra</translation>
-    </message>
-    <message>
-        <source>&amp;Go on</source>
-        <translation>&amp;Reprendre</translation>
     </message>
     <message>
         <source>&amp;Pause the picture</source>
@@ -8581,6 +8524,10 @@ Aire %6</translation>
         <source>&lt;p&gt;What the camera sees inside the tube. Lines show, enlarged, how far the printed pattern has moved since nothing touched the tube; outlines are contacts, each in the colour of its number.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, dragging moves, a double click shows all.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Ce que la caméra voit dans le tube. Les traits montrent, agrandi, le déplacement du motif imprimé depuis que rien ne touchait le tube&#xa0;; les contours sont des contacts, chacun dans la couleur de son numéro.&lt;/p&gt;&lt;p&gt;Ctrl+molette zoome, glisser déplace, un double clic affiche tout.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>&amp;Reprendre</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::EventModel</name>
@@ -8593,20 +8540,12 @@ Aire %6</translation>
         <translation>CHOC</translation>
     </message>
     <message>
-        <source>let go</source>
-        <translation>lâché</translation>
-    </message>
-    <message>
         <source>arm follows</source>
         <translation>le bras suit</translation>
     </message>
     <message>
         <source>reference taken</source>
         <translation>référence prise</translation>
-    </message>
-    <message>
-        <source>begins anew</source>
-        <translation>recommence</translation>
     </message>
     <message>
         <source>Time</source>
@@ -8625,12 +8564,20 @@ Aire %6</translation>
         <translation>Le long du tube</translation>
     </message>
     <message>
-        <source>Around it</source>
-        <translation>Autour</translation>
-    </message>
-    <message>
         <source>Depth</source>
         <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>lâché</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>recommence</translation>
+    </message>
+    <message>
+        <source>Around the tube</source>
+        <translation>Autour</translation>
     </message>
 </context>
 <context>
@@ -8648,7 +8595,7 @@ Aire %6</translation>
         <translation>Événements</translation>
     </message>
     <message>
-        <source>What happened to the tube, the newest first. The context menu copies and saves the list.</source>
+        <source>What happened to the tube, newest first. The context menu copies and saves the list.</source>
         <translation>Ce qui est arrivé au tube, le plus récent en premier. Le menu contextuel copie et enregistre la liste.</translation>
     </message>
 </context>
@@ -8702,10 +8649,6 @@ Aire %6</translation>
         <translation>Résidus sur le cylindre déroulé</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Each pair at its pixel, with an enlarged arrow to where the camera projects its point. Arrows without a pattern are noise; arrows that flow are something that the camera does not describe.&lt;/p&gt;&lt;p&gt;A pixel outside the dashed circle has no ray.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Chaque paire à son pixel, avec une flèche agrandie vers l’endroit où la caméra projette son point. Des flèches sans structure sont du bruit&#xa0;; des flèches qui s’ordonnent révèlent un effet que la caméra ne décrit pas.&lt;/p&gt;&lt;p&gt;Un pixel hors du cercle en tirets n’a pas de rayon.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;Each pair at its point on the cylinder, cut open at the back, with an enlarged arrow to where its pixel is located. The colour is the error along the axis.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Chaque paire à son point sur le cylindre, ouvert à l’arrière, avec une flèche agrandie vers l’endroit où son pixel est localisé. La couleur est l’erreur le long de l’axe.&lt;/p&gt;</translation>
     </message>
@@ -8749,6 +8692,10 @@ Aire %6</translation>
         <source>&amp;Use pair %1 again</source>
         <translation>&amp;Réutiliser la paire %1</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Each pair at its pixel, with an enlarged arrow to where the camera projects its point. Random arrows are noise; a pattern shows something that the camera model misses.&lt;/p&gt;&lt;p&gt;Pixels outside the dashed circle have no ray.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Chaque paire à son pixel, avec une flèche agrandie vers l’endroit où la caméra projette son point. Des flèches sans structure sont du bruit&#xa0;; des flèches qui s’ordonnent révèlent un effet que la caméra ne décrit pas.&lt;/p&gt;&lt;p&gt;Un pixel hors du cercle en tirets n’a pas de rayon.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::StageBar</name>
@@ -8768,17 +8715,6 @@ Aire %6</translation>
         <source>locate</source>
         <translation>localisation</translation>
     </message>
-    <message>
-        <source>%1 ms a frame, %2 frames/s</source>
-        <translation>%1 ms par image, %2 images/s</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n passed over</source>
-        <translation>
-            <numerusform>%n sautée</numerusform>
-            <numerusform>%n sautées</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n unusable</source>
         <translation>
@@ -8790,6 +8726,17 @@ Aire %6</translation>
         <source>%1: %2 ms</source>
         <comment>stage of a computation and its time</comment>
         <translation>%1&#xa0;: %2 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms per frame, %2 frames/s</source>
+        <translation>%1 ms par image, %2 images/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n sautée</numerusform>
+            <numerusform>%n sautées</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8819,7 +8766,7 @@ Aire %6</translation>
         <translation>articulations</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Torque of each joint over time. The coloured band is the torque window: between its ends a touch is evaluated. Grey stretches are touches with their numbers, from the first torque above the noise to the estimate.&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its ends.&lt;/p&gt;</source>
+        <source>&lt;p&gt;Torque of each joint over time. The coloured band is the torque window in which a touch is evaluated. Grey stretches are touches with their numbers, from the first torque above the noise to the estimate.&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its range.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Couple de chaque articulation au cours du temps. La bande colorée est la fenêtre de couple&#xa0;: un toucher est évalué entre ses bornes. Les zones grises sont des touchers avec leurs numéros, du premier couple au-dessus du bruit à l’estimation.&lt;/p&gt;&lt;p&gt;Glisser ou Shift+molette fait défiler, Ctrl+molette change la durée affichée, Espace met en pause, Fin revient au direct. Double-cliquez sur un axe pour saisir ses bornes.&lt;/p&gt;</translation>
     </message>
 </context>
@@ -8849,16 +8796,16 @@ Aire %6</translation>
         <source>Joint angle</source>
         <translation>Angle articulaire</translation>
     </message>
+    <message>
+        <source>joint %1</source>
+        <translation>articulation %1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::charts::StripChartView</name>
     <message>
         <source>Strip charts of the tactile features</source>
         <translation>Graphiques défilants des caractéristiques tactiles</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Force, centres, moment deviation and orientation of the contact over time. The numbers beside the strips are the newest values, or those at the cursor.&lt;/p&gt;&lt;p&gt;A line that stops and goes on means that nothing is known in between: the contact was gone, samples were lost, or the recording jumped (dotted line).&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its ends.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Force, centres, écart de moment et orientation du contact au cours du temps. Les nombres à côté des bandes sont les dernières valeurs, ou celles au curseur.&lt;/p&gt;&lt;p&gt;Une ligne qui s’arrête et reprend signifie que rien n’est connu dans l’intervalle&#xa0;: le contact avait disparu, des échantillons ont été perdus, ou l’enregistrement a sauté (ligne pointillée).&lt;/p&gt;&lt;p&gt;Glisser ou Shift+molette fait défiler, Ctrl+molette change la durée affichée, Espace met en pause, Fin revient au direct. Double-cliquez sur un axe pour saisir ses bornes.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Strips</source>
@@ -8892,6 +8839,10 @@ Aire %6</translation>
         <source>&amp;Strips</source>
         <translation>&amp;Bandes</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Force, centres, moment deviation and orientation of the contact over time. The numbers beside the strips are the newest values, or those at the cursor.&lt;/p&gt;&lt;p&gt;A gap in a line means that nothing is known there: there was no contact, samples were lost, or the recording jumped (dotted line).&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its range.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Force, centres, écart de moment et orientation du contact au cours du temps. Les nombres à côté des bandes sont les dernières valeurs, ou celles au curseur.&lt;/p&gt;&lt;p&gt;Une ligne qui s’arrête et reprend signifie que rien n’est connu dans l’intervalle&#xa0;: le contact avait disparu, des échantillons ont été perdus, ou l’enregistrement a sauté (ligne pointillée).&lt;/p&gt;&lt;p&gt;Glisser ou Shift+molette fait défiler, Ctrl+molette change la durée affichée, Espace met en pause, Fin revient au direct. Double-cliquez sur un axe pour saisir ses bornes.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>teleta::charts::TimeChartView</name>
@@ -8908,10 +8859,6 @@ Aire %6</translation>
         <translation>Afficher %1 s (Ctrl+molette pour d’autres durées)</translation>
     </message>
     <message>
-        <source>Stop the picture; samples go on being kept (Space)</source>
-        <translation>Figer l’image&#xa0;; les échantillons continuent d’être conservés (Espace)</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
@@ -8926,10 +8873,6 @@ Aire %6</translation>
     <message>
         <source>PAUSED, %1 s behind   %2</source>
         <translation>EN PAUSE, %1 s de retard   %2</translation>
-    </message>
-    <message>
-        <source>Ends of the axis of %1</source>
-        <translation>Bornes de l’axe de %1</translation>
     </message>
     <message>
         <source>Lower and upper end, for example -5 5. Empty: automatic.</source>
@@ -8950,6 +8893,14 @@ Aire %6</translation>
     <message>
         <source>Go live</source>
         <translation>En direct</translation>
+    </message>
+    <message>
+        <source>Freeze the chart; samples are still collected (Space)</source>
+        <translation>Figer l’image&#xa0;; les échantillons continuent d’être conservés (Espace)</translation>
+    </message>
+    <message>
+        <source>Range of the axis of %1</source>
+        <translation>Bornes de l’axe de %1</translation>
     </message>
 </context>
 <context>
@@ -9008,16 +8959,16 @@ Aire %6</translation>
         <translation>Âge de la dernière trame&#xa0;: %1</translation>
     </message>
     <message>
-        <source>From the read to the screen: %1 ms</source>
-        <translation>De la lecture à l’écran&#xa0;: %1 ms</translation>
-    </message>
-    <message>
         <source>touch to skin %1 ms</source>
         <translation>du toucher à la peau %1 ms</translation>
     </message>
     <message>
         <source>From the completed touch to the first frame of its pattern: %1 ms</source>
         <translation>De la fin du toucher à la première trame de son motif&#xa0;: %1 ms</translation>
+    </message>
+    <message>
+        <source>From sensor read to screen: %1 ms</source>
+        <translation>De la lecture à l’écran&#xa0;: %1 ms</translation>
     </message>
 </context>
 <context>
@@ -9144,10 +9095,6 @@ Aire %6</translation>
         <translation>Droite</translation>
     </message>
     <message>
-        <source>Start again at the end</source>
-        <translation>Recommencer à la fin</translation>
-    </message>
-    <message>
         <source>Time in the recording</source>
         <translation>Temps dans l’enregistrement</translation>
     </message>
@@ -9155,17 +9102,13 @@ Aire %6</translation>
         <source>Speed</source>
         <translation>Vitesse</translation>
     </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Recommencer à la fin</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::RecordingIndicator</name>
-    <message>
-        <source>Begins…</source>
-        <translation>Démarrage…</translation>
-    </message>
-    <message>
-        <source>Is completed…</source>
-        <translation>Finalisation…</translation>
-    </message>
     <message numerus="yes">
         <source>Recording %1 · %2 · %n lost</source>
         <comment>time, size of the file, frames</comment>
@@ -9201,6 +9144,14 @@ Aire %6</translation>
     <message>
         <source>Mark this moment</source>
         <translation>Marquer cet instant</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Démarrage…</translation>
+    </message>
+    <message>
+        <source>Finishing…</source>
+        <translation>Finalisation…</translation>
     </message>
 </context>
 <context>
@@ -9355,81 +9306,6 @@ Aire %6</translation>
     </message>
 </context>
 <context>
-    <name>teleta::console::BraceletStation</name>
-    <message>
-        <source>STOP is engaged: the bracelet is off.</source>
-        <translation>STOP est enclenché&#xa0;: le bracelet est éteint.</translation>
-    </message>
-    <message>
-        <source>No bracelet: what would be played is named in the table of patterns.</source>
-        <translation>Pas de bracelet&#xa0;: ce qui serait joué est indiqué dans le tableau des motifs.</translation>
-    </message>
-    <message>
-        <source>Connecting to the bracelet…</source>
-        <translation>Connexion au bracelet…</translation>
-    </message>
-    <message>
-        <source>The bracelet is not connected. %1</source>
-        <translation>Le bracelet n’est pas connecté. %1</translation>
-    </message>
-    <message>
-        <source>Bracelet</source>
-        <translation>Bracelet</translation>
-    </message>
-    <message>
-        <source>A study uses the bracelet.</source>
-        <translation>Une étude utilise le bracelet.</translation>
-    </message>
-    <message>
-        <source>The motors are not calibrated (page Calibrate).</source>
-        <translation>Les moteurs ne sont pas étalonnés (page Étalonnage).</translation>
-    </message>
-    <message>
-        <source>not calibrated: the motors are assumed</source>
-        <translation>non étalonnés&#xa0;: les moteurs sont supposés</translation>
-    </message>
-    <message>
-        <source>The bracelet does not answer.</source>
-        <translation>Le bracelet ne répond pas.</translation>
-    </message>
-    <message>
-        <source>The bracelet is too hot: it is off until it has cooled down.</source>
-        <translation>Le bracelet est trop chaud&#xa0;: il est éteint jusqu’à ce qu’il ait refroidi.</translation>
-    </message>
-    <message>
-        <source>The supply of the bracelet is low: %1 V.</source>
-        <translation>L’alimentation du bracelet est faible&#xa0;: %1&#xa0;V.</translation>
-    </message>
-    <message>
-        <source>The supply of the bracelet is low.</source>
-        <translation>L’alimentation du bracelet est faible.</translation>
-    </message>
-    <message>
-        <source>The bracelet refused what was played last: it did not understand it.</source>
-        <translation>Le bracelet a refusé ce qui a été joué en dernier&#xa0;: il ne l’a pas compris.</translation>
-    </message>
-    <message>
-        <source>too hot: off until it has cooled down</source>
-        <translation>trop chaud&#xa0;: éteint jusqu’à ce qu’il ait refroidi</translation>
-    </message>
-    <message>
-        <source>supply low</source>
-        <translation>alimentation faible</translation>
-    </message>
-    <message>
-        <source>frames refused: %1</source>
-        <translation>trames refusées&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>supply %1 V</source>
-        <translation>alimentation %1&#xa0;V</translation>
-    </message>
-    <message>
-        <source>temperature %1 °C</source>
-        <translation>température %1&#xa0;°C</translation>
-    </message>
-</context>
-<context>
     <name>teleta::console::CalibratePage</name>
     <message>
         <source>What can be calibrated</source>
@@ -9457,7 +9333,7 @@ Aire %6</translation>
         <translation>%1&#xa0;: l’étalonnage n’est pas enregistré.</translation>
     </message>
     <message>
-        <source>What is discarded has to be measured again.</source>
+        <source>Discarded values must be measured again.</source>
         <translation>Ce qui est abandonné devra être mesuré à nouveau.</translation>
     </message>
 </context>
@@ -9476,20 +9352,8 @@ Aire %6</translation>
         <translation>Paires de pixels et de points&#xa0;: CSV avec u_px,v_px,x_m,y_m,z_m</translation>
     </message>
     <message>
-        <source>All pairs, those that are left out too, as they are loaded</source>
-        <translation>Toutes les paires, aussi celles écartées, telles qu’elles ont été chargées</translation>
-    </message>
-    <message>
-        <source>The camera of the chosen method, for teleta locate and the camera view</source>
-        <translation>La caméra de la méthode choisie, pour teleta locate et la vue de la caméra</translation>
-    </message>
-    <message>
         <source>&amp;Probe the simulated tube</source>
         <translation>&amp;Palper le tube simulé</translation>
-    </message>
-    <message>
-        <source>Collect pairs: a simulated person presses a stick on the marked places of a simulated tube, and takes one in ten for its neighbour</source>
-        <translation>Recueillir des paires&#xa0;: une personne simulée appuie un bâton aux endroits marqués d’un tube simulé, et en prend un sur dix pour son voisin</translation>
     </message>
     <message>
         <source>&amp;Method:</source>
@@ -9518,10 +9382,6 @@ Aire %6</translation>
     <message>
         <source>&amp;Exclude wrong pairs</source>
         <translation>Exclure les paires &amp;fausses</translation>
-    </message>
-    <message>
-        <source>Leaves the pairs that are marked as wrong out for every method</source>
-        <translation>Écarte pour toutes les méthodes les paires marquées comme fausses</translation>
     </message>
     <message>
         <source>Methods side by side</source>
@@ -9564,10 +9424,6 @@ Aire %6</translation>
         <translation>&amp;Supprimer</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Finds the camera inside the tactile cylinder from pairs: a pixel and the point of the surface that was probed there.&lt;/p&gt;&lt;p&gt;Load a CSV file or drop it here, or type pairs in. Wrong pairs are found and left out; you may exclude more or remove them (Delete in the table), and take every step back.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Trouve la caméra dans le cylindre tactile à partir de paires&#xa0;: un pixel et le point de la surface qui y a été palpé.&lt;/p&gt;&lt;p&gt;Chargez un fichier CSV ou déposez-le ici, ou saisissez des paires. Les paires fausses sont trouvées et écartées&#xa0;; vous pouvez en exclure d’autres ou les supprimer (Suppr dans le tableau), et annuler chaque étape.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Save the camera</source>
         <translation>Enregistrer la caméra</translation>
     </message>
@@ -9582,10 +9438,6 @@ Aire %6</translation>
     <message>
         <source>Cameras (*.json)</source>
         <translation>Caméras (*.json)</translation>
-    </message>
-    <message>
-        <source>Pairs (*.csv);;All files (*)</source>
-        <translation>Paires (*.csv);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>probing</source>
@@ -9625,10 +9477,6 @@ Aire %6</translation>
         <translation>image et cylindre</translation>
     </message>
     <message>
-        <source>The first touch is awaited.</source>
-        <translation>Le premier toucher est attendu.</translation>
-    </message>
-    <message>
         <source>No calibration: %1.</source>
         <translation>Pas d’étalonnage&#xa0;: %1.</translation>
     </message>
@@ -9640,32 +9488,12 @@ Aire %6</translation>
         </translation>
     </message>
     <message>
-        <source>their points are located to within %1 on average, and the camera is sure to within %2. </source>
-        <translation>leurs points sont localisés à %1 près en moyenne, et la caméra est sûre à %2 près. </translation>
-    </message>
-    <message>
-        <source>This method knows no lens: use it to compare only.</source>
-        <translation>Cette méthode ne connaît pas d’objectif&#xa0;: ne l’utilisez que pour comparer.</translation>
-    </message>
-    <message>
-        <source>Be careful: residuals of neighbours are alike, so the pairs hold something that this camera does not describe (a shell that has moved, a wrong radius).</source>
-        <translation>Attention&#xa0;: les résidus voisins se ressemblent, les paires contiennent donc un effet que cette caméra ne décrit pas (une enveloppe qui a bougé, un rayon faux).</translation>
-    </message>
-    <message>
-        <source>The residuals have no pattern. Good.</source>
-        <translation>Les résidus sont sans structure. Bien.</translation>
-    </message>
-    <message>
         <source>SIMULATED</source>
         <translation>SIMULÉ</translation>
     </message>
     <message>
         <source>has a pattern</source>
         <translation>a une structure</translation>
-    </message>
-    <message>
-        <source>Collect pairs: press a stick through the holes of a shell while a camera, or a video of it, is watched</source>
-        <translation>Recueillir des paires&#xa0;: appuyer un bâton à travers les trous d’une coque pendant qu’une caméra, ou une vidéo, est observée</translation>
     </message>
     <message>
         <source>Load pairs of pixels and probed points, drop their file here, type them in below, or probe a tube.</source>
@@ -9708,8 +9536,60 @@ Aire %6</translation>
         <translation>Étalonnage…</translation>
     </message>
     <message>
-        <source>The camera was not saved: it is being calibrated.</source>
+        <source>Save all pairs, including excluded ones, to load them again later</source>
+        <translation>Toutes les paires, aussi celles écartées, telles qu’elles ont été chargées</translation>
+    </message>
+    <message>
+        <source>Save the camera found by the chosen method, for teleta locate and the camera view</source>
+        <translation>La caméra de la méthode choisie, pour teleta locate et la vue de la caméra</translation>
+    </message>
+    <message>
+        <source>Collect pairs: a simulated person presses a stick on the marked places of a simulated tube and mistakes one in ten for its neighbour</source>
+        <translation>Recueillir des paires&#xa0;: une personne simulée appuie un bâton aux endroits marqués d’un tube simulé, et en prend un sur dix pour son voisin</translation>
+    </message>
+    <message>
+        <source>Collect pairs: press a stick through the holes of a shell while a camera watches, live or in a video</source>
+        <translation>Recueillir des paires&#xa0;: appuyer un bâton à travers les trous d’une coque pendant qu’une caméra, ou une vidéo, est observée</translation>
+    </message>
+    <message>
+        <source>Exclude the pairs marked as wrong, for every method</source>
+        <translation>Écarte pour toutes les méthodes les paires marquées comme fausses</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Finds the camera inside the tactile cylinder from pairs of a pixel and the surface point that was probed there.&lt;/p&gt;&lt;p&gt;Load a CSV file, drop it here, or type pairs in. Wrong pairs are detected and left out; you can exclude more, remove them (Delete in the table) and undo every step.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Trouve la caméra dans le cylindre tactile à partir de paires&#xa0;: un pixel et le point de la surface qui y a été palpé.&lt;/p&gt;&lt;p&gt;Chargez un fichier CSV ou déposez-le ici, ou saisissez des paires. Les paires fausses sont trouvées et écartées&#xa0;; vous pouvez en exclure d’autres ou les supprimer (Suppr dans le tableau), et annuler chaque étape.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>The camera was not saved. Wait until it is calibrated.</source>
         <translation>La caméra n’a pas été enregistrée&#xa0;: l’étalonnage est en cours.</translation>
+    </message>
+    <message>
+        <source>Waiting for the first touch.</source>
+        <translation>Le premier toucher est attendu.</translation>
+    </message>
+    <message>
+        <source>their points are located to within %1 on average; the camera&apos;s uncertainty is %2. </source>
+        <translation>leurs points sont localisés à %1 près en moyenne, et la caméra est sûre à %2 près. </translation>
+    </message>
+    <message>
+        <source>This method ignores lens distortion: use it only for comparison.</source>
+        <translation>Cette méthode ne connaît pas d’objectif&#xa0;: ne l’utilisez que pour comparer.</translation>
+    </message>
+    <message>
+        <source>Caution: neighbouring residuals are alike, so the camera model misses something (a shell that has moved, a wrong radius).</source>
+        <translation>Attention&#xa0;: les résidus voisins se ressemblent, les paires contiennent donc un effet que cette caméra ne décrit pas (une enveloppe qui a bougé, un rayon faux).</translation>
+    </message>
+    <message>
+        <source>The residuals show no pattern, as they should.</source>
+        <translation>Les résidus sont sans structure. Bien.</translation>
+    </message>
+    <message>
+        <source>Pairs (*.csv)</source>
+        <translation>Paires (*.csv)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -9781,15 +9661,15 @@ Aire %6</translation>
 <context>
     <name>teleta::console::CostMeasuring</name>
     <message>
-        <source>The costs that were measured before cannot be read.</source>
-        <translation>Les coûts mesurés auparavant ne peuvent pas être lus.</translation>
-    </message>
-    <message>
         <source>The ladders could not be measured.</source>
         <translation>Les échelles n’ont pas pu être mesurées.</translation>
     </message>
     <message>
-        <source>The measured costs cannot be kept.</source>
+        <source>The saved costs cannot be read.</source>
+        <translation>Les coûts mesurés auparavant ne peuvent pas être lus.</translation>
+    </message>
+    <message>
+        <source>The costs cannot be saved.</source>
         <translation>Les coûts mesurés ne peuvent pas être conservés.</translation>
     </message>
 </context>
@@ -9826,10 +9706,6 @@ Aire %6</translation>
         <translation>%1&#xa0;: %2 en moyenne, 99 images sur 100 en moins de %3 (1640 x 1232 pixels).</translation>
     </message>
     <message>
-        <source>No rung is so quick: of 100 frames one may take longer.</source>
-        <translation>Aucun échelon n’est aussi rapide&#xa0;: une image sur 100 peut prendre plus longtemps.</translation>
-    </message>
-    <message>
         <source>Measuring %1: %2</source>
         <translation>Mesure de %1&#xa0;: %2</translation>
     </message>
@@ -9858,20 +9734,12 @@ Aire %6</translation>
         <translation>Mesurer &amp;toutes les échelles</translation>
     </message>
     <message>
-        <source>Takes some minutes; the console can be used meanwhile</source>
-        <translation>Dure quelques minutes&#xa0;; la console reste utilisable entre-temps</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Annuler</translation>
     </message>
     <message>
         <source>Not measured on this machine</source>
         <translation>Non mesurée sur cette machine</translation>
-    </message>
-    <message>
-        <source>Close other programs and sources first: what they compute makes times uncertain.</source>
-        <translation>Fermez d’abord les autres programmes et sources&#xa0;: leurs calculs rendent les temps incertains.</translation>
     </message>
     <message>
         <source>Measure this ladder</source>
@@ -9950,12 +9818,24 @@ Aire %6</translation>
         <translation>Ouvrir une démo avec une caméra</translation>
     </message>
     <message>
-        <source>Being measured</source>
+        <source>Measuring</source>
         <translation>Mesure en cours</translation>
     </message>
     <message>
-        <source>Ending…</source>
+        <source>Close other programs and sources first: their load makes the times unreliable.</source>
+        <translation>Fermez d’abord les autres programmes et sources&#xa0;: leurs calculs rendent les temps incertains.</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
         <translation>Arrêt en cours…</translation>
+    </message>
+    <message>
+        <source>No rung is fast enough: only one frame in 100 may take longer.</source>
+        <translation>Aucun échelon n’est aussi rapide&#xa0;: une image sur 100 peut prendre plus longtemps.</translation>
+    </message>
+    <message>
+        <source>Takes a few minutes; you can go on using the console</source>
+        <translation>Dure quelques minutes&#xa0;; la console reste utilisable entre-temps</translation>
     </message>
 </context>
 <context>
@@ -9967,10 +9847,6 @@ Aire %6</translation>
     <message>
         <source>commanded intensities</source>
         <translation>intensités commandées</translation>
-    </message>
-    <message>
-        <source>what the motors are predicted to do</source>
-        <translation>ce que feront les moteurs selon la prédiction</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
@@ -9987,6 +9863,10 @@ Aire %6</translation>
     <message>
         <source>Choose file…</source>
         <translation>Choisir un fichier…</translation>
+    </message>
+    <message>
+        <source>predicted intensities</source>
+        <translation>ce que feront les moteurs selon la prédiction</translation>
     </message>
 </context>
 <context>
@@ -10107,14 +9987,6 @@ Aire %6</translation>
         <translation>Choisissez un autre dossier ou nom de fichier.</translation>
     </message>
     <message>
-        <source>press</source>
-        <translation>appui</translation>
-    </message>
-    <message>
-        <source>loading</source>
-        <translation>chargement</translation>
-    </message>
-    <message>
         <source>%1 could not be saved.</source>
         <comment>a file</comment>
         <translation>%1 n’a pas pu être enregistré.</translation>
@@ -10185,12 +10057,12 @@ Aire %6</translation>
 <context>
     <name>teleta::console::LiveProbing</name>
     <message>
-        <source>The camera is open, but no frame comes.</source>
+        <source>The camera is open but sends no frames.</source>
         <translation>La caméra est ouverte, mais aucune image n’arrive.</translation>
     </message>
     <message>
-        <source>The camera&apos;s image has changed from %1 × %2 to %3 × %4 pixels.</source>
-        <translation>L’image de la caméra est passée de %1 × %2 à %3 × %4 pixels.</translation>
+        <source>The camera&apos;s image size has changed from %1 × %2 to %3 × %4 pixels. Start probing again.</source>
+        <translation>L’image de la caméra est passée de %1 × %2 à %3 × %4 pixels. Recommencez le palpage.</translation>
     </message>
 </context>
 <context>
@@ -10200,16 +10072,8 @@ Aire %6</translation>
         <translation>Palper avec une caméra</translation>
     </message>
     <message>
-        <source>Of the first hole of each ring, from the x axis towards y</source>
-        <translation>Du premier trou de chaque anneau, de l’axe x vers y</translation>
-    </message>
-    <message>
         <source>&amp;Camera or video:</source>
         <translation>&amp;Caméra ou vidéo&#xa0;:</translation>
-    </message>
-    <message>
-        <source>Holes a &amp;ring:</source>
-        <translation>T&amp;rous par anneau&#xa0;:</translation>
     </message>
     <message>
         <source>Ri&amp;ngs:</source>
@@ -10231,6 +10095,14 @@ Aire %6</translation>
         <source>&amp;Probe</source>
         <translation>Pa&amp;lper</translation>
     </message>
+    <message>
+        <source>Angle of the first hole of each ring, from the x axis towards y</source>
+        <translation>Du premier trou de chaque anneau, de l’axe x vers y</translation>
+    </message>
+    <message>
+        <source>Holes per &amp;ring:</source>
+        <translation>T&amp;rous par anneau&#xa0;:</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::LiveProbingPanel</name>
@@ -10251,28 +10123,12 @@ Aire %6</translation>
         <translation>Trou %1 sur %2&#xa0;: anneau %3, %4&#xa0;mm, %5°</translation>
     </message>
     <message>
-        <source>The camera is awaited: %1</source>
-        <translation>La caméra est attendue&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>The first frame is awaited. Nothing may touch the skin.</source>
-        <translation>La première image est attendue. Rien ne doit toucher la peau.</translation>
-    </message>
-    <message>
-        <source>A frame in which nothing touches the skin is awaited: %1</source>
-        <translation>Une image où rien ne touche la peau est attendue&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>Press the stick into this hole.</source>
         <translation>Appuyez le bâton dans ce trou.</translation>
     </message>
     <message>
         <source>Hold still.</source>
         <translation>Ne bougez plus.</translation>
-    </message>
-    <message>
-        <source>The skin is touched at several places. Lift all but the stick.</source>
-        <translation>La peau est touchée en plusieurs endroits. Ne laissez que le bâton.</translation>
     </message>
     <message>
         <source>Taken. Lift the stick.</source>
@@ -10291,36 +10147,52 @@ Aire %6</translation>
         <translation>&amp;Retour</translation>
     </message>
     <message>
-        <source>The hole before this one. A hole that is probed again gets a new pixel</source>
-        <translation>Le trou précédent. Un trou palpé de nouveau reçoit un nouveau pixel</translation>
-    </message>
-    <message>
         <source>S&amp;kip</source>
         <translation>&amp;Passer</translation>
-    </message>
-    <message>
-        <source>Leave this hole out for now</source>
-        <translation>Laisser ce trou de côté pour l’instant</translation>
-    </message>
-    <message>
-        <source>&amp;Untouched now</source>
-        <translation>Rien ne to&amp;uche</translation>
-    </message>
-    <message>
-        <source>The next frame shows the skin with nothing touching it</source>
-        <translation>L’image suivante montre la peau sans aucun contact</translation>
     </message>
     <message>
         <source>Sto&amp;p probing</source>
         <translation>Arrê&amp;ter le palpage</translation>
     </message>
     <message>
-        <source>Keep what was collected until now</source>
-        <translation>Garder ce qui a été recueilli jusqu’ici</translation>
-    </message>
-    <message>
         <source>Lift the stick first.</source>
         <translation>Levez d’abord le bâton.</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera: %1</source>
+        <translation>La caméra est attendue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the first frame. Nothing may touch the skin.</source>
+        <translation>La première image est attendue. Rien ne doit toucher la peau.</translation>
+    </message>
+    <message>
+        <source>Waiting for a frame in which nothing touches the skin: %1</source>
+        <translation>Une image où rien ne touche la peau est attendue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The skin is touched in several places. Remove everything but the stick.</source>
+        <translation>La peau est touchée en plusieurs endroits. Ne laissez que le bâton.</translation>
+    </message>
+    <message>
+        <source>Back to the previous hole. Probing it again replaces its pixel</source>
+        <translation>Le trou précédent. Un trou palpé de nouveau reçoit un nouveau pixel</translation>
+    </message>
+    <message>
+        <source>Skip this hole for now</source>
+        <translation>Laisser ce trou de côté pour l’instant</translation>
+    </message>
+    <message>
+        <source>Ne&amp;w reference</source>
+        <translation>Rien ne to&amp;uche</translation>
+    </message>
+    <message>
+        <source>Take the next frame as the reference: nothing may touch the skin</source>
+        <translation>L’image suivante montre la peau sans aucun contact</translation>
+    </message>
+    <message>
+        <source>Keep the pairs collected so far</source>
+        <translation>Garder ce qui a été recueilli jusqu’ici</translation>
     </message>
 </context>
 <context>
@@ -10334,20 +10206,8 @@ Aire %6</translation>
         <translation>Texte (*.txt)</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Écrit&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>%1 could not be written: %2</source>
-        <translation>%1 n’a pas pu être écrit&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>Log</source>
         <translation>Journal</translation>
-    </message>
-    <message>
-        <source>Messages since the program began</source>
-        <translation>Messages depuis le début du programme</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -10360,6 +10220,18 @@ Aire %6</translation>
     <message>
         <source>C&amp;lose</source>
         <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Enregistré&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved: %2</source>
+        <translation>%1 n’a pas pu être écrit&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Messages since the program started</source>
+        <translation>Messages depuis le début du programme</translation>
     </message>
 </context>
 <context>
@@ -10560,20 +10432,12 @@ Aire %6</translation>
 <context>
     <name>teleta::console::MotorCalibrator</name>
     <message>
-        <source>The profile of the motors cannot be used; they are assumed.</source>
-        <translation>Le profil des moteurs ne peut pas être utilisé&#xa0;; ils sont supposés.</translation>
-    </message>
-    <message>
         <source>Open the recording of a motor</source>
         <translation>Ouvrir l’enregistrement d’un moteur</translation>
     </message>
     <message>
         <source>Recordings (*.csv)</source>
         <translation>Enregistrements (*.csv)</translation>
-    </message>
-    <message>
-        <source>Write the excitation</source>
-        <translation>Écrire l’excitation</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -10601,18 +10465,26 @@ Aire %6</translation>
         <translation>%1 n’a pas pu être ouvert.</translation>
     </message>
     <message>
-        <source>%1 is of another bracelet.</source>
+        <source>%1 could not be saved.</source>
+        <comment>a file</comment>
+        <translation>%1 n’a pas pu être enregistré.</translation>
+    </message>
+    <message>
+        <source>The motor profile cannot be used: the motors use assumed values.</source>
+        <translation>Le profil des moteurs ne peut pas être utilisé&#xa0;; ils sont supposés.</translation>
+    </message>
+    <message>
+        <source>Save the excitation</source>
+        <translation>Écrire l’excitation</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another bracelet.</source>
         <comment>a file</comment>
         <translation>%1 est celui d’un autre bracelet.</translation>
     </message>
     <message>
-        <source>It is of “%1”, this one is “%2”. Measure this one, or connect the other.</source>
+        <source>The file is for “%1”, this bracelet is “%2”. Measure this one, or connect the other.</source>
         <translation>C’est celui de «&#xa0;%1&#xa0;», or celui-ci est «&#xa0;%2&#xa0;». Mesurez celui-ci, ou connectez l’autre.</translation>
-    </message>
-    <message>
-        <source>%1 could not be saved.</source>
-        <comment>a file</comment>
-        <translation>%1 n’a pas pu être enregistré.</translation>
     </message>
 </context>
 <context>
@@ -10626,18 +10498,6 @@ Aire %6</translation>
         <translation>Nouvelle étude</translation>
     </message>
     <message>
-        <source>In a file of this folder: one station</source>
-        <translation>Dans un fichier de ce dossier&#xa0;: un seul poste</translation>
-    </message>
-    <message>
-        <source>On a PostgreSQL server: stations share it</source>
-        <translation>Sur un serveur PostgreSQL&#xa0;: des postes la partagent</translation>
-    </message>
-    <message>
-        <source>Run: real participants, counts as data</source>
-        <translation>Réelle&#xa0;: de vrais participants, compte comme données</translation>
-    </message>
-    <message>
         <source>Pilot: people try it, marked PILOT everywhere</source>
         <translation>Pilote&#xa0;: des personnes l’essaient, marquée PILOTE partout</translation>
     </message>
@@ -10646,20 +10506,8 @@ Aire %6</translation>
         <translation>Simulée&#xa0;: pas de personnes, marquée SIMULÉ partout</translation>
     </message>
     <message>
-        <source>The orders of all trials follow from it: the same seed gives the same study</source>
-        <translation>L’ordre de tous les essais en découle&#xa0;: la même graine donne la même étude</translation>
-    </message>
-    <message>
         <source>&amp;Choose…</source>
         <translation>C&amp;hoisir…</translation>
-    </message>
-    <message>
-        <source>&amp;Folder, which is made</source>
-        <translation>&amp;Dossier, qui sera créé</translation>
-    </message>
-    <message>
-        <source>&amp;Kept</source>
-        <translation>&amp;Conservation</translation>
     </message>
     <message>
         <source>&amp;Mode</source>
@@ -10668,18 +10516,6 @@ Aire %6</translation>
     <message>
         <source>&amp;Seed</source>
         <translation>&amp;Graine</translation>
-    </message>
-    <message>
-        <source>Make the study</source>
-        <translation>Créer l’étude</translation>
-    </message>
-    <message>
-        <source>Folder of the study</source>
-        <translation>Dossier de l’étude</translation>
-    </message>
-    <message>
-        <source>Choose a folder, with its whole path.</source>
-        <translation>Choisissez un dossier, avec son chemin complet.</translation>
     </message>
     <message>
         <source>The seed is a whole number from 0 to 18446744073709551615.</source>
@@ -10710,19 +10546,55 @@ Aire %6</translation>
         <source>Protocols (*.toml)</source>
         <translation>Protocoles (*.toml)</translation>
     </message>
+    <message>
+        <source>In a file in this folder, for one station</source>
+        <translation>Dans un fichier de ce dossier&#xa0;: un seul poste</translation>
+    </message>
+    <message>
+        <source>On a PostgreSQL server, shared by several stations</source>
+        <translation>Sur un serveur PostgreSQL&#xa0;: des postes la partagent</translation>
+    </message>
+    <message>
+        <source>Run: real participants, data count</source>
+        <translation>Réelle&#xa0;: de vrais participants, compte comme données</translation>
+    </message>
+    <message>
+        <source>Determines the order of all trials: the same seed gives the same study</source>
+        <translation>L’ordre de tous les essais en découle&#xa0;: la même graine donne la même étude</translation>
+    </message>
+    <message>
+        <source>New &amp;folder</source>
+        <translation>&amp;Dossier, qui sera créé</translation>
+    </message>
+    <message>
+        <source>S&amp;torage</source>
+        <translation>&amp;Conservation</translation>
+    </message>
+    <message>
+        <source>Create the study</source>
+        <translation>Créer l’étude</translation>
+    </message>
+    <message>
+        <source>Study folder</source>
+        <translation>Dossier de l’étude</translation>
+    </message>
     <message numerus="yes">
-        <source>%n test trial(s) a participant</source>
+        <source>%n test trial(s) per participant</source>
         <translation>
             <numerusform>%n essai de test par participant</numerusform>
             <numerusform>%n essais de test par participant</numerusform>
         </translation>
     </message>
     <message>
-        <source>This protocol has no pattern %1 to be felt: name a file for it in the protocol.</source>
+        <source>There is no tactile pattern for %1: name a file for it in the protocol.</source>
         <translation>Ce protocole n’a pas de motif %1 à ressentir&#xa0;: nommez un fichier pour lui dans le protocole.</translation>
     </message>
     <message>
-        <source>The file is no protocol that can be used; the one above stays chosen. %1</source>
+        <source>Choose a folder by its full path.</source>
+        <translation>Choisissez un dossier, avec son chemin complet.</translation>
+    </message>
+    <message>
+        <source>The file is not a usable protocol; the one above stays selected. %1</source>
         <translation>Le fichier n’est pas un protocole utilisable&#xa0;; celui ci-dessus reste choisi. %1</translation>
     </message>
 </context>
@@ -10738,16 +10610,16 @@ Aire %6</translation>
         <translation>%1 ne peut pas jouer à 48 kHz</translation>
     </message>
     <message>
-        <source>headphones that are plugged in, or the noise from another device</source>
-        <translation>un casque branché, ou le bruit depuis un autre appareil</translation>
-    </message>
-    <message>
         <source>the sound output stopped</source>
         <translation>la sortie audio s’est arrêtée</translation>
     </message>
     <message>
         <source>headphones that stay plugged in</source>
         <translation>un casque qui reste branché</translation>
+    </message>
+    <message>
+        <source>headphones, plugged in, or the noise from another device</source>
+        <translation>un casque branché, ou le bruit depuis un autre appareil</translation>
     </message>
 </context>
 <context>
@@ -10942,7 +10814,7 @@ Aire %6</translation>
         <translation>&amp;Ajouter la paire</translation>
     </message>
     <message>
-        <source>Take this pair up (Enter)</source>
+        <source>Add this pair (Enter)</source>
         <translation>Prendre cette paire en compte (Entrée)</translation>
     </message>
 </context>
@@ -10977,7 +10849,7 @@ Aire %6</translation>
         <translation>%1 a été supprimé.</translation>
     </message>
     <message>
-        <source>%1 could not be brought back.</source>
+        <source>%1 could not be restored.</source>
         <comment>a pattern</comment>
         <translation>%1 n’a pas pu être restauré.</translation>
     </message>
@@ -10985,16 +10857,12 @@ Aire %6</translation>
 <context>
     <name>teleta::console::PatternPlayback</name>
     <message>
-        <source>What plays is only shown, not felt.</source>
+        <source>The pattern is shown on the screen but not felt.</source>
         <translation>Ce qui est joué est seulement affiché, pas ressenti.</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::PatternsPage</name>
-    <message>
-        <source>The edits that are not saved could not be kept aside: a crash would lose them.</source>
-        <translation>Les modifications non enregistrées n’ont pas pu être mises de côté&#xa0;: une panne les ferait perdre.</translation>
-    </message>
     <message>
         <source>%1 (copy)</source>
         <translation>%1 (copie)</translation>
@@ -11032,16 +10900,6 @@ Aire %6</translation>
         <source>Unsaved edits</source>
         <translation>Modifications non enregistrées</translation>
     </message>
-    <message>
-        <source>%1 has edits that are not saved.</source>
-        <comment>a pattern</comment>
-        <translation>%1 a des modifications non enregistrées.</translation>
-    </message>
-    <message>
-        <source>The program ended without saving %1, edited %2. The file on disk is as it was.</source>
-        <comment>a pattern, a time</comment>
-        <translation>Le programme s’est terminé sans enregistrer %1 (modification&#xa0;: %2). Le fichier sur le disque est resté tel quel.</translation>
-    </message>
     <message numerus="yes">
         <source>There are %n more.</source>
         <translation>
@@ -11078,10 +10936,6 @@ Aire %6</translation>
         <translation>tact (*.tact)</translation>
     </message>
     <message>
-        <source>How strong the bracelet may be could not be read or kept: look at the slider Strongest.</source>
-        <translation>La force maximale du bracelet n’a pas pu être lue ou conservée&#xa0;: vérifier le curseur «&#xa0;Intensité maximale&#xa0;».</translation>
-    </message>
-    <message>
         <source>Open the edits</source>
         <translation>Ouvrir les modifications</translation>
     </message>
@@ -11089,23 +10943,41 @@ Aire %6</translation>
         <source>Discard them</source>
         <translation>Les abandonner</translation>
     </message>
+    <message>
+        <source>Unsaved edits could not be backed up: a crash would lose them.</source>
+        <translation>Les modifications non enregistrées n’ont pas pu être mises de côté&#xa0;: une panne les ferait perdre.</translation>
+    </message>
+    <message>
+        <source>The strength limit of the bracelet could not be read or saved: check the slider Strongest.</source>
+        <translation>La force maximale du bracelet n’a pas pu être lue ou conservée&#xa0;: vérifier le curseur «&#xa0;Intensité maximale&#xa0;».</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved edits.</source>
+        <comment>a pattern</comment>
+        <translation>%1 a des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
+        <comment>a pattern, a time</comment>
+        <translation>Le programme s’est terminé sans enregistrer %1 (modification&#xa0;: %2). Le fichier sur le disque est resté tel quel.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::ProbingStrip</name>
-    <message>
-        <source>How far the probing is</source>
-        <translation>Avancement du palpage</translation>
-    </message>
-    <message>
-        <source>SIMULATED: a person probes the tube; pairs until now: %1</source>
-        <translation>SIMULÉ&#xa0;: une personne palpe le tube&#xa0;; paires jusqu’ici&#xa0;: %1</translation>
-    </message>
     <message>
         <source>Sto&amp;p probing</source>
         <translation>Arrê&amp;ter le palpage</translation>
     </message>
     <message>
-        <source>Keep what was collected until now</source>
+        <source>Progress of the probing</source>
+        <translation>Avancement du palpage</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a person probes the tube; pairs so far: %1</source>
+        <translation>SIMULÉ&#xa0;: une personne palpe le tube&#xa0;; paires jusqu’ici&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Keep the pairs collected so far</source>
         <translation>Garder ce qui a été recueilli jusqu’ici</translation>
     </message>
 </context>
@@ -11226,10 +11098,6 @@ Aire %6</translation>
         <translation>par exemple static, dynamic</translation>
     </message>
     <message>
-        <source>letter and name, one a line, for example A circle</source>
-        <translation>lettre et nom, un par ligne, par exemple A cercle</translation>
-    </message>
-    <message>
         <source>Identifier</source>
         <translation>Identifiant</translation>
     </message>
@@ -11252,13 +11120,6 @@ Aire %6</translation>
     <message>
         <source>this form</source>
         <translation>ce formulaire</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n test trial(s) a participant</source>
-        <translation>
-            <numerusform>%n essai de test par participant</numerusform>
-            <numerusform>%n essais de test par participant</numerusform>
-        </translation>
     </message>
     <message>
         <source> (expected: %1)</source>
@@ -11304,20 +11165,8 @@ Aire %6</translation>
         <translation>Ajouter un &amp;questionnaire</translation>
     </message>
     <message>
-        <source>letter, condition and file, one a line, for patterns of your own; all others come with the program</source>
-        <translation>lettre, condition et fichier, un par ligne, pour vos propres motifs&#xa0;; tous les autres sont fournis avec le programme</translation>
-    </message>
-    <message>
-        <source>Of your own</source>
-        <translation>Vos propres motifs</translation>
-    </message>
-    <message>
         <source>Choose a pattern file…</source>
         <translation>Choisir un fichier de motif…</translation>
-    </message>
-    <message>
-        <source>no pattern of the task is felt as &quot;%1 %2&quot;</source>
-        <translation>aucun motif de la tâche n’est ressenti comme «&#xa0;%1 %2&#xa0;»</translation>
     </message>
     <message>
         <source>a letter and a condition of the task, then the file</source>
@@ -11326,10 +11175,6 @@ Aire %6</translation>
     <message>
         <source>the file of &quot;%1 %2&quot; cannot be found</source>
         <translation>le fichier de «&#xa0;%1 %2&#xa0;» est introuvable</translation>
-    </message>
-    <message>
-        <source>its whole path</source>
-        <translation>son chemin complet</translation>
     </message>
     <message>
         <source>&quot;%1 %2&quot; has two files</source>
@@ -11345,16 +11190,43 @@ Aire %6</translation>
         <translation>Fichier de motif pour %1</translation>
     </message>
     <message>
-        <source>There is no pattern %1 to be felt. Name a file for it, or take a task, letter and condition whose pattern comes with the program; the protocol can be saved.</source>
-        <translation>Il n’y a pas de motif %1 à ressentir. Nommez un fichier pour lui, ou prenez une tâche, une lettre et une condition dont le motif est fourni avec le programme&#xa0;; le protocole peut être enregistré.</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>Changements non enregistrés</translation>
     </message>
     <message>
         <source>The protocol has changes that are not saved.</source>
         <translation>Le protocole a des changements non enregistrés.</translation>
+    </message>
+    <message>
+        <source>letter, condition and file, one per line, for your own patterns; all others are built in</source>
+        <translation>lettre, condition et fichier, un par ligne, pour vos propres motifs&#xa0;; tous les autres sont fournis avec le programme</translation>
+    </message>
+    <message>
+        <source>letter and name, one per line, for example A circle</source>
+        <translation>lettre et nom, un par ligne, par exemple A cercle</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>Vos propres motifs</translation>
+    </message>
+    <message>
+        <source>the task has no pattern &quot;%1 %2&quot;</source>
+        <translation>aucun motif de la tâche n’est ressenti comme «&#xa0;%1 %2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>its full path</source>
+        <translation>son chemin complet</translation>
+    </message>
+    <message>
+        <source>There is no tactile pattern for %1. Name a file for it, or use a task, letter and condition whose pattern is built in. The protocol can be saved as it is.</source>
+        <translation>Il n’y a pas de motif %1 à ressentir. Nommez un fichier pour lui, ou prenez une tâche, une lettre et une condition dont le motif est fourni avec le programme&#xa0;; le protocole peut être enregistré.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test trial(s) per participant</source>
+        <translation>
+            <numerusform>%n essai de test par participant</numerusform>
+            <numerusform>%n essais de test par participant</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11404,10 +11276,6 @@ Aire %6</translation>
         <translation>Retirer ce questionnaire</translation>
     </message>
     <message>
-        <source>has to be answered</source>
-        <translation>réponse obligatoire</translation>
-    </message>
-    <message>
         <source>for example hard</source>
         <translation>par exemple hard</translation>
     </message>
@@ -11437,10 +11305,6 @@ Aire %6</translation>
         <translation>ce que signifie le dernier point</translation>
     </message>
     <message>
-        <source>identifier and text, one a line, for example yes I felt it</source>
-        <translation>identifiant et texte, un par ligne, par exemple yes I felt it</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Retirer</translation>
     </message>
@@ -11459,6 +11323,14 @@ Aire %6</translation>
     <message>
         <source>Answers</source>
         <translation>Réponses</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>réponse obligatoire</translation>
+    </message>
+    <message>
+        <source>identifier and text, one per line, for example yes I felt it</source>
+        <translation>identifiant et texte, un par ligne, par exemple yes I felt it</translation>
     </message>
 </context>
 <context>
@@ -11717,7 +11589,7 @@ Aire %6</translation>
     </message>
 </context>
 <context>
-    <name>teleta::console::RecordingStation</name>
+    <name>teleta::console::RecordingMarks</name>
     <message>
         <source>mark</source>
         <translation>marque</translation>
@@ -11730,6 +11602,9 @@ Aire %6</translation>
         <source>text of a mark</source>
         <translation>texte d’une marque</translation>
     </message>
+</context>
+<context>
+    <name>teleta::console::RecordingService</name>
     <message>
         <source>the folder cannot be made</source>
         <translation>le dossier ne peut pas être créé</translation>
@@ -11746,10 +11621,6 @@ Aire %6</translation>
         <translation>sinon PGPASSWORD ou ~/.pgpass</translation>
     </message>
     <message>
-        <source>Used for this connection, and kept nowhere</source>
-        <translation>Utilisé pour cette connexion, et conservé nulle part</translation>
-    </message>
-    <message>
         <source>&amp;Server</source>
         <translation>&amp;Serveur</translation>
     </message>
@@ -11761,16 +11632,16 @@ Aire %6</translation>
         <source>The address of a server looks like %1.</source>
         <translation>L’adresse d’un serveur ressemble à %1.</translation>
     </message>
+    <message>
+        <source>Used for this connection only, never saved</source>
+        <translation>Utilisé pour cette connexion, et conservé nulle part</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::ServerStudyDialog</name>
     <message>
         <source>Open a study on a server</source>
         <translation>Ouvrir une étude sur un serveur</translation>
-    </message>
-    <message>
-        <source>Exports go here, and trials while the server is away</source>
-        <translation>Les exports vont ici, ainsi que les essais pendant l’absence du serveur</translation>
     </message>
     <message>
         <source>&amp;Folder on this computer</source>
@@ -11781,16 +11652,16 @@ Aire %6</translation>
         <translation>Ouvrir l’étude</translation>
     </message>
     <message>
-        <source>Choose a folder, with its whole path.</source>
+        <source>For exports, and for trials while the server is unreachable</source>
+        <translation>Les exports vont ici, ainsi que les essais pendant l’absence du serveur</translation>
+    </message>
+    <message>
+        <source>Choose a folder by its full path.</source>
         <translation>Choisissez un dossier, avec son chemin complet.</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::StudyController</name>
-    <message>
-        <source>a session of the open study is going on</source>
-        <translation>une session de l’étude ouverte est en cours</translation>
-    </message>
     <message>
         <source>the open study is being read or written</source>
         <translation>l’étude ouverte est en cours de lecture ou d’écriture</translation>
@@ -11809,10 +11680,6 @@ Aire %6</translation>
         <translation>%1 n’a pas pu être ouvert.</translation>
     </message>
     <message>
-        <source>The study could not be made.</source>
-        <translation>L’étude n’a pas pu être créée.</translation>
-    </message>
-    <message>
         <source>The rehearsal could not be opened.</source>
         <translation>La répétition générale n’a pas pu être ouverte.</translation>
     </message>
@@ -11826,24 +11693,12 @@ Aire %6</translation>
         <translation>L’étude n’a pas pu être lue.</translation>
     </message>
     <message>
-        <source>The session could not begin.</source>
-        <translation>La session n’a pas pu commencer.</translation>
-    </message>
-    <message>
-        <source>Saved, read back and compared: %1</source>
-        <translation>Enregistré, relu et comparé&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>The trials are safe in the study, but could not be exported.</source>
         <translation>Les essais sont en sûreté dans l’étude, mais n’ont pas pu être exportés.</translation>
     </message>
     <message>
         <source>The session could not be closed.</source>
         <translation>La session n’a pas pu être close.</translation>
-    </message>
-    <message>
-        <source>The note could not be kept.</source>
-        <translation>La note n’a pas pu être conservée.</translation>
     </message>
     <message>
         <source>The note is safe in the study, but could not be exported.</source>
@@ -11853,6 +11708,26 @@ Aire %6</translation>
         <source>The export failed.</source>
         <translation>L’exportation a échoué.</translation>
     </message>
+    <message>
+        <source>a session of the open study is running</source>
+        <translation>une session de l’étude ouverte est en cours</translation>
+    </message>
+    <message>
+        <source>The study could not be created.</source>
+        <translation>L’étude n’a pas pu être créée.</translation>
+    </message>
+    <message>
+        <source>The session could not start.</source>
+        <translation>La session n’a pas pu commencer.</translation>
+    </message>
+    <message>
+        <source>Saved and verified: %1</source>
+        <translation>Enregistré, relu et comparé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The note could not be saved.</source>
+        <translation>La note n’a pas pu être conservée.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyLeaving</name>
@@ -11861,33 +11736,33 @@ Aire %6</translation>
         <translation>Étude</translation>
     </message>
     <message>
-        <source>The last answer is not kept: %1</source>
-        <translation>La dernière réponse n’est pas conservée&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>It is only in the memory of this program. The session ends with it.</source>
-        <translation>Elle n’est que dans la mémoire de ce programme. La session se termine avec elle.</translation>
-    </message>
-    <message>
         <source>&amp;Try again</source>
         <translation>&amp;Réessayer</translation>
     </message>
     <message>
-        <source>&amp;Lose it</source>
+        <source>&amp;End the session</source>
+        <translation>&amp;Terminer la session</translation>
+    </message>
+    <message>
+        <source>The last answer is not saved: %1</source>
+        <translation>La dernière réponse n’est pas conservée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>It exists only in the memory of this program and is lost when the session ends.</source>
+        <translation>Elle n’est que dans la mémoire de ce programme. La session se termine avec elle.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard it</source>
         <translation>&amp;Perdre la réponse</translation>
     </message>
     <message>
-        <source>The session of %1 is going on.</source>
+        <source>The session of %1 is still running.</source>
         <comment>a participant</comment>
         <translation>La session de %1 est en cours.</translation>
     </message>
     <message>
-        <source>What was answered is kept, and the session can be gone on with later.</source>
+        <source>All answers are saved, and the session can be resumed later.</source>
         <translation>Ce qui a été répondu est conservé, et la session peut être reprise plus tard.</translation>
-    </message>
-    <message>
-        <source>&amp;End the session</source>
-        <translation>&amp;Terminer la session</translation>
     </message>
 </context>
 <context>
@@ -11929,14 +11804,6 @@ Aire %6</translation>
         <translation>Une étude que partagent plusieurs postes</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen was lost.</source>
-        <translation>L’écran du participant a été perdu.</translation>
-    </message>
-    <message>
-        <source>The participant&apos;s window is beside the console now, and the session pauses. Plug the screen in and show the window again.</source>
-        <translation>La fenêtre du participant est maintenant à côté de la console, et la session est en pause. Rebranchez l’écran et affichez de nouveau la fenêtre.</translation>
-    </message>
-    <message>
         <source>The noise cannot be played.</source>
         <translation>Le bruit ne peut pas être joué.</translation>
     </message>
@@ -11951,10 +11818,6 @@ Aire %6</translation>
     <message>
         <source>A session of this study was interrupted.</source>
         <translation>Une session de cette étude a été interrompue.</translation>
-    </message>
-    <message>
-        <source>Nothing that was answered is lost. Go on with it, or choose another one.</source>
-        <translation>Aucune réponse n’est perdue. Reprenez-la, ou choisissez-en une autre.</translation>
     </message>
     <message>
         <source>%1 could not be opened.</source>
@@ -11988,10 +11851,6 @@ Aire %6</translation>
     <message>
         <source>There are no completed trials yet.</source>
         <translation>Il n’y a pas encore d’essais achevés.</translation>
-    </message>
-    <message>
-        <source>Test trials that are complete; others are left out.</source>
-        <translation>Essais de test complets&#xa0;; les autres sont écartés.</translation>
     </message>
     <message>
         <source>The results could not be computed.</source>
@@ -12034,30 +11893,6 @@ Aire %6</translation>
         <translation>%1 fois le temps réel, non joué</translation>
     </message>
     <message>
-        <source>How fast simulated participants are; it can be changed between sessions</source>
-        <translation>Rapidité des participants simulés&#xa0;; elle peut être changée entre les sessions</translation>
-    </message>
-    <message>
-        <source>This study can only be looked at: nothing can be written here.</source>
-        <translation>Cette étude peut seulement être consultée&#xa0;: rien ne peut être écrit ici.</translation>
-    </message>
-    <message>
-        <source>Copy its whole folder to go on with it.</source>
-        <translation>Copier son dossier entier pour la poursuivre.</translation>
-    </message>
-    <message>
-        <source>Of the paper&apos;s protocol, or of one of your own</source>
-        <translation>Selon le protocole de l’article, ou selon le vôtre</translation>
-    </message>
-    <message>
-        <source>The participant&apos;s window covers a part of the console.</source>
-        <translation>La fenêtre du participant couvre une partie de la console.</translation>
-    </message>
-    <message>
-        <source>There is no other screen, and no room beside the console. Plug in a second screen, or make the console smaller, and show the window again.</source>
-        <translation>Il n’y a pas d’autre écran, ni de place à côté de la console. Branchez un second écran, ou réduisez la console, puis affichez de nouveau la fenêtre.</translation>
-    </message>
-    <message>
         <source>The protocols that come with the program could not be read.</source>
         <translation>Les protocoles fournis avec le programme n’ont pas pu être lus.</translation>
     </message>
@@ -12066,19 +11901,59 @@ Aire %6</translation>
         <comment>a protocol</comment>
         <translation>fourni avec le programme</translation>
     </message>
+    <message>
+        <source>The participant&apos;s screen was disconnected.</source>
+        <translation>L’écran du participant a été perdu.</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window is now next to the console, and the session pauses. Reconnect the screen and show the window again.</source>
+        <translation>La fenêtre du participant est maintenant à côté de la console, et la session est en pause. Rebranchez l’écran et affichez de nouveau la fenêtre.</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window covers part of the console.</source>
+        <translation>La fenêtre du participant couvre une partie de la console.</translation>
+    </message>
+    <message>
+        <source>There is no second screen, and no room next to the console. Connect a second screen, or make the console smaller, and show the window again.</source>
+        <translation>Il n’y a pas d’autre écran, ni de place à côté de la console. Branchez un second écran, ou réduisez la console, puis affichez de nouveau la fenêtre.</translation>
+    </message>
+    <message>
+        <source>This study is read-only: nothing can be written here.</source>
+        <translation>Cette étude peut seulement être consultée&#xa0;: rien ne peut être écrit ici.</translation>
+    </message>
+    <message>
+        <source>Copy its whole folder to continue the study.</source>
+        <translation>Copier son dossier entier pour la poursuivre.</translation>
+    </message>
+    <message>
+        <source>No answer is lost. Resume it, or choose another one.</source>
+        <translation>Aucune réponse n’est perdue. Reprenez-la, ou choisissez-en une autre.</translation>
+    </message>
+    <message>
+        <source>Completed test trials only.</source>
+        <translation>Essais de test complets&#xa0;; les autres sont écartés.</translation>
+    </message>
+    <message>
+        <source>With the paper&apos;s protocol or your own</source>
+        <translation>Selon le protocole de l’article, ou selon le vôtre</translation>
+    </message>
+    <message>
+        <source>Speed of the simulated participants; can be changed between sessions</source>
+        <translation>Rapidité des participants simulés&#xa0;; elle peut être changée entre les sessions</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyRunner</name>
-    <message>
-        <source>there is no pattern &quot;%1&quot; to be felt</source>
-        <translation>il n’y a pas de motif «&#xa0;%1&#xa0;» à sentir</translation>
-    </message>
     <message>
         <source>STOP was pressed</source>
         <translation>STOP a été enclenché</translation>
     </message>
     <message>
-        <source>a protocol that names a file for each pattern that does not come with the program</source>
+        <source>there is no tactile pattern &quot;%1&quot;</source>
+        <translation>il n’y a pas de motif «&#xa0;%1&#xa0;» à sentir</translation>
+    </message>
+    <message>
+        <source>a protocol that names a file for each pattern that is not built in</source>
         <translation>un protocole qui nomme un fichier pour chaque motif qui n’est pas fourni avec le programme</translation>
     </message>
 </context>
@@ -12105,24 +11980,12 @@ Aire %6</translation>
         <translation>Hauteur de l’image</translation>
     </message>
     <message>
-        <source>Width of the image in which the pixels are</source>
-        <translation>Largeur de l’image qui contient les pixels</translation>
-    </message>
-    <message>
-        <source>Height of the image in which the pixels are</source>
-        <translation>Hauteur de l’image qui contient les pixels</translation>
-    </message>
-    <message>
         <source>Radius of the tactile cylinder</source>
         <translation>Rayon du cylindre tactile</translation>
     </message>
     <message>
         <source>Length of the tactile cylinder</source>
         <translation>Longueur du cylindre tactile</translation>
-    </message>
-    <message>
-        <source>Radius of the surface on which the points are</source>
-        <translation>Rayon de la surface qui porte les points</translation>
     </message>
     <message>
         <source>Length of the surface, from z = 0 of the sensor&apos;s frame</source>
@@ -12133,11 +11996,23 @@ Aire %6</translation>
         <translation>Facteur des &amp;trous&#xa0;:</translation>
     </message>
     <message>
-        <source>From the holes of a shell to the tactile cylinder</source>
+        <source>Width of the image that the pixels refer to</source>
+        <translation>Largeur de l’image qui contient les pixels</translation>
+    </message>
+    <message>
+        <source>Height of the image that the pixels refer to</source>
+        <translation>Hauteur de l’image qui contient les pixels</translation>
+    </message>
+    <message>
+        <source>Radius of the surface that the points lie on</source>
+        <translation>Rayon de la surface qui porte les points</translation>
+    </message>
+    <message>
+        <source>Factor from the holes of a shell to the tactile cylinder</source>
         <translation>Des trous d’une coque au cylindre tactile</translation>
     </message>
     <message>
-        <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
+        <source>For points that are holes of a shell: x and y times this factor lie on the elastomer (0.97 for the shell in the paper)</source>
         <translation>Les points sont les trous d’une coque&#xa0;: leurs x et y multipliés par ce facteur sont sur l’élastomère (coque de l’article&#xa0;: 0,97)</translation>
     </message>
 </context>
@@ -12183,15 +12058,15 @@ Aire %6</translation>
         <translation>&amp;Corriger</translation>
     </message>
     <message>
-        <source>Laws: looking…</source>
-        <translation>Lois&#xa0;: examen…</translation>
-    </message>
-    <message>
         <source>Laws: no warning</source>
         <translation>Lois&#xa0;: aucun avertissement</translation>
     </message>
     <message>
-        <source>Laws: %1 to look at</source>
+        <source>Laws: checking…</source>
+        <translation>Lois&#xa0;: examen…</translation>
+    </message>
+    <message>
+        <source>Laws: %1 to review</source>
         <translation>Lois&#xa0;: %1 à examiner</translation>
     </message>
 </context>
@@ -12274,10 +12149,6 @@ Aire %6</translation>
         <translation>Convertir l’objet en nœuds</translation>
     </message>
     <message>
-        <source>Bake all</source>
-        <translation>Tout convertir en nœuds</translation>
-    </message>
-    <message>
         <source>Follow the law</source>
         <translation>Suivre la loi</translation>
     </message>
@@ -12310,7 +12181,7 @@ Aire %6</translation>
         <translation>Surintensité</translation>
     </message>
     <message>
-        <source>No motor needs help here: the pattern stays as it is.</source>
+        <source>No motor needs overdrive here: the pattern is unchanged.</source>
         <translation>Aucun moteur n’a besoin d’aide ici&#xa0;: le motif reste tel quel.</translation>
     </message>
 </context>
@@ -12327,14 +12198,6 @@ Aire %6</translation>
     <message>
         <source>Compared with %1: largest difference %2 % (motor %3 at %4 s), rms %5 %</source>
         <translation>Comparé à %1&#xa0;: plus grand écart %2&#xa0;% (moteur %3 à %4 s), RMS %5&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Compared with %1: the motors do the same</source>
-        <translation>Comparé à %1&#xa0;: les moteurs font la même chose</translation>
-    </message>
-    <message>
-        <source>Editor of patterns</source>
-        <translation>Éditeur de motifs</translation>
     </message>
     <message>
         <source>File</source>
@@ -12363,10 +12226,6 @@ Aire %6</translation>
     <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Save the pattern; one without a file goes to one&apos;s own patterns</source>
-        <translation>Enregistrer le motif&#xa0;; sans fichier, il va parmi vos propres motifs</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -12409,10 +12268,6 @@ Aire %6</translation>
         <translation>Boucle</translation>
     </message>
     <message>
-        <source>Begin again at the end; Shift and a drag on the ruler set the range</source>
-        <translation>Recommencer à la fin&#xa0;; Shift et glisser sur la règle définissent la plage</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Annuler</translation>
     </message>
@@ -12439,10 +12294,6 @@ Aire %6</translation>
     <message>
         <source>Snap</source>
         <translation>Magnétisme</translation>
-    </message>
-    <message>
-        <source>Times on a grid; Alt while dragging leaves it</source>
-        <translation>Temps sur une grille&#xa0;; Alt en glissant s’en libère</translation>
     </message>
     <message>
         <source>Step of the grid, and of the arrow keys</source>
@@ -12481,10 +12332,6 @@ Aire %6</translation>
         <translation>Miroir</translation>
     </message>
     <message>
-        <source>The order of the motors the other way round</source>
-        <translation>L’ordre des moteurs dans l’autre sens</translation>
-    </message>
-    <message>
         <source>Other arm</source>
         <translation>Autre bras</translation>
     </message>
@@ -12501,16 +12348,8 @@ Aire %6</translation>
         <translation>Afficher tout le motif (Ctrl+0 sur la chronologie)</translation>
     </message>
     <message>
-        <source>Compare no more</source>
-        <translation>Ne plus comparer</translation>
-    </message>
-    <message>
         <source>Untitled</source>
         <translation>Sans titre</translation>
-    </message>
-    <message>
-        <source>built-in, edits make a copy</source>
-        <translation>intégré, toute modification en fait une copie</translation>
     </message>
     <message>
         <source>not saved</source>
@@ -12523,6 +12362,38 @@ Aire %6</translation>
     <message>
         <source>right arm</source>
         <translation>bras droit</translation>
+    </message>
+    <message>
+        <source>Compared with %1: no difference</source>
+        <translation>Comparé à %1&#xa0;: les moteurs font la même chose</translation>
+    </message>
+    <message>
+        <source>Pattern editor</source>
+        <translation>Éditeur de motifs</translation>
+    </message>
+    <message>
+        <source>Save the pattern; a new one is added to your own patterns</source>
+        <translation>Enregistrer le motif&#xa0;; sans fichier, il va parmi vos propres motifs</translation>
+    </message>
+    <message>
+        <source>Repeat from the beginning; Shift and dragging on the ruler set the range</source>
+        <translation>Recommencer à la fin&#xa0;; Shift et glisser sur la règle définissent la plage</translation>
+    </message>
+    <message>
+        <source>Snap times to a grid; hold Alt while dragging to ignore it</source>
+        <translation>Temps sur une grille&#xa0;; Alt en glissant s’en libère</translation>
+    </message>
+    <message>
+        <source>Reverse the order of the motors</source>
+        <translation>L’ordre des moteurs dans l’autre sens</translation>
+    </message>
+    <message>
+        <source>Stop comparing</source>
+        <translation>Ne plus comparer</translation>
+    </message>
+    <message>
+        <source>built-in, edits create a copy</source>
+        <translation>intégré, toute modification en fait une copie</translation>
     </message>
 </context>
 <context>
@@ -12644,10 +12515,6 @@ Aire %6</translation>
         <translation>Fin de la boucle</translation>
     </message>
     <message>
-        <source>What is played again and again; the whole pattern when both are the same</source>
-        <translation>Ce qui est joué en boucle&#xa0;; tout le motif si les deux sont égaux</translation>
-    </message>
-    <message>
         <source>T&amp;ells:</source>
         <translation>&amp;Exprime&#xa0;:</translation>
     </message>
@@ -12715,6 +12582,10 @@ Aire %6</translation>
         <source>Curve:</source>
         <translation>Courbe&#xa0;:</translation>
     </message>
+    <message>
+        <source>The range that is repeated; the whole pattern when both times are equal</source>
+        <translation>Ce qui est joué en boucle&#xa0;; tout le motif si les deux sont égaux</translation>
+    </message>
 </context>
 <context>
     <name>teleta::editor::PatternLibrary</name>
@@ -12731,16 +12602,8 @@ Aire %6</translation>
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Undo what was done to the library last (Ctrl+Z in the list)</source>
-        <translation>Annuler la dernière action sur la bibliothèque (Ctrl+Z dans la liste)</translation>
-    </message>
-    <message>
         <source>Patterns</source>
         <translation>Motifs</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns stay as they are: the first edit makes a copy. In one&apos;s own: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; takes that back.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Un double clic ou &lt;b&gt;Entrée&lt;/b&gt; ouvre un motif. Les motifs intégrés restent tels quels&#xa0;: la première modification en fait une copie. Parmi les vôtres&#xa0;: &lt;b&gt;F2&lt;/b&gt; renomme, &lt;b&gt;Ctrl+D&lt;/b&gt; duplique, &lt;b&gt;Suppr&lt;/b&gt; supprime, &lt;b&gt;Ctrl+Z&lt;/b&gt; annule cela.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Built-in: shapes</source>
@@ -12787,12 +12650,20 @@ Aire %6</translation>
         <translation>&amp;Supprimer</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The pattern in bold, with a sign before it, is open in the editor; the keys are for the highlighted one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Le motif en gras, précédé d’un signe, est ouvert dans l’éditeur&#xa0;; les touches valent pour celui qui est en surbrillance.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Open in the editor</source>
         <translation>Ouvert dans l’éditeur</translation>
+    </message>
+    <message>
+        <source>Undo the last change to the library (Ctrl+Z in the list)</source>
+        <translation>Annuler la dernière action sur la bibliothèque (Ctrl+Z dans la liste)</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Un double clic ou &lt;b&gt;Entrée&lt;/b&gt; ouvre un motif. Les motifs intégrés restent tels quels&#xa0;: la première modification en fait une copie. Parmi les vôtres&#xa0;: &lt;b&gt;F2&lt;/b&gt; renomme, &lt;b&gt;Ctrl+D&lt;/b&gt; duplique, &lt;b&gt;Suppr&lt;/b&gt; supprime, &lt;b&gt;Ctrl+Z&lt;/b&gt; annule cela.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Le motif en gras, précédé d’un signe, est ouvert dans l’éditeur&#xa0;; les touches valent pour celui qui est en surbrillance.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -12806,12 +12677,12 @@ Aire %6</translation>
         <translation>Dessiner un tracé&#xa0;: il est senti comme un point qui le parcourt</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The forearm, unrolled: from left to right once around it. What is drawn here with the mouse becomes a stroke of the pattern, from the playhead on, as fast as it was drawn. &lt;b&gt;Esc&lt;/b&gt; gives it up.&lt;/p&gt;&lt;p&gt;By keys: the arrows move a cursor, &lt;b&gt;Space&lt;/b&gt; sets a point a quarter of a second after the last one, &lt;b&gt;Backspace&lt;/b&gt; takes it back, &lt;b&gt;Enter&lt;/b&gt; finishes.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;L’avant-bras, déroulé&#xa0;: de gauche à droite, un tour complet. Ce qui est dessiné ici avec la souris devient un tracé du motif, à partir de la tête de lecture, aussi vite qu’il a été dessiné. &lt;b&gt;Esc&lt;/b&gt; l’abandonne.&lt;/p&gt;&lt;p&gt;Au clavier&#xa0;: les flèches déplacent un curseur, &lt;b&gt;Espace&lt;/b&gt; pose un point un quart de seconde après le dernier, &lt;b&gt;Retour arrière&lt;/b&gt; le retire, &lt;b&gt;Entrée&lt;/b&gt; termine.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Draw a stroke here</source>
         <translation>Dessinez un tracé ici</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The unrolled forearm: from left to right once around it. Draw with the mouse to add a stroke that starts at the playhead and moves as fast as you draw. &lt;b&gt;Esc&lt;/b&gt; cancels it.&lt;/p&gt;&lt;p&gt;With keys: the arrows move a cursor, &lt;b&gt;Space&lt;/b&gt; adds a point a quarter of a second after the last one, &lt;b&gt;Backspace&lt;/b&gt; removes it, &lt;b&gt;Enter&lt;/b&gt; finishes.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;L’avant-bras, déroulé&#xa0;: de gauche à droite, un tour complet. Ce qui est dessiné ici avec la souris devient un tracé du motif, à partir de la tête de lecture, aussi vite qu’il a été dessiné. &lt;b&gt;Esc&lt;/b&gt; l’abandonne.&lt;/p&gt;&lt;p&gt;Au clavier&#xa0;: les flèches déplacent un curseur, &lt;b&gt;Espace&lt;/b&gt; pose un point un quart de seconde après le dernier, &lt;b&gt;Retour arrière&lt;/b&gt; le retire, &lt;b&gt;Entrée&lt;/b&gt; termine.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -12849,7 +12720,7 @@ Aire %6</translation>
         <translation>Effacer la &amp;boucle</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Six motors over time. The blue line is what is asked of a motor, the thin one what the motor is predicted to do; it is hatched where the motor cannot follow.&lt;/p&gt;&lt;p&gt;Double-click or &lt;b&gt;P&lt;/b&gt;: add breakpoints. Drag: move, with &lt;b&gt;Alt&lt;/b&gt; off the grid. Drag on the ground, or with &lt;b&gt;Shift&lt;/b&gt;: select. Double-click on a breakpoint or &lt;b&gt;Enter&lt;/b&gt;: type its numbers. Arrow keys: move what is selected, with &lt;b&gt;Shift&lt;/b&gt; farther in time and finer in intensity. &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;: lane; &lt;b&gt;,&lt;/b&gt; and &lt;b&gt;.&lt;/b&gt;: breakpoint, with &lt;b&gt;Shift&lt;/b&gt; one more; &lt;b&gt;N&lt;/b&gt;: object; &lt;b&gt;Insert&lt;/b&gt;: a breakpoint at the playhead; &lt;b&gt;[&lt;/b&gt; and &lt;b&gt;]&lt;/b&gt;: begin and end of the loop, &lt;b&gt;\&lt;/b&gt;: none.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; and wheel: zoom. &lt;b&gt;Shift&lt;/b&gt; and wheel: scroll. On the ruler a drag moves the playhead and, with &lt;b&gt;Shift&lt;/b&gt;, sets the loop.&lt;/p&gt;</source>
+        <source>&lt;p&gt;Six motors over time. The blue line is the commanded intensity of a motor, the thin one its predicted response; hatching shows where the motor cannot follow.&lt;/p&gt;&lt;p&gt;Double-click or &lt;b&gt;P&lt;/b&gt;: add breakpoints. Drag: move, with &lt;b&gt;Alt&lt;/b&gt; without the grid. Drag on the background, or with &lt;b&gt;Shift&lt;/b&gt;: select. Double-click on a breakpoint or &lt;b&gt;Enter&lt;/b&gt;: type its numbers. Arrow keys: move what is selected, with &lt;b&gt;Shift&lt;/b&gt; farther in time and finer in intensity. &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;: lane; &lt;b&gt;,&lt;/b&gt; and &lt;b&gt;.&lt;/b&gt;: breakpoint, with &lt;b&gt;Shift&lt;/b&gt; one more; &lt;b&gt;N&lt;/b&gt;: object; &lt;b&gt;Insert&lt;/b&gt;: a breakpoint at the playhead; &lt;b&gt;[&lt;/b&gt; and &lt;b&gt;]&lt;/b&gt;: begin and end of the loop, &lt;b&gt;\&lt;/b&gt;: none.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; and wheel: zoom. &lt;b&gt;Shift&lt;/b&gt; and wheel: scroll. On the ruler a drag moves the playhead and, with &lt;b&gt;Shift&lt;/b&gt;, sets the loop.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Six moteurs au cours du temps. La ligne bleue est ce qui est demandé à un moteur, la ligne fine ce que le moteur devrait faire selon la prédiction&#xa0;; elle est hachurée là où le moteur ne peut pas suivre.&lt;/p&gt;&lt;p&gt;Double clic ou &lt;b&gt;P&lt;/b&gt;&#xa0;: ajouter des nœuds. Glisser&#xa0;: déplacer, avec &lt;b&gt;Alt&lt;/b&gt; hors de la grille. Glisser sur le fond, ou avec &lt;b&gt;Shift&lt;/b&gt;&#xa0;: sélectionner. Double clic sur un nœud ou &lt;b&gt;Entrée&lt;/b&gt;&#xa0;: saisir ses nombres. Touches fléchées&#xa0;: déplacer la sélection, avec &lt;b&gt;Shift&lt;/b&gt; plus loin en temps et plus finement en intensité. &lt;b&gt;Page préc.&lt;/b&gt;, &lt;b&gt;Page suiv.&lt;/b&gt;&#xa0;: piste&#xa0;; &lt;b&gt;,&lt;/b&gt; et &lt;b&gt;.&lt;/b&gt;&#xa0;: nœud, avec &lt;b&gt;Shift&lt;/b&gt; un de plus&#xa0;; &lt;b&gt;N&lt;/b&gt;&#xa0;: objet&#xa0;; &lt;b&gt;Inser&lt;/b&gt;&#xa0;: un nœud à la tête de lecture&#xa0;; &lt;b&gt;[&lt;/b&gt; et &lt;b&gt;]&lt;/b&gt;&#xa0;: début et fin de la boucle, &lt;b&gt;\&lt;/b&gt;&#xa0;: aucune.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; et molette&#xa0;: zoomer. &lt;b&gt;Shift&lt;/b&gt; et molette&#xa0;: défiler. Sur la règle, glisser déplace la tête de lecture et, avec &lt;b&gt;Shift&lt;/b&gt;, définit la boucle.&lt;/p&gt;</translation>
     </message>
 </context>
@@ -12858,10 +12729,6 @@ Aire %6</translation>
     <message>
         <source>Force over time</source>
         <translation>Force au cours du temps</translation>
-    </message>
-    <message>
-        <source>Force that the array reads (line) and that is wanted (dashes), over the last 20 s</source>
-        <translation>Force lue par la matrice (trait) et force voulue (tirets), sur les 20 dernières secondes</translation>
     </message>
     <message>
         <source>Force, N</source>
@@ -12874,6 +12741,10 @@ Aire %6</translation>
     <message>
         <source>desired</source>
         <translation>désirée</translation>
+    </message>
+    <message>
+        <source>Measured force (line) and desired force (dashes) over the last 20 s</source>
+        <translation>Force lue par la matrice (trait) et force voulue (tirets), sur les 20 dernières secondes</translation>
     </message>
 </context>
 <context>
@@ -12904,10 +12775,6 @@ Aire %6</translation>
         <translation>&amp;Tâche</translation>
     </message>
     <message>
-        <source>The running task; choose one to begin it now</source>
-        <translation>La tâche en cours&#xa0;; choisissez-en une pour la commencer maintenant</translation>
-    </message>
-    <message>
         <source>&amp;Force</source>
         <translation>&amp;Force</translation>
     </message>
@@ -12928,10 +12795,6 @@ Aire %6</translation>
         <translation>&amp;Gains</translation>
     </message>
     <message>
-        <source>All gains of the regulators, in percent of the scene&apos;s</source>
-        <translation>Tous les gains des régulateurs, en pour cent de ceux de la scène</translation>
-    </message>
-    <message>
         <source>Balance the &amp;moment (DZMP)</source>
         <translation>Équilibrer le &amp;moment (DZMP)</translation>
     </message>
@@ -12942,6 +12805,14 @@ Aire %6</translation>
     <message>
         <source>The scene is held</source>
         <translation>La scène est maintenue</translation>
+    </message>
+    <message>
+        <source>The running task; choose one to start it now</source>
+        <translation>La tâche en cours&#xa0;; choisissez-en une pour la commencer maintenant</translation>
+    </message>
+    <message>
+        <source>All controller gains, in percent of those in the scene</source>
+        <translation>Tous les gains des régulateurs, en pour cent de ceux de la scène</translation>
     </message>
 </context>
 <context>
@@ -12982,14 +12853,6 @@ Aire %6</translation>
 <context>
     <name>teleta::servo::ServoRunsView</name>
     <message>
-        <source>A run that teleta simulate --out has written: its servo.csv</source>
-        <translation>Une exécution écrite par teleta simulate --out&#xa0;: son servo.csv</translation>
-    </message>
-    <message>
-        <source>Keeps only the run that goes on</source>
-        <translation>Ne garde que l’exécution en cours</translation>
-    </message>
-    <message>
         <source>&amp;Picture</source>
         <translation>&amp;Image</translation>
     </message>
@@ -13000,10 +12863,6 @@ Aire %6</translation>
     <message>
         <source>Servo runs</source>
         <translation>Exécutions d’asservissement</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Servo runs in one chart: the running one, those before its source was restarted or another source was shown, and recorded ones.&lt;/p&gt;&lt;p&gt;To see what the moment is for, restart the scene with and without “Balance the moment”.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Exécutions d’asservissement dans un seul graphique&#xa0;: celle en cours, celles d’avant que sa source ait été relancée ou qu’une autre source ait été affichée, et des exécutions enregistrées.&lt;/p&gt;&lt;p&gt;Pour voir à quoi sert le moment, relancez la scène avec et sans «&#xa0;Équilibrer le moment&#xa0;».&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Servo runs (servo.csv)</source>
@@ -13019,10 +12878,6 @@ Aire %6</translation>
         <translation>exécutions-asservissement</translation>
     </message>
     <message>
-        <source>No run yet. Runs of servos are drawn here, one over the other.</source>
-        <translation>Pas encore d’exécution. Les exécutions d’asservissements sont tracées ici, l’une sur l’autre.</translation>
-    </message>
-    <message>
         <source>&amp;Add recorded run…</source>
         <translation>&amp;Ajouter une exécution enregistrée…</translation>
     </message>
@@ -13033,6 +12888,22 @@ Aire %6</translation>
     <message>
         <source>Add recorded run</source>
         <translation>Ajouter une exécution enregistrée</translation>
+    </message>
+    <message>
+        <source>A run written by teleta simulate --out: its servo.csv</source>
+        <translation>Une exécution écrite par teleta simulate --out&#xa0;: son servo.csv</translation>
+    </message>
+    <message>
+        <source>Keeps only the current run</source>
+        <translation>Ne garde que l’exécution en cours</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Servo runs in one chart: the current one, earlier ones from before a restart or a change of the source, and recorded ones.&lt;/p&gt;&lt;p&gt;To see the effect of the moment, restart the scene with and without “Balance the moment”.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Exécutions d’asservissement dans un seul graphique&#xa0;: celle en cours, celles d’avant que sa source ait été relancée ou qu’une autre source ait été affichée, et des exécutions enregistrées.&lt;/p&gt;&lt;p&gt;Pour voir à quoi sert le moment, relancez la scène avec et sans «&#xa0;Équilibrer le moment&#xa0;».&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>No runs yet. Servo runs are drawn here on top of each other.</source>
+        <translation>Pas encore d’exécution. Les exécutions d’asservissements sont tracées ici, l’une sur l’autre.</translation>
     </message>
 </context>
 <context>
@@ -13078,10 +12949,6 @@ Aire %6</translation>
         <translation>Pas encore d’essais</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Rows: what was presented. Columns: what was answered, and NONE for no answer in time. &lt;b&gt;Space&lt;/b&gt; or a double click changes between counts and percent of the row.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Lignes&#xa0;: ce qui a été présenté. Colonnes&#xa0;: ce qui a été répondu, et NONE pour l’absence de réponse à temps. &lt;b&gt;Espace&lt;/b&gt; ou un double clic alterne entre effectifs et pourcentage de la ligne.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <comment>count of a row</comment>
         <translation>%1 sur %2</translation>
@@ -13099,6 +12966,10 @@ Aire %6</translation>
     <message>
         <source>In &amp;percent</source>
         <translation>En &amp;pour cent</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Rows: what was presented. Columns: what was answered, and NONE for no answer in time. &lt;b&gt;Space&lt;/b&gt; or a double click switches between counts and percent of the row.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Lignes&#xa0;: ce qui a été présenté. Colonnes&#xa0;: ce qui a été répondu, et NONE pour l’absence de réponse à temps. &lt;b&gt;Espace&lt;/b&gt; ou un double clic alterne entre effectifs et pourcentage de la ligne.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -13142,18 +13013,6 @@ Aire %6</translation>
         <translation>Quel motif sentez-vous&#xa0;?</translation>
     </message>
     <message>
-        <source>There was no answer in time. The marked pattern was felt. Press Space to go on.</source>
-        <translation>Il n’y a pas eu de réponse à temps. Le motif marqué a été présenté. Appuyez sur Espace pour continuer.</translation>
-    </message>
-    <message>
-        <source>Right. Press Space to go on.</source>
-        <translation>Juste. Appuyez sur Espace pour continuer.</translation>
-    </message>
-    <message>
-        <source>That was another one: the pattern marked with ✓ was felt. Press Space to go on.</source>
-        <translation>C’en était un autre&#xa0;: le motif marqué d’un ✓ a été présenté. Appuyez sur Espace pour continuer.</translation>
-    </message>
-    <message>
         <source>Pause. Please wait for the experimenter.</source>
         <translation>Pause. Veuillez attendre l’expérimentateur.</translation>
     </message>
@@ -13183,21 +13042,28 @@ Aire %6</translation>
         <translation>%1 — %2, essai %3 sur %4</translation>
     </message>
     <message>
-        <source>Have a rest. You may go on in %1 s.</source>
+        <source>There was no answer in time. The marked pattern was the right one. Press Space to continue.</source>
+        <translation>Il n’y a pas eu de réponse à temps. Le motif marqué a été présenté. Appuyez sur Espace pour continuer.</translation>
+    </message>
+    <message>
+        <source>Right. Press Space to continue.</source>
+        <translation>Juste. Appuyez sur Espace pour continuer.</translation>
+    </message>
+    <message>
+        <source>That was another one: the pattern marked with ✓ was the right one. Press Space to continue.</source>
+        <translation>C’en était un autre&#xa0;: le motif marqué d’un ✓ a été présenté. Appuyez sur Espace pour continuer.</translation>
+    </message>
+    <message>
+        <source>Take a break. You can continue in %1 s.</source>
         <translation>Reposez-vous. Vous pourrez continuer dans %1 s.</translation>
     </message>
     <message>
-        <source>Have a rest. Press Space when you would like to go on.</source>
+        <source>Take a break. Press Space when you would like to continue.</source>
         <translation>Reposez-vous. Appuyez sur Espace quand vous voulez continuer.</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::QuestionnaireForm</name>
-    <message>
-        <source>This does not fit: %1.</source>
-        <comment>what is expected</comment>
-        <translation>Cela ne convient pas&#xa0;: %1.</translation>
-    </message>
     <message>
         <source>Please answer this question.</source>
         <translation>Veuillez répondre à cette question.</translation>
@@ -13211,17 +13077,17 @@ Aire %6</translation>
         <translation>&amp;Terminer</translation>
     </message>
     <message>
-        <source>Hands the answers over (Ctrl+Return)</source>
+        <source>This answer is not valid: %1.</source>
+        <comment>what is expected</comment>
+        <translation>Cela ne convient pas&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Submits the answers (Ctrl+Return)</source>
         <translation>Remet les réponses (Ctrl+Entrée)</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::QuestionnaireItemView</name>
-    <message>
-        <source>%1 (may be left out)</source>
-        <comment>a question</comment>
-        <translation>%1 (facultatif)</translation>
-    </message>
     <message>
         <source>No answer</source>
         <translation>Pas de réponse</translation>
@@ -13231,16 +13097,17 @@ Aire %6</translation>
         <comment>question, point, points</comment>
         <translation>%1&#xa0;: %2 sur %3</translation>
     </message>
+    <message>
+        <source>%1 (optional)</source>
+        <comment>a question</comment>
+        <translation>%1 (facultatif)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::studyview::ResultsView</name>
     <message>
         <source>All participants</source>
         <translation>Tous les participants</translation>
-    </message>
-    <message>
-        <source>Nobody beside them</source>
-        <translation>Personne à côté</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -13252,20 +13119,8 @@ Aire %6</translation>
         <translation>Tâche</translation>
     </message>
     <message>
-        <source>Participants that are shown</source>
-        <translation>Participants affichés</translation>
-    </message>
-    <message>
         <source>Tick one participant, or a group</source>
         <translation>Cochez un participant, ou un groupe</translation>
-    </message>
-    <message>
-        <source>Participants beside them</source>
-        <translation>Participants à côté</translation>
-    </message>
-    <message>
-        <source>Tick those whom you want to compare with: a second group side by side</source>
-        <translation>Cochez ceux à qui comparer&#xa0;: un second groupe côte à côte</translation>
     </message>
     <message>
         <source>What the matrices show</source>
@@ -13315,6 +13170,22 @@ Aire %6</translation>
         <source>&amp;Results: tables, figures, R script</source>
         <translation>&amp;Résultats&#xa0;: tableaux, figures, script R</translation>
     </message>
+    <message>
+        <source>No comparison</source>
+        <translation>Personne à côté</translation>
+    </message>
+    <message>
+        <source>Participants shown</source>
+        <translation>Participants affichés</translation>
+    </message>
+    <message>
+        <source>Participants for comparison</source>
+        <translation>Participants à côté</translation>
+    </message>
+    <message>
+        <source>Tick the participants to compare with: a second group, side by side</source>
+        <translation>Cochez ceux à qui comparer&#xa0;: un second groupe côte à côte</translation>
+    </message>
 </context>
 <context>
     <name>teleta::studyview::SessionPanel</name>
@@ -13331,32 +13202,12 @@ Aire %6</translation>
         <translation>Abandonner la session&#xa0;?</translation>
     </message>
     <message>
-        <source>The session ends here. What was answered is kept, and the session can be gone on with later, where it stopped.</source>
-        <translation>La session se termine ici. Les réponses données sont conservées, et la session peut être reprise plus tard, là où elle s’est arrêtée.</translation>
-    </message>
-    <message>
         <source>&amp;Abort the session</source>
         <translation>&amp;Abandonner la session</translation>
     </message>
     <message>
         <source>&amp;Go on</source>
         <translation>&amp;Continuer</translation>
-    </message>
-    <message>
-        <source>Leave the questionnaire out?</source>
-        <translation>Omettre le questionnaire&#xa0;?</translation>
-    </message>
-    <message>
-        <source>What is filled in is lost, and a note says that it was left out.</source>
-        <translation>Ce qui est rempli est perdu, et une note indique qu’il a été omis.</translation>
-    </message>
-    <message>
-        <source>&amp;Leave it out</source>
-        <translation>&amp;Omettre</translation>
-    </message>
-    <message>
-        <source>&amp;Go on with it</source>
-        <translation>&amp;Poursuivre</translation>
     </message>
     <message>
         <source>Next step</source>
@@ -13407,10 +13258,6 @@ Aire %6</translation>
         <translation>Temps de réponse</translation>
     </message>
     <message>
-        <source>A note on this session; Return keeps it</source>
-        <translation>Une note sur cette session&#xa0;; Entrée la conserve</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Note</translation>
     </message>
@@ -13419,28 +13266,52 @@ Aire %6</translation>
         <translation>&amp;Fenêtre du participant</translation>
     </message>
     <message>
-        <source>Shows the participant&apos;s window, on the second screen where there is one</source>
-        <translation>Affiche la fenêtre du participant, sur le second écran s’il y en a un</translation>
-    </message>
-    <message>
-        <source>&amp;Leave the questionnaire out…</source>
-        <translation>&amp;Omettre le questionnaire…</translation>
-    </message>
-    <message>
-        <source>Goes on without the participant&apos;s answers</source>
-        <translation>Continue sans les réponses du participant</translation>
-    </message>
-    <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pause</translation>
     </message>
     <message>
-        <source>Pauses after the present trial</source>
-        <translation>Met en pause après l’essai en cours</translation>
-    </message>
-    <message>
         <source>&amp;Abort…</source>
         <translation>&amp;Abandonner…</translation>
+    </message>
+    <message>
+        <source>The session ends here. All answers are saved, and it can be resumed later where it stopped.</source>
+        <translation>La session se termine ici. Les réponses données sont conservées, et la session peut être reprise plus tard, là où elle s’est arrêtée.</translation>
+    </message>
+    <message>
+        <source>Skip the questionnaire?</source>
+        <translation>Omettre le questionnaire&#xa0;?</translation>
+    </message>
+    <message>
+        <source>What is filled in is lost, and a note says that it was skipped.</source>
+        <translation>Ce qui est rempli est perdu, et une note indique qu’il a été omis.</translation>
+    </message>
+    <message>
+        <source>&amp;Skip it</source>
+        <translation>&amp;Omettre</translation>
+    </message>
+    <message>
+        <source>&amp;Continue with it</source>
+        <translation>&amp;Poursuivre</translation>
+    </message>
+    <message>
+        <source>A note on this session; Return saves it</source>
+        <translation>Une note sur cette session&#xa0;; Entrée la conserve</translation>
+    </message>
+    <message>
+        <source>Shows the participant&apos;s window, on the second screen if there is one</source>
+        <translation>Affiche la fenêtre du participant, sur le second écran s’il y en a un</translation>
+    </message>
+    <message>
+        <source>S&amp;kip the questionnaire…</source>
+        <translation>&amp;Omettre le questionnaire…</translation>
+    </message>
+    <message>
+        <source>Continues without the participant&apos;s answers</source>
+        <translation>Continue sans les réponses du participant</translation>
+    </message>
+    <message>
+        <source>Pauses after the current trial</source>
+        <translation>Met en pause après l’essai en cours</translation>
     </message>
 </context>
 <context>
@@ -13448,10 +13319,6 @@ Aire %6</translation>
     <message>
         <source>● On the server: %1</source>
         <translation>● Sur le serveur&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>✗ Server away: %1</source>
-        <translation>✗ Serveur absent&#xa0;: %1</translation>
     </message>
     <message>
         <source>✗ The study cannot be used: %1</source>
@@ -13465,10 +13332,6 @@ Aire %6</translation>
     <message>
         <source>&amp;New…</source>
         <translation>&amp;Nouvelle…</translation>
-    </message>
-    <message>
-        <source>Begin a new study</source>
-        <translation>Commencer une nouvelle étude</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -13489,10 +13352,6 @@ Aire %6</translation>
     <message>
         <source>Pro&amp;tocol…</source>
         <translation>Pro&amp;tocole…</translation>
-    </message>
-    <message>
-        <source>Look at the protocol, or make another one from it</source>
-        <translation>Consulter le protocole, ou en faire un autre à partir de lui</translation>
     </message>
     <message>
         <source>Participants</source>
@@ -13525,6 +13384,18 @@ Aire %6</translation>
     <message>
         <source>Enrol this participant</source>
         <translation>Inscrire ce participant</translation>
+    </message>
+    <message>
+        <source>✗ Server unreachable: %1</source>
+        <translation>✗ Serveur absent&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Create a new study</source>
+        <translation>Commencer une nouvelle étude</translation>
+    </message>
+    <message>
+        <source>View the protocol, or make another one from it</source>
+        <translation>Consulter le protocole, ou en faire un autre à partir de lui</translation>
     </message>
 </context>
 <context>
@@ -13597,20 +13468,12 @@ Aire %6</translation>
         <translation>&amp;Hauteur du bruit&#xa0;:</translation>
     </message>
     <message>
-        <source>Two summits are one contact when the lower one rises less than this above the saddle between them, in percent of the frame&apos;s peak</source>
-        <translation>Deux sommets forment un seul contact quand le plus bas s’élève de moins que cela au-dessus du col qui les sépare, en pour cent du pic de la trame</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
     </message>
     <message>
         <source>&amp;Smallest contact:</source>
         <translation>Plus &amp;petit contact&#xa0;:</translation>
-    </message>
-    <message>
-        <source>In taxels; contacts of fewer are ignored</source>
-        <translation>En taxels&#xa0;; les contacts de moins de taxels sont ignorés</translation>
     </message>
     <message>
         <source>&amp;Orientation:</source>
@@ -13621,20 +13484,8 @@ Aire %6</translation>
         <translation>Les taxels à partir desquels l’axe principal est calculé</translation>
     </message>
     <message>
-        <source>active taxels alike</source>
-        <translation>taxels actifs, à égalité</translation>
-    </message>
-    <message>
-        <source>weighted with the load</source>
-        <translation>pondérés par la charge</translation>
-    </message>
-    <message>
         <source>&amp;Force over:</source>
         <translation>&amp;Force sur&#xa0;:</translation>
-    </message>
-    <message>
-        <source>The whole image counts every load; active taxels leave out the noise of unloaded ones</source>
-        <translation>L’image entière compte chaque charge&#xa0;; les taxels actifs écartent le bruit des taxels à vide</translation>
     </message>
     <message>
         <source>whole image</source>
@@ -13682,7 +13533,27 @@ Aire %6</translation>
         <translation>gains des taxels utilisés</translation>
     </message>
     <message>
-        <source>Default values for everything but the tare and the gains of the taxels</source>
+        <source>Two peaks count as one contact when the lower one rises less than this above the saddle between them, in percent of the highest peak of the frame</source>
+        <translation>Deux sommets forment un seul contact quand le plus bas s’élève de moins que cela au-dessus du col qui les sépare, en pour cent du pic de la trame</translation>
+    </message>
+    <message>
+        <source>In taxels; smaller contacts are ignored</source>
+        <translation>En taxels&#xa0;; les contacts de moins de taxels sont ignorés</translation>
+    </message>
+    <message>
+        <source>active taxels equally</source>
+        <translation>taxels actifs, à égalité</translation>
+    </message>
+    <message>
+        <source>weighted by load</source>
+        <translation>pondérés par la charge</translation>
+    </message>
+    <message>
+        <source>Whole image: adds up every load. Active taxels: leaves out the noise of unloaded taxels</source>
+        <translation>L’image entière compte chaque charge&#xa0;; les taxels actifs écartent le bruit des taxels à vide</translation>
+    </message>
+    <message>
+        <source>Reset everything but the tare and the taxel gains</source>
         <translation>Valeurs par défaut pour tout sauf la tare et les gains des taxels</translation>
     </message>
 </context>
@@ -13749,12 +13620,6 @@ Aire %6</translation>
         <translation>auto</translation>
     </message>
     <message>
-        <source>Loads from 0 to %1. Taxels under the threshold of %2 carry no contact.
-Double-click to type the upper end.</source>
-        <translation>Charges de 0 à %1. Les taxels sous le seuil de %2 ne portent pas de contact.
-Double-cliquez pour saisir la borne supérieure.</translation>
-    </message>
-    <message>
         <source>Dead taxel: its value is not used.</source>
         <translation>Taxel mort&#xa0;: sa valeur n’est pas utilisée.</translation>
     </message>
@@ -13781,6 +13646,12 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Show &amp;whole array</source>
         <translation>Afficher toute la &amp;matrice</translation>
+    </message>
+    <message>
+        <source>Loads from 0 to %1. Taxels below the threshold of %2 are not in contact.
+Double-click to type the upper end.</source>
+        <translation>Charges de 0 à %1. Les taxels sous le seuil de %2 ne portent pas de contact.
+Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
 </context>
 <context>
@@ -13920,10 +13791,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Maintenez Shift et un bouton, ou Shift avec D A (x), W S (y), E Q (z).</translation>
     </message>
     <message>
-        <source>Hold Shift and a button, or Shift with Q W E R (up), A S D F (down).</source>
-        <translation>Maintenez Shift et un bouton, ou Shift avec Q W E R (augmenter), A S D F (diminuer).</translation>
-    </message>
-    <message>
         <source>The joint readings are old: nothing is moved until they come again.</source>
         <translation>Les mesures articulaires sont anciennes&#xa0;: rien ne bouge jusqu’à leur retour.</translation>
     </message>
@@ -13986,6 +13853,14 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Restart the arm&apos;s program</source>
         <translation>Recommencer le programme du bras</translation>
+    </message>
+    <message>
+        <source>Hold with Shift to move</source>
+        <translation>Maintenir avec Shift pour déplacer</translation>
+    </message>
+    <message>
+        <source>Hold Shift and a button, or Shift with %1 (up), %2 (down).</source>
+        <translation>Maintenez Shift et un bouton, ou Shift avec %1 (augmenter), %2 (diminuer).</translation>
     </message>
 </context>
 <context>
@@ -14451,10 +14326,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Tout afficher</translation>
     </message>
     <message>
-        <source>Back to the start: everything from a corner</source>
-        <translation>Retour au départ&#xa0;: tout, depuis un coin</translation>
-    </message>
-    <message>
         <source>Follow contact</source>
         <translation>Suivre le contact</translation>
     </message>
@@ -14550,11 +14421,15 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>Triangles (*.stl)</source>
         <translation>Triangles (*.stl)</translation>
     </message>
+    <message>
+        <source>Back to the initial view: everything from a corner</source>
+        <translation>Retour au départ&#xa0;: tout, depuis un coin</translation>
+    </message>
 </context>
 <context>
     <name>teleta::view3d::VtkWidget</name>
     <message>
-        <source>No 3-D view here. %1
+        <source>The 3-D view is not available. %1
 All other views work without it.</source>
         <translation>Pas de vue 3D ici. %1
 Toutes les autres vues fonctionnent sans elle.</translation>
@@ -14562,10 +14437,6 @@ Toutes les autres vues fonctionnent sans elle.</translation>
 </context>
 <context>
     <name>view3d</name>
-    <message>
-        <source>This is no geometry format that can be written.</source>
-        <translation>Ce n’est pas un format de géométrie qui peut être écrit.</translation>
-    </message>
     <message>
         <source>a file name that ends in .vtp, .ply or .stl</source>
         <translation>un nom de fichier qui se termine par .vtp, .ply ou .stl</translation>
@@ -14587,16 +14458,20 @@ Toutes les autres vues fonctionnent sans elle.</translation>
         <translation>La plateforme d’affichage «&#xa0;%1&#xa0;» n’a pas de widgets OpenGL.</translation>
     </message>
     <message>
-        <source>This display offers no OpenGL %1.%2 or newer.</source>
-        <translation>Cet affichage n’offre pas OpenGL %1.%2 ou plus récent.</translation>
-    </message>
-    <message>
         <source>This display refused an OpenGL context.</source>
         <translation>Cet affichage a refusé un contexte OpenGL.</translation>
     </message>
     <message>
         <source>The OpenGL driver of this display does not work with VTK.</source>
         <translation>Le pilote OpenGL de cet affichage ne fonctionne pas avec VTK.</translation>
+    </message>
+    <message>
+        <source>Geometry cannot be written in this format.</source>
+        <translation>Ce n’est pas un format de géométrie qui peut être écrit.</translation>
+    </message>
+    <message>
+        <source>This display does not support OpenGL %1.%2 or newer.</source>
+        <translation>Cet affichage n’offre pas OpenGL %1.%2 ou plus récent.</translation>
     </message>
 </context>
 </TS>

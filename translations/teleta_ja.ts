@@ -35,10 +35,6 @@
         <translation>Esc Esc, Ctrl+.</translation>
     </message>
     <message>
-        <source>STOP: whatever moves stops at once</source>
-        <translation>STOP: 動いているものをすべて直ちに停止</translation>
-    </message>
-    <message>
         <source>Space</source>
         <translation>Space</translation>
     </message>
@@ -155,10 +151,6 @@
         <translation>,  .  Shift併用可</translation>
     </message>
     <message>
-        <source>Breakpoint before or after, one more of them, in the timeline</source>
-        <translation>前または次のブレークポイント、Shiftで追加選択 (タイムライン)</translation>
-    </message>
-    <message>
         <source>N, Shift+N</source>
         <translation>N, Shift+N</translation>
     </message>
@@ -179,16 +171,8 @@
         <translation>矢印キー、Shift併用可</translation>
     </message>
     <message>
-        <source>Move what is selected, else the playhead and the lane, in the timeline</source>
-        <translation>選択したものを移動、選択がなければ再生ヘッドとレーンを移動 (タイムライン)</translation>
-    </message>
-    <message>
         <source>[  ]  \</source>
         <translation>[  ]  \</translation>
-    </message>
-    <message>
-        <source>Begin of the loop, its end, no loop, in the timeline</source>
-        <translation>ループの先頭、末尾、ループなし (タイムライン)</translation>
     </message>
     <message>
         <source>Ctrl+[, Ctrl+], Ctrl+M, Ctrl+L</source>
@@ -266,6 +250,22 @@
         <source>Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate</source>
         <translation>元に戻す、やり直す: 操作ページではマーク、パターンページとキャリブレーションページでは編集</translation>
     </message>
+    <message>
+        <source>STOP: everything that moves stops at once</source>
+        <translation>STOP: 動いているものをすべて直ちに停止</translation>
+    </message>
+    <message>
+        <source>Previous or next breakpoint; with Shift, add it to the selection, in the timeline</source>
+        <translation>前または次のブレークポイント、Shiftで追加選択 (タイムライン)</translation>
+    </message>
+    <message>
+        <source>Move the selection; without one, the playhead and the lane, in the timeline</source>
+        <translation>選択したものを移動、選択がなければ再生ヘッドとレーンを移動 (タイムライン)</translation>
+    </message>
+    <message>
+        <source>Loop start, loop end, no loop, in the timeline</source>
+        <translation>ループの先頭、末尾、ループなし (タイムライン)</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -312,24 +312,12 @@
         <translation>ブレスレットが接続されていません。</translation>
     </message>
     <message>
-        <source>The device does not answer as a bracelet does.</source>
-        <translation>デバイスがブレスレットとして応答しません。</translation>
-    </message>
-    <message>
         <source>a feature report of layout version %1</source>
         <translation>レイアウトバージョン%1のフィーチャーレポート</translation>
     </message>
     <message>
         <source>Bracelet %1</source>
         <translation>ブレスレット %1</translation>
-    </message>
-    <message>
-        <source>The bracelet at %1 may not be opened.</source>
-        <translation>%1 のブレスレットを開く権限がありません。</translation>
-    </message>
-    <message>
-        <source>read and write access to it, which the udev rule gives</source>
-        <translation>udevルールによる読み書きの権限</translation>
     </message>
     <message>
         <source>The bracelet at %1 cannot be opened.</source>
@@ -340,8 +328,95 @@
         <translation>%1 のブレスレットは別のプログラムが使用中です。</translation>
     </message>
     <message>
-        <source>that it is closed there first</source>
+        <source>The device does not respond like a bracelet.</source>
+        <translation>デバイスがブレスレットとして応答しません。</translation>
+    </message>
+    <message>
+        <source>No permission to open the bracelet at %1.</source>
+        <translation>%1 のブレスレットを開く権限がありません。</translation>
+    </message>
+    <message>
+        <source>read and write access, which the udev rule grants</source>
+        <translation>udevルールによる読み書きの権限</translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
         <translation>先にそのプログラムで閉じること</translation>
+    </message>
+</context>
+<context>
+    <name>BraceletTexts</name>
+    <message>
+        <source>STOP is engaged: the bracelet is off.</source>
+        <translation>STOPが作動中です: ブレスレットはオフです。</translation>
+    </message>
+    <message>
+        <source>No bracelet: what would be played is named in the table of patterns.</source>
+        <translation>ブレスレットなし: 再生されるはずのパターンはパターン表に示されます。</translation>
+    </message>
+    <message>
+        <source>Connecting to the bracelet…</source>
+        <translation>ブレスレットに接続しています…</translation>
+    </message>
+    <message>
+        <source>The bracelet is not connected. %1</source>
+        <translation>ブレスレットに接続していません。%1</translation>
+    </message>
+    <message>
+        <source>The bracelet does not answer.</source>
+        <translation>ブレスレットが応答しません。</translation>
+    </message>
+    <message>
+        <source>The bracelet is too hot: it is off until it has cooled down.</source>
+        <translation>ブレスレットが熱すぎます。冷めるまで停止します。</translation>
+    </message>
+    <message>
+        <source>A study uses the bracelet.</source>
+        <translation>実験がブレスレットを使用中です。</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low: %1 V.</source>
+        <translation>ブレスレットの電源電圧が低下しています: %1 V。</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low.</source>
+        <translation>ブレスレットの電源電圧が低下しています。</translation>
+    </message>
+    <message>
+        <source>The bracelet refused what was played last: it did not understand it.</source>
+        <translation>ブレスレットは最後に再生したものを解釈できず、拒否しました。</translation>
+    </message>
+    <message>
+        <source>The motors are not calibrated (page Calibrate).</source>
+        <translation>モーターが未キャリブレーションです (キャリブレーションページ)。</translation>
+    </message>
+    <message>
+        <source>too hot: off until it has cooled down</source>
+        <translation>過熱: 冷めるまで停止</translation>
+    </message>
+    <message>
+        <source>supply low</source>
+        <translation>電源電圧低下</translation>
+    </message>
+    <message>
+        <source>frames refused: %1</source>
+        <translation>拒否されたフレーム: %1</translation>
+    </message>
+    <message>
+        <source>supply %1 V</source>
+        <translation>電源電圧 %1 V</translation>
+    </message>
+    <message>
+        <source>temperature %1 °C</source>
+        <translation>温度 %1 °C</translation>
+    </message>
+    <message>
+        <source>Bracelet</source>
+        <translation>ブレスレット</translation>
+    </message>
+    <message>
+        <source>not calibrated: the motors are assumed</source>
+        <translation>未キャリブレーション: モーターは仮定値です</translation>
     </message>
 </context>
 <context>
@@ -423,10 +498,6 @@
         <translation>残差</translation>
     </message>
     <message>
-        <source>neighbours are alike: the pairs hold something that this camera does not</source>
-        <translation>隣どうしが似ています: このカメラで表せないものがペアに含まれています</translation>
-    </message>
-    <message>
         <source>without a pattern</source>
         <translation>規則性なし</translation>
     </message>
@@ -463,10 +534,6 @@
         <translation>カメラをこのファイルに書き込む</translation>
     </message>
     <message>
-        <source>Write each pair with what the camera makes of it as CSV</source>
-        <translation>各ペアとカメラによる計算結果をCSVに書き込む</translation>
-    </message>
-    <message>
         <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
         <translation>点はシェルの穴です。x と y にこの係数を掛けるとエラストマー上の点になります (論文のシェル: 0.97)</translation>
     </message>
@@ -477,6 +544,14 @@
     <message>
         <source>the camera is written to this file</source>
         <translation>このファイルにはカメラが書き込まれます</translation>
+    </message>
+    <message>
+        <source>neighbours are alike: the camera does not explain everything in the pairs</source>
+        <translation>隣どうしが似ています: このカメラで表せないものがペアに含まれています</translation>
+    </message>
+    <message>
+        <source>Write each pair and its residual as CSV</source>
+        <translation>各ペアとカメラによる計算結果をCSVに書き込む</translation>
     </message>
 </context>
 <context>
@@ -498,20 +573,20 @@
         <translation>動画またはカメラの番号</translation>
     </message>
     <message>
-        <source>the file is no video that can be read</source>
-        <translation>読み取り可能な動画ファイルではありません</translation>
-    </message>
-    <message>
         <source>a video, a pattern like frame_%04d.png, or the number of a camera</source>
         <translation>動画、frame_%04d.png のような連番パターン、またはカメラの番号</translation>
     </message>
     <message>
-        <source>no frame comes</source>
+        <source>camera %1</source>
+        <translation>カメラ%1</translation>
+    </message>
+    <message>
+        <source>no frame arrived</source>
         <translation>フレームが届きません</translation>
     </message>
     <message>
-        <source>camera %1</source>
-        <translation>カメラ%1</translation>
+        <source>the file is not a readable video</source>
+        <translation>読み取り可能な動画ファイルではありません</translation>
     </message>
 </context>
 <context>
@@ -568,31 +643,31 @@
         <translation>Kの焦点距離が正ではありません</translation>
     </message>
     <message>
-        <source>R is no rotation</source>
-        <translation>Rが回転行列ではありません</translation>
-    </message>
-    <message>
-        <source>the distortion folds on the axis already</source>
-        <translation>歪みが光軸上ですでに折り返しています</translation>
-    </message>
-    <message>
-        <source>this is no camera matrix</source>
-        <translation>カメラ行列ではありません</translation>
-    </message>
-    <message>
-        <source>this is no camera file</source>
-        <translation>カメラファイルではありません</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>ファイルのバージョンが新しすぎます</translation>
-    </message>
-    <message>
         <source>the cylinder has no length</source>
         <translation>円筒に長さがありません</translation>
     </message>
     <message>
-        <source>The camera gives no frames any more.</source>
+        <source>this is not a camera matrix</source>
+        <translation>カメラ行列ではありません</translation>
+    </message>
+    <message>
+        <source>R is not a rotation</source>
+        <translation>Rが回転行列ではありません</translation>
+    </message>
+    <message>
+        <source>the distortion folds on the axis</source>
+        <translation>歪みが光軸上ですでに折り返しています</translation>
+    </message>
+    <message>
+        <source>this is not a camera file</source>
+        <translation>カメラファイルではありません</translation>
+    </message>
+    <message>
+        <source>the file was written by a newer version</source>
+        <translation>ファイルのバージョンが新しすぎます</translation>
+    </message>
+    <message>
+        <source>The camera stopped sending frames.</source>
         <translation>カメラからフレームが届かなくなりました。</translation>
     </message>
 </context>
@@ -1017,16 +1092,8 @@ Examples:
         <translation>approximating: 点を制御点とする。interpolating: 曲線が点を通る</translation>
     </message>
     <message>
-        <source>The contour comes back to its start; otherwise this is found out</source>
-        <translation>輪郭は始点に戻る。指定しなければ自動判定</translation>
-    </message>
-    <message>
         <source>Points of the curve, for the CSV and the largest curvature</source>
         <translation>曲線の点数 (CSVと最大曲率用)</translation>
-    </message>
-    <message>
-        <source>An extent under this is a point, m</source>
-        <translation>これより小さい広がりは点とみなす、m</translation>
     </message>
     <message>
         <source>Write the curve as CSV t,x_m,y_m,curvature_per_m, t from 0 to 1</source>
@@ -1043,6 +1110,14 @@ Examples:
     <message>
         <source>a row for each contact point, in metres</source>
         <translation>接触点ごとに1行 (メートル単位)</translation>
+    </message>
+    <message>
+        <source>The contour is closed; otherwise the program decides</source>
+        <translation>輪郭は始点に戻る。指定しなければ自動判定</translation>
+    </message>
+    <message>
+        <source>A contour smaller than this is a point, m</source>
+        <translation>これより小さい広がりは点とみなす、m</translation>
     </message>
 </context>
 <context>
@@ -1254,14 +1329,6 @@ Examples:
         <translation>UTF-8</translation>
     </message>
     <message>
-        <source>text outside of the quotes of a column name</source>
-        <translation>列名の引用符の外に文字があります</translation>
-    </message>
-    <message>
-        <source>a comma behind the closing quote</source>
-        <translation>閉じ引用符の後のコンマ</translation>
-    </message>
-    <message>
         <source>the line is longer than 16 MiB</source>
         <translation>行が16 MiBを超えています</translation>
     </message>
@@ -1298,14 +1365,6 @@ Examples:
         <translation>%1 は有限の数値ではありません</translation>
     </message>
     <message>
-        <source>the column %1 is there twice</source>
-        <translation>列 %1 が2回あります</translation>
-    </message>
-    <message>
-        <source>each name once</source>
-        <translation>各名前は1回のみ</translation>
-    </message>
-    <message>
         <source>missing columns: %1; the file has: %2</source>
         <translation>不足している列: %1。ファイルにある列: %2</translation>
     </message>
@@ -1318,24 +1377,40 @@ Examples:
         <translation>行が長すぎます: 値が%1個を超えています</translation>
     </message>
     <message>
-        <source>one value a column: %1</source>
-        <translation>列ごとに値1つ: %1</translation>
-    </message>
-    <message>
         <source>the row is too short: %1 of %2 values</source>
         <translation>行が短すぎます: 値が%2個中%1個しかありません</translation>
-    </message>
-    <message>
-        <source>a pipe has no positions to go to</source>
-        <translation>パイプでは位置を移動できません</translation>
     </message>
     <message>
         <source>a file</source>
         <translation>ファイル</translation>
     </message>
     <message>
-        <source>text outside of the quotes of a value</source>
+        <source>one value per column: %1</source>
+        <translation>列ごとに値1つ: %1</translation>
+    </message>
+    <message>
+        <source>text outside the quotes of a column name</source>
+        <translation>列名の引用符の外に文字があります</translation>
+    </message>
+    <message>
+        <source>a comma after the closing quote</source>
+        <translation>閉じ引用符の後のコンマ</translation>
+    </message>
+    <message>
+        <source>the column %1 appears twice</source>
+        <translation>列 %1 が2回あります</translation>
+    </message>
+    <message>
+        <source>each name only once</source>
+        <translation>各名前は1回のみ</translation>
+    </message>
+    <message>
+        <source>text outside the quotes of a value</source>
         <translation>値の引用符の外に文字があります</translation>
+    </message>
+    <message>
+        <source>a pipe cannot be rewound</source>
+        <translation>パイプでは位置を移動できません</translation>
     </message>
 </context>
 <context>
@@ -1559,10 +1634,6 @@ Examples:
         <translation>デバイスが接続されていません。</translation>
     </message>
     <message>
-        <source>What is connected, why not, and how fast it is</source>
-        <translation>接続されているもの、接続できない理由、速度</translation>
-    </message>
-    <message>
         <source>Connect to the device of this description and read it; its motors are set to zero</source>
         <translation>この記述のデバイスに接続して読み取ります。モーターはゼロに設定されます</translation>
     </message>
@@ -1573,6 +1644,10 @@ Examples:
     <message>
         <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot; or &quot;hid_bracelet&quot;</source>
         <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot; または &quot;hid_bracelet&quot;</translation>
+    </message>
+    <message>
+        <source>List connected devices, how fast they are, and why others cannot be used</source>
+        <translation>接続されているもの、接続できない理由、速度</translation>
     </message>
 </context>
 <context>
@@ -1632,24 +1707,12 @@ Examples:
         <translation>HJIF (ISO/IEC 23090-31)</translation>
     </message>
     <message>
-        <source>One channel a motor, with its place on the forearm. Can be read back.</source>
-        <translation>モーターごとに1チャンネル、前腕上の位置付き。読み戻し可能です。</translation>
-    </message>
-    <message>
         <source>Haptic clips (.haptic in a zip)</source>
         <translation>ハプティッククリップ (.haptic、zip内)</translation>
     </message>
     <message>
-        <source>One clip a motor. Can be read back.</source>
-        <translation>モーターごとに1クリップ。読み戻し可能です。</translation>
-    </message>
-    <message>
         <source>AHAP (in a zip)</source>
         <translation>AHAP (zip内)</translation>
-    </message>
-    <message>
-        <source>One file a motor, for Core Haptics.</source>
-        <translation>モーターごとに1ファイル、Core Haptics用。</translation>
     </message>
     <message>
         <source>tact</source>
@@ -1664,16 +1727,28 @@ Examples:
         <translation>CSV表</translation>
     </message>
     <message>
-        <source>Columns time_s, t1 to t6: a sample a row.</source>
-        <translation>列 time_s、t1～t6: 1行に1サンプル。</translation>
-    </message>
-    <message>
         <source>WAV, six channels</source>
         <translation>WAV、6チャンネル</translation>
     </message>
     <message>
         <source>The intensities as 16-bit samples, 1 is full scale.</source>
         <translation>強度を16ビットサンプルで表します。1がフルスケールです。</translation>
+    </message>
+    <message>
+        <source>One channel per motor, with its place on the forearm. Can be read back.</source>
+        <translation>モーターごとに1チャンネル、前腕上の位置付き。読み戻し可能です。</translation>
+    </message>
+    <message>
+        <source>One clip per motor. Can be read back.</source>
+        <translation>モーターごとに1クリップ。読み戻し可能です。</translation>
+    </message>
+    <message>
+        <source>One file per motor, for Core Haptics.</source>
+        <translation>モーターごとに1ファイル、Core Haptics用。</translation>
+    </message>
+    <message>
+        <source>Columns time_s, t1 to t6: one sample per row.</source>
+        <translation>列 time_s、t1～t6: 1行に1サンプル。</translation>
     </message>
 </context>
 <context>
@@ -1702,10 +1777,6 @@ Examples:
         <translation>%1以上</translation>
     </message>
     <message>
-        <source>Yes was answered although nothing was presented, %1 of %2 times.</source>
-        <translation>何も提示していないのに「はい」の回答がありました (%2回中%1回)。</translation>
-    </message>
-    <message>
         <source>yes only when something was clearly felt</source>
         <translation>はっきり感じたときだけ「はい」と回答</translation>
     </message>
@@ -1714,23 +1785,27 @@ Examples:
         <translation>最大の駆動量でも何も感じられませんでした。</translation>
     </message>
     <message>
-        <source>a connected motor that lies on the skin</source>
-        <translation>皮膚に接している、接続されたモーター</translation>
-    </message>
-    <message>
         <source>Everything was felt, even at the lowest drive.</source>
         <translation>最小の駆動量でもすべて感じられました。</translation>
-    </message>
-    <message>
-        <source>no where nothing was felt</source>
-        <translation>何も感じないときは「いいえ」と回答</translation>
     </message>
     <message>
         <source>The answers contradict each other: stronger was felt less often than weaker, or as often.</source>
         <translation>回答が矛盾しています: 強い刺激のほうが、弱い刺激より感じた回数が少ないか同じです。</translation>
     </message>
     <message>
-        <source>answers to what was felt; undo the wrong ones or begin anew</source>
+        <source>The answer was yes in %1 of %2 cases in which nothing was presented.</source>
+        <translation>何も提示していないのに「はい」の回答がありました (%2回中%1回)。</translation>
+    </message>
+    <message>
+        <source>a connected motor in contact with the skin</source>
+        <translation>皮膚に接している、接続されたモーター</translation>
+    </message>
+    <message>
+        <source>no when nothing was felt</source>
+        <translation>何も感じないときは「いいえ」と回答</translation>
+    </message>
+    <message>
+        <source>consistent answers; undo the wrong ones or start again</source>
         <translation>感じたことへの回答。誤った回答を取り消すか、最初からやり直してください</translation>
     </message>
 </context>
@@ -1843,40 +1918,16 @@ Examples:
 <context>
     <name>FileText</name>
     <message>
-        <source>the ending of the name tells no format</source>
-        <translation>名前の拡張子から形式を判別できません</translation>
-    </message>
-    <message>
         <source>one of %1</source>
         <translation>次のいずれか: %1</translation>
-    </message>
-    <message>
-        <source>these values contradict each other</source>
-        <translation>これらの値は矛盾しています</translation>
-    </message>
-    <message>
-        <source>0 &lt; start_drive &lt; full_drive, a curve that rises from the start or before it to the drive 1</source>
-        <translation>0 &lt; start_drive &lt; full_drive、始動点またはその手前から駆動量1まで上昇する曲線</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>ファイルのバージョンが新しすぎます</translation>
     </message>
     <message>
         <source>there are %1 motors</source>
         <translation>モーターが%1個あります</translation>
     </message>
     <message>
-        <source>the profile is of the bracelet &quot;%1&quot;</source>
-        <translation>プロファイルはブレスレット「%1」のものです</translation>
-    </message>
-    <message>
         <source>there is no such file or built-in pattern</source>
         <translation>そのようなファイルまたは組み込みパターンはありません</translation>
-    </message>
-    <message>
-        <source>a pattern file, or an id of teleta pattern list</source>
-        <translation>パターンファイル、またはteleta pattern listのid</translation>
     </message>
     <message>
         <source>the file is too large</source>
@@ -1895,7 +1946,31 @@ Examples:
         <translation>%1 で終わる名前</translation>
     </message>
     <message>
-        <source>patterns are written in this format, but not read</source>
+        <source>these values are inconsistent</source>
+        <translation>これらの値は矛盾しています</translation>
+    </message>
+    <message>
+        <source>0 &lt; start_drive &lt; full_drive, and a curve that rises from the start or below it to drive 1</source>
+        <translation>0 &lt; start_drive &lt; full_drive、始動点またはその手前から駆動量1まで上昇する曲線</translation>
+    </message>
+    <message>
+        <source>the file was written by a newer version</source>
+        <translation>ファイルのバージョンが新しすぎます</translation>
+    </message>
+    <message>
+        <source>the profile belongs to the bracelet &quot;%1&quot;</source>
+        <translation>プロファイルはブレスレット「%1」のものです</translation>
+    </message>
+    <message>
+        <source>a pattern file, or an id listed by teleta pattern list</source>
+        <translation>パターンファイル、またはteleta pattern listのid</translation>
+    </message>
+    <message>
+        <source>the file name extension is unknown</source>
+        <translation>名前の拡張子から形式を判別できません</translation>
+    </message>
+    <message>
+        <source>this format can be written but not read</source>
         <translation>この形式のパターンは書き込みのみで、読み取りはできません</translation>
     </message>
 </context>
@@ -1926,10 +2001,6 @@ Examples:
         <translation>記録にフレームがありません</translation>
     </message>
     <message>
-        <source>at least one row behind the header</source>
-        <translation>ヘッダーの後に1行以上</translation>
-    </message>
-    <message>
         <source>the time is %1</source>
         <translation>時刻が%1です</translation>
     </message>
@@ -1944,6 +2015,10 @@ Examples:
     <message>
         <source>times that do not decrease</source>
         <translation>減少しない時刻</translation>
+    </message>
+    <message>
+        <source>at least one row after the header</source>
+        <translation>ヘッダーの後に1行以上</translation>
     </message>
 </context>
 <context>
@@ -2310,12 +2385,12 @@ Examples:
         <translation>英字、数字、- および _</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is there twice</source>
-        <translation>「%1」が2回あります</translation>
-    </message>
-    <message>
         <source>each one once</source>
         <translation>それぞれ1回のみ</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; occurs twice</source>
+        <translation>「%1」が2回あります</translation>
     </message>
 </context>
 <context>
@@ -2352,10 +2427,6 @@ Examples:
         <translation>各キーは1回のみ</translation>
     </message>
     <message>
-        <source>the JSON text is damaged or cut off</source>
-        <translation>JSONテキストが破損しているか途中で切れています</translation>
-    </message>
-    <message>
         <source>JSON in UTF-8</source>
         <translation>UTF-8のJSON</translation>
     </message>
@@ -2382,10 +2453,6 @@ Examples:
     <message>
         <source>an array of length %1 to %2</source>
         <translation>長さ%1から%2までの配列</translation>
-    </message>
-    <message>
-        <source>the array has a wrong length</source>
-        <translation>配列の長さが正しくありません</translation>
     </message>
     <message>
         <source>this is not an array</source>
@@ -2423,6 +2490,14 @@ Examples:
         <source>text</source>
         <translation>テキスト</translation>
     </message>
+    <message>
+        <source>the JSON text is damaged or truncated</source>
+        <translation>JSONテキストが破損しているか途中で切れています</translation>
+    </message>
+    <message>
+        <source>the array has the wrong length</source>
+        <translation>配列の長さが正しくありません</translation>
+    </message>
 </context>
 <context>
     <name>LanguageMenu</name>
@@ -2438,16 +2513,16 @@ Examples:
 <context>
     <name>LocateCommand</name>
     <message>
-        <source>Points on the tactile cylinder that pixels of its camera show</source>
-        <translation>カメラの画素に写る触覚円筒上の点</translation>
-    </message>
-    <message>
         <source>Camera file that teleta calibrate has written</source>
         <translation>teleta calibrateが書き込んだカメラファイル</translation>
     </message>
     <message>
         <source>CSV with the columns u_px,v_px</source>
         <translation>u_px,v_px の列を持つCSV</translation>
+    </message>
+    <message>
+        <source>Points on the tactile cylinder that belong to pixels of its camera</source>
+        <translation>カメラの画素に写る触覚円筒上の点</translation>
     </message>
 </context>
 <context>
@@ -2463,14 +2538,6 @@ Examples:
     <message>
         <source>a table [tactors] in its file</source>
         <translation>ファイル内の表 [tactors]</translation>
-    </message>
-    <message>
-        <source>The device tells no joints.</source>
-        <translation>デバイスが関節の情報を返しません。</translation>
-    </message>
-    <message>
-        <source>four tables [[joint]] in its file</source>
-        <translation>ファイル内の4つの表 [[joint]]</translation>
     </message>
     <message>
         <source>illegal function</source>
@@ -2532,28 +2599,32 @@ Examples:
         <source>The connection was lost.</source>
         <translation>接続が切れました。</translation>
     </message>
+    <message>
+        <source>The device reports no joints.</source>
+        <translation>デバイスが関節の情報を返しません。</translation>
+    </message>
+    <message>
+        <source>tables [[joint]] in its file</source>
+        <translation>ファイル内の表 [[joint]]</translation>
+    </message>
 </context>
 <context>
     <name>MotorFile</name>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>ファイルのバージョンが新しすぎます</translation>
-    </message>
     <message>
         <source>there are %1 motors</source>
         <translation>モーターが%1個あります</translation>
     </message>
     <message>
-        <source>the limits are of the bracelet &quot;%1&quot;</source>
+        <source>the file was written by a newer version</source>
+        <translation>ファイルのバージョンが新しすぎます</translation>
+    </message>
+    <message>
+        <source>the limits belong to the bracelet &quot;%1&quot;</source>
         <translation>この上限はブレスレット「%1」のものです</translation>
     </message>
 </context>
 <context>
     <name>MotorFit</name>
-    <message>
-        <source>The motor started at %1 of the full drive but stood at %2.</source>
-        <translation>モーターは最大駆動量の%1で始動しましたが、%2で停止していました。</translation>
-    </message>
     <message>
         <source>a motor that starts at the same drive each time; look for a loose contact</source>
         <translation>毎回同じ駆動量で始動するモーター。接触不良がないか確認してください</translation>
@@ -2575,36 +2646,12 @@ Examples:
         <translation>記録が静止状態から始まっていません。</translation>
     </message>
     <message>
-        <source>a commanded drive of 0 at its begin</source>
-        <translation>開始時の指令駆動量0</translation>
-    </message>
-    <message>
         <source>The recording is too short: no drive was held for %1 s.</source>
         <translation>記録が短すぎます: %1 s保持された駆動量がありません。</translation>
     </message>
     <message>
         <source>a drive that is held until the motor has followed, 0.3 s</source>
         <translation>モーターが追従するまで保持された駆動量 (0.3 s)</translation>
-    </message>
-    <message>
-        <source>The rise time cannot be told: %1 s with a standard error of %2 s.</source>
-        <translation>立ち上がり時間を決定できません: %1 s、標準誤差 %2 s。</translation>
-    </message>
-    <message>
-        <source>more samples a second, or less noise</source>
-        <translation>1秒あたりより多くのサンプル、またはより少ないノイズ</translation>
-    </message>
-    <message>
-        <source>The fall time cannot be told: %1 s with a standard error of %2 s.</source>
-        <translation>立ち下がり時間を決定できません: %1 s、標準誤差 %2 s。</translation>
-    </message>
-    <message>
-        <source>The motor does not follow the drive as a motor with a lag: the model explains %1 of the speed.</source>
-        <translation>モーターの駆動量への追従が遅れ系のモデルに合いません: モデルで説明できる速度は%1です。</translation>
-    </message>
-    <message>
-        <source>a recording of one motor, with the drive of the same time</source>
-        <translation>同じ時刻の駆動量を含む、モーター1個の記録</translation>
     </message>
     <message>
         <source>The recording is too short: %1 samples.</source>
@@ -2627,10 +2674,6 @@ Examples:
         <translation>指令がないのに速度が0ではありません: %1 Hz。</translation>
     </message>
     <message>
-        <source>a sensor without an offset, and a motor at rest at the begin</source>
-        <translation>オフセットのないセンサーと、開始時に静止しているモーター</translation>
-    </message>
-    <message>
         <source>The speed is clipped: it stays at the end of the sensor&apos;s range.</source>
         <translation>速度がクリップしています: センサー範囲の端に張り付いています。</translation>
     </message>
@@ -2639,35 +2682,67 @@ Examples:
         <translation>より広い範囲のセンサー</translation>
     </message>
     <message>
-        <source>The motor turned at one level of the drive only: neither its start nor its curve can be told.</source>
-        <translation>モーターが回ったのは1つの駆動量だけです: 始動点も曲線も決定できません。</translation>
-    </message>
-    <message>
-        <source>The drive never falls while the motor turns: the fall time cannot be told.</source>
-        <translation>モーターの回転中に駆動量が下がりません: 立ち下がり時間を決定できません。</translation>
-    </message>
-    <message>
         <source>a step down at the end</source>
         <translation>最後に下がる段差</translation>
-    </message>
-    <message>
-        <source>The samples do not tell the motor&apos;s lag.</source>
-        <translation>サンプルからモーターの遅れを決定できません。</translation>
-    </message>
-    <message>
-        <source>more samples a second during the steps</source>
-        <translation>段差の間、1秒あたりより多くのサンプル</translation>
-    </message>
-    <message>
-        <source>The speed is saturated: from %1 of the drive on it does not rise.</source>
-        <translation>速度が飽和しています: 駆動量%1以上では上昇しません。</translation>
     </message>
     <message>
         <source>a supply and a sensor that reach the full drive</source>
         <translation>最大駆動量に達する電源とセンサー</translation>
     </message>
     <message>
-        <source>What was measured makes no motor: its speed does not rise with the drive.</source>
+        <source>The motor started at %1 of the full drive but stood still at %2.</source>
+        <translation>モーターは最大駆動量の%1で始動しましたが、%2で停止していました。</translation>
+    </message>
+    <message>
+        <source>a commanded drive of 0 at the beginning</source>
+        <translation>開始時の指令駆動量0</translation>
+    </message>
+    <message>
+        <source>The rise time cannot be determined: %1 s with a standard error of %2 s.</source>
+        <translation>立ち上がり時間を決定できません: %1 s、標準誤差 %2 s。</translation>
+    </message>
+    <message>
+        <source>more samples per second, or less noise</source>
+        <translation>1秒あたりより多くのサンプル、またはより少ないノイズ</translation>
+    </message>
+    <message>
+        <source>The fall time cannot be determined: %1 s with a standard error of %2 s.</source>
+        <translation>立ち下がり時間を決定できません: %1 s、標準誤差 %2 s。</translation>
+    </message>
+    <message>
+        <source>The motor does not behave like a motor with a lag: the model explains %1 of the speed.</source>
+        <translation>モーターの駆動量への追従が遅れ系のモデルに合いません: モデルで説明できる速度は%1です。</translation>
+    </message>
+    <message>
+        <source>a recording of one motor with the drive at the same times</source>
+        <translation>同じ時刻の駆動量を含む、モーター1個の記録</translation>
+    </message>
+    <message>
+        <source>a sensor without an offset, and a motor at rest at the beginning</source>
+        <translation>オフセットのないセンサーと、開始時に静止しているモーター</translation>
+    </message>
+    <message>
+        <source>The motor turned at one level of the drive only: neither its start nor its curve can be determined.</source>
+        <translation>モーターが回ったのは1つの駆動量だけです: 始動点も曲線も決定できません。</translation>
+    </message>
+    <message>
+        <source>The drive never falls while the motor turns: the fall time cannot be determined.</source>
+        <translation>モーターの回転中に駆動量が下がりません: 立ち下がり時間を決定できません。</translation>
+    </message>
+    <message>
+        <source>The samples do not determine the motor&apos;s lag.</source>
+        <translation>サンプルからモーターの遅れを決定できません。</translation>
+    </message>
+    <message>
+        <source>more samples per second during the steps</source>
+        <translation>段差の間、1秒あたりより多くのサンプル</translation>
+    </message>
+    <message>
+        <source>The speed is saturated: it does not rise above %1 of the drive.</source>
+        <translation>速度が飽和しています: 駆動量%1以上では上昇しません。</translation>
+    </message>
+    <message>
+        <source>The measurement does not describe a motor: the speed does not rise with the drive.</source>
         <translation>測定値からモーターを構成できません: 速度が駆動量とともに上昇しません。</translation>
     </message>
 </context>
@@ -2694,20 +2769,12 @@ Examples:
         <translation>列「speed_hz」も「signal」もありません</translation>
     </message>
     <message>
-        <source>times, drives and speeds are not equally many</source>
-        <translation>時刻、駆動量、速度の数が一致しません</translation>
-    </message>
-    <message>
         <source>sample %1 is not a finite number</source>
         <translation>サンプル%1が有限の数値ではありません</translation>
     </message>
     <message>
         <source>The recording does not begin at rest.</source>
         <translation>記録が静止状態から始まっていません。</translation>
-    </message>
-    <message>
-        <source>at least %1 s with the commanded drive 0</source>
-        <translation>指令駆動量0が%1 s以上</translation>
     </message>
     <message>
         <source>The signal is clipped: it stays at the end of its range.</source>
@@ -2726,24 +2793,24 @@ Examples:
         <translation>モーター上のセンサーと、ノイズの4倍を超える信号</translation>
     </message>
     <message>
-        <source>%1 samples a second are too few for %2 turns a second.</source>
+        <source>the numbers of times, drives and speeds differ</source>
+        <translation>時刻、駆動量、速度の数が一致しません</translation>
+    </message>
+    <message>
+        <source>at least %1 s with a commanded drive of 0</source>
+        <translation>指令駆動量0が%1 s以上</translation>
+    </message>
+    <message>
+        <source>%1 samples per second are too few for %2 turns per second.</source>
         <translation>毎秒%1サンプルは、毎秒%2回転に対して少なすぎます。</translation>
     </message>
     <message>
-        <source>at least %1 samples a turn</source>
+        <source>at least %1 samples per turn</source>
         <translation>1回転あたり%1サンプル以上</translation>
     </message>
 </context>
 <context>
     <name>Mouse3d</name>
-    <message>
-        <source>The 3D mouse at %1 may not be opened.</source>
-        <translation>%1 の3Dマウスを開く権限がありません。</translation>
-    </message>
-    <message>
-        <source>read and write access to it, which the udev rule gives</source>
-        <translation>udevルールによる読み書きの権限</translation>
-    </message>
     <message>
         <source>The 3D mouse at %1 cannot be opened.</source>
         <translation>%1 の3Dマウスを開けません。</translation>
@@ -2756,6 +2823,14 @@ Examples:
         <source>The 3D mouse was unplugged.</source>
         <translation>3Dマウスが取り外されました。</translation>
     </message>
+    <message>
+        <source>No permission to open the 3D mouse at %1.</source>
+        <translation>%1 の3Dマウスを開く権限がありません。</translation>
+    </message>
+    <message>
+        <source>read and write access, which the udev rule grants</source>
+        <translation>udevルールによる読み書きの権限</translation>
+    </message>
 </context>
 <context>
     <name>NodeClaim</name>
@@ -2765,7 +2840,7 @@ Examples:
         <translation>ほかのプログラムが%1を使用中です</translation>
     </message>
     <message>
-        <source>that it is closed there first</source>
+        <source>it to be closed there first</source>
         <translation>先にそのプログラムで閉じること</translation>
     </message>
 </context>
@@ -2850,7 +2925,7 @@ x %4, y %5
         <translation>皮膚の変位 × %1、不確かな部分は薄く表示</translation>
     </message>
     <message>
-        <source>Ellipses hold the centres with 95 %</source>
+        <source>Ellipses: 95 % regions of the centres</source>
         <translation>楕円は95 %で中心を含みます</translation>
     </message>
 </context>
@@ -2877,32 +2952,12 @@ x %4, y %5
         <translation>6以上、できれば50以上</translation>
     </message>
     <message>
-        <source>the pairs repeat fewer than six different points</source>
-        <translation>ペアに異なる点が6個未満しかありません</translation>
-    </message>
-    <message>
         <source>at least 6 different points, each with its own pixel</source>
         <translation>それぞれ固有の画素を持つ、6個以上の異なる点</translation>
     </message>
     <message>
-        <source>all points are on one line of the cylinder: the camera may turn about that line without a change in the image</source>
-        <translation>すべての点が円筒の1本の母線上にあります: カメラがその線の周りに回っても画像が変わりません</translation>
-    </message>
-    <message>
-        <source>all points are on one ring of the cylinder: the camera&apos;s distance and its focal length cannot be told apart</source>
-        <translation>すべての点が円筒の1つの円周上にあります: カメラの距離と焦点距離を区別できません</translation>
-    </message>
-    <message>
-        <source>all points are in one plane: the camera&apos;s distance and its focal length cannot be told apart</source>
-        <translation>すべての点が1つの平面上にあります: カメラの距離と焦点距離を区別できません</translation>
-    </message>
-    <message>
         <source>no camera agrees with enough of the pairs</source>
         <translation>十分な数のペアと一致するカメラがありません</translation>
-    </message>
-    <message>
-        <source>half of the pairs and at least %1 in agreement: pixels in the order of their points, the right image size and cylinder radius</source>
-        <translation>ペアの半数以上かつ%1以上の一致: 点の順に並んだ画素、正しい画像サイズと円筒半径</translation>
     </message>
     <message>
         <source>the pairs leave the camera undetermined: points on the surface would be uncertain by more than %1 mm</source>
@@ -2913,16 +2968,8 @@ x %4, y %5
         <translation>表面全体に分布した、より多くのペア</translation>
     </message>
     <message>
-        <source>the lens model folds over within the pairs</source>
-        <translation>レンズモデルがペアの範囲内で折り返しています</translation>
-    </message>
-    <message>
         <source>more pairs near the lens, where the distortion is strongest</source>
         <translation>歪みが最も強いレンズ付近の、より多くのペア</translation>
-    </message>
-    <message>
-        <source>the image or the cylinder has no size that can be used</source>
-        <translation>画像または円筒に使用できるサイズがありません</translation>
     </message>
     <message>
         <source>a positive radius, width and height of 1 to %1 pixels</source>
@@ -2939,6 +2986,34 @@ x %4, y %5
     <message>
         <source>at most %1</source>
         <translation>%1以下</translation>
+    </message>
+    <message>
+        <source>the size of the image or of the cylinder is invalid</source>
+        <translation>画像または円筒に使用できるサイズがありません</translation>
+    </message>
+    <message>
+        <source>the pairs contain fewer than six different points</source>
+        <translation>ペアに異なる点が6個未満しかありません</translation>
+    </message>
+    <message>
+        <source>all points are on one line of the cylinder: the camera could turn about that line without changing the image</source>
+        <translation>すべての点が円筒の1本の母線上にあります: カメラがその線の周りに回っても画像が変わりません</translation>
+    </message>
+    <message>
+        <source>all points are on one ring of the cylinder: the camera&apos;s distance and its focal length cannot be distinguished</source>
+        <translation>すべての点が円筒の1つの円周上にあります: カメラの距離と焦点距離を区別できません</translation>
+    </message>
+    <message>
+        <source>all points are in one plane: the camera&apos;s distance and its focal length cannot be distinguished</source>
+        <translation>すべての点が1つの平面上にあります: カメラの距離と焦点距離を区別できません</translation>
+    </message>
+    <message>
+        <source>at least half of the pairs and at least %1 in agreement: check that pixels and points match, the image size and the cylinder radius</source>
+        <translation>ペアの半数以上かつ%1以上の一致: 点の順に並んだ画素、正しい画像サイズと円筒半径</translation>
+    </message>
+    <message>
+        <source>the lens model folds in the region of the pairs</source>
+        <translation>レンズモデルがペアの範囲内で折り返しています</translation>
     </message>
 </context>
 <context>
@@ -3048,10 +3123,6 @@ x %4, y %5
         <translation>CSVをこのファイルに書き込む (完成した時点で現れます)</translation>
     </message>
     <message>
-        <source>Write a pattern in another format, told by the ending</source>
-        <translation>パターンを拡張子で決まる別の形式で書き込みます</translation>
-    </message>
-    <message>
         <source>File to write</source>
         <translation>書き込み先ファイル</translation>
     </message>
@@ -3062,10 +3133,6 @@ x %4, y %5
     <message>
         <source>s</source>
         <translation>s</translation>
-    </message>
-    <message>
-        <source>the ending of %1 tells no format; expected one of %2</source>
-        <translation>%1 の拡張子から形式を判別できません。次のいずれかが必要です: %2</translation>
     </message>
     <message>
         <source>%1 keeps all laws.</source>
@@ -3100,10 +3167,6 @@ x %4, y %5
         <translation>ブレスレットでパターンを再生します</translation>
     </message>
     <message>
-        <source>Play it over and over for so long, then live setpoints for as long again, and print how punctual the frames were</source>
-        <translation>この時間だけ繰り返し再生し、続けて同じ時間ライブ設定値を送り、フレームの時間精度を表示する</translation>
-    </message>
-    <message>
         <source>%1 holds no samples: --rate and --predicted are for .csv and .wav files</source>
         <translation>%1 はサンプルを持ちません: --rateと--predictedは.csvと.wavファイル用です</translation>
     </message>
@@ -3112,28 +3175,24 @@ x %4, y %5
         <translation>usb、simulated、またはブレスレットを記述したファイル</translation>
     </message>
     <message>
-        <source>Help the motors up: full intensity while they speed up, as long as their profile allows</source>
+        <source>Speed the motors up with full intensity first, for as long as their profile allows</source>
         <translation>モーターの立ち上がりを助ける：加速している間、プロファイルが許す限り最大強度で駆動する</translation>
+    </message>
+    <message>
+        <source>Write a pattern in another format, chosen by the ending</source>
+        <translation>パターンを拡張子で決まる別の形式で書き込みます</translation>
+    </message>
+    <message>
+        <source>Repeat it for this long, then send live setpoints for as long again, and print how punctual the frames were</source>
+        <translation>この時間だけ繰り返し再生し、続けて同じ時間ライブ設定値を送り、フレームの時間精度を表示する</translation>
+    </message>
+    <message>
+        <source>the ending of %1 is not that of a format; expected one of %2</source>
+        <translation>%1 の拡張子から形式を判別できません。次のいずれかが必要です: %2</translation>
     </message>
 </context>
 <context>
     <name>PatternFile</name>
-    <message>
-        <source>the pattern cannot be stretched like that</source>
-        <translation>パターンをそのように伸縮できません</translation>
-    </message>
-    <message>
-        <source>a factor above 0 with which it lasts at most a day</source>
-        <translation>全長が1日以内になる、0より大きい倍率</translation>
-    </message>
-    <message>
-        <source>the times go back</source>
-        <translation>時刻が戻っています</translation>
-    </message>
-    <message>
-        <source>a time that is not before the one in front of it</source>
-        <translation>直前の時刻より前でない時刻</translation>
-    </message>
     <message>
         <source>there is no tactor for the file &quot;%1&quot;</source>
         <translation>ファイル「%1」に対応するタクタがありません</translation>
@@ -3143,32 +3202,12 @@ x %4, y %5
         <translation>ファイルtactor1.haptic～tactor6.haptic、各1回</translation>
     </message>
     <message>
-        <source>a pattern cannot hold this</source>
-        <translation>パターンはこれを保持できません</translation>
-    </message>
-    <message>
-        <source>the times go back or on for too long</source>
-        <translation>時刻が戻っているか、長すぎます</translation>
-    </message>
-    <message>
         <source>there is no tactor left for this channel</source>
         <translation>このチャンネルに割り当てるタクタが残っていません</translation>
     </message>
     <message>
         <source>six channels with directions 60 degrees apart</source>
         <translation>60度間隔の方向を持つ6チャンネル</translation>
-    </message>
-    <message>
-        <source>this is another format</source>
-        <translation>これは別の形式です</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>ファイルのバージョンが新しすぎます</translation>
-    </message>
-    <message>
-        <source>this name is not known</source>
-        <translation>この名前は不明です</translation>
     </message>
     <message>
         <source>the pattern is too long for a WAV file</source>
@@ -3187,44 +3226,16 @@ x %4, y %5
         <translation>この効果はほかのデバイス用です</translation>
     </message>
     <message>
-        <source>the folder cannot be made</source>
-        <translation>フォルダーを作成できません</translation>
-    </message>
-    <message>
-        <source>this format cannot hold another name</source>
-        <translation>この形式はほかの名前を保持できません</translation>
-    </message>
-    <message>
         <source>a pattern file that ends with .json</source>
         <translation>.jsonで終わるパターンファイル</translation>
-    </message>
-    <message>
-        <source>this is no recovery file</source>
-        <translation>復旧ファイルではありません</translation>
     </message>
     <message>
         <source>the key &quot;recovery&quot;</source>
         <translation>キー &quot;recovery&quot;</translation>
     </message>
     <message>
-        <source>the rate of the samples is out of range</source>
-        <translation>サンプルレートが範囲外です</translation>
-    </message>
-    <message>
-        <source>%1 to %2 a second</source>
-        <translation>毎秒%1～%2</translation>
-    </message>
-    <message>
-        <source>the values of a motor contradict each other</source>
-        <translation>モーターの値が互いに矛盾しています</translation>
-    </message>
-    <message>
         <source>a WAV file cannot have this rate</source>
         <translation>WAVファイルではこのレートを使えません</translation>
-    </message>
-    <message>
-        <source>a whole number of samples a second</source>
-        <translation>1秒あたり整数個のサンプル</translation>
     </message>
     <message>
         <source>the pattern is too long for overdrive</source>
@@ -3242,20 +3253,76 @@ x %4, y %5
         <source>at most %1 breakpoints</source>
         <translation>ブレークポイント%1個以下</translation>
     </message>
+    <message>
+        <source>the pattern cannot be stretched by this factor</source>
+        <translation>パターンをそのように伸縮できません</translation>
+    </message>
+    <message>
+        <source>a factor above 0 that makes it at most a day long</source>
+        <translation>全長が1日以内になる、0より大きい倍率</translation>
+    </message>
+    <message>
+        <source>the times decrease</source>
+        <translation>時刻が戻っています</translation>
+    </message>
+    <message>
+        <source>a time that is not before the previous one</source>
+        <translation>直前の時刻より前でない時刻</translation>
+    </message>
+    <message>
+        <source>a pattern cannot represent this</source>
+        <translation>パターンはこれを保持できません</translation>
+    </message>
+    <message>
+        <source>the times decrease or exceed the longest pattern</source>
+        <translation>時刻が戻っているか、長すぎます</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created</source>
+        <translation>フォルダーを作成できません</translation>
+    </message>
+    <message>
+        <source>this format cannot store another name</source>
+        <translation>この形式はほかの名前を保持できません</translation>
+    </message>
+    <message>
+        <source>this name is unknown</source>
+        <translation>この名前は不明です</translation>
+    </message>
+    <message>
+        <source>this is a different format</source>
+        <translation>これは別の形式です</translation>
+    </message>
+    <message>
+        <source>the file was written by a newer version</source>
+        <translation>ファイルのバージョンが新しすぎます</translation>
+    </message>
+    <message>
+        <source>this is not a recovery file</source>
+        <translation>復旧ファイルではありません</translation>
+    </message>
+    <message>
+        <source>the sample rate is out of range</source>
+        <translation>サンプルレートが範囲外です</translation>
+    </message>
+    <message>
+        <source>%1 to %2 per second</source>
+        <translation>毎秒%1～%2</translation>
+    </message>
+    <message>
+        <source>the values of a motor are inconsistent</source>
+        <translation>モーターの値が互いに矛盾しています</translation>
+    </message>
+    <message>
+        <source>a whole number of samples per second</source>
+        <translation>1秒あたり整数個のサンプル</translation>
+    </message>
 </context>
 <context>
     <name>PatternLaws</name>
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>A burst of %1 is too short for the motor, which needs %2 to rise.</source>
-        <translation>%1のバーストは、立ち上がりに%2かかるモーターには短すぎます。</translation>
-    </message>
-    <message>
-        <source>A turn of the ring takes %1; its direction is felt reliably from %2 on.</source>
-        <translation>リング1周は%1です。その方向を確実に感じられるのは%2以上です。</translation>
     </message>
     <message>
         <source>The bursts begin %1 apart; they are felt as one motion with %2.</source>
@@ -3290,10 +3357,6 @@ x %4, y %5
         <translation>仮現運動の法則に従い、間隔を%1にしてください。</translation>
     </message>
     <message>
-        <source>Let it begin at %1 s, when the other one is over.</source>
-        <translation>もう一方が終わる%1 sから始めてください。</translation>
-    </message>
-    <message>
         <source>Give both the same intensity, or make them %1 Hz different.</source>
         <translation>両方を同じ強度にするか、%1 Hzの差をつけてください。</translation>
     </message>
@@ -3304,6 +3367,18 @@ x %4, y %5
     <message>
         <source>Make motor %1 weaker there, by %2 %, so that they are %3 Hz apart.</source>
         <translation>そこでモーター %1 を %2 % 弱くして、互いに %3 Hz 離します。</translation>
+    </message>
+    <message>
+        <source>A burst of %1 is too short for the motor, which needs %2 to speed up.</source>
+        <translation>%1のバーストは、立ち上がりに%2かかるモーターには短すぎます。</translation>
+    </message>
+    <message>
+        <source>A turn of the ring takes %1; its direction is felt reliably only if a turn takes at least %2.</source>
+        <translation>リング1周は%1です。その方向を確実に感じられるのは%2以上です。</translation>
+    </message>
+    <message>
+        <source>Let it begin at %1 s, when the other one has ended.</source>
+        <translation>もう一方が終わる%1 sから始めてください。</translation>
     </message>
 </context>
 <context>
@@ -3477,13 +3552,6 @@ x %4, y %5
     </message>
 </context>
 <context>
-    <name>PlaybackRequest</name>
-    <message>
-        <source>the recording has no stream &quot;%1&quot; to play</source>
-        <translation>記録に再生できるストリーム「%1」がありません</translation>
-    </message>
-</context>
-<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -3518,14 +3586,6 @@ x %4, y %5
         <translation>このヘルプを表示する</translation>
     </message>
     <message>
-        <source>teleta: %1
-%2 --help says more.
-</source>
-        <translation>teleta: %1
-詳しくは %2 --help を参照してください。
-</translation>
-    </message>
-    <message>
         <source>Computes contacts, stiffness and shape from what a tactile robot arm has felt.</source>
         <translation>触覚ロボットアームが感じたものから、接触、剛性、形状を計算します。</translation>
     </message>
@@ -3540,6 +3600,14 @@ x %4, y %5
     <message>
         <source>there is no command &apos;%1&apos;; expected one of %2</source>
         <translation>コマンド「%1」はありません。次のいずれかを指定してください: %2</translation>
+    </message>
+    <message>
+        <source>teleta: %1
+Run %2 --help for more.
+</source>
+        <translation>teleta: %1
+詳しくは %2 --help を参照してください。
+</translation>
     </message>
 </context>
 <context>
@@ -3593,28 +3661,12 @@ x %4, y %5
 <context>
     <name>Recording</name>
     <message>
-        <source>block %1 of the stream &quot;%2&quot; is not whole</source>
-        <translation>ストリーム「%2」のブロック%1が不完全です</translation>
-    </message>
-    <message>
-        <source>the recording was never begun</source>
-        <translation>記録が開始されていません</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no time</source>
-        <translation>「%1」は時刻ではありません</translation>
-    </message>
-    <message>
         <source>the stream &quot;%1&quot; is described by &quot;%2&quot;</source>
         <translation>ストリーム「%1」が「%2」と記述されています</translation>
     </message>
     <message>
         <source>the stream &quot;%1&quot; has %2 columns instead of %3</source>
         <translation>ストリーム「%1」の列数が%3ではなく%2です</translation>
-    </message>
-    <message>
-        <source>there is a file of this name already</source>
-        <translation>同じ名前のファイルがすでにあります</translation>
     </message>
     <message>
         <source>a new name</source>
@@ -3625,24 +3677,12 @@ x %4, y %5
         <translation>記録を書き込めません: %1</translation>
     </message>
     <message>
-        <source>a folder that can be written to</source>
-        <translation>書き込み可能なフォルダー</translation>
-    </message>
-    <message>
         <source>there is no such file</source>
         <translation>そのようなファイルはありません</translation>
     </message>
     <message>
-        <source>this is no recording</source>
-        <translation>記録ではありません</translation>
-    </message>
-    <message>
         <source>a recording of this program</source>
         <translation>このプログラムの記録</translation>
-    </message>
-    <message>
-        <source>this is an SQLite database, but no recording</source>
-        <translation>SQLiteデータベースですが、記録ではありません</translation>
     </message>
     <message>
         <source>the recording was made by a newer version of the program (format %1)</source>
@@ -3651,10 +3691,6 @@ x %4, y %5
     <message>
         <source>format %1 or older</source>
         <translation>形式%1以前</translation>
-    </message>
-    <message>
-        <source>it has no format</source>
-        <translation>形式がありません</translation>
     </message>
     <message>
         <source>a folder that can be written to: the recording was cut off and has to be completed</source>
@@ -3668,17 +3704,41 @@ x %4, y %5
         <source>the recording is damaged: %1</source>
         <translation>記録が破損しています: %1</translation>
     </message>
+    <message>
+        <source>block %1 of the stream &quot;%2&quot; is incomplete</source>
+        <translation>ストリーム「%2」のブロック%1が不完全です</translation>
+    </message>
+    <message>
+        <source>the recording was never started</source>
+        <translation>記録が開始されていません</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time</source>
+        <translation>「%1」は時刻ではありません</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>同じ名前のファイルがすでにあります</translation>
+    </message>
+    <message>
+        <source>a writable folder</source>
+        <translation>書き込み可能なフォルダー</translation>
+    </message>
+    <message>
+        <source>this is not a recording</source>
+        <translation>記録ではありません</translation>
+    </message>
+    <message>
+        <source>this is an SQLite database, but not a recording</source>
+        <translation>SQLiteデータベースですが、記録ではありません</translation>
+    </message>
+    <message>
+        <source>its format version is missing</source>
+        <translation>形式がありません</translation>
+    </message>
 </context>
 <context>
     <name>RecordingExport</name>
-    <message>
-        <source>the folder cannot be made or written to</source>
-        <translation>フォルダーを作成できないか、書き込めません</translation>
-    </message>
-    <message>
-        <source>there is a file of this name already</source>
-        <translation>同じ名前のファイルがすでにあります</translation>
-    </message>
     <message>
         <source>another folder</source>
         <translation>別のフォルダー</translation>
@@ -3686,6 +3746,21 @@ x %4, y %5
     <message>
         <source>interrupted; nothing was written</source>
         <translation>中断されました。何も書き込まれていません</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created or written to</source>
+        <translation>フォルダーを作成できないか、書き込めません</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>同じ名前のファイルがすでにあります</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingRequest</name>
+    <message>
+        <source>the recording has no stream &quot;%1&quot; to play</source>
+        <translation>記録に再生できるストリーム「%1」がありません</translation>
     </message>
 </context>
 <context>
@@ -3755,14 +3830,6 @@ x %4, y %5
         <translation>入力ごとに固有の名前</translation>
     </message>
     <message>
-        <source>the number of joints is wrong: %1</source>
-        <translation>関節の数が正しくありません: %1</translation>
-    </message>
-    <message>
-        <source>%1, from the shoulder on</source>
-        <translation>%1 (肩から順に)</translation>
-    </message>
-    <message>
         <source>the watchdog is a register of a motor</source>
         <translation>ウォッチドッグがモーターのレジスターになっています</translation>
     </message>
@@ -3814,6 +3881,14 @@ x %4, y %5
         <source>at most %1 s</source>
         <translation>%1 s以下</translation>
     </message>
+    <message>
+        <source>too many joints: %1</source>
+        <translation>関節が多すぎます: %1</translation>
+    </message>
+    <message>
+        <source>at most %1, from the base to the tip</source>
+        <translation>最大 %1、基部から先端の順</translation>
+    </message>
 </context>
 <context>
     <name>ReplayCommand</name>
@@ -3860,12 +3935,12 @@ x %4, y %5
         <translation>記録に含まれるアレイとカメラは %1 です</translation>
     </message>
     <message>
-        <source>it is of an array, but the stream &quot;%1&quot; is of a camera</source>
-        <translation>アレイ用のオプションですが、ストリーム「%1」はカメラのものです</translation>
-    </message>
-    <message>
         <source>the settings changed during the recording; those of its beginning are used</source>
         <translation>設定は記録中に変更されました。開始時の設定が使われます</translation>
+    </message>
+    <message>
+        <source>this is for arrays, but the stream &quot;%1&quot; is a camera&apos;s</source>
+        <translation>アレイ用のオプションですが、ストリーム「%1」はカメラのものです</translation>
     </message>
 </context>
 <context>
@@ -4179,10 +4254,6 @@ x %4, y %5
         <translation>角度 (度)、zは上向き、mm</translation>
     </message>
     <message>
-        <source>arrows %1 times</source>
-        <translation>矢印は%1倍</translation>
-    </message>
-    <message>
         <source>x: wrong pair   o: excluded   dashed: valid radius</source>
         <translation>x: 誤ったペア   o: 除外   破線: 有効半径</translation>
     </message>
@@ -4193,6 +4264,10 @@ x %4, y %5
     <message>
         <source>+%1 mm</source>
         <translation>+%1 mm</translation>
+    </message>
+    <message>
+        <source>arrows enlarged %1 times</source>
+        <translation>矢印は%1倍</translation>
     </message>
 </context>
 <context>
@@ -4320,10 +4395,6 @@ x %4, y %5
         <translation>プールした行列の情報伝達量 (計数のまま)</translation>
     </message>
     <message>
-        <source>By how much it is too high on average: (R-1)(C-1) / (2 n ln 2)</source>
-        <translation>平均的な過大評価量: (R-1)(C-1) / (2 n ln 2)</translation>
-    </message>
-    <message>
         <source>Measured less bias</source>
         <translation>測定値からバイアスを引いた値</translation>
     </message>
@@ -4374,10 +4445,6 @@ x %4, y %5
     <message>
         <source>Information transfer as counted</source>
         <translation>情報伝達量 (計数のまま)</translation>
-    </message>
-    <message>
-        <source>By how much it is too high on average</source>
-        <translation>平均的な過大評価量</translation>
     </message>
     <message>
         <source>Response time of right answers</source>
@@ -4452,28 +4519,36 @@ x %4, y %5
         <translation>一般化eta二乗</translation>
     </message>
     <message>
-        <source>Participants that are complete</source>
-        <translation>データがそろっている参加者</translation>
-    </message>
-    <message>
         <source>without %1</source>
         <translation>%1 を除く</translation>
-    </message>
-    <message>
-        <source>The information transfer of few trials is too high: with %1 trials, somebody who only guesses shows %2 bit on average. Read the corrected value beside it.</source>
-        <translation>試行数が少ないと情報伝達量は過大になります: %1試行では、当て推量だけの人でも平均%2 bitになります。隣の補正値を参照してください。</translation>
     </message>
     <message>
         <source>With fewer than 5 k² trials even the corrected value is rough.</source>
         <translation>試行数が5 k²未満の場合は、補正値もおおまかな値です。</translation>
     </message>
     <message>
-        <source>There is one condition only, so the patterns are compared.</source>
-        <translation>条件が1つしかないため、パターンを比較します。</translation>
-    </message>
-    <message>
         <source>Within participants, condition × pattern, of the shares of right answers; below, the conditions compared for each pattern.</source>
         <translation>正答率の参加者内分析、条件 × パターン。その下に、各パターンでの条件の比較を示します。</translation>
+    </message>
+    <message>
+        <source>Average overestimate: (R-1)(C-1) / (2 n ln 2)</source>
+        <translation>平均的な過大評価量: (R-1)(C-1) / (2 n ln 2)</translation>
+    </message>
+    <message>
+        <source>Average overestimate</source>
+        <translation>平均的な過大評価量</translation>
+    </message>
+    <message>
+        <source>Participants with complete data</source>
+        <translation>データがそろっている参加者</translation>
+    </message>
+    <message>
+        <source>Few trials give too high an information transfer: with %1 trials, guessing alone shows %2 bit on average. Use the corrected value next to it.</source>
+        <translation>試行数が少ないと情報伝達量は過大になります: %1試行では、当て推量だけの人でも平均%2 bitになります。隣の補正値を参照してください。</translation>
+    </message>
+    <message>
+        <source>There is only one condition, so the patterns are compared.</source>
+        <translation>条件が1つしかないため、パターンを比較します。</translation>
     </message>
 </context>
 <context>
@@ -4506,14 +4581,6 @@ x %4, y %5
         <translation>接続して再測定</translation>
     </message>
     <message>
-        <source>The computer was too slow for the measurement: the bracelet stood still meanwhile.</source>
-        <translation>測定に対してコンピューターが遅すぎました: その間ブレスレットが停止していました。</translation>
-    </message>
-    <message>
-        <source>measure again with less other work</source>
-        <translation>ほかの処理を減らして再測定</translation>
-    </message>
-    <message>
         <source>Something else was played meanwhile.</source>
         <translation>その間にほかのものが再生されました。</translation>
     </message>
@@ -4541,97 +4608,17 @@ x %4, y %5
         <source>The measurement was ended.</source>
         <translation>測定が終了されました。</translation>
     </message>
+    <message>
+        <source>The computer was too slow for the measurement: the bracelet paused in between.</source>
+        <translation>測定に対してコンピューターが遅すぎました: その間ブレスレットが停止していました。</translation>
+    </message>
+    <message>
+        <source>measure again with fewer programs running</source>
+        <translation>ほかの処理を減らして再測定</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
-    <message>
-        <source>the frame rate of the scene is not a positive number</source>
-        <translation>シーンのフレームレートが正の数ではありません</translation>
-    </message>
-    <message>
-        <source>the size of the tactile array is out of range</source>
-        <translation>触覚アレイのサイズが範囲外です</translation>
-    </message>
-    <message>
-        <source>a property of the tactile array is out of range</source>
-        <translation>触覚アレイの属性が範囲外です</translation>
-    </message>
-    <message>
-        <source>the size of indenter &quot;%1&quot; is out of range</source>
-        <translation>圧子「%1」のサイズが範囲外です</translation>
-    </message>
-    <message>
-        <source>the motion of indenter &quot;%1&quot; is not a series of rising times</source>
-        <translation>圧子「%1」の動きの時刻列が増加していません</translation>
-    </message>
-    <message>
-        <source>a parameter of effect &quot;%1&quot; is out of range</source>
-        <translation>効果「%1」のパラメーターが範囲外です</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; is listed twice</source>
-        <translation>効果「%1」が2回指定されています</translation>
-    </message>
-    <message>
-        <source>a property of the arm is out of range</source>
-        <translation>アームの属性が範囲外です</translation>
-    </message>
-    <message>
-        <source>a property of the joint controllers is out of range</source>
-        <translation>関節コントローラーの属性が範囲外です</translation>
-    </message>
-    <message>
-        <source>a property of the arm&apos;s skin is out of range</source>
-        <translation>アームの皮膚の属性が範囲外です</translation>
-    </message>
-    <message>
-        <source>a property of object &quot;%1&quot; is out of range</source>
-        <translation>物体「%1」の属性が範囲外です</translation>
-    </message>
-    <message>
-        <source>the program of the arm is out of range</source>
-        <translation>アームのプログラムが範囲外です</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs an arm</source>
-        <translation>効果「%1」にはアームが必要です</translation>
-    </message>
-    <message>
-        <source>a property of the camera is out of range</source>
-        <translation>カメラの属性が範囲外です</translation>
-    </message>
-    <message>
-        <source>a property of the soft tube is out of range</source>
-        <translation>ソフトチューブの属性が範囲外です</translation>
-    </message>
-    <message>
-        <source>a finger&apos;s size or motion is out of range</source>
-        <translation>指のサイズまたは動きが範囲外です</translation>
-    </message>
-    <message>
-        <source>a number of the probing is out of range</source>
-        <translation>プロービングの数値が範囲外です</translation>
-    </message>
-    <message>
-        <source>what the arm under the soft tube does is out of range</source>
-        <translation>ソフトチューブの下のアームの動作が範囲外です</translation>
-    </message>
-    <message>
-        <source>a property of the servoing arm, its sensor, object or task is out of range</source>
-        <translation>サーボアーム、そのセンサー、物体、または課題の属性が範囲外です</translation>
-    </message>
-    <message>
-        <source>a camera has no effect &quot;%1&quot;</source>
-        <translation>カメラに効果「%1」はありません</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs a camera</source>
-        <translation>効果「%1」にはカメラが必要です</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs a servoing arm</source>
-        <translation>効果「%1」にはサーボアームが必要です</translation>
-    </message>
     <message>
         <source>the scene is not that of a tactile array</source>
         <translation>触覚アレイのシーンではありません</translation>
@@ -4649,24 +4636,12 @@ x %4, y %5
         <translation>サーボアームのシーンではありません</translation>
     </message>
     <message>
-        <source>how far the objects may be displaced is out of range</source>
-        <translation>物体の許容変位が範囲外です</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs the program of an operator</source>
-        <translation>効果「%1」には操作者のプログラムが必要です</translation>
-    </message>
-    <message>
         <source>the scene is not that of an arm with an operator</source>
         <translation>操作者付きアームのシーンではありません</translation>
     </message>
 </context>
 <context>
     <name>SceneReader</name>
-    <message>
-        <source>the keyframes are not in the order of time</source>
-        <translation>キーフレームが時刻順ではありません</translation>
-    </message>
     <message>
         <source>a time after %1 s</source>
         <translation>%1 sより後の時刻</translation>
@@ -4704,10 +4679,6 @@ x %4, y %5
         <translation>%1: %2から%3まで</translation>
     </message>
     <message>
-        <source>the waypoints are not in the order of time</source>
-        <translation>経由点が時刻順ではありません</translation>
-    </message>
-    <message>
         <source>the program has no object to touch</source>
         <translation>プログラムに触れる物体がありません</translation>
     </message>
@@ -4740,16 +4711,24 @@ x %4, y %5
         <translation>%1 mより大きく、半径%2 m未満</translation>
     </message>
     <message>
-        <source>this is deeper than the skin gives way</source>
-        <translation>皮膚がへこむ深さを超えています</translation>
-    </message>
-    <message>
         <source>there is no tray to keep level</source>
         <translation>水平に保つトレイがありません</translation>
     </message>
     <message>
         <source>an [object.hinge]</source>
         <translation>[object.hinge]</translation>
+    </message>
+    <message>
+        <source>the times of the keyframes do not increase</source>
+        <translation>キーフレームが時刻順ではありません</translation>
+    </message>
+    <message>
+        <source>this is deeper than the skin can yield</source>
+        <translation>皮膚がへこむ深さを超えています</translation>
+    </message>
+    <message>
+        <source>this scene cannot have the effect &quot;%1&quot;</source>
+        <translation>このシーンでは効果「%1」を使えません</translation>
     </message>
 </context>
 <context>
@@ -4762,47 +4741,47 @@ x %4, y %5
 <context>
     <name>SceneRun</name>
     <message>
-        <source>the folder cannot be made or written to</source>
-        <translation>フォルダーを作成できないか、書き込めません</translation>
-    </message>
-    <message>
         <source>the image cannot be written</source>
         <translation>画像を書き込めません</translation>
     </message>
     <message>
-        <source>the protocol has a stimulus that does not come with the program</source>
+        <source>the folder cannot be created or written to</source>
+        <translation>フォルダーを作成できないか、書き込めません</translation>
+    </message>
+    <message>
+        <source>the protocol has a stimulus that is not built in</source>
         <translation>プロトコルに、プログラムに付属していない刺激があります</translation>
     </message>
     <message>
-        <source>tasks, letters and conditions whose patterns come with the program</source>
+        <source>tasks, letters and conditions whose patterns are built in</source>
         <translation>パターンがプログラムに付属している課題、文字、条件</translation>
     </message>
 </context>
 <context>
     <name>ServoCurves</name>
     <message>
-        <source>this is no number of a run</source>
-        <translation>実行の番号ではありません</translation>
-    </message>
-    <message>
         <source>a number from -1e12 to 1e12, or NA</source>
         <translation>-1e12から1e12までの数値、またはNA</translation>
-    </message>
-    <message>
-        <source>the time falls, or there is none</source>
-        <translation>時刻が減少しているか、ありません</translation>
     </message>
     <message>
         <source>times in order</source>
         <translation>順序どおりの時刻</translation>
     </message>
     <message>
-        <source>this is no limit of a servo</source>
-        <translation>これはサーボの制限ではありません</translation>
-    </message>
-    <message>
         <source>names such as force+tool_speed, or nothing</source>
         <translation>force+tool_speed のような名前、または空</translation>
+    </message>
+    <message>
+        <source>this is not a plausible number</source>
+        <translation>実行の番号ではありません</translation>
+    </message>
+    <message>
+        <source>the time decreases or is missing</source>
+        <translation>時刻が減少しているか、ありません</translation>
+    </message>
+    <message>
+        <source>this is not a limit of a servo</source>
+        <translation>これはサーボの制限ではありません</translation>
     </message>
 </context>
 <context>
@@ -5022,10 +5001,6 @@ x %4, y %5
         <translation>シーンのすべての乱数のシード</translation>
     </message>
     <message>
-        <source>Simulated time in seconds; otherwise what the scene says</source>
-        <translation>シミュレーション時間 (秒)。省略時はシーンの指定</translation>
-    </message>
-    <message>
         <source>Share of %1</source>
         <translation>%1 の割合</translation>
     </message>
@@ -5054,10 +5029,6 @@ x %4, y %5
         <translation>同じチャートに載せる以前のサーボ実行のフォルダー (5つまで)</translation>
     </message>
     <message>
-        <source>Leave out one effect at a time and tell how far the measures move against their spread</source>
-        <translation>効果を1つずつ除き、指標がばらつきに対してどれだけ変わるかを示す</translation>
-    </message>
-    <message>
         <source>Runs of each variant, with seeds from --seed upwards</source>
         <translation>各条件の実行回数。シードは--seedから順に増加</translation>
     </message>
@@ -5072,6 +5043,14 @@ x %4, y %5
     <message>
         <source>a scene file, or a name that teleta simulate --list prints</source>
         <translation>シーンファイル、またはteleta simulate --listが表示する名前</translation>
+    </message>
+    <message>
+        <source>Simulated time in seconds; default: as the scene says</source>
+        <translation>シミュレーション時間 (秒)。省略時はシーンの指定</translation>
+    </message>
+    <message>
+        <source>Leave out one effect at a time and compare how far each measure moves with its spread</source>
+        <translation>効果を1つずつ除き、指標がばらつきに対してどれだけ変わるかを示す</translation>
     </message>
 </context>
 <context>
@@ -5109,7 +5088,7 @@ x %4, y %5
 <context>
     <name>SimulatedTube</name>
     <message>
-        <source>the lens of the camera folds: no camera has it</source>
+        <source>the lens folds the image over itself: no camera has such a lens</source>
         <translation>カメラのレンズが折り返しています: そのようなカメラはありません</translation>
     </message>
 </context>
@@ -5120,20 +5099,8 @@ x %4, y %5
         <translation>異なるモードのデータが混在しています: %1と%2</translation>
     </message>
     <message>
-        <source>one mode, or to be told which one counts</source>
-        <translation>1つのモード、または対象とするモードの指定</translation>
-    </message>
-    <message>
         <source>%1 cannot be &quot;%2&quot;</source>
         <translation>%1 を「%2」にはできません</translation>
-    </message>
-    <message>
-        <source>%1 has trials in %2 too: these may be two people, or the same trials twice</source>
-        <translation>%1 の試行は %2 にもあります: 別の二人か、同じ試行が二度あるのかもしれません</translation>
-    </message>
-    <message>
-        <source>each participant in one study, under a name of their own</source>
-        <translation>参加者ごとに一つの実験、固有の名前</translation>
     </message>
     <message>
         <source>run, pilot or simulated</source>
@@ -5152,24 +5119,12 @@ x %4, y %5
         <translation>correct、incorrect、timeout、aborted、またはdevice_error</translation>
     </message>
     <message>
-        <source>what stimulus and response say</source>
-        <translation>刺激と応答が示すもの</translation>
-    </message>
-    <message>
         <source>a number of seconds or NA</source>
         <translation>秒数またはNA</translation>
     </message>
     <message>
-        <source>a whole number from 1 on</source>
-        <translation>1 以上の整数</translation>
-    </message>
-    <message>
         <source>%1 at most</source>
         <translation>%1以下</translation>
-    </message>
-    <message>
-        <source>trial %1 of session %2 of %3 was counted before</source>
-        <translation>%3 のセッション %2 の試行 %1 はすでに数えられています</translation>
     </message>
     <message>
         <source>each trial once</source>
@@ -5182,6 +5137,30 @@ x %4, y %5
     <message>
         <source>there are too many different patterns</source>
         <translation>異なるパターンが多すぎます</translation>
+    </message>
+    <message>
+        <source>one mode, or the choice of one</source>
+        <translation>1つのモード、または対象とするモードの指定</translation>
+    </message>
+    <message>
+        <source>%1 also has trials in %2: these may be two people, or the same trials twice</source>
+        <translation>%1 の試行は %2 にもあります: 別の二人か、同じ試行が二度あるのかもしれません</translation>
+    </message>
+    <message>
+        <source>each participant in one study only, under a unique name</source>
+        <translation>参加者ごとに一つの実験、固有の名前</translation>
+    </message>
+    <message>
+        <source>the value implied by stimulus and response</source>
+        <translation>刺激と応答が示すもの</translation>
+    </message>
+    <message>
+        <source>a whole number of at least 1</source>
+        <translation>1 以上の整数</translation>
+    </message>
+    <message>
+        <source>trial %1 of session %2 of %3 was already counted</source>
+        <translation>%3 のセッション %2 の試行 %1 はすでに数えられています</translation>
     </message>
 </context>
 <context>
@@ -5386,10 +5365,6 @@ x %4, y %5
         <translation>ブレスレットとの接続が切れました</translation>
     </message>
     <message>
-        <source>the bracelet stood still for too long</source>
-        <translation>ブレスレットの停止が長すぎました</translation>
-    </message>
-    <message>
         <source>the pattern could not be played: %1</source>
         <translation>パターンを再生できませんでした: %1</translation>
     </message>
@@ -5412,35 +5387,39 @@ x %4, y %5
         <translation>%1、準備完了。直前の刺激: %2フレーム、最長書き込み %3 ms、遅延 %4、損失 %5</translation>
     </message>
     <message>
-        <source>the bracelet did not begin</source>
-        <translation>ブレスレットが始動しませんでした</translation>
-    </message>
-    <message>
         <source>the bracelet does not answer</source>
         <translation>ブレスレットが応答しません</translation>
-    </message>
-    <message>
-        <source>the bracelet refused the stimulus: it did not understand it</source>
-        <translation>ブレスレットは刺激を解釈できず、拒否しました</translation>
-    </message>
-    <message>
-        <source>the bracelet did not confirm that it got the stimulus</source>
-        <translation>ブレスレットが刺激の受信を確認しませんでした</translation>
     </message>
     <message>
         <source>something else used the bracelet</source>
         <translation>ほかの処理がブレスレットを使用しました</translation>
     </message>
     <message>
-        <source>No bracelet: this rehearsal runs too fast to be played</source>
+        <source>playback stalled for too long</source>
+        <translation>再生が長く止まりすぎました</translation>
+    </message>
+    <message>
+        <source>the bracelet did not start</source>
+        <translation>ブレスレットが始動しませんでした</translation>
+    </message>
+    <message>
+        <source>the bracelet rejected the stimulus</source>
+        <translation>ブレスレットは刺激を解釈できず、拒否しました</translation>
+    </message>
+    <message>
+        <source>the bracelet did not confirm the stimulus</source>
+        <translation>ブレスレットが刺激の受信を確認しませんでした</translation>
+    </message>
+    <message>
+        <source>No bracelet: this rehearsal is too fast to be played</source>
         <translation>ブレスレットなし: このリハーサルは速すぎるため再生できません</translation>
     </message>
     <message>
-        <source>nobody can tell in which folder this pattern is</source>
+        <source>the folder of this pattern is unknown</source>
         <translation>このパターンがどのフォルダーにあるのかわかりません</translation>
     </message>
     <message>
-        <source>the whole path of the file</source>
+        <source>the full path of the file</source>
         <translation>ファイルの絶対パス</translation>
     </message>
 </context>
@@ -5455,56 +5434,20 @@ x %4, y %5
         <translation>実験のフォルダーを作成できません</translation>
     </message>
     <message>
-        <source>there is a study of this name already</source>
-        <translation>同じ名前の実験がすでにあります</translation>
-    </message>
-    <message>
-        <source>a new name, or to go on with the study</source>
-        <translation>新しい名前、または既存の実験の続行</translation>
-    </message>
-    <message>
-        <source>there is a study in this folder already</source>
-        <translation>このフォルダーにはすでに実験があります</translation>
-    </message>
-    <message>
-        <source>a new folder, or to go on with the study</source>
-        <translation>新しいフォルダー、または既存の実験の続行</translation>
-    </message>
-    <message>
-        <source>the study was never completely made</source>
-        <translation>実験の作成が完了していません</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; cannot name a participant</source>
         <translation>「%1」は参加者の名前に使えません</translation>
-    </message>
-    <message>
-        <source>another name: files have %1 for no value or for all participants</source>
-        <translation>別の名前: ファイルでは %1 が値なしまたは全参加者を表します</translation>
     </message>
     <message>
         <source>a text of 1 to %1 characters</source>
         <translation>1～%1文字のテキスト</translation>
     </message>
     <message>
-        <source>the participant &quot;%1&quot; is enrolled already</source>
-        <translation>参加者「%1」はすでに登録されています</translation>
-    </message>
-    <message>
         <source>another name</source>
         <translation>別の名前</translation>
     </message>
     <message>
-        <source>other stations enrol participants all the time</source>
-        <translation>ほかのステーションが絶えず参加者を登録しています</translation>
-    </message>
-    <message>
         <source>to try again</source>
         <translation>再試行</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is in a session already, at %2</source>
-        <translation>「%1」はすでにセッション中です (%2)</translation>
     </message>
     <message>
         <source>one session of a participant at a time</source>
@@ -5515,12 +5458,48 @@ x %4, y %5
         <translation>別のステーション</translation>
     </message>
     <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>パターンが、このスタディを始めたときのものと異なります</translation>
-    </message>
-    <message>
         <source>version %1 of the program, or a new study</source>
         <translation>バージョン %1 のプログラム、または新しいスタディ</translation>
+    </message>
+    <message>
+        <source>a study of this name already exists</source>
+        <translation>同じ名前の実験がすでにあります</translation>
+    </message>
+    <message>
+        <source>a new name, or to continue the study</source>
+        <translation>新しい名前、または既存の実験の続行</translation>
+    </message>
+    <message>
+        <source>this folder already contains a study</source>
+        <translation>このフォルダーにはすでに実験があります</translation>
+    </message>
+    <message>
+        <source>a new folder, or to continue the study</source>
+        <translation>新しいフォルダー、または既存の実験の続行</translation>
+    </message>
+    <message>
+        <source>the study was not created completely</source>
+        <translation>実験の作成が完了していません</translation>
+    </message>
+    <message>
+        <source>another name: in files, %1 means no value or all participants</source>
+        <translation>別の名前: ファイルでは %1 が値なしまたは全参加者を表します</translation>
+    </message>
+    <message>
+        <source>the participant &quot;%1&quot; is already enrolled</source>
+        <translation>参加者「%1」はすでに登録されています</translation>
+    </message>
+    <message>
+        <source>other stations keep enrolling participants</source>
+        <translation>ほかのステーションが絶えず参加者を登録しています</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is already in a session at %2</source>
+        <translation>「%1」はすでにセッション中です (%2)</translation>
+    </message>
+    <message>
+        <source>the patterns have changed since this study was created</source>
+        <translation>パターンが、このスタディを始めたときのものと異なります</translation>
     </message>
 </context>
 <context>
@@ -5591,16 +5570,8 @@ x %4, y %5
         <translation>プロトコル</translation>
     </message>
     <message>
-        <source>Mend the protocol at this place and open it again.</source>
-        <translation>プロトコルのこの箇所を修正し、開き直してください。</translation>
-    </message>
-    <message>
         <source>no protocol is open</source>
         <translation>プロトコルが開かれていません</translation>
-    </message>
-    <message>
-        <source>Open a protocol, or begin with the paper&apos;s.</source>
-        <translation>プロトコルを開くか、論文のプロトコルで始めてください。</translation>
     </message>
     <message>
         <source>the protocol has no trials</source>
@@ -5615,20 +5586,8 @@ x %4, y %5
         <translation>参加者</translation>
     </message>
     <message>
-        <source>no participant is chosen</source>
-        <translation>参加者が選ばれていません</translation>
-    </message>
-    <message>
         <source>Choose a participant, or add a new one.</source>
         <translation>参加者を選ぶか、新しく追加してください。</translation>
-    </message>
-    <message>
-        <source>%1 is in a session already</source>
-        <translation>%1 はすでにセッション中です</translation>
-    </message>
-    <message>
-        <source>%1 is in a session already, at %2</source>
-        <translation>%1 はすでにセッション中です (%2)</translation>
     </message>
     <message>
         <source>Finish or abort the other session, or choose another participant.</source>
@@ -5663,10 +5622,6 @@ x %4, y %5
         <translation>%1 が応答しません</translation>
     </message>
     <message>
-        <source>Check cable and power supply; it goes on by itself when it is back.</source>
-        <translation>ケーブルと電源を確認してください。復帰すると自動的に続行します。</translation>
-    </message>
-    <message>
         <source>STOP is engaged</source>
         <translation>STOPが作動中です</translation>
     </message>
@@ -5687,16 +5642,8 @@ x %4, y %5
         <translation>フォルダー</translation>
     </message>
     <message>
-        <source>%1 is not there</source>
-        <translation>%1 がありません</translation>
-    </message>
-    <message>
         <source>Connect the drive of the study, or choose another folder.</source>
         <translation>実験のドライブを接続するか、別のフォルダーを選んでください。</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>%1 に書き込めません: %2</translation>
     </message>
     <message>
         <source>Allow writing to the folder, or choose another one.</source>
@@ -5711,20 +5658,12 @@ x %4, y %5
         <translation>空き容量は %1 MBです</translation>
     </message>
     <message>
-        <source>Free space until there are %1 MB, or choose another folder.</source>
-        <translation>空きが %1 MBになるまで容量を確保するか、別のフォルダーを選んでください。</translation>
-    </message>
-    <message>
         <source>Data store</source>
         <translation>データストア</translation>
     </message>
     <message>
         <source>ready</source>
         <translation>準備完了</translation>
-    </message>
-    <message>
-        <source>Start the server or mend the network; then try again.</source>
-        <translation>サーバーを起動するかネットワークを修復してから、もう一度お試しください。</translation>
     </message>
     <message>
         <source>Make a copy of the study&apos;s folder and open the study again.</source>
@@ -5763,28 +5702,68 @@ x %4, y %5
         <translation>刺激</translation>
     </message>
     <message>
-        <source>there are no patterns %1</source>
+        <source>Correct the protocol at this place and open it again.</source>
+        <translation>プロトコルのこの箇所を修正し、開き直してください。</translation>
+    </message>
+    <message>
+        <source>Open a protocol, or start with the paper&apos;s.</source>
+        <translation>プロトコルを開くか、論文のプロトコルで始めてください。</translation>
+    </message>
+    <message>
+        <source>there are no tactile patterns for %1</source>
         <translation>パターン %1 がありません</translation>
     </message>
     <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>パターンが、このスタディを始めたときのものと異なります</translation>
-    </message>
-    <message>
-        <source>Go on with version %1 of the program, which began it, or begin a new study.</source>
-        <translation>このスタディを始めたバージョン %1 のプログラムで続けるか、新しいスタディを始めてください。</translation>
-    </message>
-    <message>
-        <source>those with which the study was begun</source>
-        <translation>スタディを始めたときのもの</translation>
-    </message>
-    <message>
-        <source>Make a study whose protocol names a file for each pattern that does not come with the program.</source>
+        <source>Create a study whose protocol names a file for each pattern that is not built in.</source>
         <translation>プログラムに付属していない各パターンのファイルを指定したプロトコルで、スタディを作成してください。</translation>
     </message>
     <message>
-        <source>all there; whether the study was begun with others is not known</source>
+        <source>the patterns have changed since this study was created</source>
+        <translation>パターンが、このスタディを始めたときのものと異なります</translation>
+    </message>
+    <message>
+        <source>Use version %1 of the program, which created it, or create a new study.</source>
+        <translation>このスタディを始めたバージョン %1 のプログラムで続けるか、新しいスタディを始めてください。</translation>
+    </message>
+    <message>
+        <source>unchanged since the study was created</source>
+        <translation>スタディを始めたときのもの</translation>
+    </message>
+    <message>
+        <source>all there; whether they have changed since the study was created is unknown</source>
         <translation>すべてあります。スタディを始めたときのものと同じかどうかは不明です</translation>
+    </message>
+    <message>
+        <source>no participant is selected</source>
+        <translation>参加者が選ばれていません</translation>
+    </message>
+    <message>
+        <source>%1 is already in a session</source>
+        <translation>%1 はすでにセッション中です</translation>
+    </message>
+    <message>
+        <source>%1 is already in a session at %2</source>
+        <translation>%1 はすでにセッション中です (%2)</translation>
+    </message>
+    <message>
+        <source>Check cable and power supply; it reconnects by itself.</source>
+        <translation>ケーブルと電源を確認してください。復帰すると自動的に続行します。</translation>
+    </message>
+    <message>
+        <source>%1 was not found</source>
+        <translation>%1 がありません</translation>
+    </message>
+    <message>
+        <source>cannot write to %1: %2</source>
+        <translation>%1 に書き込めません: %2</translation>
+    </message>
+    <message>
+        <source>Free up space to at least %1 MB, or choose another folder.</source>
+        <translation>空きが %1 MBになるまで容量を確保するか、別のフォルダーを選んでください。</translation>
+    </message>
+    <message>
+        <source>Start the server or repair the network connection, then try again.</source>
+        <translation>サーバーを起動するかネットワークを修復してから、もう一度お試しください。</translation>
     </message>
 </context>
 <context>
@@ -5816,10 +5795,6 @@ x %4, y %5
     <message>
         <source>Protocol of the study; otherwise the paper&apos;s</source>
         <translation>実験のプロトコル。省略時は論文のプロトコル</translation>
-    </message>
-    <message>
-        <source>How many take part</source>
-        <translation>参加人数</translation>
     </message>
     <message>
         <source>Seed of all orders and answers</source>
@@ -5977,6 +5952,10 @@ x %4, y %5
         <source>Tables and figures</source>
         <translation>表と図</translation>
     </message>
+    <message>
+        <source>Number of participants</source>
+        <translation>参加人数</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -5985,12 +5964,12 @@ x %4, y %5
         <translation>フォルダーを作成できません</translation>
     </message>
     <message>
-        <source>the file does not hold what was written</source>
-        <translation>ファイルの内容が書き込んだものと異なります</translation>
-    </message>
-    <message>
         <source>the study has no participant &quot;%1&quot;</source>
         <translation>実験に参加者「%1」がいません</translation>
+    </message>
+    <message>
+        <source>the file differs from what was written</source>
+        <translation>ファイルの内容が書き込んだものと異なります</translation>
     </message>
 </context>
 <context>
@@ -6077,16 +6056,8 @@ x %4, y %5
 <context>
     <name>StudyNoise</name>
     <message>
-        <source>these settings of the noise are out of range</source>
-        <translation>ノイズの設定が範囲外です</translation>
-    </message>
-    <message>
         <source>an even number of samples up to %1, and frequencies above 0 up to half the rate</source>
         <translation>%1以下の偶数のサンプル数と、0より大きくレートの半分以下の周波数</translation>
-    </message>
-    <message>
-        <source>there is no frequency in this band</source>
-        <translation>この帯域に周波数がありません</translation>
     </message>
     <message>
         <source>more samples or a wider band</source>
@@ -6107,6 +6078,14 @@ x %4, y %5
     <message>
         <source>at most 4 GiB of samples</source>
         <translation>サンプル4 GiB以下</translation>
+    </message>
+    <message>
+        <source>the noise settings are out of range</source>
+        <translation>ノイズの設定が範囲外です</translation>
+    </message>
+    <message>
+        <source>the band contains no frequency</source>
+        <translation>この帯域に周波数がありません</translation>
     </message>
 </context>
 <context>
@@ -6151,10 +6130,6 @@ x %4, y %5
         <translation>%1文字以下</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be answered by &quot;%2&quot;</source>
-        <translation>「%1」に「%2」とは回答できません</translation>
-    </message>
-    <message>
         <source>a number from 1 to %1</source>
         <translation>1から%1までの数値</translation>
     </message>
@@ -6163,11 +6138,15 @@ x %4, y %5
         <translation>選択肢のいずれか</translation>
     </message>
     <message>
-        <source>the answers are not those of this questionnaire</source>
+        <source>&quot;%1&quot; cannot be answered with &quot;%2&quot;</source>
+        <translation>「%1」に「%2」とは回答できません</translation>
+    </message>
+    <message>
+        <source>the answers do not match this questionnaire</source>
         <translation>この質問票の回答ではありません</translation>
     </message>
     <message>
-        <source>one answer an item, in their order</source>
+        <source>one answer per item, in order</source>
         <translation>項目ごとに1つの回答 (項目順)</translation>
     </message>
 </context>
@@ -6178,7 +6157,7 @@ x %4, y %5
         <translation>この実験には実際の参加者がいます</translation>
     </message>
     <message>
-        <source>a study that was begun as a rehearsal</source>
+        <source>a study created as a rehearsal</source>
         <translation>リハーサルとして始めた実験</translation>
     </message>
 </context>
@@ -6206,10 +6185,6 @@ x %4, y %5
         <translation>
             <numerusform>%1: %nパターン、%2</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials a participant</source>
-        <translation>各パターンの反復: 練習%1回、テスト%2回。参加者1名あたりテスト%3試行</translation>
     </message>
     <message>
         <source>Stimulus %1 s, answer within %2 s %3</source>
@@ -6259,40 +6234,8 @@ x %4, y %5
         <translation>セッション%1/%2、Williams方格の行%3</translation>
     </message>
     <message>
-        <source>Go on with this session</source>
-        <translation>このセッションを続行</translation>
-    </message>
-    <message>
-        <source>Begin this session</source>
-        <translation>このセッションを開始</translation>
-    </message>
-    <message>
-        <source>This session was interrupted after %1 of %2 trials. What was answered is kept; it goes on with the same order.</source>
-        <translation>このセッションは%2試行中%1試行で中断されました。回答は保存されており、同じ順序で続行します。</translation>
-    </message>
-    <message>
-        <source>The session can begin when all checks have passed.</source>
-        <translation>すべてのチェックを通過するとセッションを開始できます。</translation>
-    </message>
-    <message>
-        <source>Begin the rehearsal</source>
-        <translation>リハーサルを開始</translation>
-    </message>
-    <message>
-        <source>Go on with the rehearsal</source>
-        <translation>リハーサルを続行</translation>
-    </message>
-    <message>
-        <source>Simulated participants go through all sessions, with the same code as people.</source>
-        <translation>シミュレーション参加者が、人と同じコードですべてのセッションを行います。</translation>
-    </message>
-    <message>
         <source>Halt the rehearsal</source>
         <translation>リハーサルを停止</translation>
-    </message>
-    <message>
-        <source>To the next session</source>
-        <translation>次のセッションへ</translation>
     </message>
     <message>
         <source>This session is finished.</source>
@@ -6311,10 +6254,6 @@ x %4, y %5
         <translation>参加者を追加</translation>
     </message>
     <message>
-        <source>Enrol the first participant at the left: the order of the conditions follows from the order of enrolment.</source>
-        <translation>左側で最初の参加者を登録してください: 条件の順序は登録順で決まります。</translation>
-    </message>
-    <message>
         <source>Choose another participant</source>
         <translation>別の参加者を選択</translation>
     </message>
@@ -6323,48 +6262,12 @@ x %4, y %5
         <translation>この参加者は全セッションを終えています。</translation>
     </message>
     <message>
-        <source>It is asked again when a session of this participant begins or is gone on with.</source>
-        <translation>この参加者のセッションを開始または続行するときに、再び質問されます。</translation>
-    </message>
-    <message>
-        <source>It is asked again only when this session is interrupted and gone on with.</source>
-        <translation>このセッションが中断されて続行されたときにのみ、再び質問されます。</translation>
-    </message>
-    <message>
-        <source>The session is finished without it, and then it is not asked again.</source>
-        <translation>これなしでセッションは完了し、再び質問されることはありません。</translation>
-    </message>
-    <message>
         <source>The simulated participant fills in “%1”.</source>
         <translation>シミュレーション参加者が「%1」に記入しています。</translation>
     </message>
     <message>
-        <source>Noting that “%1” is left out …</source>
-        <translation>「%1」の省略を記録しています…</translation>
-    </message>
-    <message>
-        <source>Keeping the answers …</source>
-        <translation>回答を保存しています…</translation>
-    </message>
-    <message>
         <source>The participant fills in “%1”.</source>
         <translation>参加者が「%1」に記入しています。</translation>
-    </message>
-    <message>
-        <source>Try again to leave it out</source>
-        <translation>もう一度省略する</translation>
-    </message>
-    <message>
-        <source>“%1” could not be left out, because the note about it could not be kept. %2</source>
-        <translation>省略の記録を保存できなかったため、「%1」を省略できませんでした。%2</translation>
-    </message>
-    <message>
-        <source>Try again to keep the answers</source>
-        <translation>もう一度回答を保存</translation>
-    </message>
-    <message>
-        <source>The answers to “%1” could not be kept; they are still in the participant&apos;s window. %2</source>
-        <translation>「%1」への回答を保存できませんでした。回答は参加者のウィンドウに残っています。%2</translation>
     </message>
     <message>
         <source>Show the questionnaire</source>
@@ -6387,20 +6290,12 @@ x %4, y %5
         <translation>一時停止中です。</translation>
     </message>
     <message>
-        <source>Begin the test</source>
-        <translation>テストを開始</translation>
-    </message>
-    <message>
         <source>Practice is over. In the test there is no feedback unless the protocol says so.</source>
         <translation>練習は終わりました。プロトコルに指定がない限り、テストではフィードバックはありません。</translation>
     </message>
     <message>
         <source>Go on after STOP</source>
         <translation>STOP後に続行</translation>
-    </message>
-    <message>
-        <source>STOPPED. The bracelet is off. A trial that ran will be shown again.</source>
-        <translation>停止しました。ブレスレットはオフです。実行中だった試行は再び提示されます。</translation>
     </message>
     <message>
         <source>The stimulus was interrupted: %1. The trial will be shown again.</source>
@@ -6411,40 +6306,16 @@ x %4, y %5
         <translation>解除するには、STOPボタンを1秒間押し続けてください。</translation>
     </message>
     <message>
-        <source>Try again to keep the last trial</source>
-        <translation>もう一度最後の試行を保存</translation>
-    </message>
-    <message>
-        <source>The last trial could not be kept; it is still in memory. %1</source>
-        <translation>最後の試行を保存できませんでした。まだメモリー内にあります。%1</translation>
-    </message>
-    <message>
         <source>Leave this session</source>
         <translation>このセッションを離れる</translation>
-    </message>
-    <message>
-        <source>The session was aborted. What was answered is kept.</source>
-        <translation>セッションは中止されました。回答は保存されています。</translation>
     </message>
     <message>
         <source>This session is finished. Thank the participant.</source>
         <translation>このセッションは完了しました。参加者にお礼を伝えてください。</translation>
     </message>
     <message>
-        <source>Keeping the trial …</source>
-        <translation>試行を保存しています…</translation>
-    </message>
-    <message>
         <source>Ready for the next trial.</source>
         <translation>次の試行の準備ができました。</translation>
-    </message>
-    <message>
-        <source>The stimulus begins …</source>
-        <translation>刺激が始まります…</translation>
-    </message>
-    <message>
-        <source>The stimulus is felt.</source>
-        <translation>刺激を提示しています。</translation>
     </message>
     <message>
         <source>The right answer is shown.</source>
@@ -6455,24 +6326,8 @@ x %4, y %5
         <translation>回答を待っています。</translation>
     </message>
     <message>
-        <source>The simulated participant is at work</source>
-        <translation>シミュレーション参加者が実施中です</translation>
-    </message>
-    <message>
-        <source>The participant goes on with Space</source>
-        <translation>参加者がSpaceキーで続行します</translation>
-    </message>
-    <message>
         <source>A pause follows.</source>
         <translation>この後は休憩です。</translation>
-    </message>
-    <message>
-        <source>Your answers could not be kept yet. Please tell the experimenter.</source>
-        <translation>回答をまだ保存できていません。実験者に知らせてください。</translation>
-    </message>
-    <message>
-        <source>No session is chosen</source>
-        <translation>セッションが選ばれていません</translation>
     </message>
     <message>
         <source>%1, test</source>
@@ -6487,16 +6342,140 @@ x %4, y %5
         <translation>休憩を終える</translation>
     </message>
     <message>
-        <source>Rest. The participant may go on in %1 s.</source>
+        <source>Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials per participant</source>
+        <translation>各パターンの反復: 練習%1回、テスト%2回。参加者1名あたりテスト%3試行</translation>
+    </message>
+    <message>
+        <source>Resume this session</source>
+        <translation>このセッションを続行</translation>
+    </message>
+    <message>
+        <source>Start this session</source>
+        <translation>このセッションを開始</translation>
+    </message>
+    <message>
+        <source>This session was interrupted after %1 of %2 trials. All answers are saved; it resumes in the same order.</source>
+        <translation>このセッションは%2試行中%1試行で中断されました。回答は保存されており、同じ順序で続行します。</translation>
+    </message>
+    <message>
+        <source>The session can start when all checks have passed.</source>
+        <translation>すべてのチェックを通過するとセッションを開始できます。</translation>
+    </message>
+    <message>
+        <source>Start the rehearsal</source>
+        <translation>リハーサルを開始</translation>
+    </message>
+    <message>
+        <source>Resume the rehearsal</source>
+        <translation>リハーサルを続行</translation>
+    </message>
+    <message>
+        <source>Simulated participants go through all sessions, by the same rules as people.</source>
+        <translation>シミュレーション参加者が、人と同じコードですべてのセッションを行います。</translation>
+    </message>
+    <message>
+        <source>Next session</source>
+        <translation>次のセッションへ</translation>
+    </message>
+    <message>
+        <source>Enrol the first participant on the left: the order of enrolment determines the order of the conditions.</source>
+        <translation>左側で最初の参加者を登録してください: 条件の順序は登録順で決まります。</translation>
+    </message>
+    <message>
+        <source>It is asked again when a session of this participant starts or resumes.</source>
+        <translation>この参加者のセッションを開始または続行するときに、再び質問されます。</translation>
+    </message>
+    <message>
+        <source>It is asked again only if this session is interrupted and resumed.</source>
+        <translation>このセッションが中断されて続行されたときにのみ、再び質問されます。</translation>
+    </message>
+    <message>
+        <source>The session finishes without it, and it is not asked again.</source>
+        <translation>これなしでセッションは完了し、再び質問されることはありません。</translation>
+    </message>
+    <message>
+        <source>Recording that “%1” is skipped …</source>
+        <translation>「%1」の省略を記録しています…</translation>
+    </message>
+    <message>
+        <source>Saving the answers …</source>
+        <translation>回答を保存しています…</translation>
+    </message>
+    <message>
+        <source>Try again to skip it</source>
+        <translation>もう一度省略する</translation>
+    </message>
+    <message>
+        <source>“%1” could not be skipped, because the note about it could not be saved. %2</source>
+        <translation>省略の記録を保存できなかったため、「%1」を省略できませんでした。%2</translation>
+    </message>
+    <message>
+        <source>Try again to save the answers</source>
+        <translation>もう一度回答を保存</translation>
+    </message>
+    <message>
+        <source>The answers to “%1” could not be saved; they are still in the participant&apos;s window. %2</source>
+        <translation>「%1」への回答を保存できませんでした。回答は参加者のウィンドウに残っています。%2</translation>
+    </message>
+    <message>
+        <source>Rest. The participant may continue in %1 s.</source>
         <translation>休憩中です。参加者は %1 秒後に続けられます。</translation>
     </message>
     <message>
-        <source>Rest. The participant goes on with Space.</source>
+        <source>Rest. The participant continues with Space.</source>
         <translation>休憩中です。参加者がスペースキーで続けます。</translation>
     </message>
     <message>
-        <source>The last trial waits for the server. %1</source>
+        <source>Start the test</source>
+        <translation>テストを開始</translation>
+    </message>
+    <message>
+        <source>STOPPED. The bracelet is off. An interrupted trial will be shown again.</source>
+        <translation>停止しました。ブレスレットはオフです。実行中だった試行は再び提示されます。</translation>
+    </message>
+    <message>
+        <source>Try again to save the last trial</source>
+        <translation>もう一度最後の試行を保存</translation>
+    </message>
+    <message>
+        <source>The last trial is waiting for the server. %1</source>
         <translation>最後の試行はサーバーの復帰を待っています。%1</translation>
+    </message>
+    <message>
+        <source>The last trial could not be saved; it is still in memory. %1</source>
+        <translation>最後の試行を保存できませんでした。まだメモリー内にあります。%1</translation>
+    </message>
+    <message>
+        <source>The session was aborted. All answers are saved.</source>
+        <translation>セッションは中止されました。回答は保存されています。</translation>
+    </message>
+    <message>
+        <source>Saving the trial …</source>
+        <translation>試行を保存しています…</translation>
+    </message>
+    <message>
+        <source>The stimulus is starting …</source>
+        <translation>刺激が始まります…</translation>
+    </message>
+    <message>
+        <source>The stimulus is playing.</source>
+        <translation>刺激を提示しています。</translation>
+    </message>
+    <message>
+        <source>The simulated participant is working</source>
+        <translation>シミュレーション参加者が実施中です</translation>
+    </message>
+    <message>
+        <source>The participant continues with Space</source>
+        <translation>参加者がSpaceキーで続行します</translation>
+    </message>
+    <message>
+        <source>Your answers could not be saved yet. Please tell the experimenter.</source>
+        <translation>回答をまだ保存できていません。実験者に知らせてください。</translation>
+    </message>
+    <message>
+        <source>No session is selected</source>
+        <translation>セッションが選ばれていません</translation>
     </message>
 </context>
 <context>
@@ -6521,11 +6500,11 @@ x %4, y %5
 <context>
     <name>StudySession</name>
     <message>
-        <source>the trials that were kept are not those of this plan</source>
+        <source>the stored trials do not belong to this session&apos;s plan</source>
         <translation>保存された試行がこの計画のものと一致しません</translation>
     </message>
     <message>
-        <source>the order that the seed of the session gives</source>
+        <source>the order given by the session&apos;s seed</source>
         <translation>セッションのシードから決まる順序</translation>
     </message>
 </context>
@@ -6552,40 +6531,16 @@ x %4, y %5
         <translation>study.sqliteを含むフォルダー</translation>
     </message>
     <message>
-        <source>this trial is kept already</source>
-        <translation>この試行はすでに保存されています</translation>
-    </message>
-    <message>
         <source>each attempt of a trial once</source>
         <translation>試行の各試みは1回のみ</translation>
-    </message>
-    <message>
-        <source>a folder of its own for each study</source>
-        <translation>実験ごとに固有のフォルダー</translation>
-    </message>
-    <message>
-        <source>this folder has a study that is kept in it</source>
-        <translation>このフォルダーには、フォルダー内に保存された実験があります</translation>
     </message>
     <message>
         <source>cannot read the file: %1</source>
         <translation>ファイルを読み取れません: %1</translation>
     </message>
     <message>
-        <source>this folder is that of another study, on %1</source>
-        <translation>このフォルダーは別の実験のものです (%1)</translation>
-    </message>
-    <message>
-        <source>this does not say which study the folder is for</source>
-        <translation>どの実験のフォルダーかを示していません</translation>
-    </message>
-    <message>
         <source>server, created_utc and seed of a study</source>
         <translation>実験のserver、created_utc、seed</translation>
-    </message>
-    <message>
-        <source>this is no address of a PostgreSQL server</source>
-        <translation>PostgreSQLサーバーのアドレスではありません</translation>
     </message>
     <message>
         <source>the address has the port &quot;%1&quot;</source>
@@ -6612,10 +6567,6 @@ x %4, y %5
         <translation>「%1」はサーバー上の実験の名前に使えません</translation>
     </message>
     <message>
-        <source>small letters, digits and _, not a digit first</source>
-        <translation>小文字の英字、数字、_ (先頭は数字以外)</translation>
-    </message>
-    <message>
         <source>Qt&apos;s driver for PostgreSQL is not installed</source>
         <translation>QtのPostgreSQLドライバーがインストールされていません</translation>
     </message>
@@ -6628,14 +6579,6 @@ x %4, y %5
         <translation>サーバーに実験「%1」がありません</translation>
     </message>
     <message>
-        <source>the name of a study that was begun there</source>
-        <translation>サーバー上で始めた実験の名前</translation>
-    </message>
-    <message>
-        <source>another station went on with this participant while the server was away</source>
-        <translation>サーバーに接続できない間に、別のステーションがこの参加者を続行しました</translation>
-    </message>
-    <message>
         <source>one session of a participant at a time</source>
         <translation>参加者ごとに同時に1つのセッション</translation>
     </message>
@@ -6644,24 +6587,8 @@ x %4, y %5
         <translation>別のステーション</translation>
     </message>
     <message>
-        <source>the study is damaged: a session or a trial has a number that its protocol does not have</source>
-        <translation>実験が破損しています: プロトコルにない番号のセッションまたは試行があります</translation>
-    </message>
-    <message>
         <source>these trials belong to another study</source>
         <translation>これらの試行は別の実験のものです</translation>
-    </message>
-    <message>
-        <source>The trial is safe in %1 and is sent when the server is back.</source>
-        <translation>試行は %1 に安全に保存されており、サーバーの復帰後に送信されます。</translation>
-    </message>
-    <message>
-        <source>this questionnaire belongs to another place in the study</source>
-        <translation>この質問票は実験の別の箇所のものです</translation>
-    </message>
-    <message>
-        <source>this questionnaire was answered already</source>
-        <translation>この質問票はすでに回答されています</translation>
     </message>
     <message>
         <source>each questionnaire once</source>
@@ -6672,44 +6599,96 @@ x %4, y %5
         <translation>ファイルに書き込めません: %1</translation>
     </message>
     <message>
-        <source>this is no trial</source>
-        <translation>試行ではありません</translation>
-    </message>
-    <message>
-        <source>a trial that was kept here</source>
-        <translation>ここに保存された試行</translation>
-    </message>
-    <message>
         <source>cannot remove the file: %1</source>
         <translation>ファイルを削除できません: %1</translation>
-    </message>
-    <message>
-        <source>the program that ran this study was interrupted, and its last trials are in %1, which can only be read where something can be written</source>
-        <translation>この実験を実行していたプログラムは中断され、最後の試行は %1 にあります。書き込める場所でのみ読めます</translation>
-    </message>
-    <message>
-        <source>a copy of the whole folder in a place that can be written</source>
-        <translation>書き込める場所へのフォルダ全体のコピー</translation>
     </message>
     <message>
         <source>cannot read the study: %1</source>
         <translation>実験を読み込めません: %1</translation>
     </message>
     <message>
-        <source>an older program made this study, and it cannot be brought up to date here</source>
+        <source>another try in a moment</source>
+        <translation>しばらくしてからの再試行</translation>
+    </message>
+    <message>
+        <source>a separate folder for each study</source>
+        <translation>実験ごとに固有のフォルダー</translation>
+    </message>
+    <message>
+        <source>this folder already contains a study</source>
+        <translation>このフォルダーには、フォルダー内に保存された実験があります</translation>
+    </message>
+    <message>
+        <source>this folder belongs to another study, on %1</source>
+        <translation>このフォルダーは別の実験のものです (%1)</translation>
+    </message>
+    <message>
+        <source>the file does not say which study the folder belongs to</source>
+        <translation>どの実験のフォルダーかを示していません</translation>
+    </message>
+    <message>
+        <source>this is not the address of a PostgreSQL server</source>
+        <translation>PostgreSQLサーバーのアドレスではありません</translation>
+    </message>
+    <message>
+        <source>lower-case letters, digits and _, no digit first</source>
+        <translation>小文字の英字、数字、_ (先頭は数字以外)</translation>
+    </message>
+    <message>
+        <source>the program that ran this study was interrupted; its last trials are in %1, which can be read only in a writable folder</source>
+        <translation>この実験を実行していたプログラムは中断され、最後の試行は %1 にあります。書き込める場所でのみ読めます</translation>
+    </message>
+    <message>
+        <source>a copy of the whole folder in a writable place</source>
+        <translation>書き込める場所へのフォルダ全体のコピー</translation>
+    </message>
+    <message>
+        <source>this study was made by an older program and cannot be upgraded here</source>
         <translation>この実験は古いプログラムで作られ、ここでは更新できません</translation>
     </message>
     <message>
-        <source>it cannot be written here, only be looked at</source>
-        <translation>ここでは書き込めません。見ることだけができます</translation>
+        <source>the name of a study on that server</source>
+        <translation>サーバー上で始めた実験の名前</translation>
     </message>
     <message>
-        <source>the server still has the connection that broke, and with it this participant</source>
+        <source>another station took over this participant while the server was unreachable</source>
+        <translation>サーバーに接続できない間に、別のステーションがこの参加者を続行しました</translation>
+    </message>
+    <message>
+        <source>the server still holds the broken connection, and with it this participant</source>
         <translation>切断された接続とこの参加者が、まだサーバーに残っています</translation>
     </message>
     <message>
-        <source>another try in a moment</source>
-        <translation>しばらくしてからの再試行</translation>
+        <source>it is read-only here</source>
+        <translation>ここでは書き込めません。見ることだけができます</translation>
+    </message>
+    <message>
+        <source>the study is damaged: a session or trial has a number outside its protocol</source>
+        <translation>実験が破損しています: プロトコルにない番号のセッションまたは試行があります</translation>
+    </message>
+    <message>
+        <source>this trial is already stored</source>
+        <translation>この試行はすでに保存されています</translation>
+    </message>
+    <message>
+        <source>The trial is safe in %1 and will be sent when the server is back.</source>
+        <translation>試行は %1 に安全に保存されており、サーバーの復帰後に送信されます。</translation>
+    </message>
+    <message>
+        <source>this questionnaire belongs elsewhere in the study</source>
+        <translation>この質問票は実験の別の箇所のものです</translation>
+    </message>
+    <message>
+        <source>this questionnaire has already been answered</source>
+        <translation>この質問票はすでに回答されています</translation>
+    </message>
+    <message>
+        <source>this is not a trial</source>
+        <translation>試行ではありません</translation>
+    </message>
+    <message>
+        <source>a stored trial</source>
+        <translation>ここに保存された試行</translation>
     </message>
 </context>
 <context>
@@ -6750,40 +6729,40 @@ x %4, y %5
         <translation>0から%1までの整数</translation>
     </message>
     <message>
-        <source>taxel %1 is said to be in row %2, column %3</source>
-        <translation>タクセル %1 が行 %2、列 %3 にあることになっています</translation>
-    </message>
-    <message>
         <source>%1, in an array of %2 rows x %3 columns</source>
         <translation>%1 (%2行 x %3列のアレイ)</translation>
-    </message>
-    <message>
-        <source>taxel %1 is there twice</source>
-        <translation>タクセル %1 が2回あります</translation>
     </message>
     <message>
         <source>each taxel once</source>
         <translation>各タクセルを1回</translation>
     </message>
     <message>
-        <source>the gain is out of range or no number</source>
-        <translation>ゲインが範囲外か、数ではありません</translation>
-    </message>
-    <message>
         <source>a number from %1 to %2, or NA</source>
         <translation>%1から%2までの数、またはNA</translation>
     </message>
     <message>
-        <source>the standard error is out of range or no number</source>
+        <source>the state does not fit the gain</source>
+        <translation>状態がゲインと合いません</translation>
+    </message>
+    <message>
+        <source>taxel %1 is listed in row %2, column %3</source>
+        <translation>タクセル %1 が行 %2、列 %3 にあることになっています</translation>
+    </message>
+    <message>
+        <source>taxel %1 is listed twice</source>
+        <translation>タクセル %1 が2回あります</translation>
+    </message>
+    <message>
+        <source>the gain is not a number or out of range</source>
+        <translation>ゲインが範囲外か、数ではありません</translation>
+    </message>
+    <message>
+        <source>the standard error is not a number or out of range</source>
         <translation>標準誤差が範囲外か、数ではありません</translation>
     </message>
     <message>
-        <source>a number from 0 on, or NA</source>
+        <source>a number of at least 0, or NA</source>
         <translation>0以上の数、またはNA</translation>
-    </message>
-    <message>
-        <source>the state does not fit the gain</source>
-        <translation>状態がゲインと合いません</translation>
     </message>
 </context>
 <context>
@@ -6791,10 +6770,6 @@ x %4, y %5
     <message>
         <source>Only %1 of %2 taxels feel the load.</source>
         <translation>荷重を感じるのは%2個中%1個のタクセルだけです。</translation>
-    </message>
-    <message>
-        <source>a load on the whole array, and a tare without any</source>
-        <translation>アレイ全体への荷重と、無荷重でのゼロ点</translation>
     </message>
     <message>
         <source>Only %1 frames are under load.</source>
@@ -6811,10 +6786,6 @@ x %4, y %5
     <message>
         <source>at least one</source>
         <translation>1つ以上</translation>
-    </message>
-    <message>
-        <source>The frames have %1 values in all.</source>
-        <translation>フレームの値は全部で%1個です。</translation>
     </message>
     <message>
         <source>a multiple of %1</source>
@@ -6837,12 +6808,20 @@ x %4, y %5
         <translation>タクセルが測定できる荷重</translation>
     </message>
     <message>
-        <source>In all but %1 frames under load the taxels are at the end of their range.</source>
+        <source>at least %1, under a smaller load</source>
+        <translation>%1 個以上 (より小さい荷重で)</translation>
+    </message>
+    <message>
+        <source>a load on the whole array, and a tare taken without load</source>
+        <translation>アレイ全体への荷重と、無荷重でのゼロ点</translation>
+    </message>
+    <message>
+        <source>Only %1 frames under load are within the range of the taxels.</source>
         <translation>荷重のかかったフレームのうち %1 個を除いて、タクセルが測定範囲の上限に達しています。</translation>
     </message>
     <message>
-        <source>at least %1, under a smaller load</source>
-        <translation>%1 個以上 (より小さい荷重で)</translation>
+        <source>The frames have %1 values in total.</source>
+        <translation>フレームの値は全部で%1個です。</translation>
     </message>
 </context>
 <context>
@@ -6950,7 +6929,7 @@ x %4, y %5
         <translation>Δ %1 %、rms %2 %</translation>
     </message>
     <message>
-        <source>O&amp;verdrive: help the motors up</source>
+        <source>O&amp;verdrive: make the motors start faster</source>
         <translation>オーバードライブ：モーターの立ち上がりを助ける(&amp;V)</translation>
     </message>
 </context>
@@ -7227,20 +7206,16 @@ x %4, y %5
         <source>The touch was too quick: the arm&apos;s own inertia was felt with the object. Press slower.</source>
         <translation>タッチが速すぎます: アーム自体の慣性が物体とともに感知されました。もっとゆっくり押してください。</translation>
     </message>
+    <message>
+        <source>joint %1</source>
+        <translation>関節 %1</translation>
+    </message>
 </context>
 <context>
     <name>TrackCommand</name>
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
         <translation>%2フレーム中%1フレームを使用できませんでした。最後の理由: %3</translation>
-    </message>
-    <message>
-        <source>Frames that are missing by their time stamps: %1</source>
-        <translation>タイムスタンプから見て欠けているフレーム: %1</translation>
-    </message>
-    <message>
-        <source>Contacts on the soft tube in a video or before a camera</source>
-        <translation>動画内またはカメラの前のソフトチューブ上の接触</translation>
     </message>
     <message>
         <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the tube in the first frame</source>
@@ -7251,20 +7226,28 @@ x %4, y %5
         <translation>calibrateが書き込むカメラファイル</translation>
     </message>
     <message>
-        <source>How contacts are found: exact ones take longer</source>
-        <translation>接触の検出方法: 正確なものほど時間がかかります</translation>
-    </message>
-    <message>
         <source>the output would replace the input</source>
         <translation>出力が入力を上書きしてしまいます</translation>
     </message>
     <message>
-        <source>the camera gives no frames any more</source>
-        <translation>カメラからフレームが届かなくなりました</translation>
-    </message>
-    <message>
         <source>the video has no frame that can be decoded</source>
         <translation>動画に復号できるフレームがありません</translation>
+    </message>
+    <message>
+        <source>Find contacts on the soft tube in a video or live from a camera</source>
+        <translation>動画内またはカメラの前のソフトチューブ上の接触</translation>
+    </message>
+    <message>
+        <source>How contacts are found; the more exact, the slower</source>
+        <translation>接触の検出方法: 正確なものほど時間がかかります</translation>
+    </message>
+    <message>
+        <source>Frames missing according to their time stamps: %1</source>
+        <translation>タイムスタンプから見て欠けているフレーム: %1</translation>
+    </message>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>カメラからフレームが届かなくなりました</translation>
     </message>
 </context>
 <context>
@@ -7375,16 +7358,16 @@ x %4, y %5
         <translation>中止</translation>
     </message>
     <message>
-        <source>device fault, comes again</source>
-        <translation>デバイス障害、再提示</translation>
-    </message>
-    <message>
         <source>practice %1</source>
         <translation>練習 %1</translation>
     </message>
     <message>
         <source>test %1</source>
         <translation>テスト %1</translation>
+    </message>
+    <message>
+        <source>device fault, will be repeated</source>
+        <translation>デバイス障害、再提示</translation>
     </message>
 </context>
 <context>
@@ -7445,16 +7428,8 @@ x %4, y %5
         <translation>フレームに皮膚が写っていません: %2個中%1個のドットを検出。</translation>
     </message>
     <message>
-        <source>The camera sees none of the skin.</source>
-        <translation>カメラに皮膚がまったく写っていません。</translation>
-    </message>
-    <message>
         <source>The image is too small for optical flow: %1 x %2 pixels.</source>
         <translation>画像が小さすぎてオプティカルフローを計算できません: %1 x %2画素。</translation>
-    </message>
-    <message>
-        <source>The image shows no pattern on the skin whose movement could be seen.</source>
-        <translation>画像に、動きを捉えられる皮膚の模様が写っていません。</translation>
     </message>
     <message>
         <source>There is no frame of the untouched skin to compare with.</source>
@@ -7473,11 +7448,19 @@ x %4, y %5
         <translation>準備ができる前にカメラが閉じられました。</translation>
     </message>
     <message>
-        <source>The image cannot be worked on: %1</source>
+        <source>The camera does not see the skin.</source>
+        <translation>カメラに皮膚がまったく写っていません。</translation>
+    </message>
+    <message>
+        <source>The image shows no pattern on the skin that could be tracked.</source>
+        <translation>画像に、動きを捉えられる皮膚の模様が写っていません。</translation>
+    </message>
+    <message>
+        <source>The image cannot be processed: %1</source>
         <translation>画像を処理できません: %1</translation>
     </message>
     <message>
-        <source>There is too little memory for images of this size.</source>
+        <source>There is not enough memory for images of this size.</source>
         <translation>この大きさの画像にはメモリが足りません。</translation>
     </message>
 </context>
@@ -7518,10 +7501,6 @@ x %4, y %5
     <message>
         <source>inconsistent data</source>
         <translation>データの不整合</translation>
-    </message>
-    <message>
-        <source>time-out in the sensor</source>
-        <translation>センサー内のタイムアウト</translation>
     </message>
     <message>
         <source>read error in the sensor</source>
@@ -7592,10 +7571,6 @@ x %4, y %5
         <translation>デバイスが取り外されました。</translation>
     </message>
     <message>
-        <source>the sensor says that it has %1 rows and %2 columns</source>
-        <translation>センサーの報告では%1行%2列です</translation>
-    </message>
-    <message>
         <source>an array of 1 to %1 rows and columns whose frame fits into one message</source>
         <translation>フレームが1メッセージに収まる、1～%1行・列のアレイ</translation>
     </message>
@@ -7635,6 +7610,14 @@ x %4, y %5
         <source>The sensor has sent no usable frame for %1 s.</source>
         <translation>センサーから使用可能なフレームが%1 s間届いていません。</translation>
     </message>
+    <message>
+        <source>the sensor reports %1 rows and %2 columns</source>
+        <translation>センサーの報告では%1行%2列です</translation>
+    </message>
+    <message>
+        <source>timeout in the sensor</source>
+        <translation>センサー内のタイムアウト</translation>
+    </message>
 </context>
 <context>
     <name>ZipText</name>
@@ -7645,10 +7628,6 @@ x %4, y %5
     <message>
         <source>a zip archive that is not encrypted</source>
         <translation>暗号化されていないzipアーカイブ</translation>
-    </message>
-    <message>
-        <source>the zip archive could not be made</source>
-        <translation>zipアーカイブを作成できませんでした</translation>
     </message>
     <message>
         <source>the zip archive has too many files</source>
@@ -7665,6 +7644,10 @@ x %4, y %5
     <message>
         <source>at most %1 MiB</source>
         <translation>%1 MiB以下</translation>
+    </message>
+    <message>
+        <source>the zip archive could not be created</source>
+        <translation>zipアーカイブを作成できませんでした</translation>
     </message>
 </context>
 <context>
@@ -7717,20 +7700,20 @@ x %4, y %5
         <translation>ブレスレット</translation>
     </message>
     <message>
-        <source>&lt;p&gt;What the six motors of the bracelet do now, on the unrolled forearm: from left to right once around the arm. The fuller a disc, the stronger the motor vibrates.&lt;/p&gt;&lt;p&gt;Where a bracelet is connected, hold a disc with the mouse, or one of the keys 1 to 6, to feel that motor alone.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;ブレスレットの6個のモーターの現在の動作を、展開した前腕上に示します。左から右へ腕を1周します。円盤が満たされているほど、モーターは強く振動しています。&lt;/p&gt;&lt;p&gt;ブレスレットが接続されている場合、円盤をマウスで押し続けるか、キー1～6を押し続けると、そのモーターだけを感じられます。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>motor %1: %2 %</source>
         <translation>モーター%1: %2 %</translation>
     </message>
     <message>
-        <source>Nothing is played</source>
-        <translation>再生していません</translation>
-    </message>
-    <message>
         <source>Motor %1 at %2°: %3 %</source>
         <translation>モーター%1 (%2°): %3 %</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What the six motors of the bracelet are doing, on the unrolled forearm: from left to right once around the arm. The fuller a disc, the stronger the motor vibrates.&lt;/p&gt;&lt;p&gt;With a bracelet connected, hold a disc with the mouse, or one of the keys 1 to 6, to feel that motor alone.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;ブレスレットの6個のモーターの現在の動作を、展開した前腕上に示します。左から右へ腕を1周します。円盤が満たされているほど、モーターは強く振動しています。&lt;/p&gt;&lt;p&gt;ブレスレットが接続されている場合、円盤をマウスで押し続けるか、キー1～6を押し続けると、そのモーターだけを感じられます。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Nothing is playing</source>
+        <translation>再生していません</translation>
     </message>
 </context>
 <context>
@@ -7756,10 +7739,6 @@ x %4, y %5
         <translation>モーターごと</translation>
     </message>
     <message>
-        <source>How strong the motors may be at most, whatever is played, held or felt on this bracelet. It is kept for the bracelet.</source>
-        <translation>再生・保持・触感のいずれでも、このブレスレットのモーターの強さの上限です。ブレスレットごとに保存されます。</translation>
-    </message>
-    <message>
         <source>A limit for each motor</source>
         <translation>モーターごとの上限</translation>
     </message>
@@ -7770,6 +7749,10 @@ x %4, y %5
     <message>
         <source>Strongest, motor %1</source>
         <translation>最強、モーター %1</translation>
+    </message>
+    <message>
+        <source>The most that the motors may vibrate, whatever is played. Saved for this bracelet.</source>
+        <translation>再生・保持・触感のいずれでも、このブレスレットのモーターの強さの上限です。ブレスレットごとに保存されます。</translation>
     </message>
 </context>
 <context>
@@ -7787,16 +7770,8 @@ x %4, y %5
         <translation>モーター%1の始動点</translation>
     </message>
     <message>
-        <source>Strength of motor %1, beside motor 1</source>
-        <translation>モーター1と比べたモーター%1の強さ</translation>
-    </message>
-    <message>
         <source>%1 answers so far</source>
         <translation>これまでの回答 %1件</translation>
-    </message>
-    <message>
-        <source>The answers do not fit together.</source>
-        <translation>回答に整合性がありません。</translation>
     </message>
     <message>
         <source>Play the next burst.</source>
@@ -7831,10 +7806,6 @@ x %4, y %5
         <translation>再生 (Space)</translation>
     </message>
     <message>
-        <source>Let the burst be felt, as often as you like</source>
-        <translation>バーストを何度でも感じられます</translation>
-    </message>
-    <message>
         <source>Yes (Y)</source>
         <translation>はい (Y)</translation>
     </message>
@@ -7854,20 +7825,24 @@ x %4, y %5
         <source>Leave the motors as they were</source>
         <translation>モーターを元のままにする</translation>
     </message>
+    <message>
+        <source>Strength of motor %1, compared with motor 1</source>
+        <translation>モーター1と比べたモーター%1の強さ</translation>
+    </message>
+    <message>
+        <source>The answers contradict each other.</source>
+        <translation>回答に整合性がありません。</translation>
+    </message>
+    <message>
+        <source>Play the burst, as often as you like</source>
+        <translation>バーストを何度でも感じられます</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::GainsView</name>
     <message>
-        <source>no gains</source>
-        <translation>ゲインなし</translation>
-    </message>
-    <message>
         <source>%1 of %2 taxels have gains from %3 to %4.</source>
         <translation>%2個中%1個のタクセルのゲインは%3から%4です。</translation>
-    </message>
-    <message>
-        <source>The least certain one is known to %1 % (standard error).</source>
-        <translation>最も不確かなものは%1 %の精度です (標準誤差)。</translation>
     </message>
     <message numerus="yes">
         <source>%n dead</source>
@@ -7903,24 +7878,8 @@ x %4, y %5
         <translation>使用しないもの: %1。</translation>
     </message>
     <message>
-        <source>Gains differ by %1 % from press to press.</source>
-        <translation>ゲインは押圧ごとに%1 %異なります。</translation>
-    </message>
-    <message>
-        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn what presses round by half and collect another press; the difference cancels.</source>
-        <translation>応答がx方向に%1 %、y方向に%2 %変化しています。荷重が均一でなかった可能性があります。押すものを半回転させてもう一度収集すると、差は打ち消されます。</translation>
-    </message>
-    <message>
         <source>No array</source>
         <translation>アレイがありません</translation>
-    </message>
-    <message>
-        <source>Open an array, a recording or a scene: on the page Operate, or the demo here.</source>
-        <translation>「操作」ページでアレイ、記録、シーンを開くか、ここでデモを開いてください。</translation>
-    </message>
-    <message>
-        <source>finding the gains…</source>
-        <translation>ゲインを計算中…</translation>
     </message>
     <message>
         <source>no gains: every taxel counts as it is</source>
@@ -7935,20 +7894,8 @@ x %4, y %5
         <translation>ゲイン使用中、未保存</translation>
     </message>
     <message>
-        <source>SIMULATED</source>
-        <translation>シミュレーション</translation>
-    </message>
-    <message>
-        <source>RECORDED</source>
-        <translation>記録</translation>
-    </message>
-    <message>
         <source>1. The array is tared.</source>
         <translation>1. アレイのゼロ点は調整済みです。</translation>
-    </message>
-    <message>
-        <source>1. Let nothing touch the array, and tare it.</source>
-        <translation>1. アレイに何も触れない状態でゼロ点を調整します。</translation>
     </message>
     <message>
         <source>2. Press evenly on the whole array, with a bladder or with a plate on foam. The load may change.</source>
@@ -7977,24 +7924,12 @@ x %4, y %5
         <translation>元に戻す</translation>
     </message>
     <message>
-        <source>Take back the last change (Ctrl+Z)</source>
-        <translation>最後の変更を取り消します (Ctrl+Z)</translation>
-    </message>
-    <message>
         <source>Redo</source>
         <translation>やり直す</translation>
     </message>
     <message>
-        <source>Bring it back</source>
-        <translation>取り消したものを復元します</translation>
-    </message>
-    <message>
         <source>&amp;Load…</source>
         <translation>読み込み(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>Read gains of an array of this size from a file (CSV)</source>
-        <translation>同じサイズのアレイのゲインをファイル (CSV) から読みます</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
@@ -8009,10 +7944,6 @@ x %4, y %5
         <translation>保存(&amp;S)…</translation>
     </message>
     <message>
-        <source>Write the gains to a file (CSV): “Open recording”, source lists and the command line read it</source>
-        <translation>ゲインをファイル (CSV) に書き出します。「記録を開く」、ソースリスト、コマンドラインがこれを読みます</translation>
-    </message>
-    <message>
         <source>&amp;Tare now</source>
         <translation>ゼロ点調整(&amp;T)</translation>
     </message>
@@ -8023,10 +7954,6 @@ x %4, y %5
     <message>
         <source>&amp;Collect a press</source>
         <translation>押圧を収集(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Waits for a load and takes its frames; it ends by itself</source>
-        <translation>荷重を待ってそのフレームを取り込み、自動的に終わります</translation>
     </message>
     <message>
         <source>&amp;End</source>
@@ -8041,10 +7968,6 @@ x %4, y %5
         <translation>記録した押圧を開く(&amp;O)…</translation>
     </message>
     <message>
-        <source>Frames as CSV, a file a press: time_s,t0,t1,…</source>
-        <translation>CSVのフレーム、押圧ごとに1ファイル: time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>Open the &amp;demo</source>
         <translation>デモを開く(&amp;D)</translation>
     </message>
@@ -8053,16 +7976,8 @@ x %4, y %5
         <translation>シミュレーションの板が、タクセルの異なるアレイを均一に押します</translation>
     </message>
     <message>
-        <source>Every taxel counts as it is. What each one is multiplied with will be seen here.</source>
-        <translation>各タクセルはそのまま数えられます。それぞれに掛ける係数がここに表示されます。</translation>
-    </message>
-    <message>
         <source>Gains of the taxels</source>
         <translation>タクセルのゲイン</translation>
-    </message>
-    <message>
-        <source>Red taxels feel too little and are raised, blue ones are lowered, hatched ones are not used. Arrow keys or the mouse read a taxel.</source>
-        <translation>赤いタクセルは感度が低いため引き上げられ、青いものは引き下げられ、斜線のものは使われません。矢印キーかマウスで1つずつ読めます。</translation>
     </message>
     <message>
         <source>Share of the press that has been collected</source>
@@ -8071,6 +7986,62 @@ x %4, y %5
     <message>
         <source>Calibration of an array&apos;s taxels</source>
         <translation>アレイのタクセルのキャリブレーション</translation>
+    </message>
+    <message>
+        <source>The least certain gain has a standard error of %1 %.</source>
+        <translation>最も不確かなものは%1 %の精度です (標準誤差)。</translation>
+    </message>
+    <message>
+        <source>Gains vary by %1 % from press to press.</source>
+        <translation>ゲインは押圧ごとに%1 %異なります。</translation>
+    </message>
+    <message>
+        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn the bladder or plate by 180° and collect another press: the difference cancels out.</source>
+        <translation>応答がx方向に%1 %、y方向に%2 %変化しています。荷重が均一でなかった可能性があります。押すものを半回転させてもう一度収集すると、差は打ち消されます。</translation>
+    </message>
+    <message>
+        <source>Open an array, a recording or a scene on the page Operate, or the demo.</source>
+        <translation>「操作」ページでアレイ、記録、シーンを開くか、ここでデモを開いてください。</translation>
+    </message>
+    <message>
+        <source>computing the gains…</source>
+        <translation>ゲインを計算中…</translation>
+    </message>
+    <message>
+        <source>1. Tare the array with nothing touching it.</source>
+        <translation>1. アレイに何も触れない状態でゼロ点を調整します。</translation>
+    </message>
+    <message>
+        <source>Undo the last change (Ctrl+Z)</source>
+        <translation>最後の変更を取り消します (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo the change undone last</source>
+        <translation>取り消したものを復元します</translation>
+    </message>
+    <message>
+        <source>Load gains for an array of this size from a file (CSV)</source>
+        <translation>同じサイズのアレイのゲインをファイル (CSV) から読みます</translation>
+    </message>
+    <message>
+        <source>Save the gains to a file (CSV) for “Open recording”, source lists and the command line</source>
+        <translation>ゲインをファイル (CSV) に書き出します。「記録を開く」、ソースリスト、コマンドラインがこれを読みます</translation>
+    </message>
+    <message>
+        <source>Wait for a load and collect its frames; stops by itself</source>
+        <translation>荷重を待ってそのフレームを取り込み、自動的に終わります</translation>
+    </message>
+    <message>
+        <source>Frames as CSV, one file per press: time_s,t0,t1,…</source>
+        <translation>CSVのフレーム、押圧ごとに1ファイル: time_s,t0,t1,…</translation>
+    </message>
+    <message>
+        <source>Every taxel counts as it is. Its gain will be shown here.</source>
+        <translation>各タクセルはそのまま数えられます。それぞれに掛ける係数がここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Red taxels read too low and are raised, blue ones are lowered, hatched ones are not used. Point at a taxel, or use the arrow keys, to read its gain.</source>
+        <translation>赤いタクセルは感度が低いため引き上げられ、青いものは引き下げられ、斜線のものは使われません。矢印キーかマウスで1つずつ読めます。</translation>
     </message>
 </context>
 <context>
@@ -8188,10 +8159,6 @@ x %4, y %5
         <translation>速度 (Hz)</translation>
     </message>
     <message>
-        <source>Known from</source>
-        <translation>根拠</translation>
-    </message>
-    <message>
         <source>Drive at which the motor begins to turn, with its standard error</source>
         <translation>モーターが回り始める駆動量とその標準誤差</translation>
     </message>
@@ -8211,49 +8178,17 @@ x %4, y %5
         <source>Speed at the full drive of this motor</source>
         <translation>このモーターの最大駆動量での速度</translation>
     </message>
+    <message>
+        <source>Source</source>
+        <translation>ソース</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::MotorsView</name>
     <message>
-        <source>answers</source>
-        <translation>回答</translation>
-    </message>
-    <message>
-        <source>It turns at %1 Hz now, says the bracelet&apos;s sensor.</source>
-        <translation>ブレスレットのセンサーによると、現在%1 Hzで回転しています。</translation>
-    </message>
-    <message>
-        <source>loading</source>
-        <translation>読み込み</translation>
-    </message>
-    <message>
-        <source>reset</source>
-        <translation>リセット</translation>
-    </message>
-    <message>
-        <source>All motors are assumed again. Undo brings back what was measured.</source>
-        <translation>全モーターを仮定値に戻しました。「元に戻す」で測定値を復元できます。</translation>
-    </message>
-    <message>
-        <source>balance</source>
-        <translation>均一化</translation>
-    </message>
-    <message>
-        <source>Every measured motor now ends at the speed of the slowest one.</source>
-        <translation>測定済みの全モーターの上限を、最も遅いモーターの速度にそろえました。</translation>
-    </message>
-    <message>
-        <source>Measuring motor %1: stairs up to the full drive, then pulses.</source>
-        <translation>モーター%1を測定中: 最大駆動量までの階段、続いてパルス。</translation>
-    </message>
-    <message>
         <source>Motor %1 was not calibrated. %2</source>
         <comment>a motor, and why not</comment>
         <translation>モーター%1はキャリブレーションされませんでした。%2</translation>
-    </message>
-    <message>
-        <source>measurement</source>
-        <translation>測定</translation>
     </message>
     <message>
         <source>Motor %1: starts at %2 to %3 % of the drive, rises in %4 ± %5 ms, falls in %6 ± %7 ms, reaches %8 Hz.</source>
@@ -8268,24 +8203,12 @@ x %4, y %5
         <translation>ブレスレットメニューでブレスレットを選んでください。</translation>
     </message>
     <message>
-        <source>not calibrated: motors are assumed</source>
-        <translation>未キャリブレーション: モーターは仮定値です</translation>
-    </message>
-    <message>
         <source>calibrated, saved</source>
         <translation>キャリブレーション済み、保存済み</translation>
     </message>
     <message>
         <source>calibrated, not saved</source>
         <translation>キャリブレーション済み、未保存</translation>
-    </message>
-    <message>
-        <source>a study uses the bracelet: its motors stay as they are</source>
-        <translation>実験がブレスレットを使用中です: モーターの設定は変わりません</translation>
-    </message>
-    <message>
-        <source>SIMULATED</source>
-        <translation>シミュレーション</translation>
     </message>
     <message>
         <source>Motor %1</source>
@@ -8304,48 +8227,24 @@ x %4, y %5
         <translation>元に戻す</translation>
     </message>
     <message>
-        <source>Take back the last change, or the last answer (Ctrl+Z)</source>
-        <translation>最後の変更または最後の回答を取り消します (Ctrl+Z)</translation>
-    </message>
-    <message>
         <source>Redo</source>
         <translation>やり直す</translation>
-    </message>
-    <message>
-        <source>Bring it back</source>
-        <translation>取り消したものを復元します</translation>
     </message>
     <message>
         <source>&amp;Load…</source>
         <translation>読み込み(&amp;L)…</translation>
     </message>
     <message>
-        <source>Read a profile of this bracelet from a file</source>
-        <translation>このブレスレットのプロファイルをファイルから読み込みます</translation>
-    </message>
-    <message>
         <source>Save a &amp;copy…</source>
         <translation>コピーを保存(&amp;C)…</translation>
-    </message>
-    <message>
-        <source>Write the profile to another file</source>
-        <translation>プロファイルを別のファイルに書き込みます</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
         <translation>リセット(&amp;R)</translation>
     </message>
     <message>
-        <source>Forget what was measured</source>
-        <translation>測定値を破棄します</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>保存(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Keep the profile for this bracelet: it is used whenever it is connected</source>
-        <translation>このブレスレット用にプロファイルを保存します: 接続するたびに使用されます</translation>
     </message>
     <message>
         <source>&amp;Measure this motor</source>
@@ -8364,26 +8263,6 @@ x %4, y %5
         <translation>記録を開く(&amp;O)…</translation>
     </message>
     <message>
-        <source>CSV with time_s,commanded and speed_hz of a tachometer or signal of an accelerometer or microphone</source>
-        <translation>time_s,commanded に加え、回転計のspeed_hz、または加速度計かマイクのsignalを含むCSV</translation>
-    </message>
-    <message>
-        <source>Write the &amp;excitation…</source>
-        <translation>励振信号を書き込む(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>What the motor is told during a measurement, as CSV: for a sensor of your own</source>
-        <translation>測定中のモーターへの指令 (CSV): ご自身のセンサーを使う場合</translation>
-    </message>
-    <message>
-        <source>Find its start by &amp;feel</source>
-        <translation>感覚で始動点を探す(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Bursts that get weaker and stronger; you say what you felt</source>
-        <translation>弱くなったり強くなったりするバースト。感じたかどうかを答えます</translation>
-    </message>
-    <message>
         <source>&amp;Balance by feel</source>
         <translation>感覚で均一化(&amp;B)</translation>
     </message>
@@ -8396,10 +8275,6 @@ x %4, y %5
         <translation>曲線で均一化(&amp;V)</translation>
     </message>
     <message>
-        <source>Let all measured motors end at the speed of the slowest</source>
-        <translation>測定済みの全モーターの上限を、最も遅いモーターの速度にそろえます</translation>
-    </message>
-    <message>
         <source>Stop measuring</source>
         <translation>測定を停止</translation>
     </message>
@@ -8407,13 +8282,81 @@ x %4, y %5
         <source>Calibration of the bracelet&apos;s motors</source>
         <translation>ブレスレットモーターのキャリブレーション</translation>
     </message>
+    <message>
+        <source>Turning at %1 Hz, measured by the bracelet&apos;s sensor.</source>
+        <translation>ブレスレットのセンサーによると、現在%1 Hzで回転しています。</translation>
+    </message>
+    <message>
+        <source>All motors use assumed values again. Undo brings the measurements back.</source>
+        <translation>全モーターを仮定値に戻しました。「元に戻す」で測定値を復元できます。</translation>
+    </message>
+    <message>
+        <source>Every measured motor is now limited to the top speed of the slowest one.</source>
+        <translation>測定済みの全モーターの上限を、最も遅いモーターの速度にそろえました。</translation>
+    </message>
+    <message>
+        <source>Measuring motor %1: steps up to full drive, then pulses.</source>
+        <translation>モーター%1を測定中: 最大駆動量までの階段、続いてパルス。</translation>
+    </message>
+    <message>
+        <source>not calibrated: the motors use assumed values</source>
+        <translation>未キャリブレーション: モーターは仮定値です</translation>
+    </message>
+    <message>
+        <source>a study uses the bracelet: its motors cannot be changed</source>
+        <translation>実験がブレスレットを使用中です: モーターの設定は変わりません</translation>
+    </message>
+    <message>
+        <source>Undo the last change or answer (Ctrl+Z)</source>
+        <translation>最後の変更または最後の回答を取り消します (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo the change undone last</source>
+        <translation>取り消したものを復元します</translation>
+    </message>
+    <message>
+        <source>Load a profile of this bracelet from a file</source>
+        <translation>このブレスレットのプロファイルをファイルから読み込みます</translation>
+    </message>
+    <message>
+        <source>Save the profile to another file</source>
+        <translation>プロファイルを別のファイルに書き込みます</translation>
+    </message>
+    <message>
+        <source>Discard the measurements</source>
+        <translation>測定値を破棄します</translation>
+    </message>
+    <message>
+        <source>Save the profile for this bracelet: it is used whenever the bracelet is connected</source>
+        <translation>このブレスレット用にプロファイルを保存します: 接続するたびに使用されます</translation>
+    </message>
+    <message>
+        <source>CSV with time_s, commanded, and speed_hz (tachometer) or signal (accelerometer, microphone)</source>
+        <translation>time_s,commanded に加え、回転計のspeed_hz、または加速度計かマイクのsignalを含むCSV</translation>
+    </message>
+    <message>
+        <source>Save the &amp;excitation…</source>
+        <translation>励振信号を書き込む(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Save the drive signal of a measurement as CSV, to record with a sensor of your own</source>
+        <translation>測定中のモーターへの指令 (CSV): ご自身のセンサーを使う場合</translation>
+    </message>
+    <message>
+        <source>Find the start by &amp;feel</source>
+        <translation>感覚で始動点を探す(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Plays weaker and stronger bursts; you say what you felt</source>
+        <translation>弱くなったり強くなったりするバースト。感じたかどうかを答えます</translation>
+    </message>
+    <message>
+        <source>Limit all measured motors to the top speed of the slowest</source>
+        <translation>測定済みの全モーターの上限を、最も遅いモーターの速度にそろえます</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::CameraPanel</name>
-    <message>
-        <source>Go on</source>
-        <translation>続行</translation>
-    </message>
     <message>
         <source>Pause</source>
         <translation>一時停止</translation>
@@ -8427,28 +8370,8 @@ x %4, y %5
         <translation>基準はまだありません: %1</translation>
     </message>
     <message>
-        <source>Not used: %1</source>
-        <translation>不使用: %1</translation>
-    </message>
-    <message>
         <source>This finder cannot be used: %1</source>
         <translation>この検出器は使用できません: %1</translation>
-    </message>
-    <message>
-        <source>The finder %1 is being made ready.</source>
-        <translation>検出器 %1 を準備しています。</translation>
-    </message>
-    <message>
-        <source>The arm has drawn back from contact %1.</source>
-        <translation>アームは接触 %1 から退避しました。</translation>
-    </message>
-    <message>
-        <source>The arm stands.</source>
-        <translation>アームは停止しています。</translation>
-    </message>
-    <message>
-        <source>The arm draws back from contact %1.</source>
-        <translation>アームは接触 %1 から退避しています。</translation>
     </message>
     <message>
         <source>The arm follows contact %1.</source>
@@ -8471,10 +8394,6 @@ x %4, y %5
         <translation>検出器</translation>
     </message>
     <message>
-        <source>How contacts are found: the printed dots alone, or dense flow by one of OpenCV&apos;s presets; the number divides the image&apos;s size</source>
-        <translation>接触の検出方法: 印刷ドットのみ、またはOpenCVのプリセットによる密オプティカルフロー。数字は画像サイズを割る数です</translation>
-    </message>
-    <message>
         <source>&amp;Displacement</source>
         <translation>変位(&amp;D)</translation>
     </message>
@@ -8487,24 +8406,8 @@ x %4, y %5
         <translation>新しい基準(&amp;R)</translation>
     </message>
     <message>
-        <source>Take the next picture as that of the untouched tube</source>
-        <translation>次の画像を、触れられていないチューブの画像とします</translation>
-    </message>
-    <message>
-        <source>Keep this picture; contacts are followed on (Space)</source>
-        <translation>この画像を保持します。接触の追跡は続きます (Space)</translation>
-    </message>
-    <message>
         <source>The arm may r&amp;eact</source>
         <translation>アームの反応を許可(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Off: the arm stands, whatever touches it. STOP takes this away until you give it again.</source>
-        <translation>オフ: 何が触れてもアームは停止したままです。STOPを押すと、再び許可するまでオフになります。</translation>
-    </message>
-    <message>
-        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of what has moved there</source>
-        <translation>論文と同じ方法: 512 × 288の画像での密オプティカルフローと、そこで動いた部分の平均</translation>
     </message>
     <message>
         <source>Each printed dot is followed in the whole picture. The default.</source>
@@ -8531,12 +8434,56 @@ x %4, y %5
         <translation>OpenCVのプリセット（%1）による密オプティカルフロー、元の大きさの画像で計算</translation>
     </message>
     <message>
-        <source>Only around what differs from the reference</source>
+        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of the points that moved</source>
+        <translation>論文と同じ方法: 512 × 288の画像での密オプティカルフローと、そこで動いた部分の平均</translation>
+    </message>
+    <message>
+        <source>Only where the picture differs from the reference</source>
         <translation>基準と異なる部分の周りだけ</translation>
     </message>
     <message>
-        <source>Begun with the flow of the picture before</source>
+        <source>Starts from the flow of the previous picture</source>
         <translation>前の画像のフローから始めます</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>続行</translation>
+    </message>
+    <message>
+        <source>Picture not used: %1</source>
+        <translation>不使用: %1</translation>
+    </message>
+    <message>
+        <source>Preparing the finder %1.</source>
+        <translation>検出器 %1 を準備しています。</translation>
+    </message>
+    <message>
+        <source>The arm has retreated from contact %1.</source>
+        <translation>アームは接触 %1 から退避しました。</translation>
+    </message>
+    <message>
+        <source>The arm is at rest.</source>
+        <translation>アームは停止しています。</translation>
+    </message>
+    <message>
+        <source>The arm is retreating from contact %1.</source>
+        <translation>アームは接触 %1 から退避しています。</translation>
+    </message>
+    <message>
+        <source>How contacts are found: from the printed dots alone, or with dense flow by one of OpenCV&apos;s presets; the number is how many times the image is reduced</source>
+        <translation>接触の検出方法: 印刷ドットのみ、またはOpenCVのプリセットによる密オプティカルフロー。数字は画像サイズを割る数です</translation>
+    </message>
+    <message>
+        <source>Take the next picture as the reference: nothing may touch the tube</source>
+        <translation>次の画像を、触れられていないチューブの画像とします</translation>
+    </message>
+    <message>
+        <source>Freeze the picture; contacts are still tracked (Space)</source>
+        <translation>この画像を保持します。接触の追跡は続きます (Space)</translation>
+    </message>
+    <message>
+        <source>Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react.</source>
+        <translation>オフ: 何が触れてもアームは停止したままです。STOPを押すと、再び許可するまでオフになります。</translation>
     </message>
 </context>
 <context>
@@ -8544,10 +8491,6 @@ x %4, y %5
     <message>
         <source>camera</source>
         <translation>カメラ</translation>
-    </message>
-    <message>
-        <source>&amp;Go on</source>
-        <translation>続行(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;Pause the picture</source>
@@ -8565,6 +8508,10 @@ x %4, y %5
         <source>&lt;p&gt;What the camera sees inside the tube. Lines show, enlarged, how far the printed pattern has moved since nothing touched the tube; outlines are contacts, each in the colour of its number.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, dragging moves, a double click shows all.&lt;/p&gt;</source>
         <translation>&lt;p&gt;カメラから見たチューブの内側です。線は、チューブに何も触れていない状態から印刷模様がどれだけ動いたかを拡大して示します。輪郭線は接触で、それぞれ番号に応じた色です。&lt;/p&gt;&lt;p&gt;Ctrl+ホイールで拡大・縮小、ドラッグで移動、ダブルクリックで全体を表示します。&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>続行(&amp;G)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::EventModel</name>
@@ -8577,20 +8524,12 @@ x %4, y %5
         <translation>衝突</translation>
     </message>
     <message>
-        <source>let go</source>
-        <translation>離脱</translation>
-    </message>
-    <message>
         <source>arm follows</source>
         <translation>アームが追従</translation>
     </message>
     <message>
         <source>reference taken</source>
         <translation>基準を取得</translation>
-    </message>
-    <message>
-        <source>begins anew</source>
-        <translation>再開始</translation>
     </message>
     <message>
         <source>Time</source>
@@ -8609,12 +8548,20 @@ x %4, y %5
         <translation>軸方向</translation>
     </message>
     <message>
-        <source>Around it</source>
-        <translation>周方向</translation>
-    </message>
-    <message>
         <source>Depth</source>
         <translation>深さ</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>離脱</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>再開始</translation>
+    </message>
+    <message>
+        <source>Around the tube</source>
+        <translation>周方向</translation>
     </message>
 </context>
 <context>
@@ -8632,7 +8579,7 @@ x %4, y %5
         <translation>イベント</translation>
     </message>
     <message>
-        <source>What happened to the tube, the newest first. The context menu copies and saves the list.</source>
+        <source>What happened to the tube, newest first. The context menu copies and saves the list.</source>
         <translation>チューブに起きたこと (新しい順)。コンテキストメニューで一覧をコピー・保存できます。</translation>
     </message>
 </context>
@@ -8686,10 +8633,6 @@ x %4, y %5
         <translation>展開した円筒上の残差</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Each pair at its pixel, with an enlarged arrow to where the camera projects its point. Arrows without a pattern are noise; arrows that flow are something that the camera does not describe.&lt;/p&gt;&lt;p&gt;A pixel outside the dashed circle has no ray.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;各ペアを画素の位置に示し、カメラが点を投影する位置へ拡大した矢印を描きます。規則性のない矢印はノイズ、流れのある矢印はカメラで表せていないものです。&lt;/p&gt;&lt;p&gt;破線の円の外の画素には光線がありません。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;Each pair at its point on the cylinder, cut open at the back, with an enlarged arrow to where its pixel is located. The colour is the error along the axis.&lt;/p&gt;</source>
         <translation>&lt;p&gt;背面で切り開いた円筒上の点の位置に各ペアを示し、画素の推定位置へ拡大した矢印を描きます。色は軸方向の誤差です。&lt;/p&gt;</translation>
     </message>
@@ -8733,6 +8676,10 @@ x %4, y %5
         <source>&amp;Use pair %1 again</source>
         <translation>ペア %1 を再び使用(&amp;U)</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Each pair at its pixel, with an enlarged arrow to where the camera projects its point. Random arrows are noise; a pattern shows something that the camera model misses.&lt;/p&gt;&lt;p&gt;Pixels outside the dashed circle have no ray.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;各ペアを画素の位置に示し、カメラが点を投影する位置へ拡大した矢印を描きます。規則性のない矢印はノイズ、流れのある矢印はカメラで表せていないものです。&lt;/p&gt;&lt;p&gt;破線の円の外の画素には光線がありません。&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::StageBar</name>
@@ -8752,16 +8699,6 @@ x %4, y %5
         <source>locate</source>
         <translation>位置推定</translation>
     </message>
-    <message>
-        <source>%1 ms a frame, %2 frames/s</source>
-        <translation>1フレーム %1 ms、%2フレーム/s</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n passed over</source>
-        <translation>
-            <numerusform>スキップ%n</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n unusable</source>
         <translation>
@@ -8772,6 +8709,16 @@ x %4, y %5
         <source>%1: %2 ms</source>
         <comment>stage of a computation and its time</comment>
         <translation>%1: %2 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms per frame, %2 frames/s</source>
+        <translation>1フレーム %1 ms、%2フレーム/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>スキップ%n</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8801,7 +8748,7 @@ x %4, y %5
         <translation>関節</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Torque of each joint over time. The coloured band is the torque window: between its ends a touch is evaluated. Grey stretches are touches with their numbers, from the first torque above the noise to the estimate.&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its ends.&lt;/p&gt;</source>
+        <source>&lt;p&gt;Torque of each joint over time. The coloured band is the torque window in which a touch is evaluated. Grey stretches are touches with their numbers, from the first torque above the noise to the estimate.&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its range.&lt;/p&gt;</source>
         <translation>&lt;p&gt;各関節のトルクの時間変化です。色付きの帯はトルク窓で、その両端の間でタッチを評価します。灰色の区間は番号付きのタッチで、ノイズを超えた最初のトルクから推定までを示します。&lt;/p&gt;&lt;p&gt;ドラッグまたはShift+ホイールでスクロール、Ctrl+ホイールで表示範囲を変更、Spaceで一時停止、Endでライブに戻ります。軸をダブルクリックすると両端の値を入力できます。&lt;/p&gt;</translation>
     </message>
 </context>
@@ -8831,16 +8778,16 @@ x %4, y %5
         <source>Joint angle</source>
         <translation>関節角度</translation>
     </message>
+    <message>
+        <source>joint %1</source>
+        <translation>関節 %1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::charts::StripChartView</name>
     <message>
         <source>Strip charts of the tactile features</source>
         <translation>触覚特徴量のストリップチャート</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Force, centres, moment deviation and orientation of the contact over time. The numbers beside the strips are the newest values, or those at the cursor.&lt;/p&gt;&lt;p&gt;A line that stops and goes on means that nothing is known in between: the contact was gone, samples were lost, or the recording jumped (dotted line).&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its ends.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;接触の力、中心、モーメント偏差、向きの時間変化です。各ストリップの横の数値は、最新の値またはカーソル位置の値です。&lt;/p&gt;&lt;p&gt;線が途切れて再び続く部分は、その間の値が不明であることを示します: 接触がなくなった、サンプルが失われた、または記録が飛んだ (点線) 場合です。&lt;/p&gt;&lt;p&gt;ドラッグまたはShift+ホイールでスクロール、Ctrl+ホイールで表示範囲を変更、Spaceで一時停止、Endでライブに戻ります。軸をダブルクリックすると両端の値を入力できます。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Strips</source>
@@ -8874,6 +8821,10 @@ x %4, y %5
         <source>&amp;Strips</source>
         <translation>ストリップ(&amp;S)</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Force, centres, moment deviation and orientation of the contact over time. The numbers beside the strips are the newest values, or those at the cursor.&lt;/p&gt;&lt;p&gt;A gap in a line means that nothing is known there: there was no contact, samples were lost, or the recording jumped (dotted line).&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its range.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;接触の力、中心、モーメント偏差、向きの時間変化です。各ストリップの横の数値は、最新の値またはカーソル位置の値です。&lt;/p&gt;&lt;p&gt;線が途切れて再び続く部分は、その間の値が不明であることを示します: 接触がなくなった、サンプルが失われた、または記録が飛んだ (点線) 場合です。&lt;/p&gt;&lt;p&gt;ドラッグまたはShift+ホイールでスクロール、Ctrl+ホイールで表示範囲を変更、Spaceで一時停止、Endでライブに戻ります。軸をダブルクリックすると両端の値を入力できます。&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>teleta::charts::TimeChartView</name>
@@ -8890,10 +8841,6 @@ x %4, y %5
         <translation>%1 sを表示します (ほかの範囲はCtrl+ホイール)</translation>
     </message>
     <message>
-        <source>Stop the picture; samples go on being kept (Space)</source>
-        <translation>画面を止めます。サンプルの保存は続きます (Space)</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>一時停止</translation>
     </message>
@@ -8908,10 +8855,6 @@ x %4, y %5
     <message>
         <source>PAUSED, %1 s behind   %2</source>
         <translation>一時停止中、%1 s遅れ   %2</translation>
-    </message>
-    <message>
-        <source>Ends of the axis of %1</source>
-        <translation>%1の軸の両端</translation>
     </message>
     <message>
         <source>Lower and upper end, for example -5 5. Empty: automatic.</source>
@@ -8932,6 +8875,14 @@ x %4, y %5
     <message>
         <source>Go live</source>
         <translation>ライブへ</translation>
+    </message>
+    <message>
+        <source>Freeze the chart; samples are still collected (Space)</source>
+        <translation>画面を止めます。サンプルの保存は続きます (Space)</translation>
+    </message>
+    <message>
+        <source>Range of the axis of %1</source>
+        <translation>%1の軸の両端</translation>
     </message>
 </context>
 <context>
@@ -8990,16 +8941,16 @@ x %4, y %5
         <translation>最新フレームの経過時間: %1</translation>
     </message>
     <message>
-        <source>From the read to the screen: %1 ms</source>
-        <translation>読み取りから画面まで: %1 ms</translation>
-    </message>
-    <message>
         <source>touch to skin %1 ms</source>
         <translation>タッチから皮膚まで %1 ms</translation>
     </message>
     <message>
         <source>From the completed touch to the first frame of its pattern: %1 ms</source>
         <translation>タッチ完了からパターンの最初のフレームまで: %1 ms</translation>
+    </message>
+    <message>
+        <source>From sensor read to screen: %1 ms</source>
+        <translation>読み取りから画面まで: %1 ms</translation>
     </message>
 </context>
 <context>
@@ -9124,10 +9075,6 @@ x %4, y %5
         <translation>→</translation>
     </message>
     <message>
-        <source>Start again at the end</source>
-        <translation>末尾で先頭に戻る</translation>
-    </message>
-    <message>
         <source>Time in the recording</source>
         <translation>記録内の時刻</translation>
     </message>
@@ -9135,17 +9082,13 @@ x %4, y %5
         <source>Speed</source>
         <translation>速度</translation>
     </message>
+    <message>
+        <source>Repeat</source>
+        <translation>末尾で先頭に戻る</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::RecordingIndicator</name>
-    <message>
-        <source>Begins…</source>
-        <translation>開始中…</translation>
-    </message>
-    <message>
-        <source>Is completed…</source>
-        <translation>完了処理中…</translation>
-    </message>
     <message numerus="yes">
         <source>Recording %1 · %2 · %n lost</source>
         <comment>time, size of the file, frames</comment>
@@ -9180,6 +9123,14 @@ x %4, y %5
     <message>
         <source>Mark this moment</source>
         <translation>この瞬間にマークを付ける</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>開始中…</translation>
+    </message>
+    <message>
+        <source>Finishing…</source>
+        <translation>完了処理中…</translation>
     </message>
 </context>
 <context>
@@ -9334,81 +9285,6 @@ x %4, y %5
     </message>
 </context>
 <context>
-    <name>teleta::console::BraceletStation</name>
-    <message>
-        <source>STOP is engaged: the bracelet is off.</source>
-        <translation>STOPが作動中です: ブレスレットはオフです。</translation>
-    </message>
-    <message>
-        <source>No bracelet: what would be played is named in the table of patterns.</source>
-        <translation>ブレスレットなし: 再生されるはずのパターンはパターン表に示されます。</translation>
-    </message>
-    <message>
-        <source>Connecting to the bracelet…</source>
-        <translation>ブレスレットに接続しています…</translation>
-    </message>
-    <message>
-        <source>The bracelet is not connected. %1</source>
-        <translation>ブレスレットに接続していません。%1</translation>
-    </message>
-    <message>
-        <source>Bracelet</source>
-        <translation>ブレスレット</translation>
-    </message>
-    <message>
-        <source>A study uses the bracelet.</source>
-        <translation>実験がブレスレットを使用中です。</translation>
-    </message>
-    <message>
-        <source>The motors are not calibrated (page Calibrate).</source>
-        <translation>モーターが未キャリブレーションです (キャリブレーションページ)。</translation>
-    </message>
-    <message>
-        <source>not calibrated: the motors are assumed</source>
-        <translation>未キャリブレーション: モーターは仮定値です</translation>
-    </message>
-    <message>
-        <source>The bracelet does not answer.</source>
-        <translation>ブレスレットが応答しません。</translation>
-    </message>
-    <message>
-        <source>The bracelet is too hot: it is off until it has cooled down.</source>
-        <translation>ブレスレットが熱すぎます。冷めるまで停止します。</translation>
-    </message>
-    <message>
-        <source>The supply of the bracelet is low: %1 V.</source>
-        <translation>ブレスレットの電源電圧が低下しています: %1 V。</translation>
-    </message>
-    <message>
-        <source>The supply of the bracelet is low.</source>
-        <translation>ブレスレットの電源電圧が低下しています。</translation>
-    </message>
-    <message>
-        <source>The bracelet refused what was played last: it did not understand it.</source>
-        <translation>ブレスレットは最後に再生したものを解釈できず、拒否しました。</translation>
-    </message>
-    <message>
-        <source>too hot: off until it has cooled down</source>
-        <translation>過熱: 冷めるまで停止</translation>
-    </message>
-    <message>
-        <source>supply low</source>
-        <translation>電源電圧低下</translation>
-    </message>
-    <message>
-        <source>frames refused: %1</source>
-        <translation>拒否されたフレーム: %1</translation>
-    </message>
-    <message>
-        <source>supply %1 V</source>
-        <translation>電源電圧 %1 V</translation>
-    </message>
-    <message>
-        <source>temperature %1 °C</source>
-        <translation>温度 %1 °C</translation>
-    </message>
-</context>
-<context>
     <name>teleta::console::CalibratePage</name>
     <message>
         <source>What can be calibrated</source>
@@ -9436,7 +9312,7 @@ x %4, y %5
         <translation>%1: キャリブレーションが保存されていません。</translation>
     </message>
     <message>
-        <source>What is discarded has to be measured again.</source>
+        <source>Discarded values must be measured again.</source>
         <translation>破棄したものは、測定し直す必要があります。</translation>
     </message>
 </context>
@@ -9455,20 +9331,8 @@ x %4, y %5
         <translation>画素と点のペア: u_px,v_px,x_m,y_m,z_m のCSV</translation>
     </message>
     <message>
-        <source>All pairs, those that are left out too, as they are loaded</source>
-        <translation>除外されたものを含むすべてのペアを、読み込まれる形式で保存します</translation>
-    </message>
-    <message>
-        <source>The camera of the chosen method, for teleta locate and the camera view</source>
-        <translation>teleta locateとカメラビュー用の、選択した方法によるカメラ</translation>
-    </message>
-    <message>
         <source>&amp;Probe the simulated tube</source>
         <translation>シミュレーションチューブをプロービング(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Collect pairs: a simulated person presses a stick on the marked places of a simulated tube, and takes one in ten for its neighbour</source>
-        <translation>ペアを収集します: シミュレーション上の人がチューブの印の位置を棒で押し、10回に1回は隣の印と取り違えます</translation>
     </message>
     <message>
         <source>&amp;Method:</source>
@@ -9497,10 +9361,6 @@ x %4, y %5
     <message>
         <source>&amp;Exclude wrong pairs</source>
         <translation>誤ったペアを除外(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Leaves the pairs that are marked as wrong out for every method</source>
-        <translation>誤りと判定されたペアを、すべての方法で除外します</translation>
     </message>
     <message>
         <source>Methods side by side</source>
@@ -9543,10 +9403,6 @@ x %4, y %5
         <translation>削除(&amp;R)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Finds the camera inside the tactile cylinder from pairs: a pixel and the point of the surface that was probed there.&lt;/p&gt;&lt;p&gt;Load a CSV file or drop it here, or type pairs in. Wrong pairs are found and left out; you may exclude more or remove them (Delete in the table), and take every step back.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;画素と、そこでプロービングされた表面の点とのペアから、触覚円筒内のカメラを求めます。&lt;/p&gt;&lt;p&gt;CSVファイルを読み込むかここにドロップする、またはペアを入力してください。誤ったペアは検出されて除外されます。さらに除外したり削除したり (表でDelete) することもでき、すべての操作は元に戻せます。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Save the camera</source>
         <translation>カメラを保存</translation>
     </message>
@@ -9561,10 +9417,6 @@ x %4, y %5
     <message>
         <source>Cameras (*.json)</source>
         <translation>カメラ (*.json)</translation>
-    </message>
-    <message>
-        <source>Pairs (*.csv);;All files (*)</source>
-        <translation>ペア (*.csv);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>probing</source>
@@ -9601,10 +9453,6 @@ x %4, y %5
         <translation>画像と円筒</translation>
     </message>
     <message>
-        <source>The first touch is awaited.</source>
-        <translation>最初のタッチを待っています。</translation>
-    </message>
-    <message>
         <source>No calibration: %1.</source>
         <translation>キャリブレーションできません: %1。</translation>
     </message>
@@ -9615,32 +9463,12 @@ x %4, y %5
         </translation>
     </message>
     <message>
-        <source>their points are located to within %1 on average, and the camera is sure to within %2. </source>
-        <translation>点の位置推定の誤差は平均%1、カメラの不確かさは%2以内です。 </translation>
-    </message>
-    <message>
-        <source>This method knows no lens: use it to compare only.</source>
-        <translation>この方法はレンズを考慮しません: 比較にのみ使用してください。</translation>
-    </message>
-    <message>
-        <source>Be careful: residuals of neighbours are alike, so the pairs hold something that this camera does not describe (a shell that has moved, a wrong radius).</source>
-        <translation>注意: 隣り合う残差が似ており、このカメラで表せないもの (シェルのずれ、半径の誤りなど) がペアに含まれています。</translation>
-    </message>
-    <message>
-        <source>The residuals have no pattern. Good.</source>
-        <translation>残差に規則性はありません。良好です。</translation>
-    </message>
-    <message>
         <source>SIMULATED</source>
         <translation>シミュレーション</translation>
     </message>
     <message>
         <source>has a pattern</source>
         <translation>規則性あり</translation>
-    </message>
-    <message>
-        <source>Collect pairs: press a stick through the holes of a shell while a camera, or a video of it, is watched</source>
-        <translation>ペアを収集します。シェルの穴に棒を押し込む様子を、カメラまたはその動画で見ます</translation>
     </message>
     <message>
         <source>Load pairs of pixels and probed points, drop their file here, type them in below, or probe a tube.</source>
@@ -9683,8 +9511,60 @@ x %4, y %5
         <translation>キャリブレーション中…</translation>
     </message>
     <message>
-        <source>The camera was not saved: it is being calibrated.</source>
+        <source>Save all pairs, including excluded ones, to load them again later</source>
+        <translation>除外されたものを含むすべてのペアを、読み込まれる形式で保存します</translation>
+    </message>
+    <message>
+        <source>Save the camera found by the chosen method, for teleta locate and the camera view</source>
+        <translation>teleta locateとカメラビュー用の、選択した方法によるカメラ</translation>
+    </message>
+    <message>
+        <source>Collect pairs: a simulated person presses a stick on the marked places of a simulated tube and mistakes one in ten for its neighbour</source>
+        <translation>ペアを収集します: シミュレーション上の人がチューブの印の位置を棒で押し、10回に1回は隣の印と取り違えます</translation>
+    </message>
+    <message>
+        <source>Collect pairs: press a stick through the holes of a shell while a camera watches, live or in a video</source>
+        <translation>ペアを収集します。シェルの穴に棒を押し込む様子を、カメラまたはその動画で見ます</translation>
+    </message>
+    <message>
+        <source>Exclude the pairs marked as wrong, for every method</source>
+        <translation>誤りと判定されたペアを、すべての方法で除外します</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Finds the camera inside the tactile cylinder from pairs of a pixel and the surface point that was probed there.&lt;/p&gt;&lt;p&gt;Load a CSV file, drop it here, or type pairs in. Wrong pairs are detected and left out; you can exclude more, remove them (Delete in the table) and undo every step.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;画素と、そこでプロービングされた表面の点とのペアから、触覚円筒内のカメラを求めます。&lt;/p&gt;&lt;p&gt;CSVファイルを読み込むかここにドロップする、またはペアを入力してください。誤ったペアは検出されて除外されます。さらに除外したり削除したり (表でDelete) することもでき、すべての操作は元に戻せます。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>The camera was not saved. Wait until it is calibrated.</source>
         <translation>カメラは保存されませんでした: キャリブレーション中です。</translation>
+    </message>
+    <message>
+        <source>Waiting for the first touch.</source>
+        <translation>最初のタッチを待っています。</translation>
+    </message>
+    <message>
+        <source>their points are located to within %1 on average; the camera&apos;s uncertainty is %2. </source>
+        <translation>点の位置推定の誤差は平均%1、カメラの不確かさは%2以内です。 </translation>
+    </message>
+    <message>
+        <source>This method ignores lens distortion: use it only for comparison.</source>
+        <translation>この方法はレンズを考慮しません: 比較にのみ使用してください。</translation>
+    </message>
+    <message>
+        <source>Caution: neighbouring residuals are alike, so the camera model misses something (a shell that has moved, a wrong radius).</source>
+        <translation>注意: 隣り合う残差が似ており、このカメラで表せないもの (シェルのずれ、半径の誤りなど) がペアに含まれています。</translation>
+    </message>
+    <message>
+        <source>The residuals show no pattern, as they should.</source>
+        <translation>残差に規則性はありません。良好です。</translation>
+    </message>
+    <message>
+        <source>Pairs (*.csv)</source>
+        <translation>ペア (*.csv)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
     </message>
 </context>
 <context>
@@ -9756,15 +9636,15 @@ x %4, y %5
 <context>
     <name>teleta::console::CostMeasuring</name>
     <message>
-        <source>The costs that were measured before cannot be read.</source>
-        <translation>以前に測定したコストを読み取れません。</translation>
-    </message>
-    <message>
         <source>The ladders could not be measured.</source>
         <translation>ラダーを測定できませんでした。</translation>
     </message>
     <message>
-        <source>The measured costs cannot be kept.</source>
+        <source>The saved costs cannot be read.</source>
+        <translation>以前に測定したコストを読み取れません。</translation>
+    </message>
+    <message>
+        <source>The costs cannot be saved.</source>
         <translation>測定したコストを保存できません。</translation>
     </message>
 </context>
@@ -9801,10 +9681,6 @@ x %4, y %5
         <translation>%1: 平均 %2、100フレーム中99フレームが %3 以内 (1640 x 1232画素)。</translation>
     </message>
     <message>
-        <source>No rung is so quick: of 100 frames one may take longer.</source>
-        <translation>これほど速い段はありません: 超過が許されるのは100フレーム中1フレームまでです。</translation>
-    </message>
-    <message>
         <source>Measuring %1: %2</source>
         <translation>%1 を測定中: %2</translation>
     </message>
@@ -9833,20 +9709,12 @@ x %4, y %5
         <translation>すべてのラダーを測定(&amp;A)</translation>
     </message>
     <message>
-        <source>Takes some minutes; the console can be used meanwhile</source>
-        <translation>数分かかります。その間もコンソールを使えます</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
         <source>Not measured on this machine</source>
         <translation>このマシンでは未測定</translation>
-    </message>
-    <message>
-        <source>Close other programs and sources first: what they compute makes times uncertain.</source>
-        <translation>先にほかのプログラムとソースを閉じてください: それらの計算により時間が不確かになります。</translation>
     </message>
     <message>
         <source>Measure this ladder</source>
@@ -9925,12 +9793,24 @@ x %4, y %5
         <translation>カメラのデモを開く</translation>
     </message>
     <message>
-        <source>Being measured</source>
+        <source>Measuring</source>
         <translation>測定中</translation>
     </message>
     <message>
-        <source>Ending…</source>
+        <source>Close other programs and sources first: their load makes the times unreliable.</source>
+        <translation>先にほかのプログラムとソースを閉じてください: それらの計算により時間が不確かになります。</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
         <translation>終了しています…</translation>
+    </message>
+    <message>
+        <source>No rung is fast enough: only one frame in 100 may take longer.</source>
+        <translation>これほど速い段はありません: 超過が許されるのは100フレーム中1フレームまでです。</translation>
+    </message>
+    <message>
+        <source>Takes a few minutes; you can go on using the console</source>
+        <translation>数分かかります。その間もコンソールを使えます</translation>
     </message>
 </context>
 <context>
@@ -9942,10 +9822,6 @@ x %4, y %5
     <message>
         <source>commanded intensities</source>
         <translation>指令強度</translation>
-    </message>
-    <message>
-        <source>what the motors are predicted to do</source>
-        <translation>モーターの予測動作</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
@@ -9962,6 +9838,10 @@ x %4, y %5
     <message>
         <source>Choose file…</source>
         <translation>ファイルを選択…</translation>
+    </message>
+    <message>
+        <source>predicted intensities</source>
+        <translation>モーターの予測動作</translation>
     </message>
 </context>
 <context>
@@ -10082,14 +9962,6 @@ x %4, y %5
         <translation>別のフォルダーまたはファイル名を選んでください。</translation>
     </message>
     <message>
-        <source>press</source>
-        <translation>押圧</translation>
-    </message>
-    <message>
-        <source>loading</source>
-        <translation>読み込み</translation>
-    </message>
-    <message>
         <source>%1 could not be saved.</source>
         <comment>a file</comment>
         <translation>%1 を保存できませんでした。</translation>
@@ -10160,12 +10032,12 @@ x %4, y %5
 <context>
     <name>teleta::console::LiveProbing</name>
     <message>
-        <source>The camera is open, but no frame comes.</source>
+        <source>The camera is open but sends no frames.</source>
         <translation>カメラは開いていますが、フレームが届きません。</translation>
     </message>
     <message>
-        <source>The camera&apos;s image has changed from %1 × %2 to %3 × %4 pixels.</source>
-        <translation>カメラの画像が %1 × %2 画素から %3 × %4 画素に変わりました。</translation>
+        <source>The camera&apos;s image size has changed from %1 × %2 to %3 × %4 pixels. Start probing again.</source>
+        <translation>カメラの画像が %1 × %2 画素から %3 × %4 画素に変わりました。プロービングをやり直してください。</translation>
     </message>
 </context>
 <context>
@@ -10175,16 +10047,8 @@ x %4, y %5
         <translation>カメラでプロービング</translation>
     </message>
     <message>
-        <source>Of the first hole of each ring, from the x axis towards y</source>
-        <translation>各リングの最初の穴の角度。x 軸から y に向かって測ります</translation>
-    </message>
-    <message>
         <source>&amp;Camera or video:</source>
         <translation>カメラまたは動画(&amp;C):</translation>
-    </message>
-    <message>
-        <source>Holes a &amp;ring:</source>
-        <translation>リングあたりの穴数(&amp;R):</translation>
     </message>
     <message>
         <source>Ri&amp;ngs:</source>
@@ -10206,6 +10070,14 @@ x %4, y %5
         <source>&amp;Probe</source>
         <translation>プロービング(&amp;P)</translation>
     </message>
+    <message>
+        <source>Angle of the first hole of each ring, from the x axis towards y</source>
+        <translation>各リングの最初の穴の角度。x 軸から y に向かって測ります</translation>
+    </message>
+    <message>
+        <source>Holes per &amp;ring:</source>
+        <translation>リングあたりの穴数(&amp;R):</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::LiveProbingPanel</name>
@@ -10226,28 +10098,12 @@ x %4, y %5
         <translation>穴 %1 / %2: リング %3、%4&#xa0;mm、%5°</translation>
     </message>
     <message>
-        <source>The camera is awaited: %1</source>
-        <translation>カメラを待っています: %1</translation>
-    </message>
-    <message>
-        <source>The first frame is awaited. Nothing may touch the skin.</source>
-        <translation>最初のフレームを待っています。スキンには何も触れないでください。</translation>
-    </message>
-    <message>
-        <source>A frame in which nothing touches the skin is awaited: %1</source>
-        <translation>スキンに何も触れていないフレームを待っています: %1</translation>
-    </message>
-    <message>
         <source>Press the stick into this hole.</source>
         <translation>この穴に棒を押し込んでください。</translation>
     </message>
     <message>
         <source>Hold still.</source>
         <translation>そのまま動かさないでください。</translation>
-    </message>
-    <message>
-        <source>The skin is touched at several places. Lift all but the stick.</source>
-        <translation>スキンの複数の場所に触れています。棒以外を離してください。</translation>
     </message>
     <message>
         <source>Taken. Lift the stick.</source>
@@ -10266,36 +10122,52 @@ x %4, y %5
         <translation>戻る(&amp;B)</translation>
     </message>
     <message>
-        <source>The hole before this one. A hole that is probed again gets a new pixel</source>
-        <translation>1 つ前の穴。もう一度プロービングした穴の画素は置き換わります</translation>
-    </message>
-    <message>
         <source>S&amp;kip</source>
         <translation>スキップ(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Leave this hole out for now</source>
-        <translation>この穴を今は飛ばします</translation>
-    </message>
-    <message>
-        <source>&amp;Untouched now</source>
-        <translation>今は非接触(&amp;U)</translation>
-    </message>
-    <message>
-        <source>The next frame shows the skin with nothing touching it</source>
-        <translation>次のフレームには何も触れていないスキンが写ります</translation>
     </message>
     <message>
         <source>Sto&amp;p probing</source>
         <translation>プロービングを停止(&amp;P)</translation>
     </message>
     <message>
-        <source>Keep what was collected until now</source>
-        <translation>これまでに収集した分を残します</translation>
-    </message>
-    <message>
         <source>Lift the stick first.</source>
         <translation>先に棒を離してください。</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera: %1</source>
+        <translation>カメラを待っています: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the first frame. Nothing may touch the skin.</source>
+        <translation>最初のフレームを待っています。スキンには何も触れないでください。</translation>
+    </message>
+    <message>
+        <source>Waiting for a frame in which nothing touches the skin: %1</source>
+        <translation>スキンに何も触れていないフレームを待っています: %1</translation>
+    </message>
+    <message>
+        <source>The skin is touched in several places. Remove everything but the stick.</source>
+        <translation>スキンの複数の場所に触れています。棒以外を離してください。</translation>
+    </message>
+    <message>
+        <source>Back to the previous hole. Probing it again replaces its pixel</source>
+        <translation>1 つ前の穴。もう一度プロービングした穴の画素は置き換わります</translation>
+    </message>
+    <message>
+        <source>Skip this hole for now</source>
+        <translation>この穴を今は飛ばします</translation>
+    </message>
+    <message>
+        <source>Ne&amp;w reference</source>
+        <translation>今は非接触(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Take the next frame as the reference: nothing may touch the skin</source>
+        <translation>次のフレームには何も触れていないスキンが写ります</translation>
+    </message>
+    <message>
+        <source>Keep the pairs collected so far</source>
+        <translation>これまでに収集した分を残します</translation>
     </message>
 </context>
 <context>
@@ -10309,20 +10181,8 @@ x %4, y %5
         <translation>テキスト (*.txt)</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>書き込みました: %1</translation>
-    </message>
-    <message>
-        <source>%1 could not be written: %2</source>
-        <translation>%1 を書き込めませんでした: %2</translation>
-    </message>
-    <message>
         <source>Log</source>
         <translation>ログ</translation>
-    </message>
-    <message>
-        <source>Messages since the program began</source>
-        <translation>プログラム開始からのメッセージ</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -10335,6 +10195,18 @@ x %4, y %5
     <message>
         <source>C&amp;lose</source>
         <translation>閉じる(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 を保存しました</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved: %2</source>
+        <translation>%1 を書き込めませんでした: %2</translation>
+    </message>
+    <message>
+        <source>Messages since the program started</source>
+        <translation>プログラム開始からのメッセージ</translation>
     </message>
 </context>
 <context>
@@ -10535,20 +10407,12 @@ x %4, y %5
 <context>
     <name>teleta::console::MotorCalibrator</name>
     <message>
-        <source>The profile of the motors cannot be used; they are assumed.</source>
-        <translation>モーターのプロファイルを使用できないため、仮定値を使います。</translation>
-    </message>
-    <message>
         <source>Open the recording of a motor</source>
         <translation>モーターの記録を開く</translation>
     </message>
     <message>
         <source>Recordings (*.csv)</source>
         <translation>記録 (*.csv)</translation>
-    </message>
-    <message>
-        <source>Write the excitation</source>
-        <translation>励振信号を書き込む</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -10576,18 +10440,26 @@ x %4, y %5
         <translation>%1 を開けませんでした。</translation>
     </message>
     <message>
-        <source>%1 is of another bracelet.</source>
+        <source>%1 could not be saved.</source>
+        <comment>a file</comment>
+        <translation>%1 を保存できませんでした。</translation>
+    </message>
+    <message>
+        <source>The motor profile cannot be used: the motors use assumed values.</source>
+        <translation>モーターのプロファイルを使用できないため、仮定値を使います。</translation>
+    </message>
+    <message>
+        <source>Save the excitation</source>
+        <translation>励振信号を書き込む</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another bracelet.</source>
         <comment>a file</comment>
         <translation>%1 は別のブレスレットのものです。</translation>
     </message>
     <message>
-        <source>It is of “%1”, this one is “%2”. Measure this one, or connect the other.</source>
+        <source>The file is for “%1”, this bracelet is “%2”. Measure this one, or connect the other.</source>
         <translation>これは「%1」のもので、現在のブレスレットは「%2」です。現在のものを測定するか、もう一方を接続してください。</translation>
-    </message>
-    <message>
-        <source>%1 could not be saved.</source>
-        <comment>a file</comment>
-        <translation>%1 を保存できませんでした。</translation>
     </message>
 </context>
 <context>
@@ -10601,18 +10473,6 @@ x %4, y %5
         <translation>新しい実験</translation>
     </message>
     <message>
-        <source>In a file of this folder: one station</source>
-        <translation>このフォルダーのファイル内: 1ステーション</translation>
-    </message>
-    <message>
-        <source>On a PostgreSQL server: stations share it</source>
-        <translation>PostgreSQLサーバー上: 複数のステーションで共有</translation>
-    </message>
-    <message>
-        <source>Run: real participants, counts as data</source>
-        <translation>本番: 実際の参加者、データとして扱います</translation>
-    </message>
-    <message>
         <source>Pilot: people try it, marked PILOT everywhere</source>
         <translation>パイロット: 人が試行、すべてに「パイロット」と表示</translation>
     </message>
@@ -10621,20 +10481,8 @@ x %4, y %5
         <translation>シミュレーション: 人なし、すべてに「シミュレーション」と表示</translation>
     </message>
     <message>
-        <source>The orders of all trials follow from it: the same seed gives the same study</source>
-        <translation>すべての試行の順序はシードで決まります: 同じシードからは同じ実験が得られます</translation>
-    </message>
-    <message>
         <source>&amp;Choose…</source>
         <translation>選択(&amp;C)…</translation>
-    </message>
-    <message>
-        <source>&amp;Folder, which is made</source>
-        <translation>フォルダー (作成されます)(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Kept</source>
-        <translation>保存先(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Mode</source>
@@ -10643,18 +10491,6 @@ x %4, y %5
     <message>
         <source>&amp;Seed</source>
         <translation>シード(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Make the study</source>
-        <translation>実験を作成</translation>
-    </message>
-    <message>
-        <source>Folder of the study</source>
-        <translation>実験のフォルダー</translation>
-    </message>
-    <message>
-        <source>Choose a folder, with its whole path.</source>
-        <translation>フォルダーを完全なパスで選んでください。</translation>
     </message>
     <message>
         <source>The seed is a whole number from 0 to 18446744073709551615.</source>
@@ -10685,18 +10521,54 @@ x %4, y %5
         <source>Protocols (*.toml)</source>
         <translation>プロトコル (*.toml)</translation>
     </message>
+    <message>
+        <source>In a file in this folder, for one station</source>
+        <translation>このフォルダーのファイル内: 1ステーション</translation>
+    </message>
+    <message>
+        <source>On a PostgreSQL server, shared by several stations</source>
+        <translation>PostgreSQLサーバー上: 複数のステーションで共有</translation>
+    </message>
+    <message>
+        <source>Run: real participants, data count</source>
+        <translation>本番: 実際の参加者、データとして扱います</translation>
+    </message>
+    <message>
+        <source>Determines the order of all trials: the same seed gives the same study</source>
+        <translation>すべての試行の順序はシードで決まります: 同じシードからは同じ実験が得られます</translation>
+    </message>
+    <message>
+        <source>New &amp;folder</source>
+        <translation>フォルダー (作成されます)(&amp;F)</translation>
+    </message>
+    <message>
+        <source>S&amp;torage</source>
+        <translation>保存先(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Create the study</source>
+        <translation>実験を作成</translation>
+    </message>
+    <message>
+        <source>Study folder</source>
+        <translation>実験のフォルダー</translation>
+    </message>
     <message numerus="yes">
-        <source>%n test trial(s) a participant</source>
+        <source>%n test trial(s) per participant</source>
         <translation>
             <numerusform>参加者1名あたりテスト%n試行</numerusform>
         </translation>
     </message>
     <message>
-        <source>This protocol has no pattern %1 to be felt: name a file for it in the protocol.</source>
+        <source>There is no tactile pattern for %1: name a file for it in the protocol.</source>
         <translation>このプロトコルには、感じるべきパターン %1 がありません。プロトコルの中でそのファイルを指定してください。</translation>
     </message>
     <message>
-        <source>The file is no protocol that can be used; the one above stays chosen. %1</source>
+        <source>Choose a folder by its full path.</source>
+        <translation>フォルダーを完全なパスで選んでください。</translation>
+    </message>
+    <message>
+        <source>The file is not a usable protocol; the one above stays selected. %1</source>
         <translation>このファイルは使用できるプロトコルではありません。上のプロトコルが選ばれたままです。%1</translation>
     </message>
 </context>
@@ -10712,16 +10584,16 @@ x %4, y %5
         <translation>%1 は48 kHzを再生できません</translation>
     </message>
     <message>
-        <source>headphones that are plugged in, or the noise from another device</source>
-        <translation>接続されたヘッドホン、または別の機器からのノイズ</translation>
-    </message>
-    <message>
         <source>the sound output stopped</source>
         <translation>音声出力が停止しました</translation>
     </message>
     <message>
         <source>headphones that stay plugged in</source>
         <translation>接続されたままのヘッドホン</translation>
+    </message>
+    <message>
+        <source>headphones, plugged in, or the noise from another device</source>
+        <translation>接続されたヘッドホン、または別の機器からのノイズ</translation>
     </message>
 </context>
 <context>
@@ -10916,7 +10788,7 @@ x %4, y %5
         <translation>ペアを追加(&amp;A)</translation>
     </message>
     <message>
-        <source>Take this pair up (Enter)</source>
+        <source>Add this pair (Enter)</source>
         <translation>このペアを追加します (Enter)</translation>
     </message>
 </context>
@@ -10951,7 +10823,7 @@ x %4, y %5
         <translation>%1 を削除しました。</translation>
     </message>
     <message>
-        <source>%1 could not be brought back.</source>
+        <source>%1 could not be restored.</source>
         <comment>a pattern</comment>
         <translation>%1 を復元できませんでした。</translation>
     </message>
@@ -10959,16 +10831,12 @@ x %4, y %5
 <context>
     <name>teleta::console::PatternPlayback</name>
     <message>
-        <source>What plays is only shown, not felt.</source>
+        <source>The pattern is shown on the screen but not felt.</source>
         <translation>再生中のものは表示だけで、感じられません。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::PatternsPage</name>
-    <message>
-        <source>The edits that are not saved could not be kept aside: a crash would lose them.</source>
-        <translation>未保存の編集内容を退避できませんでした: 異常終了すると失われます。</translation>
-    </message>
     <message>
         <source>%1 (copy)</source>
         <translation>%1 (コピー)</translation>
@@ -11006,16 +10874,6 @@ x %4, y %5
         <source>Unsaved edits</source>
         <translation>未保存の編集内容</translation>
     </message>
-    <message>
-        <source>%1 has edits that are not saved.</source>
-        <comment>a pattern</comment>
-        <translation>%1 に未保存の編集内容があります。</translation>
-    </message>
-    <message>
-        <source>The program ended without saving %1, edited %2. The file on disk is as it was.</source>
-        <comment>a pattern, a time</comment>
-        <translation>プログラムは %1 (編集 %2) を保存せずに終了しました。ディスク上のファイルは元のままです。</translation>
-    </message>
     <message numerus="yes">
         <source>There are %n more.</source>
         <translation>
@@ -11051,10 +10909,6 @@ x %4, y %5
         <translation>tact (*.tact)</translation>
     </message>
     <message>
-        <source>How strong the bracelet may be could not be read or kept: look at the slider Strongest.</source>
-        <translation>ブレスレットの強さの上限を読み込みまたは保存できませんでした: スライダ「最強」を確認してください。</translation>
-    </message>
-    <message>
         <source>Open the edits</source>
         <translation>編集内容を開く</translation>
     </message>
@@ -11062,23 +10916,41 @@ x %4, y %5
         <source>Discard them</source>
         <translation>破棄する</translation>
     </message>
+    <message>
+        <source>Unsaved edits could not be backed up: a crash would lose them.</source>
+        <translation>未保存の編集内容を退避できませんでした: 異常終了すると失われます。</translation>
+    </message>
+    <message>
+        <source>The strength limit of the bracelet could not be read or saved: check the slider Strongest.</source>
+        <translation>ブレスレットの強さの上限を読み込みまたは保存できませんでした: スライダ「最強」を確認してください。</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved edits.</source>
+        <comment>a pattern</comment>
+        <translation>%1 に未保存の編集内容があります。</translation>
+    </message>
+    <message>
+        <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
+        <comment>a pattern, a time</comment>
+        <translation>プログラムは %1 (編集 %2) を保存せずに終了しました。ディスク上のファイルは元のままです。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::ProbingStrip</name>
-    <message>
-        <source>How far the probing is</source>
-        <translation>プロービングの進捗</translation>
-    </message>
-    <message>
-        <source>SIMULATED: a person probes the tube; pairs until now: %1</source>
-        <translation>シミュレーション: 人がチューブをプロービング中。これまでのペア: %1</translation>
-    </message>
     <message>
         <source>Sto&amp;p probing</source>
         <translation>プロービングを停止(&amp;P)</translation>
     </message>
     <message>
-        <source>Keep what was collected until now</source>
+        <source>Progress of the probing</source>
+        <translation>プロービングの進捗</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a person probes the tube; pairs so far: %1</source>
+        <translation>シミュレーション: 人がチューブをプロービング中。これまでのペア: %1</translation>
+    </message>
+    <message>
+        <source>Keep the pairs collected so far</source>
         <translation>これまでに収集した分を残します</translation>
     </message>
 </context>
@@ -11199,10 +11071,6 @@ x %4, y %5
         <translation>例: static, dynamic</translation>
     </message>
     <message>
-        <source>letter and name, one a line, for example A circle</source>
-        <translation>文字と名前を1行に1つ。例: A circle</translation>
-    </message>
-    <message>
         <source>Identifier</source>
         <translation>識別子</translation>
     </message>
@@ -11225,12 +11093,6 @@ x %4, y %5
     <message>
         <source>this form</source>
         <translation>このフォーム</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n test trial(s) a participant</source>
-        <translation>
-            <numerusform>参加者1名あたりテスト%n試行</numerusform>
-        </translation>
     </message>
     <message>
         <source> (expected: %1)</source>
@@ -11276,20 +11138,8 @@ x %4, y %5
         <translation>質問票を追加(&amp;Q)</translation>
     </message>
     <message>
-        <source>letter, condition and file, one a line, for patterns of your own; all others come with the program</source>
-        <translation>自作のパターンの文字、条件、ファイルを1行に1つ。ほかはすべてプログラムに付属しています</translation>
-    </message>
-    <message>
-        <source>Of your own</source>
-        <translation>自作のもの</translation>
-    </message>
-    <message>
         <source>Choose a pattern file…</source>
         <translation>パターンファイルを選択…</translation>
-    </message>
-    <message>
-        <source>no pattern of the task is felt as &quot;%1 %2&quot;</source>
-        <translation>この課題に「%1 %2」にあたるパターンはありません</translation>
     </message>
     <message>
         <source>a letter and a condition of the task, then the file</source>
@@ -11298,10 +11148,6 @@ x %4, y %5
     <message>
         <source>the file of &quot;%1 %2&quot; cannot be found</source>
         <translation>「%1 %2」のファイルが見つかりません</translation>
-    </message>
-    <message>
-        <source>its whole path</source>
-        <translation>その絶対パス</translation>
     </message>
     <message>
         <source>&quot;%1 %2&quot; has two files</source>
@@ -11317,16 +11163,42 @@ x %4, y %5
         <translation>%1 のパターンファイル</translation>
     </message>
     <message>
-        <source>There is no pattern %1 to be felt. Name a file for it, or take a task, letter and condition whose pattern comes with the program; the protocol can be saved.</source>
-        <translation>感じるべきパターン %1 がありません。ファイルを指定するか、パターンがプログラムに付属している課題、文字、条件にしてください。プロトコルは保存できます。</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>未保存の変更</translation>
     </message>
     <message>
         <source>The protocol has changes that are not saved.</source>
         <translation>プロトコルに未保存の変更があります。</translation>
+    </message>
+    <message>
+        <source>letter, condition and file, one per line, for your own patterns; all others are built in</source>
+        <translation>自作のパターンの文字、条件、ファイルを1行に1つ。ほかはすべてプログラムに付属しています</translation>
+    </message>
+    <message>
+        <source>letter and name, one per line, for example A circle</source>
+        <translation>文字と名前を1行に1つ。例: A circle</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>自作のもの</translation>
+    </message>
+    <message>
+        <source>the task has no pattern &quot;%1 %2&quot;</source>
+        <translation>この課題に「%1 %2」にあたるパターンはありません</translation>
+    </message>
+    <message>
+        <source>its full path</source>
+        <translation>その絶対パス</translation>
+    </message>
+    <message>
+        <source>There is no tactile pattern for %1. Name a file for it, or use a task, letter and condition whose pattern is built in. The protocol can be saved as it is.</source>
+        <translation>感じるべきパターン %1 がありません。ファイルを指定するか、パターンがプログラムに付属している課題、文字、条件にしてください。プロトコルは保存できます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test trial(s) per participant</source>
+        <translation>
+            <numerusform>参加者1名あたりテスト%n試行</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11376,10 +11248,6 @@ x %4, y %5
         <translation>この質問票を削除</translation>
     </message>
     <message>
-        <source>has to be answered</source>
-        <translation>回答必須</translation>
-    </message>
-    <message>
         <source>for example hard</source>
         <translation>例: hard</translation>
     </message>
@@ -11409,10 +11277,6 @@ x %4, y %5
         <translation>最後の段階の意味</translation>
     </message>
     <message>
-        <source>identifier and text, one a line, for example yes I felt it</source>
-        <translation>識別子と文を1行に1つ、例: yes I felt it</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>削除</translation>
     </message>
@@ -11431,6 +11295,14 @@ x %4, y %5
     <message>
         <source>Answers</source>
         <translation>答え</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>回答必須</translation>
+    </message>
+    <message>
+        <source>identifier and text, one per line, for example yes I felt it</source>
+        <translation>識別子と文を1行に1つ、例: yes I felt it</translation>
     </message>
 </context>
 <context>
@@ -11686,7 +11558,7 @@ x %4, y %5
     </message>
 </context>
 <context>
-    <name>teleta::console::RecordingStation</name>
+    <name>teleta::console::RecordingMarks</name>
     <message>
         <source>mark</source>
         <translation>マーク</translation>
@@ -11699,6 +11571,9 @@ x %4, y %5
         <source>text of a mark</source>
         <translation>マークのテキスト</translation>
     </message>
+</context>
+<context>
+    <name>teleta::console::RecordingService</name>
     <message>
         <source>the folder cannot be made</source>
         <translation>フォルダーを作成できません</translation>
@@ -11715,10 +11590,6 @@ x %4, y %5
         <translation>省略時はPGPASSWORDまたは~/.pgpass</translation>
     </message>
     <message>
-        <source>Used for this connection, and kept nowhere</source>
-        <translation>この接続にのみ使用し、どこにも保存しません</translation>
-    </message>
-    <message>
         <source>&amp;Server</source>
         <translation>サーバー(&amp;S)</translation>
     </message>
@@ -11730,16 +11601,16 @@ x %4, y %5
         <source>The address of a server looks like %1.</source>
         <translation>サーバーのアドレスは %1 のような形式です。</translation>
     </message>
+    <message>
+        <source>Used for this connection only, never saved</source>
+        <translation>この接続にのみ使用し、どこにも保存しません</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::ServerStudyDialog</name>
     <message>
         <source>Open a study on a server</source>
         <translation>サーバー上の実験を開く</translation>
-    </message>
-    <message>
-        <source>Exports go here, and trials while the server is away</source>
-        <translation>エクスポートと、サーバーに接続できない間の試行の保存先です</translation>
     </message>
     <message>
         <source>&amp;Folder on this computer</source>
@@ -11750,16 +11621,16 @@ x %4, y %5
         <translation>実験を開く</translation>
     </message>
     <message>
-        <source>Choose a folder, with its whole path.</source>
+        <source>For exports, and for trials while the server is unreachable</source>
+        <translation>エクスポートと、サーバーに接続できない間の試行の保存先です</translation>
+    </message>
+    <message>
+        <source>Choose a folder by its full path.</source>
         <translation>フォルダーを完全なパスで選んでください。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::StudyController</name>
-    <message>
-        <source>a session of the open study is going on</source>
-        <translation>開いている実験のセッションが進行中です</translation>
-    </message>
     <message>
         <source>the open study is being read or written</source>
         <translation>開いている実験を読み書き中です</translation>
@@ -11778,10 +11649,6 @@ x %4, y %5
         <translation>%1 を開けませんでした。</translation>
     </message>
     <message>
-        <source>The study could not be made.</source>
-        <translation>実験を作成できませんでした。</translation>
-    </message>
-    <message>
         <source>The rehearsal could not be opened.</source>
         <translation>リハーサルを開けませんでした。</translation>
     </message>
@@ -11795,24 +11662,12 @@ x %4, y %5
         <translation>実験を読み取れませんでした。</translation>
     </message>
     <message>
-        <source>The session could not begin.</source>
-        <translation>セッションを開始できませんでした。</translation>
-    </message>
-    <message>
-        <source>Saved, read back and compared: %1</source>
-        <translation>保存し、読み戻して照合しました: %1</translation>
-    </message>
-    <message>
         <source>The trials are safe in the study, but could not be exported.</source>
         <translation>試行は実験に安全に保存されていますが、エクスポートできませんでした。</translation>
     </message>
     <message>
         <source>The session could not be closed.</source>
         <translation>セッションを終了できませんでした。</translation>
-    </message>
-    <message>
-        <source>The note could not be kept.</source>
-        <translation>メモを保存できませんでした。</translation>
     </message>
     <message>
         <source>The note is safe in the study, but could not be exported.</source>
@@ -11822,6 +11677,26 @@ x %4, y %5
         <source>The export failed.</source>
         <translation>エクスポートに失敗しました。</translation>
     </message>
+    <message>
+        <source>a session of the open study is running</source>
+        <translation>開いている実験のセッションが進行中です</translation>
+    </message>
+    <message>
+        <source>The study could not be created.</source>
+        <translation>実験を作成できませんでした。</translation>
+    </message>
+    <message>
+        <source>The session could not start.</source>
+        <translation>セッションを開始できませんでした。</translation>
+    </message>
+    <message>
+        <source>Saved and verified: %1</source>
+        <translation>保存し、読み戻して照合しました: %1</translation>
+    </message>
+    <message>
+        <source>The note could not be saved.</source>
+        <translation>メモを保存できませんでした。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyLeaving</name>
@@ -11830,33 +11705,33 @@ x %4, y %5
         <translation>実験</translation>
     </message>
     <message>
-        <source>The last answer is not kept: %1</source>
-        <translation>最後の回答は保存されていません: %1</translation>
-    </message>
-    <message>
-        <source>It is only in the memory of this program. The session ends with it.</source>
-        <translation>このプログラムのメモリにだけあります。セッションはそれとともに終わります。</translation>
-    </message>
-    <message>
         <source>&amp;Try again</source>
         <translation>再試行(&amp;T)</translation>
     </message>
     <message>
-        <source>&amp;Lose it</source>
+        <source>&amp;End the session</source>
+        <translation>セッションを終了(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The last answer is not saved: %1</source>
+        <translation>最後の回答は保存されていません: %1</translation>
+    </message>
+    <message>
+        <source>It exists only in the memory of this program and is lost when the session ends.</source>
+        <translation>このプログラムのメモリにだけあります。セッションはそれとともに終わります。</translation>
+    </message>
+    <message>
+        <source>&amp;Discard it</source>
         <translation>破棄(&amp;L)</translation>
     </message>
     <message>
-        <source>The session of %1 is going on.</source>
+        <source>The session of %1 is still running.</source>
         <comment>a participant</comment>
         <translation>%1 のセッションが進行中です。</translation>
     </message>
     <message>
-        <source>What was answered is kept, and the session can be gone on with later.</source>
+        <source>All answers are saved, and the session can be resumed later.</source>
         <translation>回答済みのものは保存されており、セッションは後で続けられます。</translation>
-    </message>
-    <message>
-        <source>&amp;End the session</source>
-        <translation>セッションを終了(&amp;E)</translation>
     </message>
 </context>
 <context>
@@ -11898,14 +11773,6 @@ x %4, y %5
         <translation>複数のステーションで共有する実験</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen was lost.</source>
-        <translation>参加者の画面が失われました。</translation>
-    </message>
-    <message>
-        <source>The participant&apos;s window is beside the console now, and the session pauses. Plug the screen in and show the window again.</source>
-        <translation>参加者ウィンドウは現在コンソールの横にあり、セッションは一時停止中です。画面を接続し、ウィンドウを再び表示してください。</translation>
-    </message>
-    <message>
         <source>The noise cannot be played.</source>
         <translation>ノイズを再生できません。</translation>
     </message>
@@ -11920,10 +11787,6 @@ x %4, y %5
     <message>
         <source>A session of this study was interrupted.</source>
         <translation>この実験のセッションが中断されています。</translation>
-    </message>
-    <message>
-        <source>Nothing that was answered is lost. Go on with it, or choose another one.</source>
-        <translation>回答は失われていません。続行するか、別のセッションを選んでください。</translation>
     </message>
     <message>
         <source>%1 could not be opened.</source>
@@ -11957,10 +11820,6 @@ x %4, y %5
     <message>
         <source>There are no completed trials yet.</source>
         <translation>完了した試行はまだありません。</translation>
-    </message>
-    <message>
-        <source>Test trials that are complete; others are left out.</source>
-        <translation>完了したテスト試行のみを対象とします。</translation>
     </message>
     <message>
         <source>The results could not be computed.</source>
@@ -12003,30 +11862,6 @@ x %4, y %5
         <translation>実時間の%1倍、提示なし</translation>
     </message>
     <message>
-        <source>How fast simulated participants are; it can be changed between sessions</source>
-        <translation>シミュレーション参加者の速さ。セッションの合間に変更できます</translation>
-    </message>
-    <message>
-        <source>This study can only be looked at: nothing can be written here.</source>
-        <translation>この実験は見ることだけができます: ここには何も書き込めません。</translation>
-    </message>
-    <message>
-        <source>Copy its whole folder to go on with it.</source>
-        <translation>続けるにはフォルダ全体をコピーしてください。</translation>
-    </message>
-    <message>
-        <source>Of the paper&apos;s protocol, or of one of your own</source>
-        <translation>論文のプロトコル、または独自のプロトコルによる実験</translation>
-    </message>
-    <message>
-        <source>The participant&apos;s window covers a part of the console.</source>
-        <translation>参加者ウィンドウがコンソールの一部を覆っています。</translation>
-    </message>
-    <message>
-        <source>There is no other screen, and no room beside the console. Plug in a second screen, or make the console smaller, and show the window again.</source>
-        <translation>ほかに画面がなく、コンソールの横にも場所がありません。2つ目の画面を接続するか、コンソールを小さくして、ウィンドウを再び表示してください。</translation>
-    </message>
-    <message>
         <source>The protocols that come with the program could not be read.</source>
         <translation>付属のプロトコルを読み取れませんでした。</translation>
     </message>
@@ -12035,19 +11870,59 @@ x %4, y %5
         <comment>a protocol</comment>
         <translation>付属</translation>
     </message>
+    <message>
+        <source>The participant&apos;s screen was disconnected.</source>
+        <translation>参加者の画面が失われました。</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window is now next to the console, and the session pauses. Reconnect the screen and show the window again.</source>
+        <translation>参加者ウィンドウは現在コンソールの横にあり、セッションは一時停止中です。画面を接続し、ウィンドウを再び表示してください。</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window covers part of the console.</source>
+        <translation>参加者ウィンドウがコンソールの一部を覆っています。</translation>
+    </message>
+    <message>
+        <source>There is no second screen, and no room next to the console. Connect a second screen, or make the console smaller, and show the window again.</source>
+        <translation>ほかに画面がなく、コンソールの横にも場所がありません。2つ目の画面を接続するか、コンソールを小さくして、ウィンドウを再び表示してください。</translation>
+    </message>
+    <message>
+        <source>This study is read-only: nothing can be written here.</source>
+        <translation>この実験は見ることだけができます: ここには何も書き込めません。</translation>
+    </message>
+    <message>
+        <source>Copy its whole folder to continue the study.</source>
+        <translation>続けるにはフォルダ全体をコピーしてください。</translation>
+    </message>
+    <message>
+        <source>No answer is lost. Resume it, or choose another one.</source>
+        <translation>回答は失われていません。続行するか、別のセッションを選んでください。</translation>
+    </message>
+    <message>
+        <source>Completed test trials only.</source>
+        <translation>完了したテスト試行のみを対象とします。</translation>
+    </message>
+    <message>
+        <source>With the paper&apos;s protocol or your own</source>
+        <translation>論文のプロトコル、または独自のプロトコルによる実験</translation>
+    </message>
+    <message>
+        <source>Speed of the simulated participants; can be changed between sessions</source>
+        <translation>シミュレーション参加者の速さ。セッションの合間に変更できます</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyRunner</name>
-    <message>
-        <source>there is no pattern &quot;%1&quot; to be felt</source>
-        <translation>提示するパターン「%1」がありません</translation>
-    </message>
     <message>
         <source>STOP was pressed</source>
         <translation>STOPが押されました</translation>
     </message>
     <message>
-        <source>a protocol that names a file for each pattern that does not come with the program</source>
+        <source>there is no tactile pattern &quot;%1&quot;</source>
+        <translation>提示するパターン「%1」がありません</translation>
+    </message>
+    <message>
+        <source>a protocol that names a file for each pattern that is not built in</source>
         <translation>プログラムに付属していない各パターンのファイルを指定したプロトコル</translation>
     </message>
 </context>
@@ -12074,24 +11949,12 @@ x %4, y %5
         <translation>画像の高さ</translation>
     </message>
     <message>
-        <source>Width of the image in which the pixels are</source>
-        <translation>画素が属する画像の幅</translation>
-    </message>
-    <message>
-        <source>Height of the image in which the pixels are</source>
-        <translation>画素が属する画像の高さ</translation>
-    </message>
-    <message>
         <source>Radius of the tactile cylinder</source>
         <translation>触覚円筒の半径</translation>
     </message>
     <message>
         <source>Length of the tactile cylinder</source>
         <translation>触覚円筒の長さ</translation>
-    </message>
-    <message>
-        <source>Radius of the surface on which the points are</source>
-        <translation>点がある表面の半径</translation>
     </message>
     <message>
         <source>Length of the surface, from z = 0 of the sensor&apos;s frame</source>
@@ -12102,11 +11965,23 @@ x %4, y %5
         <translation>穴の係数(&amp;H):</translation>
     </message>
     <message>
-        <source>From the holes of a shell to the tactile cylinder</source>
+        <source>Width of the image that the pixels refer to</source>
+        <translation>画素が属する画像の幅</translation>
+    </message>
+    <message>
+        <source>Height of the image that the pixels refer to</source>
+        <translation>画素が属する画像の高さ</translation>
+    </message>
+    <message>
+        <source>Radius of the surface that the points lie on</source>
+        <translation>点がある表面の半径</translation>
+    </message>
+    <message>
+        <source>Factor from the holes of a shell to the tactile cylinder</source>
         <translation>シェルの穴から触覚円筒への係数</translation>
     </message>
     <message>
-        <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
+        <source>For points that are holes of a shell: x and y times this factor lie on the elastomer (0.97 for the shell in the paper)</source>
         <translation>点はシェルの穴です。そのxとyにこの係数を掛けるとエラストマー上の点になります (論文のシェル: 0.97)</translation>
     </message>
 </context>
@@ -12152,15 +12027,15 @@ x %4, y %5
         <translation>修正(&amp;F)</translation>
     </message>
     <message>
-        <source>Laws: looking…</source>
-        <translation>法則: 検査中…</translation>
-    </message>
-    <message>
         <source>Laws: no warning</source>
         <translation>法則: 警告なし</translation>
     </message>
     <message>
-        <source>Laws: %1 to look at</source>
+        <source>Laws: checking…</source>
+        <translation>法則: 検査中…</translation>
+    </message>
+    <message>
+        <source>Laws: %1 to review</source>
         <translation>法則: 要確認%1件</translation>
     </message>
 </context>
@@ -12243,10 +12118,6 @@ x %4, y %5
         <translation>オブジェクトのベイク</translation>
     </message>
     <message>
-        <source>Bake all</source>
-        <translation>すべてベイク</translation>
-    </message>
-    <message>
         <source>Follow the law</source>
         <translation>法則に合わせる</translation>
     </message>
@@ -12279,7 +12150,7 @@ x %4, y %5
         <translation>オーバードライブ</translation>
     </message>
     <message>
-        <source>No motor needs help here: the pattern stays as it is.</source>
+        <source>No motor needs overdrive here: the pattern is unchanged.</source>
         <translation>立ち上がりに助けの要るモーターはありません。パターンはそのままです。</translation>
     </message>
 </context>
@@ -12296,14 +12167,6 @@ x %4, y %5
     <message>
         <source>Compared with %1: largest difference %2 % (motor %3 at %4 s), rms %5 %</source>
         <translation>%1 との比較: 最大差 %2 % (モーター%3、%4 s)、rms %5 %</translation>
-    </message>
-    <message>
-        <source>Compared with %1: the motors do the same</source>
-        <translation>%1 との比較: モーターの動作は同じです</translation>
-    </message>
-    <message>
-        <source>Editor of patterns</source>
-        <translation>パターンエディター</translation>
     </message>
     <message>
         <source>File</source>
@@ -12332,10 +12195,6 @@ x %4, y %5
     <message>
         <source>Save</source>
         <translation>保存</translation>
-    </message>
-    <message>
-        <source>Save the pattern; one without a file goes to one&apos;s own patterns</source>
-        <translation>パターンを保存します。ファイルがない場合は自作パターンに入ります</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -12378,10 +12237,6 @@ x %4, y %5
         <translation>ループ</translation>
     </message>
     <message>
-        <source>Begin again at the end; Shift and a drag on the ruler set the range</source>
-        <translation>末尾で先頭に戻ります。ルーラー上でShift+ドラッグすると範囲を設定できます</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>元に戻す</translation>
     </message>
@@ -12408,10 +12263,6 @@ x %4, y %5
     <message>
         <source>Snap</source>
         <translation>スナップ</translation>
-    </message>
-    <message>
-        <source>Times on a grid; Alt while dragging leaves it</source>
-        <translation>時刻をグリッドに合わせます。ドラッグ中にAltを押すと外れます</translation>
     </message>
     <message>
         <source>Step of the grid, and of the arrow keys</source>
@@ -12450,10 +12301,6 @@ x %4, y %5
         <translation>反転</translation>
     </message>
     <message>
-        <source>The order of the motors the other way round</source>
-        <translation>モーターの順序を逆にします</translation>
-    </message>
-    <message>
         <source>Other arm</source>
         <translation>反対の腕</translation>
     </message>
@@ -12470,16 +12317,8 @@ x %4, y %5
         <translation>パターン全体を表示します (タイムライン上でCtrl+0)</translation>
     </message>
     <message>
-        <source>Compare no more</source>
-        <translation>比較を終了</translation>
-    </message>
-    <message>
         <source>Untitled</source>
         <translation>無題</translation>
-    </message>
-    <message>
-        <source>built-in, edits make a copy</source>
-        <translation>組み込み、編集するとコピーを作成</translation>
     </message>
     <message>
         <source>not saved</source>
@@ -12492,6 +12331,38 @@ x %4, y %5
     <message>
         <source>right arm</source>
         <translation>右腕</translation>
+    </message>
+    <message>
+        <source>Compared with %1: no difference</source>
+        <translation>%1 との比較: モーターの動作は同じです</translation>
+    </message>
+    <message>
+        <source>Pattern editor</source>
+        <translation>パターンエディター</translation>
+    </message>
+    <message>
+        <source>Save the pattern; a new one is added to your own patterns</source>
+        <translation>パターンを保存します。ファイルがない場合は自作パターンに入ります</translation>
+    </message>
+    <message>
+        <source>Repeat from the beginning; Shift and dragging on the ruler set the range</source>
+        <translation>末尾で先頭に戻ります。ルーラー上でShift+ドラッグすると範囲を設定できます</translation>
+    </message>
+    <message>
+        <source>Snap times to a grid; hold Alt while dragging to ignore it</source>
+        <translation>時刻をグリッドに合わせます。ドラッグ中にAltを押すと外れます</translation>
+    </message>
+    <message>
+        <source>Reverse the order of the motors</source>
+        <translation>モーターの順序を逆にします</translation>
+    </message>
+    <message>
+        <source>Stop comparing</source>
+        <translation>比較を終了</translation>
+    </message>
+    <message>
+        <source>built-in, edits create a copy</source>
+        <translation>組み込み、編集するとコピーを作成</translation>
     </message>
 </context>
 <context>
@@ -12613,10 +12484,6 @@ x %4, y %5
         <translation>ループの末尾</translation>
     </message>
     <message>
-        <source>What is played again and again; the whole pattern when both are the same</source>
-        <translation>繰り返し再生する範囲。両端が同じ場合はパターン全体</translation>
-    </message>
-    <message>
         <source>T&amp;ells:</source>
         <translation>伝える内容(&amp;E):</translation>
     </message>
@@ -12684,6 +12551,10 @@ x %4, y %5
         <source>Curve:</source>
         <translation>曲線:</translation>
     </message>
+    <message>
+        <source>The range that is repeated; the whole pattern when both times are equal</source>
+        <translation>繰り返し再生する範囲。両端が同じ場合はパターン全体</translation>
+    </message>
 </context>
 <context>
     <name>teleta::editor::PatternLibrary</name>
@@ -12700,16 +12571,8 @@ x %4, y %5
         <translation>元に戻す</translation>
     </message>
     <message>
-        <source>Undo what was done to the library last (Ctrl+Z in the list)</source>
-        <translation>ライブラリへの最後の操作を元に戻します (一覧でCtrl+Z)</translation>
-    </message>
-    <message>
         <source>Patterns</source>
         <translation>パターン</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns stay as they are: the first edit makes a copy. In one&apos;s own: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; takes that back.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;ダブルクリックまたは&lt;b&gt;Enter&lt;/b&gt;でパターンを開きます。組み込みパターンは変更されず、最初の編集でコピーが作られます。自作パターンでは、&lt;b&gt;F2&lt;/b&gt;で名前の変更、&lt;b&gt;Ctrl+D&lt;/b&gt;で複製、&lt;b&gt;Delete&lt;/b&gt;で削除、&lt;b&gt;Ctrl+Z&lt;/b&gt;で元に戻します。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Built-in: shapes</source>
@@ -12756,12 +12619,20 @@ x %4, y %5
         <translation>削除(&amp;L)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The pattern in bold, with a sign before it, is open in the editor; the keys are for the highlighted one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;太字で、前に印のあるパターンがエディターで開いています。キー操作は、強調表示されているパターンに対するものです。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Open in the editor</source>
         <translation>エディターで開いています</translation>
+    </message>
+    <message>
+        <source>Undo the last change to the library (Ctrl+Z in the list)</source>
+        <translation>ライブラリへの最後の操作を元に戻します (一覧でCtrl+Z)</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;ダブルクリックまたは&lt;b&gt;Enter&lt;/b&gt;でパターンを開きます。組み込みパターンは変更されず、最初の編集でコピーが作られます。自作パターンでは、&lt;b&gt;F2&lt;/b&gt;で名前の変更、&lt;b&gt;Ctrl+D&lt;/b&gt;で複製、&lt;b&gt;Delete&lt;/b&gt;で削除、&lt;b&gt;Ctrl+Z&lt;/b&gt;で元に戻します。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;太字で、前に印のあるパターンがエディターで開いています。キー操作は、強調表示されているパターンに対するものです。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -12775,12 +12646,12 @@ x %4, y %5
         <translation>ストロークを描きます: それに沿って動く点として感じられます</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The forearm, unrolled: from left to right once around it. What is drawn here with the mouse becomes a stroke of the pattern, from the playhead on, as fast as it was drawn. &lt;b&gt;Esc&lt;/b&gt; gives it up.&lt;/p&gt;&lt;p&gt;By keys: the arrows move a cursor, &lt;b&gt;Space&lt;/b&gt; sets a point a quarter of a second after the last one, &lt;b&gt;Backspace&lt;/b&gt; takes it back, &lt;b&gt;Enter&lt;/b&gt; finishes.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;展開した前腕です。左から右へ腕を1周します。ここにマウスで描いたものは、再生ヘッドの位置から、描いた速さでパターンのストロークになります。&lt;b&gt;Esc&lt;/b&gt;で取りやめます。&lt;/p&gt;&lt;p&gt;キー操作: 矢印キーでカーソルを移動し、&lt;b&gt;Space&lt;/b&gt;で直前の点の1/4秒後に点を置き、&lt;b&gt;Backspace&lt;/b&gt;で取り消し、&lt;b&gt;Enter&lt;/b&gt;で完了します。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Draw a stroke here</source>
         <translation>ここにストロークを描いてください</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The unrolled forearm: from left to right once around it. Draw with the mouse to add a stroke that starts at the playhead and moves as fast as you draw. &lt;b&gt;Esc&lt;/b&gt; cancels it.&lt;/p&gt;&lt;p&gt;With keys: the arrows move a cursor, &lt;b&gt;Space&lt;/b&gt; adds a point a quarter of a second after the last one, &lt;b&gt;Backspace&lt;/b&gt; removes it, &lt;b&gt;Enter&lt;/b&gt; finishes.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;展開した前腕です。左から右へ腕を1周します。ここにマウスで描いたものは、再生ヘッドの位置から、描いた速さでパターンのストロークになります。&lt;b&gt;Esc&lt;/b&gt;で取りやめます。&lt;/p&gt;&lt;p&gt;キー操作: 矢印キーでカーソルを移動し、&lt;b&gt;Space&lt;/b&gt;で直前の点の1/4秒後に点を置き、&lt;b&gt;Backspace&lt;/b&gt;で取り消し、&lt;b&gt;Enter&lt;/b&gt;で完了します。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -12818,7 +12689,7 @@ x %4, y %5
         <translation>ループを解除(&amp;L)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Six motors over time. The blue line is what is asked of a motor, the thin one what the motor is predicted to do; it is hatched where the motor cannot follow.&lt;/p&gt;&lt;p&gt;Double-click or &lt;b&gt;P&lt;/b&gt;: add breakpoints. Drag: move, with &lt;b&gt;Alt&lt;/b&gt; off the grid. Drag on the ground, or with &lt;b&gt;Shift&lt;/b&gt;: select. Double-click on a breakpoint or &lt;b&gt;Enter&lt;/b&gt;: type its numbers. Arrow keys: move what is selected, with &lt;b&gt;Shift&lt;/b&gt; farther in time and finer in intensity. &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;: lane; &lt;b&gt;,&lt;/b&gt; and &lt;b&gt;.&lt;/b&gt;: breakpoint, with &lt;b&gt;Shift&lt;/b&gt; one more; &lt;b&gt;N&lt;/b&gt;: object; &lt;b&gt;Insert&lt;/b&gt;: a breakpoint at the playhead; &lt;b&gt;[&lt;/b&gt; and &lt;b&gt;]&lt;/b&gt;: begin and end of the loop, &lt;b&gt;\&lt;/b&gt;: none.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; and wheel: zoom. &lt;b&gt;Shift&lt;/b&gt; and wheel: scroll. On the ruler a drag moves the playhead and, with &lt;b&gt;Shift&lt;/b&gt;, sets the loop.&lt;/p&gt;</source>
+        <source>&lt;p&gt;Six motors over time. The blue line is the commanded intensity of a motor, the thin one its predicted response; hatching shows where the motor cannot follow.&lt;/p&gt;&lt;p&gt;Double-click or &lt;b&gt;P&lt;/b&gt;: add breakpoints. Drag: move, with &lt;b&gt;Alt&lt;/b&gt; without the grid. Drag on the background, or with &lt;b&gt;Shift&lt;/b&gt;: select. Double-click on a breakpoint or &lt;b&gt;Enter&lt;/b&gt;: type its numbers. Arrow keys: move what is selected, with &lt;b&gt;Shift&lt;/b&gt; farther in time and finer in intensity. &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;: lane; &lt;b&gt;,&lt;/b&gt; and &lt;b&gt;.&lt;/b&gt;: breakpoint, with &lt;b&gt;Shift&lt;/b&gt; one more; &lt;b&gt;N&lt;/b&gt;: object; &lt;b&gt;Insert&lt;/b&gt;: a breakpoint at the playhead; &lt;b&gt;[&lt;/b&gt; and &lt;b&gt;]&lt;/b&gt;: begin and end of the loop, &lt;b&gt;\&lt;/b&gt;: none.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; and wheel: zoom. &lt;b&gt;Shift&lt;/b&gt; and wheel: scroll. On the ruler a drag moves the playhead and, with &lt;b&gt;Shift&lt;/b&gt;, sets the loop.&lt;/p&gt;</source>
         <translation>&lt;p&gt;6個のモーターの時間変化です。青い線はモーターへの指令、細い線はモーターの予測動作です。モーターが追従できない部分は斜線で示します。&lt;/p&gt;&lt;p&gt;ダブルクリックまたは&lt;b&gt;P&lt;/b&gt;: ブレークポイントを追加。ドラッグ: 移動、&lt;b&gt;Alt&lt;/b&gt;併用でグリッドから外す。背景のドラッグ、または&lt;b&gt;Shift&lt;/b&gt;+ドラッグ: 選択。ブレークポイントのダブルクリックまたは&lt;b&gt;Enter&lt;/b&gt;: 数値を入力。矢印キー: 選択したものを移動、&lt;b&gt;Shift&lt;/b&gt;併用で時間は大きく、強度は細かく移動。&lt;b&gt;Page Up&lt;/b&gt;、&lt;b&gt;Page Down&lt;/b&gt;: レーン。&lt;b&gt;,&lt;/b&gt;と&lt;b&gt;.&lt;/b&gt;: ブレークポイント、&lt;b&gt;Shift&lt;/b&gt;併用で追加選択。&lt;b&gt;N&lt;/b&gt;: オブジェクト。&lt;b&gt;Insert&lt;/b&gt;: 再生ヘッドにブレークポイントを追加。&lt;b&gt;[&lt;/b&gt;と&lt;b&gt;]&lt;/b&gt;: ループの先頭と末尾、&lt;b&gt;\&lt;/b&gt;: ループなし。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt;+ホイール: 拡大・縮小。&lt;b&gt;Shift&lt;/b&gt;+ホイール: スクロール。ルーラー上のドラッグで再生ヘッドを動かし、&lt;b&gt;Shift&lt;/b&gt;併用でループを設定します。&lt;/p&gt;</translation>
     </message>
 </context>
@@ -12827,10 +12698,6 @@ x %4, y %5
     <message>
         <source>Force over time</source>
         <translation>力の時間変化</translation>
-    </message>
-    <message>
-        <source>Force that the array reads (line) and that is wanted (dashes), over the last 20 s</source>
-        <translation>アレイが読み取る力 (実線) と目標の力 (破線)、直近20 s</translation>
     </message>
     <message>
         <source>Force, N</source>
@@ -12843,6 +12710,10 @@ x %4, y %5
     <message>
         <source>desired</source>
         <translation>目標</translation>
+    </message>
+    <message>
+        <source>Measured force (line) and desired force (dashes) over the last 20 s</source>
+        <translation>アレイが読み取る力 (実線) と目標の力 (破線)、直近20 s</translation>
     </message>
 </context>
 <context>
@@ -12873,10 +12744,6 @@ x %4, y %5
         <translation>課題(&amp;T)</translation>
     </message>
     <message>
-        <source>The running task; choose one to begin it now</source>
-        <translation>実行中の課題。別の課題を選ぶと直ちに開始します</translation>
-    </message>
-    <message>
         <source>&amp;Force</source>
         <translation>力(&amp;F)</translation>
     </message>
@@ -12897,10 +12764,6 @@ x %4, y %5
         <translation>ゲイン(&amp;G)</translation>
     </message>
     <message>
-        <source>All gains of the regulators, in percent of the scene&apos;s</source>
-        <translation>調節器の全ゲイン (シーンの値に対する%)</translation>
-    </message>
-    <message>
         <source>Balance the &amp;moment (DZMP)</source>
         <translation>モーメントの釣り合い (DZMP)(&amp;M)</translation>
     </message>
@@ -12911,6 +12774,14 @@ x %4, y %5
     <message>
         <source>The scene is held</source>
         <translation>シーンは保持されています</translation>
+    </message>
+    <message>
+        <source>The running task; choose one to start it now</source>
+        <translation>実行中の課題。別の課題を選ぶと直ちに開始します</translation>
+    </message>
+    <message>
+        <source>All controller gains, in percent of those in the scene</source>
+        <translation>調節器の全ゲイン (シーンの値に対する%)</translation>
     </message>
 </context>
 <context>
@@ -12951,14 +12822,6 @@ x %4, y %5
 <context>
     <name>teleta::servo::ServoRunsView</name>
     <message>
-        <source>A run that teleta simulate --out has written: its servo.csv</source>
-        <translation>teleta simulate --outが書き込んだ実行のservo.csv</translation>
-    </message>
-    <message>
-        <source>Keeps only the run that goes on</source>
-        <translation>進行中の実行だけを残します</translation>
-    </message>
-    <message>
         <source>&amp;Picture</source>
         <translation>図(&amp;P)</translation>
     </message>
@@ -12969,10 +12832,6 @@ x %4, y %5
     <message>
         <source>Servo runs</source>
         <translation>サーボ実行</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Servo runs in one chart: the running one, those before its source was restarted or another source was shown, and recorded ones.&lt;/p&gt;&lt;p&gt;To see what the moment is for, restart the scene with and without “Balance the moment”.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;サーボ実行を1つのチャートに表示します: 進行中の実行、ソースの再起動や別のソースの表示より前の実行、記録した実行です。&lt;/p&gt;&lt;p&gt;モーメントの効果を見るには、「モーメントの釣り合い」をオンとオフにしてシーンを再起動してください。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Servo runs (servo.csv)</source>
@@ -12988,10 +12847,6 @@ x %4, y %5
         <translation>サーボ実行</translation>
     </message>
     <message>
-        <source>No run yet. Runs of servos are drawn here, one over the other.</source>
-        <translation>実行はまだありません。サーボの実行がここに重ねて描かれます。</translation>
-    </message>
-    <message>
         <source>&amp;Add recorded run…</source>
         <translation>記録した実行を追加(&amp;A)…</translation>
     </message>
@@ -13002,6 +12857,22 @@ x %4, y %5
     <message>
         <source>Add recorded run</source>
         <translation>記録した実行を追加</translation>
+    </message>
+    <message>
+        <source>A run written by teleta simulate --out: its servo.csv</source>
+        <translation>teleta simulate --outが書き込んだ実行のservo.csv</translation>
+    </message>
+    <message>
+        <source>Keeps only the current run</source>
+        <translation>進行中の実行だけを残します</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Servo runs in one chart: the current one, earlier ones from before a restart or a change of the source, and recorded ones.&lt;/p&gt;&lt;p&gt;To see the effect of the moment, restart the scene with and without “Balance the moment”.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;サーボ実行を1つのチャートに表示します: 進行中の実行、ソースの再起動や別のソースの表示より前の実行、記録した実行です。&lt;/p&gt;&lt;p&gt;モーメントの効果を見るには、「モーメントの釣り合い」をオンとオフにしてシーンを再起動してください。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>No runs yet. Servo runs are drawn here on top of each other.</source>
+        <translation>実行はまだありません。サーボの実行がここに重ねて描かれます。</translation>
     </message>
 </context>
 <context>
@@ -13047,10 +12918,6 @@ x %4, y %5
         <translation>試行はまだありません</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Rows: what was presented. Columns: what was answered, and NONE for no answer in time. &lt;b&gt;Space&lt;/b&gt; or a double click changes between counts and percent of the row.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;行: 提示。列: 回答。NONEは時間内に回答がなかったものです。&lt;b&gt;Space&lt;/b&gt;またはダブルクリックで、度数と行に対する割合を切り替えます。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <comment>count of a row</comment>
         <translation>%1/%2</translation>
@@ -13068,6 +12935,10 @@ x %4, y %5
     <message>
         <source>In &amp;percent</source>
         <translation>割合で表示(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Rows: what was presented. Columns: what was answered, and NONE for no answer in time. &lt;b&gt;Space&lt;/b&gt; or a double click switches between counts and percent of the row.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;行: 提示。列: 回答。NONEは時間内に回答がなかったものです。&lt;b&gt;Space&lt;/b&gt;またはダブルクリックで、度数と行に対する割合を切り替えます。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -13110,18 +12981,6 @@ x %4, y %5
         <translation>どのパターンを感じますか?</translation>
     </message>
     <message>
-        <source>There was no answer in time. The marked pattern was felt. Press Space to go on.</source>
-        <translation>時間内に回答がありませんでした。印の付いたパターンが提示されました。Spaceキーを押すと続行します。</translation>
-    </message>
-    <message>
-        <source>Right. Press Space to go on.</source>
-        <translation>正解です。Spaceキーを押すと続行します。</translation>
-    </message>
-    <message>
-        <source>That was another one: the pattern marked with ✓ was felt. Press Space to go on.</source>
-        <translation>別のパターンでした: ✓の付いたパターンが提示されました。Spaceキーを押すと続行します。</translation>
-    </message>
-    <message>
         <source>Pause. Please wait for the experimenter.</source>
         <translation>休憩です。実験者をお待ちください。</translation>
     </message>
@@ -13151,21 +13010,28 @@ x %4, y %5
         <translation>%1 — %2、試行%3/%4</translation>
     </message>
     <message>
-        <source>Have a rest. You may go on in %1 s.</source>
+        <source>There was no answer in time. The marked pattern was the right one. Press Space to continue.</source>
+        <translation>時間内に回答がありませんでした。印の付いたパターンが提示されました。Spaceキーを押すと続行します。</translation>
+    </message>
+    <message>
+        <source>Right. Press Space to continue.</source>
+        <translation>正解です。Spaceキーを押すと続行します。</translation>
+    </message>
+    <message>
+        <source>That was another one: the pattern marked with ✓ was the right one. Press Space to continue.</source>
+        <translation>別のパターンでした: ✓の付いたパターンが提示されました。Spaceキーを押すと続行します。</translation>
+    </message>
+    <message>
+        <source>Take a break. You can continue in %1 s.</source>
         <translation>休憩してください。%1 秒後に続けられます。</translation>
     </message>
     <message>
-        <source>Have a rest. Press Space when you would like to go on.</source>
+        <source>Take a break. Press Space when you would like to continue.</source>
         <translation>休憩してください。続けるときはスペースキーを押してください。</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::QuestionnaireForm</name>
-    <message>
-        <source>This does not fit: %1.</source>
-        <comment>what is expected</comment>
-        <translation>入力が適切ではありません: %1。</translation>
-    </message>
     <message>
         <source>Please answer this question.</source>
         <translation>この質問に回答してください。</translation>
@@ -13179,17 +13045,17 @@ x %4, y %5
         <translation>完了(&amp;D)</translation>
     </message>
     <message>
-        <source>Hands the answers over (Ctrl+Return)</source>
+        <source>This answer is not valid: %1.</source>
+        <comment>what is expected</comment>
+        <translation>入力が適切ではありません: %1。</translation>
+    </message>
+    <message>
+        <source>Submits the answers (Ctrl+Return)</source>
         <translation>回答を提出します (Ctrl+Return)</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::QuestionnaireItemView</name>
-    <message>
-        <source>%1 (may be left out)</source>
-        <comment>a question</comment>
-        <translation>%1 (省略可)</translation>
-    </message>
     <message>
         <source>No answer</source>
         <translation>無回答</translation>
@@ -13199,16 +13065,17 @@ x %4, y %5
         <comment>question, point, points</comment>
         <translation>%1: %2/%3</translation>
     </message>
+    <message>
+        <source>%1 (optional)</source>
+        <comment>a question</comment>
+        <translation>%1 (省略可)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::studyview::ResultsView</name>
     <message>
         <source>All participants</source>
         <translation>全参加者</translation>
-    </message>
-    <message>
-        <source>Nobody beside them</source>
-        <translation>比較なし</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -13220,20 +13087,8 @@ x %4, y %5
         <translation>課題</translation>
     </message>
     <message>
-        <source>Participants that are shown</source>
-        <translation>表示する参加者</translation>
-    </message>
-    <message>
         <source>Tick one participant, or a group</source>
         <translation>1名または複数の参加者にチェックを入れてください</translation>
-    </message>
-    <message>
-        <source>Participants beside them</source>
-        <translation>比較する参加者</translation>
-    </message>
-    <message>
-        <source>Tick those whom you want to compare with: a second group side by side</source>
-        <translation>比較したい参加者にチェックを入れてください: 第2のグループとして並べて表示します</translation>
     </message>
     <message>
         <source>What the matrices show</source>
@@ -13283,6 +13138,22 @@ x %4, y %5
         <source>&amp;Results: tables, figures, R script</source>
         <translation>結果: 表、図、Rスクリプト(&amp;R)</translation>
     </message>
+    <message>
+        <source>No comparison</source>
+        <translation>比較なし</translation>
+    </message>
+    <message>
+        <source>Participants shown</source>
+        <translation>表示する参加者</translation>
+    </message>
+    <message>
+        <source>Participants for comparison</source>
+        <translation>比較する参加者</translation>
+    </message>
+    <message>
+        <source>Tick the participants to compare with: a second group, side by side</source>
+        <translation>比較したい参加者にチェックを入れてください: 第2のグループとして並べて表示します</translation>
+    </message>
 </context>
 <context>
     <name>teleta::studyview::SessionPanel</name>
@@ -13299,32 +13170,12 @@ x %4, y %5
         <translation>セッションを中止しますか?</translation>
     </message>
     <message>
-        <source>The session ends here. What was answered is kept, and the session can be gone on with later, where it stopped.</source>
-        <translation>セッションはここで終了します。回答は保存され、中断した箇所から後で続行できます。</translation>
-    </message>
-    <message>
         <source>&amp;Abort the session</source>
         <translation>セッションを中止(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Go on</source>
         <translation>続行(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Leave the questionnaire out?</source>
-        <translation>質問票を省略しますか?</translation>
-    </message>
-    <message>
-        <source>What is filled in is lost, and a note says that it was left out.</source>
-        <translation>記入内容は失われ、省略したことが記録されます。</translation>
-    </message>
-    <message>
-        <source>&amp;Leave it out</source>
-        <translation>省略する(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Go on with it</source>
-        <translation>記入を続ける(&amp;G)</translation>
     </message>
     <message>
         <source>Next step</source>
@@ -13375,10 +13226,6 @@ x %4, y %5
         <translation>応答時間</translation>
     </message>
     <message>
-        <source>A note on this session; Return keeps it</source>
-        <translation>このセッションのメモ。Returnで保存します</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>メモ</translation>
     </message>
@@ -13387,28 +13234,52 @@ x %4, y %5
         <translation>参加者ウィンドウ(&amp;W)</translation>
     </message>
     <message>
-        <source>Shows the participant&apos;s window, on the second screen where there is one</source>
-        <translation>参加者ウィンドウを表示します (第2画面があればそこに表示)</translation>
-    </message>
-    <message>
-        <source>&amp;Leave the questionnaire out…</source>
-        <translation>質問票を省略(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>Goes on without the participant&apos;s answers</source>
-        <translation>参加者の回答なしで続行します</translation>
-    </message>
-    <message>
         <source>&amp;Pause</source>
         <translation>一時停止(&amp;P)</translation>
     </message>
     <message>
-        <source>Pauses after the present trial</source>
-        <translation>現在の試行の後で一時停止します</translation>
-    </message>
-    <message>
         <source>&amp;Abort…</source>
         <translation>中止(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The session ends here. All answers are saved, and it can be resumed later where it stopped.</source>
+        <translation>セッションはここで終了します。回答は保存され、中断した箇所から後で続行できます。</translation>
+    </message>
+    <message>
+        <source>Skip the questionnaire?</source>
+        <translation>質問票を省略しますか?</translation>
+    </message>
+    <message>
+        <source>What is filled in is lost, and a note says that it was skipped.</source>
+        <translation>記入内容は失われ、省略したことが記録されます。</translation>
+    </message>
+    <message>
+        <source>&amp;Skip it</source>
+        <translation>省略する(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Continue with it</source>
+        <translation>記入を続ける(&amp;G)</translation>
+    </message>
+    <message>
+        <source>A note on this session; Return saves it</source>
+        <translation>このセッションのメモ。Returnで保存します</translation>
+    </message>
+    <message>
+        <source>Shows the participant&apos;s window, on the second screen if there is one</source>
+        <translation>参加者ウィンドウを表示します (第2画面があればそこに表示)</translation>
+    </message>
+    <message>
+        <source>S&amp;kip the questionnaire…</source>
+        <translation>質問票を省略(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Continues without the participant&apos;s answers</source>
+        <translation>参加者の回答なしで続行します</translation>
+    </message>
+    <message>
+        <source>Pauses after the current trial</source>
+        <translation>現在の試行の後で一時停止します</translation>
     </message>
 </context>
 <context>
@@ -13416,10 +13287,6 @@ x %4, y %5
     <message>
         <source>● On the server: %1</source>
         <translation>● サーバー上: %1</translation>
-    </message>
-    <message>
-        <source>✗ Server away: %1</source>
-        <translation>✗ サーバーに接続できません: %1</translation>
     </message>
     <message>
         <source>✗ The study cannot be used: %1</source>
@@ -13433,10 +13300,6 @@ x %4, y %5
     <message>
         <source>&amp;New…</source>
         <translation>新規(&amp;N)…</translation>
-    </message>
-    <message>
-        <source>Begin a new study</source>
-        <translation>新しい実験を始めます</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -13457,10 +13320,6 @@ x %4, y %5
     <message>
         <source>Pro&amp;tocol…</source>
         <translation>プロトコル(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Look at the protocol, or make another one from it</source>
-        <translation>プロトコルを確認するか、それをもとに別のプロトコルを作ります</translation>
     </message>
     <message>
         <source>Participants</source>
@@ -13493,6 +13352,18 @@ x %4, y %5
     <message>
         <source>Enrol this participant</source>
         <translation>この参加者を登録します</translation>
+    </message>
+    <message>
+        <source>✗ Server unreachable: %1</source>
+        <translation>✗ サーバーに接続できません: %1</translation>
+    </message>
+    <message>
+        <source>Create a new study</source>
+        <translation>新しい実験を始めます</translation>
+    </message>
+    <message>
+        <source>View the protocol, or make another one from it</source>
+        <translation>プロトコルを確認するか、それをもとに別のプロトコルを作ります</translation>
     </message>
 </context>
 <context>
@@ -13564,20 +13435,12 @@ x %4, y %5
         <translation>ノイズ高さ(&amp;N):</translation>
     </message>
     <message>
-        <source>Two summits are one contact when the lower one rises less than this above the saddle between them, in percent of the frame&apos;s peak</source>
-        <translation>2つの山のうち低いほうが、間の鞍点からこの高さ (フレームのピークに対する%) 未満しか高くない場合、1つの接触とみなします</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
     </message>
     <message>
         <source>&amp;Smallest contact:</source>
         <translation>最小接触(&amp;S):</translation>
-    </message>
-    <message>
-        <source>In taxels; contacts of fewer are ignored</source>
-        <translation>タクセル数。これより少ない接触は無視します</translation>
     </message>
     <message>
         <source>&amp;Orientation:</source>
@@ -13588,20 +13451,8 @@ x %4, y %5
         <translation>主軸の計算に使うタクセル</translation>
     </message>
     <message>
-        <source>active taxels alike</source>
-        <translation>有効タクセルを均等に</translation>
-    </message>
-    <message>
-        <source>weighted with the load</source>
-        <translation>荷重で重み付け</translation>
-    </message>
-    <message>
         <source>&amp;Force over:</source>
         <translation>力の範囲(&amp;F):</translation>
-    </message>
-    <message>
-        <source>The whole image counts every load; active taxels leave out the noise of unloaded ones</source>
-        <translation>画像全体ではすべての荷重を数えます。有効タクセルでは無荷重タクセルのノイズを除きます</translation>
     </message>
     <message>
         <source>whole image</source>
@@ -13649,7 +13500,27 @@ x %4, y %5
         <translation>タクセルのゲインを使用中</translation>
     </message>
     <message>
-        <source>Default values for everything but the tare and the gains of the taxels</source>
+        <source>Two peaks count as one contact when the lower one rises less than this above the saddle between them, in percent of the highest peak of the frame</source>
+        <translation>2つの山のうち低いほうが、間の鞍点からこの高さ (フレームのピークに対する%) 未満しか高くない場合、1つの接触とみなします</translation>
+    </message>
+    <message>
+        <source>In taxels; smaller contacts are ignored</source>
+        <translation>タクセル数。これより少ない接触は無視します</translation>
+    </message>
+    <message>
+        <source>active taxels equally</source>
+        <translation>有効タクセルを均等に</translation>
+    </message>
+    <message>
+        <source>weighted by load</source>
+        <translation>荷重で重み付け</translation>
+    </message>
+    <message>
+        <source>Whole image: adds up every load. Active taxels: leaves out the noise of unloaded taxels</source>
+        <translation>画像全体ではすべての荷重を数えます。有効タクセルでは無荷重タクセルのノイズを除きます</translation>
+    </message>
+    <message>
+        <source>Reset everything but the tare and the taxel gains</source>
         <translation>ゼロ点とタクセルのゲイン以外をすべて既定値に戻します</translation>
     </message>
 </context>
@@ -13716,12 +13587,6 @@ x %4, y %5
         <translation>自動</translation>
     </message>
     <message>
-        <source>Loads from 0 to %1. Taxels under the threshold of %2 carry no contact.
-Double-click to type the upper end.</source>
-        <translation>0から%1までの荷重。しきい値%2未満のタクセルは接触とみなしません。
-ダブルクリックすると上端を入力できます。</translation>
-    </message>
-    <message>
         <source>Dead taxel: its value is not used.</source>
         <translation>不良タクセル: 値は使用されません。</translation>
     </message>
@@ -13748,6 +13613,12 @@ Double-click to type the upper end.</source>
     <message>
         <source>Show &amp;whole array</source>
         <translation>アレイ全体を表示(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Loads from 0 to %1. Taxels below the threshold of %2 are not in contact.
+Double-click to type the upper end.</source>
+        <translation>0から%1までの荷重。しきい値%2未満のタクセルは接触とみなしません。
+ダブルクリックすると上端を入力できます。</translation>
     </message>
 </context>
 <context>
@@ -13887,10 +13758,6 @@ Double-click to type the upper end.</source>
         <translation>Shiftとボタンを押し続けるか、ShiftとD A (x)、W S (y)、E Q (z) を押し続けてください。</translation>
     </message>
     <message>
-        <source>Hold Shift and a button, or Shift with Q W E R (up), A S D F (down).</source>
-        <translation>Shiftとボタンを押し続けるか、ShiftとQ W E R (増)、A S D F (減) を押し続けてください。</translation>
-    </message>
-    <message>
         <source>The joint readings are old: nothing is moved until they come again.</source>
         <translation>関節の測定値が古くなっています: 再び届くまで何も動きません。</translation>
     </message>
@@ -13953,6 +13820,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>Restart the arm&apos;s program</source>
         <translation>アームのプログラムを再開始します</translation>
+    </message>
+    <message>
+        <source>Hold with Shift to move</source>
+        <translation>Shiftと同時に押している間動きます</translation>
+    </message>
+    <message>
+        <source>Hold Shift and a button, or Shift with %1 (up), %2 (down).</source>
+        <translation>Shiftとボタンを押し続けるか、Shiftと %1 (増)、%2 (減) を押し続けてください。</translation>
     </message>
 </context>
 <context>
@@ -14415,10 +14290,6 @@ Double-click to type the upper end.</source>
         <translation>全体を表示</translation>
     </message>
     <message>
-        <source>Back to the start: everything from a corner</source>
-        <translation>最初の表示に戻ります: 全体を角から表示</translation>
-    </message>
-    <message>
         <source>Follow contact</source>
         <translation>接触に追従</translation>
     </message>
@@ -14514,11 +14385,15 @@ Double-click to type the upper end.</source>
         <source>Triangles (*.stl)</source>
         <translation>三角形 (*.stl)</translation>
     </message>
+    <message>
+        <source>Back to the initial view: everything from a corner</source>
+        <translation>最初の表示に戻ります: 全体を角から表示</translation>
+    </message>
 </context>
 <context>
     <name>teleta::view3d::VtkWidget</name>
     <message>
-        <source>No 3-D view here. %1
+        <source>The 3-D view is not available. %1
 All other views work without it.</source>
         <translation>3Dビューは使用できません。%1
 ほかのビューはすべて動作します。</translation>
@@ -14526,10 +14401,6 @@ All other views work without it.</source>
 </context>
 <context>
     <name>view3d</name>
-    <message>
-        <source>This is no geometry format that can be written.</source>
-        <translation>書き込み可能な形状の形式ではありません。</translation>
-    </message>
     <message>
         <source>a file name that ends in .vtp, .ply or .stl</source>
         <translation>.vtp、.ply、.stlのいずれかで終わるファイル名</translation>
@@ -14551,16 +14422,20 @@ All other views work without it.</source>
         <translation>表示プラットフォーム「%1」はOpenGLウィジェットに対応していません。</translation>
     </message>
     <message>
-        <source>This display offers no OpenGL %1.%2 or newer.</source>
-        <translation>このディスプレイはOpenGL %1.%2以降に対応していません。</translation>
-    </message>
-    <message>
         <source>This display refused an OpenGL context.</source>
         <translation>このディスプレイがOpenGLコンテキストを拒否しました。</translation>
     </message>
     <message>
         <source>The OpenGL driver of this display does not work with VTK.</source>
         <translation>このディスプレイのOpenGLドライバーはVTKで動作しません。</translation>
+    </message>
+    <message>
+        <source>Geometry cannot be written in this format.</source>
+        <translation>書き込み可能な形状の形式ではありません。</translation>
+    </message>
+    <message>
+        <source>This display does not support OpenGL %1.%2 or newer.</source>
+        <translation>このディスプレイはOpenGL %1.%2以降に対応していません。</translation>
     </message>
 </context>
 </TS>

@@ -35,10 +35,6 @@
         <translation>Esc Esc, Ctrl+.</translation>
     </message>
     <message>
-        <source>STOP: whatever moves stops at once</source>
-        <translation>STOP：立即停止一切运动</translation>
-    </message>
-    <message>
         <source>Space</source>
         <translation>空格键</translation>
     </message>
@@ -155,10 +151,6 @@
         <translation>,  .  可加 Shift</translation>
     </message>
     <message>
-        <source>Breakpoint before or after, one more of them, in the timeline</source>
-        <translation>在时间轴中：上一个或下一个节点，再多选一个</translation>
-    </message>
-    <message>
         <source>N, Shift+N</source>
         <translation>N、Shift+N</translation>
     </message>
@@ -179,16 +171,8 @@
         <translation>方向键，可加 Shift</translation>
     </message>
     <message>
-        <source>Move what is selected, else the playhead and the lane, in the timeline</source>
-        <translation>在时间轴中：移动所选内容，无选择时移动播放头和轨道</translation>
-    </message>
-    <message>
         <source>[  ]  \</source>
         <translation>[  ]  \</translation>
-    </message>
-    <message>
-        <source>Begin of the loop, its end, no loop, in the timeline</source>
-        <translation>在时间轴中：循环起点、循环终点、取消循环</translation>
     </message>
     <message>
         <source>Ctrl+[, Ctrl+], Ctrl+M, Ctrl+L</source>
@@ -266,6 +250,22 @@
         <source>Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate</source>
         <translation>撤销、重做：“操作”页上的标记，“图案”页和“标定”页上的编辑</translation>
     </message>
+    <message>
+        <source>STOP: everything that moves stops at once</source>
+        <translation>STOP：立即停止一切运动</translation>
+    </message>
+    <message>
+        <source>Previous or next breakpoint; with Shift, add it to the selection, in the timeline</source>
+        <translation>在时间轴中：上一个或下一个节点，再多选一个</translation>
+    </message>
+    <message>
+        <source>Move the selection; without one, the playhead and the lane, in the timeline</source>
+        <translation>在时间轴中：移动所选内容，无选择时移动播放头和轨道</translation>
+    </message>
+    <message>
+        <source>Loop start, loop end, no loop, in the timeline</source>
+        <translation>在时间轴中：循环起点、循环终点、取消循环</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -312,24 +312,12 @@
         <translation>未插入手环。</translation>
     </message>
     <message>
-        <source>The device does not answer as a bracelet does.</source>
-        <translation>设备的应答不像手环。</translation>
-    </message>
-    <message>
         <source>a feature report of layout version %1</source>
         <translation>布局版本为 %1 的特征报告</translation>
     </message>
     <message>
         <source>Bracelet %1</source>
         <translation>手环 %1</translation>
-    </message>
-    <message>
-        <source>The bracelet at %1 may not be opened.</source>
-        <translation>没有权限打开位于 %1 的手环。</translation>
-    </message>
-    <message>
-        <source>read and write access to it, which the udev rule gives</source>
-        <translation>对它的读写权限，由 udev 规则授予</translation>
     </message>
     <message>
         <source>The bracelet at %1 cannot be opened.</source>
@@ -340,8 +328,95 @@
         <translation>另一个程序正在使用位于 %1 的手环。</translation>
     </message>
     <message>
-        <source>that it is closed there first</source>
+        <source>The device does not respond like a bracelet.</source>
+        <translation>设备的应答不像手环。</translation>
+    </message>
+    <message>
+        <source>No permission to open the bracelet at %1.</source>
+        <translation>没有权限打开位于 %1 的手环。</translation>
+    </message>
+    <message>
+        <source>read and write access, which the udev rule grants</source>
+        <translation>对它的读写权限，由 udev 规则授予</translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
         <translation>先在该程序中将其关闭</translation>
+    </message>
+</context>
+<context>
+    <name>BraceletTexts</name>
+    <message>
+        <source>STOP is engaged: the bracelet is off.</source>
+        <translation>STOP 已触发：手环已关闭。</translation>
+    </message>
+    <message>
+        <source>No bracelet: what would be played is named in the table of patterns.</source>
+        <translation>无手环：将要播放的内容列在图案表中。</translation>
+    </message>
+    <message>
+        <source>Connecting to the bracelet…</source>
+        <translation>正在连接手环…</translation>
+    </message>
+    <message>
+        <source>The bracelet is not connected. %1</source>
+        <translation>手环未连接。%1</translation>
+    </message>
+    <message>
+        <source>The bracelet does not answer.</source>
+        <translation>手环没有响应。</translation>
+    </message>
+    <message>
+        <source>The bracelet is too hot: it is off until it has cooled down.</source>
+        <translation>手环过热：冷却之前保持关闭。</translation>
+    </message>
+    <message>
+        <source>A study uses the bracelet.</source>
+        <translation>研究正在使用手环。</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low: %1 V.</source>
+        <translation>手环供电电压过低：%1 V。</translation>
+    </message>
+    <message>
+        <source>The supply of the bracelet is low.</source>
+        <translation>手环供电电压过低。</translation>
+    </message>
+    <message>
+        <source>The bracelet refused what was played last: it did not understand it.</source>
+        <translation>手环拒绝了上次播放的内容：无法识别。</translation>
+    </message>
+    <message>
+        <source>The motors are not calibrated (page Calibrate).</source>
+        <translation>电机未标定（“标定”页）。</translation>
+    </message>
+    <message>
+        <source>too hot: off until it has cooled down</source>
+        <translation>过热：冷却之前保持关闭</translation>
+    </message>
+    <message>
+        <source>supply low</source>
+        <translation>供电电压过低</translation>
+    </message>
+    <message>
+        <source>frames refused: %1</source>
+        <translation>被拒绝的帧：%1</translation>
+    </message>
+    <message>
+        <source>supply %1 V</source>
+        <translation>供电电压 %1 V</translation>
+    </message>
+    <message>
+        <source>temperature %1 °C</source>
+        <translation>温度 %1 °C</translation>
+    </message>
+    <message>
+        <source>Bracelet</source>
+        <translation>手环</translation>
+    </message>
+    <message>
+        <source>not calibrated: the motors are assumed</source>
+        <translation>未标定：电机采用假定值</translation>
     </message>
 </context>
 <context>
@@ -423,10 +498,6 @@
         <translation>残差</translation>
     </message>
     <message>
-        <source>neighbours are alike: the pairs hold something that this camera does not</source>
-        <translation>相邻残差相似：点对中含有此相机模型未包含的因素</translation>
-    </message>
-    <message>
         <source>without a pattern</source>
         <translation>无规律</translation>
     </message>
@@ -463,10 +534,6 @@
         <translation>将相机写入此文件</translation>
     </message>
     <message>
-        <source>Write each pair with what the camera makes of it as CSV</source>
-        <translation>将每个点对及相机对它的计算结果写为 CSV</translation>
-    </message>
-    <message>
         <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
         <translation>各点是外壳上的孔：x 和 y 乘以此系数后位于弹性体上（论文的外壳：0.97）</translation>
     </message>
@@ -477,6 +544,14 @@
     <message>
         <source>the camera is written to this file</source>
         <translation>此文件用于写入相机</translation>
+    </message>
+    <message>
+        <source>neighbours are alike: the camera does not explain everything in the pairs</source>
+        <translation>相邻残差相似：点对中含有此相机模型未包含的因素</translation>
+    </message>
+    <message>
+        <source>Write each pair and its residual as CSV</source>
+        <translation>将每个点对及相机对它的计算结果写为 CSV</translation>
     </message>
 </context>
 <context>
@@ -498,20 +573,20 @@
         <translation>视频，或相机编号</translation>
     </message>
     <message>
-        <source>the file is no video that can be read</source>
-        <translation>该文件不是可读取的视频</translation>
-    </message>
-    <message>
         <source>a video, a pattern like frame_%04d.png, or the number of a camera</source>
         <translation>视频、形如 frame_%04d.png 的编号格式，或相机编号</translation>
     </message>
     <message>
-        <source>no frame comes</source>
+        <source>camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>no frame arrived</source>
         <translation>没有帧到来</translation>
     </message>
     <message>
-        <source>camera %1</source>
-        <translation>相机 %1</translation>
+        <source>the file is not a readable video</source>
+        <translation>该文件不是可读取的视频</translation>
     </message>
 </context>
 <context>
@@ -568,31 +643,31 @@
         <translation>K 中的焦距不为正</translation>
     </message>
     <message>
-        <source>R is no rotation</source>
-        <translation>R 不是旋转矩阵</translation>
-    </message>
-    <message>
-        <source>the distortion folds on the axis already</source>
-        <translation>畸变在光轴上已发生折叠</translation>
-    </message>
-    <message>
-        <source>this is no camera matrix</source>
-        <translation>这不是相机矩阵</translation>
-    </message>
-    <message>
-        <source>this is no camera file</source>
-        <translation>这不是相机文件</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>文件版本较新</translation>
-    </message>
-    <message>
         <source>the cylinder has no length</source>
         <translation>圆柱没有长度</translation>
     </message>
     <message>
-        <source>The camera gives no frames any more.</source>
+        <source>this is not a camera matrix</source>
+        <translation>这不是相机矩阵</translation>
+    </message>
+    <message>
+        <source>R is not a rotation</source>
+        <translation>R 不是旋转矩阵</translation>
+    </message>
+    <message>
+        <source>the distortion folds on the axis</source>
+        <translation>畸变在光轴上已发生折叠</translation>
+    </message>
+    <message>
+        <source>this is not a camera file</source>
+        <translation>这不是相机文件</translation>
+    </message>
+    <message>
+        <source>the file was written by a newer version</source>
+        <translation>文件版本较新</translation>
+    </message>
+    <message>
+        <source>The camera stopped sending frames.</source>
         <translation>相机不再提供帧。</translation>
     </message>
 </context>
@@ -1017,16 +1092,8 @@ Examples:
         <translation>approximating：点为控制点；interpolating：曲线通过各点</translation>
     </message>
     <message>
-        <source>The contour comes back to its start; otherwise this is found out</source>
-        <translation>轮廓回到起点；否则自动判定</translation>
-    </message>
-    <message>
         <source>Points of the curve, for the CSV and the largest curvature</source>
         <translation>曲线点数，用于 CSV 和最大曲率</translation>
-    </message>
-    <message>
-        <source>An extent under this is a point, m</source>
-        <translation>小于此范围视为一个点，m</translation>
     </message>
     <message>
         <source>Write the curve as CSV t,x_m,y_m,curvature_per_m, t from 0 to 1</source>
@@ -1043,6 +1110,14 @@ Examples:
     <message>
         <source>a row for each contact point, in metres</source>
         <translation>每个接触点一行，单位为米</translation>
+    </message>
+    <message>
+        <source>The contour is closed; otherwise the program decides</source>
+        <translation>轮廓回到起点；否则自动判定</translation>
+    </message>
+    <message>
+        <source>A contour smaller than this is a point, m</source>
+        <translation>小于此范围视为一个点，m</translation>
     </message>
 </context>
 <context>
@@ -1254,14 +1329,6 @@ Examples:
         <translation>UTF-8</translation>
     </message>
     <message>
-        <source>text outside of the quotes of a column name</source>
-        <translation>列名的引号之外有文本</translation>
-    </message>
-    <message>
-        <source>a comma behind the closing quote</source>
-        <translation>右引号之后的逗号</translation>
-    </message>
-    <message>
         <source>the line is longer than 16 MiB</source>
         <translation>该行超过 16 MiB</translation>
     </message>
@@ -1298,14 +1365,6 @@ Examples:
         <translation>%1 不是有限数</translation>
     </message>
     <message>
-        <source>the column %1 is there twice</source>
-        <translation>列 %1 出现两次</translation>
-    </message>
-    <message>
-        <source>each name once</source>
-        <translation>每个名称一次</translation>
-    </message>
-    <message>
         <source>missing columns: %1; the file has: %2</source>
         <translation>缺少列：%1；文件中有：%2</translation>
     </message>
@@ -1318,24 +1377,40 @@ Examples:
         <translation>该行过长：超过 %1 个值</translation>
     </message>
     <message>
-        <source>one value a column: %1</source>
-        <translation>每列一个值：%1</translation>
-    </message>
-    <message>
         <source>the row is too short: %1 of %2 values</source>
         <translation>该行过短：%1 个值，应为 %2 个</translation>
-    </message>
-    <message>
-        <source>a pipe has no positions to go to</source>
-        <translation>管道不支持定位</translation>
     </message>
     <message>
         <source>a file</source>
         <translation>文件</translation>
     </message>
     <message>
-        <source>text outside of the quotes of a value</source>
+        <source>one value per column: %1</source>
+        <translation>每列一个值：%1</translation>
+    </message>
+    <message>
+        <source>text outside the quotes of a column name</source>
+        <translation>列名的引号之外有文本</translation>
+    </message>
+    <message>
+        <source>a comma after the closing quote</source>
+        <translation>右引号之后的逗号</translation>
+    </message>
+    <message>
+        <source>the column %1 appears twice</source>
+        <translation>列 %1 出现两次</translation>
+    </message>
+    <message>
+        <source>each name only once</source>
+        <translation>每个名称一次</translation>
+    </message>
+    <message>
+        <source>text outside the quotes of a value</source>
         <translation>值的引号之外有文本</translation>
+    </message>
+    <message>
+        <source>a pipe cannot be rewound</source>
+        <translation>管道不支持定位</translation>
     </message>
 </context>
 <context>
@@ -1559,10 +1634,6 @@ Examples:
         <translation>未连接任何设备。</translation>
     </message>
     <message>
-        <source>What is connected, why not, and how fast it is</source>
-        <translation>已连接的设备、未连接的原因及其速度</translation>
-    </message>
-    <message>
         <source>Connect to the device of this description and read it; its motors are set to zero</source>
         <translation>连接此描述文件所述的设备并读取；其电机置零</translation>
     </message>
@@ -1573,6 +1644,10 @@ Examples:
     <message>
         <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot; or &quot;hid_bracelet&quot;</source>
         <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot; 或 &quot;hid_bracelet&quot;</translation>
+    </message>
+    <message>
+        <source>List connected devices, how fast they are, and why others cannot be used</source>
+        <translation>已连接的设备、未连接的原因及其速度</translation>
     </message>
 </context>
 <context>
@@ -1632,24 +1707,12 @@ Examples:
         <translation>HJIF (ISO/IEC 23090-31)</translation>
     </message>
     <message>
-        <source>One channel a motor, with its place on the forearm. Can be read back.</source>
-        <translation>每个电机一个通道，含其在前臂上的位置。可重新读取。</translation>
-    </message>
-    <message>
         <source>Haptic clips (.haptic in a zip)</source>
         <translation>触觉片段（zip 中的 .haptic）</translation>
     </message>
     <message>
-        <source>One clip a motor. Can be read back.</source>
-        <translation>每个电机一个片段。可重新读取。</translation>
-    </message>
-    <message>
         <source>AHAP (in a zip)</source>
         <translation>AHAP（zip 压缩包）</translation>
-    </message>
-    <message>
-        <source>One file a motor, for Core Haptics.</source>
-        <translation>每个电机一个文件，用于 Core Haptics。</translation>
     </message>
     <message>
         <source>tact</source>
@@ -1664,16 +1727,28 @@ Examples:
         <translation>CSV 表格</translation>
     </message>
     <message>
-        <source>Columns time_s, t1 to t6: a sample a row.</source>
-        <translation>列 time_s、t1 至 t6：每行一个样本。</translation>
-    </message>
-    <message>
         <source>WAV, six channels</source>
         <translation>WAV，六声道</translation>
     </message>
     <message>
         <source>The intensities as 16-bit samples, 1 is full scale.</source>
         <translation>强度以 16 位样本表示，1 为满量程。</translation>
+    </message>
+    <message>
+        <source>One channel per motor, with its place on the forearm. Can be read back.</source>
+        <translation>每个电机一个通道，含其在前臂上的位置。可重新读取。</translation>
+    </message>
+    <message>
+        <source>One clip per motor. Can be read back.</source>
+        <translation>每个电机一个片段。可重新读取。</translation>
+    </message>
+    <message>
+        <source>One file per motor, for Core Haptics.</source>
+        <translation>每个电机一个文件，用于 Core Haptics。</translation>
+    </message>
+    <message>
+        <source>Columns time_s, t1 to t6: one sample per row.</source>
+        <translation>列 time_s、t1 至 t6：每行一个样本。</translation>
     </message>
 </context>
 <context>
@@ -1702,10 +1777,6 @@ Examples:
         <translation>至少 %1</translation>
     </message>
     <message>
-        <source>Yes was answered although nothing was presented, %1 of %2 times.</source>
-        <translation>未呈现任何刺激时回答了“是”，%2 次中有 %1 次。</translation>
-    </message>
-    <message>
         <source>yes only when something was clearly felt</source>
         <translation>仅在明确感觉到时回答“是”</translation>
     </message>
@@ -1714,23 +1785,27 @@ Examples:
         <translation>即使在最高驱动量下也没有感觉到。</translation>
     </message>
     <message>
-        <source>a connected motor that lies on the skin</source>
-        <translation>已连接且贴在皮肤上的电机</translation>
-    </message>
-    <message>
         <source>Everything was felt, even at the lowest drive.</source>
         <translation>即使在最低驱动量下也都感觉到了。</translation>
-    </message>
-    <message>
-        <source>no where nothing was felt</source>
-        <translation>没有感觉到时回答“否”</translation>
     </message>
     <message>
         <source>The answers contradict each other: stronger was felt less often than weaker, or as often.</source>
         <translation>回答相互矛盾：较强的刺激被感觉到的次数不多于较弱的。</translation>
     </message>
     <message>
-        <source>answers to what was felt; undo the wrong ones or begin anew</source>
+        <source>The answer was yes in %1 of %2 cases in which nothing was presented.</source>
+        <translation>未呈现任何刺激时回答了“是”，%2 次中有 %1 次。</translation>
+    </message>
+    <message>
+        <source>a connected motor in contact with the skin</source>
+        <translation>已连接且贴在皮肤上的电机</translation>
+    </message>
+    <message>
+        <source>no when nothing was felt</source>
+        <translation>没有感觉到时回答“否”</translation>
+    </message>
+    <message>
+        <source>consistent answers; undo the wrong ones or start again</source>
         <translation>如实反映感觉的回答；请撤销错误的回答或重新开始</translation>
     </message>
 </context>
@@ -1843,40 +1918,16 @@ Examples:
 <context>
     <name>FileText</name>
     <message>
-        <source>the ending of the name tells no format</source>
-        <translation>无法由文件扩展名确定格式</translation>
-    </message>
-    <message>
         <source>one of %1</source>
         <translation>%1 之一</translation>
-    </message>
-    <message>
-        <source>these values contradict each other</source>
-        <translation>这些值相互矛盾</translation>
-    </message>
-    <message>
-        <source>0 &lt; start_drive &lt; full_drive, a curve that rises from the start or before it to the drive 1</source>
-        <translation>0 &lt; start_drive &lt; full_drive，曲线从启动点或其之前上升到驱动量 1</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>文件版本较新</translation>
     </message>
     <message>
         <source>there are %1 motors</source>
         <translation>有 %1 个电机</translation>
     </message>
     <message>
-        <source>the profile is of the bracelet &quot;%1&quot;</source>
-        <translation>该配置属于手环“%1”</translation>
-    </message>
-    <message>
         <source>there is no such file or built-in pattern</source>
         <translation>没有这样的文件或内置图案</translation>
-    </message>
-    <message>
-        <source>a pattern file, or an id of teleta pattern list</source>
-        <translation>图案文件，或 teleta pattern list 中的 ID</translation>
     </message>
     <message>
         <source>the file is too large</source>
@@ -1895,7 +1946,31 @@ Examples:
         <translation>以 %1 结尾的文件名</translation>
     </message>
     <message>
-        <source>patterns are written in this format, but not read</source>
+        <source>these values are inconsistent</source>
+        <translation>这些值相互矛盾</translation>
+    </message>
+    <message>
+        <source>0 &lt; start_drive &lt; full_drive, and a curve that rises from the start or below it to drive 1</source>
+        <translation>0 &lt; start_drive &lt; full_drive，曲线从启动点或其之前上升到驱动量 1</translation>
+    </message>
+    <message>
+        <source>the file was written by a newer version</source>
+        <translation>文件版本较新</translation>
+    </message>
+    <message>
+        <source>the profile belongs to the bracelet &quot;%1&quot;</source>
+        <translation>该配置属于手环“%1”</translation>
+    </message>
+    <message>
+        <source>a pattern file, or an id listed by teleta pattern list</source>
+        <translation>图案文件，或 teleta pattern list 中的 ID</translation>
+    </message>
+    <message>
+        <source>the file name extension is unknown</source>
+        <translation>无法由文件扩展名确定格式</translation>
+    </message>
+    <message>
+        <source>this format can be written but not read</source>
         <translation>此格式的图案只能写出，不能读取</translation>
     </message>
 </context>
@@ -1926,10 +2001,6 @@ Examples:
         <translation>记录中没有帧</translation>
     </message>
     <message>
-        <source>at least one row behind the header</source>
-        <translation>标题行之后至少一行</translation>
-    </message>
-    <message>
         <source>the time is %1</source>
         <translation>时间为 %1</translation>
     </message>
@@ -1944,6 +2015,10 @@ Examples:
     <message>
         <source>times that do not decrease</source>
         <translation>不递减的时间</translation>
+    </message>
+    <message>
+        <source>at least one row after the header</source>
+        <translation>标题行之后至少一行</translation>
     </message>
 </context>
 <context>
@@ -2310,12 +2385,12 @@ Examples:
         <translation>字母、数字、- 和 _</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is there twice</source>
-        <translation>“%1”出现两次</translation>
-    </message>
-    <message>
         <source>each one once</source>
         <translation>每个一次</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; occurs twice</source>
+        <translation>“%1”出现两次</translation>
     </message>
 </context>
 <context>
@@ -2352,10 +2427,6 @@ Examples:
         <translation>每个键一次</translation>
     </message>
     <message>
-        <source>the JSON text is damaged or cut off</source>
-        <translation>JSON 文本已损坏或被截断</translation>
-    </message>
-    <message>
         <source>JSON in UTF-8</source>
         <translation>UTF-8 编码的 JSON</translation>
     </message>
@@ -2382,10 +2453,6 @@ Examples:
     <message>
         <source>an array of length %1 to %2</source>
         <translation>长度为 %1 至 %2 的数组</translation>
-    </message>
-    <message>
-        <source>the array has a wrong length</source>
-        <translation>数组长度错误</translation>
     </message>
     <message>
         <source>this is not an array</source>
@@ -2423,6 +2490,14 @@ Examples:
         <source>text</source>
         <translation>文本</translation>
     </message>
+    <message>
+        <source>the JSON text is damaged or truncated</source>
+        <translation>JSON 文本已损坏或被截断</translation>
+    </message>
+    <message>
+        <source>the array has the wrong length</source>
+        <translation>数组长度错误</translation>
+    </message>
 </context>
 <context>
     <name>LanguageMenu</name>
@@ -2438,16 +2513,16 @@ Examples:
 <context>
     <name>LocateCommand</name>
     <message>
-        <source>Points on the tactile cylinder that pixels of its camera show</source>
-        <translation>相机像素所对应的触觉圆柱上的点</translation>
-    </message>
-    <message>
         <source>Camera file that teleta calibrate has written</source>
         <translation>teleta calibrate 写出的相机文件</translation>
     </message>
     <message>
         <source>CSV with the columns u_px,v_px</source>
         <translation>CSV，含列 u_px,v_px</translation>
+    </message>
+    <message>
+        <source>Points on the tactile cylinder that belong to pixels of its camera</source>
+        <translation>相机像素所对应的触觉圆柱上的点</translation>
     </message>
 </context>
 <context>
@@ -2463,14 +2538,6 @@ Examples:
     <message>
         <source>a table [tactors] in its file</source>
         <translation>其文件中的表 [tactors]</translation>
-    </message>
-    <message>
-        <source>The device tells no joints.</source>
-        <translation>该设备不提供关节。</translation>
-    </message>
-    <message>
-        <source>four tables [[joint]] in its file</source>
-        <translation>其文件中的四个表 [[joint]]</translation>
     </message>
     <message>
         <source>illegal function</source>
@@ -2532,28 +2599,32 @@ Examples:
         <source>The connection was lost.</source>
         <translation>连接已断开。</translation>
     </message>
+    <message>
+        <source>The device reports no joints.</source>
+        <translation>该设备不提供关节。</translation>
+    </message>
+    <message>
+        <source>tables [[joint]] in its file</source>
+        <translation>其文件中的表 [[joint]]</translation>
+    </message>
 </context>
 <context>
     <name>MotorFile</name>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>文件版本较新</translation>
-    </message>
     <message>
         <source>there are %1 motors</source>
         <translation>有 %1 个电机</translation>
     </message>
     <message>
-        <source>the limits are of the bracelet &quot;%1&quot;</source>
+        <source>the file was written by a newer version</source>
+        <translation>文件版本较新</translation>
+    </message>
+    <message>
+        <source>the limits belong to the bracelet &quot;%1&quot;</source>
         <translation>这些上限属于手环“%1”</translation>
     </message>
 </context>
 <context>
     <name>MotorFit</name>
-    <message>
-        <source>The motor started at %1 of the full drive but stood at %2.</source>
-        <translation>电机曾在满驱动的 %1 处启动，却又在 %2 处停转。</translation>
-    </message>
     <message>
         <source>a motor that starts at the same drive each time; look for a loose contact</source>
         <translation>每次在相同驱动量启动的电机；请检查是否接触不良</translation>
@@ -2575,36 +2646,12 @@ Examples:
         <translation>记录不是从静止开始。</translation>
     </message>
     <message>
-        <source>a commanded drive of 0 at its begin</source>
-        <translation>开始时指令驱动量为 0</translation>
-    </message>
-    <message>
         <source>The recording is too short: no drive was held for %1 s.</source>
         <translation>记录过短：没有驱动量保持 %1 s。</translation>
     </message>
     <message>
         <source>a drive that is held until the motor has followed, 0.3 s</source>
         <translation>保持到电机跟上的驱动量，0.3 s</translation>
-    </message>
-    <message>
-        <source>The rise time cannot be told: %1 s with a standard error of %2 s.</source>
-        <translation>无法确定上升时间：%1 s，标准误 %2 s。</translation>
-    </message>
-    <message>
-        <source>more samples a second, or less noise</source>
-        <translation>每秒更多样本，或更低的噪声</translation>
-    </message>
-    <message>
-        <source>The fall time cannot be told: %1 s with a standard error of %2 s.</source>
-        <translation>无法确定下降时间：%1 s，标准误 %2 s。</translation>
-    </message>
-    <message>
-        <source>The motor does not follow the drive as a motor with a lag: the model explains %1 of the speed.</source>
-        <translation>电机未按带滞后的电机那样跟随驱动量：模型仅能解释转速的 %1。</translation>
-    </message>
-    <message>
-        <source>a recording of one motor, with the drive of the same time</source>
-        <translation>单个电机的记录，含同一时刻的驱动量</translation>
     </message>
     <message>
         <source>The recording is too short: %1 samples.</source>
@@ -2627,10 +2674,6 @@ Examples:
         <translation>没有指令时转速却不为 0：%1 Hz。</translation>
     </message>
     <message>
-        <source>a sensor without an offset, and a motor at rest at the begin</source>
-        <translation>没有零点偏移的传感器，且电机开始时静止</translation>
-    </message>
-    <message>
         <source>The speed is clipped: it stays at the end of the sensor&apos;s range.</source>
         <translation>转速被削顶：停留在传感器量程的端点。</translation>
     </message>
@@ -2639,35 +2682,67 @@ Examples:
         <translation>量程更大的传感器</translation>
     </message>
     <message>
-        <source>The motor turned at one level of the drive only: neither its start nor its curve can be told.</source>
-        <translation>电机仅在一个驱动量下转动：无法确定其启动点和曲线。</translation>
-    </message>
-    <message>
-        <source>The drive never falls while the motor turns: the fall time cannot be told.</source>
-        <translation>电机转动期间驱动量从未下降：无法确定下降时间。</translation>
-    </message>
-    <message>
         <source>a step down at the end</source>
         <translation>末尾有一个向下的阶跃</translation>
-    </message>
-    <message>
-        <source>The samples do not tell the motor&apos;s lag.</source>
-        <translation>样本不足以确定电机的滞后。</translation>
-    </message>
-    <message>
-        <source>more samples a second during the steps</source>
-        <translation>阶跃期间每秒更多样本</translation>
-    </message>
-    <message>
-        <source>The speed is saturated: from %1 of the drive on it does not rise.</source>
-        <translation>转速饱和：驱动量达到 %1 后不再上升。</translation>
     </message>
     <message>
         <source>a supply and a sensor that reach the full drive</source>
         <translation>能达到满驱动的电源和传感器</translation>
     </message>
     <message>
-        <source>What was measured makes no motor: its speed does not rise with the drive.</source>
+        <source>The motor started at %1 of the full drive but stood still at %2.</source>
+        <translation>电机曾在满驱动的 %1 处启动，却又在 %2 处停转。</translation>
+    </message>
+    <message>
+        <source>a commanded drive of 0 at the beginning</source>
+        <translation>开始时指令驱动量为 0</translation>
+    </message>
+    <message>
+        <source>The rise time cannot be determined: %1 s with a standard error of %2 s.</source>
+        <translation>无法确定上升时间：%1 s，标准误 %2 s。</translation>
+    </message>
+    <message>
+        <source>more samples per second, or less noise</source>
+        <translation>每秒更多样本，或更低的噪声</translation>
+    </message>
+    <message>
+        <source>The fall time cannot be determined: %1 s with a standard error of %2 s.</source>
+        <translation>无法确定下降时间：%1 s，标准误 %2 s。</translation>
+    </message>
+    <message>
+        <source>The motor does not behave like a motor with a lag: the model explains %1 of the speed.</source>
+        <translation>电机未按带滞后的电机那样跟随驱动量：模型仅能解释转速的 %1。</translation>
+    </message>
+    <message>
+        <source>a recording of one motor with the drive at the same times</source>
+        <translation>单个电机的记录，含同一时刻的驱动量</translation>
+    </message>
+    <message>
+        <source>a sensor without an offset, and a motor at rest at the beginning</source>
+        <translation>没有零点偏移的传感器，且电机开始时静止</translation>
+    </message>
+    <message>
+        <source>The motor turned at one level of the drive only: neither its start nor its curve can be determined.</source>
+        <translation>电机仅在一个驱动量下转动：无法确定其启动点和曲线。</translation>
+    </message>
+    <message>
+        <source>The drive never falls while the motor turns: the fall time cannot be determined.</source>
+        <translation>电机转动期间驱动量从未下降：无法确定下降时间。</translation>
+    </message>
+    <message>
+        <source>The samples do not determine the motor&apos;s lag.</source>
+        <translation>样本不足以确定电机的滞后。</translation>
+    </message>
+    <message>
+        <source>more samples per second during the steps</source>
+        <translation>阶跃期间每秒更多样本</translation>
+    </message>
+    <message>
+        <source>The speed is saturated: it does not rise above %1 of the drive.</source>
+        <translation>转速饱和：驱动量达到 %1 后不再上升。</translation>
+    </message>
+    <message>
+        <source>The measurement does not describe a motor: the speed does not rise with the drive.</source>
         <translation>测得的数据不符合电机特性：转速不随驱动量上升。</translation>
     </message>
 </context>
@@ -2694,20 +2769,12 @@ Examples:
         <translation>既没有列“speed_hz”，也没有列“signal”</translation>
     </message>
     <message>
-        <source>times, drives and speeds are not equally many</source>
-        <translation>时间、驱动量和转速的数目不一致</translation>
-    </message>
-    <message>
         <source>sample %1 is not a finite number</source>
         <translation>样本 %1 不是有限数</translation>
     </message>
     <message>
         <source>The recording does not begin at rest.</source>
         <translation>记录不是从静止开始。</translation>
-    </message>
-    <message>
-        <source>at least %1 s with the commanded drive 0</source>
-        <translation>指令驱动量为 0 的时间至少 %1 s</translation>
     </message>
     <message>
         <source>The signal is clipped: it stays at the end of its range.</source>
@@ -2726,24 +2793,24 @@ Examples:
         <translation>装在电机上的传感器，信号高于其噪声的四倍</translation>
     </message>
     <message>
-        <source>%1 samples a second are too few for %2 turns a second.</source>
+        <source>the numbers of times, drives and speeds differ</source>
+        <translation>时间、驱动量和转速的数目不一致</translation>
+    </message>
+    <message>
+        <source>at least %1 s with a commanded drive of 0</source>
+        <translation>指令驱动量为 0 的时间至少 %1 s</translation>
+    </message>
+    <message>
+        <source>%1 samples per second are too few for %2 turns per second.</source>
         <translation>每秒 %1 个样本对每秒 %2 转而言过少。</translation>
     </message>
     <message>
-        <source>at least %1 samples a turn</source>
+        <source>at least %1 samples per turn</source>
         <translation>每转至少 %1 个样本</translation>
     </message>
 </context>
 <context>
     <name>Mouse3d</name>
-    <message>
-        <source>The 3D mouse at %1 may not be opened.</source>
-        <translation>没有权限打开位于 %1 的 3D 鼠标。</translation>
-    </message>
-    <message>
-        <source>read and write access to it, which the udev rule gives</source>
-        <translation>对它的读写权限，由 udev 规则授予</translation>
-    </message>
     <message>
         <source>The 3D mouse at %1 cannot be opened.</source>
         <translation>无法打开位于 %1 的 3D 鼠标。</translation>
@@ -2756,6 +2823,14 @@ Examples:
         <source>The 3D mouse was unplugged.</source>
         <translation>3D 鼠标已拔出。</translation>
     </message>
+    <message>
+        <source>No permission to open the 3D mouse at %1.</source>
+        <translation>没有权限打开位于 %1 的 3D 鼠标。</translation>
+    </message>
+    <message>
+        <source>read and write access, which the udev rule grants</source>
+        <translation>对它的读写权限，由 udev 规则授予</translation>
+    </message>
 </context>
 <context>
     <name>NodeClaim</name>
@@ -2765,7 +2840,7 @@ Examples:
         <translation>另一个程序正在使用 %1</translation>
     </message>
     <message>
-        <source>that it is closed there first</source>
+        <source>it to be closed there first</source>
         <translation>先在该程序中将其关闭</translation>
     </message>
 </context>
@@ -2850,7 +2925,7 @@ x %4，y %5
         <translation>皮肤位移 × %1，不确定处较淡</translation>
     </message>
     <message>
-        <source>Ellipses hold the centres with 95 %</source>
+        <source>Ellipses: 95 % regions of the centres</source>
         <translation>椭圆以 95 % 的概率包含中心</translation>
     </message>
 </context>
@@ -2877,32 +2952,12 @@ x %4，y %5
         <translation>至少 6 个，最好 50 个或更多</translation>
     </message>
     <message>
-        <source>the pairs repeat fewer than six different points</source>
-        <translation>点对中重复的不同点少于六个</translation>
-    </message>
-    <message>
         <source>at least 6 different points, each with its own pixel</source>
         <translation>至少 6 个不同的点，各有自己的像素</translation>
     </message>
     <message>
-        <source>all points are on one line of the cylinder: the camera may turn about that line without a change in the image</source>
-        <translation>所有点都在圆柱的同一条直线上：相机绕该直线转动时图像不变</translation>
-    </message>
-    <message>
-        <source>all points are on one ring of the cylinder: the camera&apos;s distance and its focal length cannot be told apart</source>
-        <translation>所有点都在圆柱的同一圆环上：无法区分相机距离与焦距</translation>
-    </message>
-    <message>
-        <source>all points are in one plane: the camera&apos;s distance and its focal length cannot be told apart</source>
-        <translation>所有点都在同一平面上：无法区分相机距离与焦距</translation>
-    </message>
-    <message>
         <source>no camera agrees with enough of the pairs</source>
         <translation>没有相机能与足够多的点对相符</translation>
-    </message>
-    <message>
-        <source>half of the pairs and at least %1 in agreement: pixels in the order of their points, the right image size and cylinder radius</source>
-        <translation>至少一半点对且至少 %1 个相符：像素与点的顺序一致，图像尺寸和圆柱半径正确</translation>
     </message>
     <message>
         <source>the pairs leave the camera undetermined: points on the surface would be uncertain by more than %1 mm</source>
@@ -2913,16 +2968,8 @@ x %4，y %5
         <translation>更多点对，分布于整个表面</translation>
     </message>
     <message>
-        <source>the lens model folds over within the pairs</source>
-        <translation>镜头模型在点对范围内发生折叠</translation>
-    </message>
-    <message>
         <source>more pairs near the lens, where the distortion is strongest</source>
         <translation>在畸变最强的镜头附近采集更多点对</translation>
-    </message>
-    <message>
-        <source>the image or the cylinder has no size that can be used</source>
-        <translation>图像或圆柱没有可用的尺寸</translation>
     </message>
     <message>
         <source>a positive radius, width and height of 1 to %1 pixels</source>
@@ -2939,6 +2986,34 @@ x %4，y %5
     <message>
         <source>at most %1</source>
         <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>the size of the image or of the cylinder is invalid</source>
+        <translation>图像或圆柱没有可用的尺寸</translation>
+    </message>
+    <message>
+        <source>the pairs contain fewer than six different points</source>
+        <translation>点对中重复的不同点少于六个</translation>
+    </message>
+    <message>
+        <source>all points are on one line of the cylinder: the camera could turn about that line without changing the image</source>
+        <translation>所有点都在圆柱的同一条直线上：相机绕该直线转动时图像不变</translation>
+    </message>
+    <message>
+        <source>all points are on one ring of the cylinder: the camera&apos;s distance and its focal length cannot be distinguished</source>
+        <translation>所有点都在圆柱的同一圆环上：无法区分相机距离与焦距</translation>
+    </message>
+    <message>
+        <source>all points are in one plane: the camera&apos;s distance and its focal length cannot be distinguished</source>
+        <translation>所有点都在同一平面上：无法区分相机距离与焦距</translation>
+    </message>
+    <message>
+        <source>at least half of the pairs and at least %1 in agreement: check that pixels and points match, the image size and the cylinder radius</source>
+        <translation>至少一半点对且至少 %1 个相符：像素与点的顺序一致，图像尺寸和圆柱半径正确</translation>
+    </message>
+    <message>
+        <source>the lens model folds in the region of the pairs</source>
+        <translation>镜头模型在点对范围内发生折叠</translation>
     </message>
 </context>
 <context>
@@ -3048,10 +3123,6 @@ x %4，y %5
         <translation>将 CSV 写入此文件，完成后才会出现</translation>
     </message>
     <message>
-        <source>Write a pattern in another format, told by the ending</source>
-        <translation>以其他格式写出图案，格式由扩展名决定</translation>
-    </message>
-    <message>
         <source>File to write</source>
         <translation>要写入的文件</translation>
     </message>
@@ -3062,10 +3133,6 @@ x %4，y %5
     <message>
         <source>s</source>
         <translation>s</translation>
-    </message>
-    <message>
-        <source>the ending of %1 tells no format; expected one of %2</source>
-        <translation>%1 的扩展名不对应任何格式；应为 %2 之一</translation>
     </message>
     <message>
         <source>%1 keeps all laws.</source>
@@ -3100,10 +3167,6 @@ x %4，y %5
         <translation>在手环上播放图案</translation>
     </message>
     <message>
-        <source>Play it over and over for so long, then live setpoints for as long again, and print how punctual the frames were</source>
-        <translation>反复播放指定时长，再以实时设定值运行同样时长，并输出各帧的准时程度</translation>
-    </message>
-    <message>
         <source>%1 holds no samples: --rate and --predicted are for .csv and .wav files</source>
         <translation>%1 不含样本：--rate 和 --predicted 用于 .csv 和 .wav 文件</translation>
     </message>
@@ -3112,28 +3175,24 @@ x %4，y %5
         <translation>usb、simulated，或描述手环的文件</translation>
     </message>
     <message>
-        <source>Help the motors up: full intensity while they speed up, as long as their profile allows</source>
+        <source>Speed the motors up with full intensity first, for as long as their profile allows</source>
         <translation>帮助电机起动：加速期间以全强度驱动，时长不超过其特性所允许</translation>
+    </message>
+    <message>
+        <source>Write a pattern in another format, chosen by the ending</source>
+        <translation>以其他格式写出图案，格式由扩展名决定</translation>
+    </message>
+    <message>
+        <source>Repeat it for this long, then send live setpoints for as long again, and print how punctual the frames were</source>
+        <translation>反复播放指定时长，再以实时设定值运行同样时长，并输出各帧的准时程度</translation>
+    </message>
+    <message>
+        <source>the ending of %1 is not that of a format; expected one of %2</source>
+        <translation>%1 的扩展名不对应任何格式；应为 %2 之一</translation>
     </message>
 </context>
 <context>
     <name>PatternFile</name>
-    <message>
-        <source>the pattern cannot be stretched like that</source>
-        <translation>图案无法如此拉伸</translation>
-    </message>
-    <message>
-        <source>a factor above 0 with which it lasts at most a day</source>
-        <translation>大于 0 的倍数，且时长不超过一天</translation>
-    </message>
-    <message>
-        <source>the times go back</source>
-        <translation>时间倒退</translation>
-    </message>
-    <message>
-        <source>a time that is not before the one in front of it</source>
-        <translation>不早于前一个的时间</translation>
-    </message>
     <message>
         <source>there is no tactor for the file &quot;%1&quot;</source>
         <translation>文件“%1”没有对应的振子</translation>
@@ -3143,32 +3202,12 @@ x %4，y %5
         <translation>文件 tactor1.haptic 至 tactor6.haptic，每个一次</translation>
     </message>
     <message>
-        <source>a pattern cannot hold this</source>
-        <translation>图案无法容纳此内容</translation>
-    </message>
-    <message>
-        <source>the times go back or on for too long</source>
-        <translation>时间倒退或持续过久</translation>
-    </message>
-    <message>
         <source>there is no tactor left for this channel</source>
         <translation>该通道没有剩余的振子可用</translation>
     </message>
     <message>
         <source>six channels with directions 60 degrees apart</source>
         <translation>六个通道，方向相隔 60 度</translation>
-    </message>
-    <message>
-        <source>this is another format</source>
-        <translation>这是另一种格式</translation>
-    </message>
-    <message>
-        <source>the file is of a newer version</source>
-        <translation>文件版本较新</translation>
-    </message>
-    <message>
-        <source>this name is not known</source>
-        <translation>此名称未知</translation>
     </message>
     <message>
         <source>the pattern is too long for a WAV file</source>
@@ -3187,44 +3226,16 @@ x %4，y %5
         <translation>此效果用于其他设备</translation>
     </message>
     <message>
-        <source>the folder cannot be made</source>
-        <translation>无法创建文件夹</translation>
-    </message>
-    <message>
-        <source>this format cannot hold another name</source>
-        <translation>此格式无法容纳另一个名称</translation>
-    </message>
-    <message>
         <source>a pattern file that ends with .json</source>
         <translation>以 .json 结尾的图案文件</translation>
-    </message>
-    <message>
-        <source>this is no recovery file</source>
-        <translation>这不是恢复文件</translation>
     </message>
     <message>
         <source>the key &quot;recovery&quot;</source>
         <translation>键“recovery”</translation>
     </message>
     <message>
-        <source>the rate of the samples is out of range</source>
-        <translation>采样率超出范围</translation>
-    </message>
-    <message>
-        <source>%1 to %2 a second</source>
-        <translation>每秒 %1 至 %2</translation>
-    </message>
-    <message>
-        <source>the values of a motor contradict each other</source>
-        <translation>某个电机的值相互矛盾</translation>
-    </message>
-    <message>
         <source>a WAV file cannot have this rate</source>
         <translation>WAV 文件不支持此采样率</translation>
-    </message>
-    <message>
-        <source>a whole number of samples a second</source>
-        <translation>每秒整数个样本</translation>
     </message>
     <message>
         <source>the pattern is too long for overdrive</source>
@@ -3242,20 +3253,76 @@ x %4，y %5
         <source>at most %1 breakpoints</source>
         <translation>至多 %1 个节点</translation>
     </message>
+    <message>
+        <source>the pattern cannot be stretched by this factor</source>
+        <translation>图案无法如此拉伸</translation>
+    </message>
+    <message>
+        <source>a factor above 0 that makes it at most a day long</source>
+        <translation>大于 0 的倍数，且时长不超过一天</translation>
+    </message>
+    <message>
+        <source>the times decrease</source>
+        <translation>时间倒退</translation>
+    </message>
+    <message>
+        <source>a time that is not before the previous one</source>
+        <translation>不早于前一个的时间</translation>
+    </message>
+    <message>
+        <source>a pattern cannot represent this</source>
+        <translation>图案无法容纳此内容</translation>
+    </message>
+    <message>
+        <source>the times decrease or exceed the longest pattern</source>
+        <translation>时间倒退或持续过久</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created</source>
+        <translation>无法创建文件夹</translation>
+    </message>
+    <message>
+        <source>this format cannot store another name</source>
+        <translation>此格式无法容纳另一个名称</translation>
+    </message>
+    <message>
+        <source>this name is unknown</source>
+        <translation>此名称未知</translation>
+    </message>
+    <message>
+        <source>this is a different format</source>
+        <translation>这是另一种格式</translation>
+    </message>
+    <message>
+        <source>the file was written by a newer version</source>
+        <translation>文件版本较新</translation>
+    </message>
+    <message>
+        <source>this is not a recovery file</source>
+        <translation>这不是恢复文件</translation>
+    </message>
+    <message>
+        <source>the sample rate is out of range</source>
+        <translation>采样率超出范围</translation>
+    </message>
+    <message>
+        <source>%1 to %2 per second</source>
+        <translation>每秒 %1 至 %2</translation>
+    </message>
+    <message>
+        <source>the values of a motor are inconsistent</source>
+        <translation>某个电机的值相互矛盾</translation>
+    </message>
+    <message>
+        <source>a whole number of samples per second</source>
+        <translation>每秒整数个样本</translation>
+    </message>
 </context>
 <context>
     <name>PatternLaws</name>
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>A burst of %1 is too short for the motor, which needs %2 to rise.</source>
-        <translation>%1 的短振对电机而言过短，电机需要 %2 才能升速。</translation>
-    </message>
-    <message>
-        <source>A turn of the ring takes %1; its direction is felt reliably from %2 on.</source>
-        <translation>环绕一圈用时 %1；从 %2 起才能可靠地感觉到方向。</translation>
     </message>
     <message>
         <source>The bursts begin %1 apart; they are felt as one motion with %2.</source>
@@ -3290,10 +3357,6 @@ x %4，y %5
         <translation>按似动规律使其相隔 %1。</translation>
     </message>
     <message>
-        <source>Let it begin at %1 s, when the other one is over.</source>
-        <translation>让它在另一个结束后的 %1 s 开始。</translation>
-    </message>
-    <message>
         <source>Give both the same intensity, or make them %1 Hz different.</source>
         <translation>使两者强度相同，或使其相差 %1 Hz。</translation>
     </message>
@@ -3304,6 +3367,18 @@ x %4，y %5
     <message>
         <source>Make motor %1 weaker there, by %2 %, so that they are %3 Hz apart.</source>
         <translation>在那里把电机 %1 减弱 %2 %，使两者相差 %3 Hz。</translation>
+    </message>
+    <message>
+        <source>A burst of %1 is too short for the motor, which needs %2 to speed up.</source>
+        <translation>%1 的短振对电机而言过短，电机需要 %2 才能升速。</translation>
+    </message>
+    <message>
+        <source>A turn of the ring takes %1; its direction is felt reliably only if a turn takes at least %2.</source>
+        <translation>环绕一圈用时 %1；从 %2 起才能可靠地感觉到方向。</translation>
+    </message>
+    <message>
+        <source>Let it begin at %1 s, when the other one has ended.</source>
+        <translation>让它在另一个结束后的 %1 s 开始。</translation>
     </message>
 </context>
 <context>
@@ -3477,13 +3552,6 @@ x %4，y %5
     </message>
 </context>
 <context>
-    <name>PlaybackRequest</name>
-    <message>
-        <source>the recording has no stream &quot;%1&quot; to play</source>
-        <translation>记录中没有可回放的数据流“%1”</translation>
-    </message>
-</context>
-<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -3518,14 +3586,6 @@ x %4，y %5
         <translation>显示此帮助</translation>
     </message>
     <message>
-        <source>teleta: %1
-%2 --help says more.
-</source>
-        <translation>teleta: %1
-更多说明见 %2 --help。
-</translation>
-    </message>
-    <message>
         <source>Computes contacts, stiffness and shape from what a tactile robot arm has felt.</source>
         <translation>根据触觉机械臂的感知计算接触、刚度和形状。</translation>
     </message>
@@ -3540,6 +3600,14 @@ x %4，y %5
     <message>
         <source>there is no command &apos;%1&apos;; expected one of %2</source>
         <translation>没有命令“%1”；应为以下之一：%2</translation>
+    </message>
+    <message>
+        <source>teleta: %1
+Run %2 --help for more.
+</source>
+        <translation>teleta: %1
+更多说明见 %2 --help。
+</translation>
     </message>
 </context>
 <context>
@@ -3593,28 +3661,12 @@ x %4，y %5
 <context>
     <name>Recording</name>
     <message>
-        <source>block %1 of the stream &quot;%2&quot; is not whole</source>
-        <translation>数据流“%2”的数据块 %1 不完整</translation>
-    </message>
-    <message>
-        <source>the recording was never begun</source>
-        <translation>记录从未开始</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no time</source>
-        <translation>“%1”不是时间</translation>
-    </message>
-    <message>
         <source>the stream &quot;%1&quot; is described by &quot;%2&quot;</source>
         <translation>数据流“%1”由“%2”描述</translation>
     </message>
     <message>
         <source>the stream &quot;%1&quot; has %2 columns instead of %3</source>
         <translation>数据流“%1”有 %2 列，应为 %3 列</translation>
-    </message>
-    <message>
-        <source>there is a file of this name already</source>
-        <translation>已存在同名文件</translation>
     </message>
     <message>
         <source>a new name</source>
@@ -3625,24 +3677,12 @@ x %4，y %5
         <translation>无法写入记录：%1</translation>
     </message>
     <message>
-        <source>a folder that can be written to</source>
-        <translation>可写入的文件夹</translation>
-    </message>
-    <message>
         <source>there is no such file</source>
         <translation>没有这样的文件</translation>
     </message>
     <message>
-        <source>this is no recording</source>
-        <translation>这不是记录</translation>
-    </message>
-    <message>
         <source>a recording of this program</source>
         <translation>本程序的记录</translation>
-    </message>
-    <message>
-        <source>this is an SQLite database, but no recording</source>
-        <translation>这是 SQLite 数据库，但不是记录</translation>
     </message>
     <message>
         <source>the recording was made by a newer version of the program (format %1)</source>
@@ -3651,10 +3691,6 @@ x %4，y %5
     <message>
         <source>format %1 or older</source>
         <translation>格式 %1 或更早</translation>
-    </message>
-    <message>
-        <source>it has no format</source>
-        <translation>它没有格式</translation>
     </message>
     <message>
         <source>a folder that can be written to: the recording was cut off and has to be completed</source>
@@ -3668,17 +3704,41 @@ x %4，y %5
         <source>the recording is damaged: %1</source>
         <translation>记录已损坏：%1</translation>
     </message>
+    <message>
+        <source>block %1 of the stream &quot;%2&quot; is incomplete</source>
+        <translation>数据流“%2”的数据块 %1 不完整</translation>
+    </message>
+    <message>
+        <source>the recording was never started</source>
+        <translation>记录从未开始</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time</source>
+        <translation>“%1”不是时间</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>已存在同名文件</translation>
+    </message>
+    <message>
+        <source>a writable folder</source>
+        <translation>可写入的文件夹</translation>
+    </message>
+    <message>
+        <source>this is not a recording</source>
+        <translation>这不是记录</translation>
+    </message>
+    <message>
+        <source>this is an SQLite database, but not a recording</source>
+        <translation>这是 SQLite 数据库，但不是记录</translation>
+    </message>
+    <message>
+        <source>its format version is missing</source>
+        <translation>它没有格式</translation>
+    </message>
 </context>
 <context>
     <name>RecordingExport</name>
-    <message>
-        <source>the folder cannot be made or written to</source>
-        <translation>无法创建或写入该文件夹</translation>
-    </message>
-    <message>
-        <source>there is a file of this name already</source>
-        <translation>已存在同名文件</translation>
-    </message>
     <message>
         <source>another folder</source>
         <translation>另一个文件夹</translation>
@@ -3686,6 +3746,21 @@ x %4，y %5
     <message>
         <source>interrupted; nothing was written</source>
         <translation>已中断；未写入任何内容</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created or written to</source>
+        <translation>无法创建或写入该文件夹</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>已存在同名文件</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingRequest</name>
+    <message>
+        <source>the recording has no stream &quot;%1&quot; to play</source>
+        <translation>记录中没有可回放的数据流“%1”</translation>
     </message>
 </context>
 <context>
@@ -3755,14 +3830,6 @@ x %4，y %5
         <translation>每个输入使用各自的名称</translation>
     </message>
     <message>
-        <source>the number of joints is wrong: %1</source>
-        <translation>关节数错误：%1</translation>
-    </message>
-    <message>
-        <source>%1, from the shoulder on</source>
-        <translation>%1，从肩部起</translation>
-    </message>
-    <message>
         <source>the watchdog is a register of a motor</source>
         <translation>看门狗占用了电机的寄存器</translation>
     </message>
@@ -3814,6 +3881,14 @@ x %4，y %5
         <source>at most %1 s</source>
         <translation>至多 %1 s</translation>
     </message>
+    <message>
+        <source>too many joints: %1</source>
+        <translation>关节过多：%1</translation>
+    </message>
+    <message>
+        <source>at most %1, from the base to the tip</source>
+        <translation>最多 %1 个，从基座到末端</translation>
+    </message>
 </context>
 <context>
     <name>ReplayCommand</name>
@@ -3860,12 +3935,12 @@ x %4，y %5
         <translation>记录中的阵列和相机为 %1</translation>
     </message>
     <message>
-        <source>it is of an array, but the stream &quot;%1&quot; is of a camera</source>
-        <translation>此选项用于阵列，但数据流“%1”来自相机</translation>
-    </message>
-    <message>
         <source>the settings changed during the recording; those of its beginning are used</source>
         <translation>设置在记录期间发生了更改；使用开始时的设置</translation>
+    </message>
+    <message>
+        <source>this is for arrays, but the stream &quot;%1&quot; is a camera&apos;s</source>
+        <translation>此选项用于阵列，但数据流“%1”来自相机</translation>
     </message>
 </context>
 <context>
@@ -4179,10 +4254,6 @@ x %4，y %5
         <translation>角度，度；z 向上，mm</translation>
     </message>
     <message>
-        <source>arrows %1 times</source>
-        <translation>箭头放大 %1 倍</translation>
-    </message>
-    <message>
         <source>x: wrong pair   o: excluded   dashed: valid radius</source>
         <translation>x：错误点对   o：已排除   虚线：有效半径</translation>
     </message>
@@ -4193,6 +4264,10 @@ x %4，y %5
     <message>
         <source>+%1 mm</source>
         <translation>+%1 mm</translation>
+    </message>
+    <message>
+        <source>arrows enlarged %1 times</source>
+        <translation>箭头放大 %1 倍</translation>
     </message>
 </context>
 <context>
@@ -4320,10 +4395,6 @@ x %4，y %5
         <translation>合并矩阵的信息传输量，按计数直接求得</translation>
     </message>
     <message>
-        <source>By how much it is too high on average: (R-1)(C-1) / (2 n ln 2)</source>
-        <translation>平均偏高的量：(R-1)(C-1) / (2 n ln 2)</translation>
-    </message>
-    <message>
         <source>Measured less bias</source>
         <translation>实测值减去偏差</translation>
     </message>
@@ -4374,10 +4445,6 @@ x %4，y %5
     <message>
         <source>Information transfer as counted</source>
         <translation>按计数直接求得的信息传输量</translation>
-    </message>
-    <message>
-        <source>By how much it is too high on average</source>
-        <translation>平均偏高的量</translation>
     </message>
     <message>
         <source>Response time of right answers</source>
@@ -4452,28 +4519,36 @@ x %4，y %5
         <translation>广义 eta 平方</translation>
     </message>
     <message>
-        <source>Participants that are complete</source>
-        <translation>数据完整的被试</translation>
-    </message>
-    <message>
         <source>without %1</source>
         <translation>不含 %1</translation>
-    </message>
-    <message>
-        <source>The information transfer of few trials is too high: with %1 trials, somebody who only guesses shows %2 bit on average. Read the corrected value beside it.</source>
-        <translation>试次较少时信息传输量偏高：%1 个试次时，仅凭猜测平均也会得到 %2 bit。请看旁边的校正值。</translation>
     </message>
     <message>
         <source>With fewer than 5 k² trials even the corrected value is rough.</source>
         <translation>试次少于 5 k² 时，校正值也只是粗略估计。</translation>
     </message>
     <message>
-        <source>There is one condition only, so the patterns are compared.</source>
-        <translation>只有一个条件，因此比较各图案。</translation>
-    </message>
-    <message>
         <source>Within participants, condition × pattern, of the shares of right answers; below, the conditions compared for each pattern.</source>
         <translation>对正确率的被试内分析，条件 × 图案；下方为各图案的条件比较。</translation>
+    </message>
+    <message>
+        <source>Average overestimate: (R-1)(C-1) / (2 n ln 2)</source>
+        <translation>平均偏高的量：(R-1)(C-1) / (2 n ln 2)</translation>
+    </message>
+    <message>
+        <source>Average overestimate</source>
+        <translation>平均偏高的量</translation>
+    </message>
+    <message>
+        <source>Participants with complete data</source>
+        <translation>数据完整的被试</translation>
+    </message>
+    <message>
+        <source>Few trials give too high an information transfer: with %1 trials, guessing alone shows %2 bit on average. Use the corrected value next to it.</source>
+        <translation>试次较少时信息传输量偏高：%1 个试次时，仅凭猜测平均也会得到 %2 bit。请看旁边的校正值。</translation>
+    </message>
+    <message>
+        <source>There is only one condition, so the patterns are compared.</source>
+        <translation>只有一个条件，因此比较各图案。</translation>
     </message>
 </context>
 <context>
@@ -4506,14 +4581,6 @@ x %4，y %5
         <translation>连接手环并重新测量</translation>
     </message>
     <message>
-        <source>The computer was too slow for the measurement: the bracelet stood still meanwhile.</source>
-        <translation>计算机过慢，无法完成测量：期间手环曾停止。</translation>
-    </message>
-    <message>
-        <source>measure again with less other work</source>
-        <translation>减少其他任务后重新测量</translation>
-    </message>
-    <message>
         <source>Something else was played meanwhile.</source>
         <translation>期间播放了其他内容。</translation>
     </message>
@@ -4541,97 +4608,17 @@ x %4，y %5
         <source>The measurement was ended.</source>
         <translation>测量已终止。</translation>
     </message>
+    <message>
+        <source>The computer was too slow for the measurement: the bracelet paused in between.</source>
+        <translation>计算机过慢，无法完成测量：期间手环曾停止。</translation>
+    </message>
+    <message>
+        <source>measure again with fewer programs running</source>
+        <translation>减少其他任务后重新测量</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
-    <message>
-        <source>the frame rate of the scene is not a positive number</source>
-        <translation>场景的帧率不是正数</translation>
-    </message>
-    <message>
-        <source>the size of the tactile array is out of range</source>
-        <translation>触觉阵列的尺寸超出范围</translation>
-    </message>
-    <message>
-        <source>a property of the tactile array is out of range</source>
-        <translation>触觉阵列的某个属性超出范围</translation>
-    </message>
-    <message>
-        <source>the size of indenter &quot;%1&quot; is out of range</source>
-        <translation>压头“%1”的尺寸超出范围</translation>
-    </message>
-    <message>
-        <source>the motion of indenter &quot;%1&quot; is not a series of rising times</source>
-        <translation>压头“%1”的运动不是时间递增的序列</translation>
-    </message>
-    <message>
-        <source>a parameter of effect &quot;%1&quot; is out of range</source>
-        <translation>效应“%1”的某个参数超出范围</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; is listed twice</source>
-        <translation>效应“%1”列出了两次</translation>
-    </message>
-    <message>
-        <source>a property of the arm is out of range</source>
-        <translation>机械臂的某个属性超出范围</translation>
-    </message>
-    <message>
-        <source>a property of the joint controllers is out of range</source>
-        <translation>关节控制器的某个属性超出范围</translation>
-    </message>
-    <message>
-        <source>a property of the arm&apos;s skin is out of range</source>
-        <translation>机械臂皮肤的某个属性超出范围</translation>
-    </message>
-    <message>
-        <source>a property of object &quot;%1&quot; is out of range</source>
-        <translation>物体“%1”的某个属性超出范围</translation>
-    </message>
-    <message>
-        <source>the program of the arm is out of range</source>
-        <translation>机械臂的程序超出范围</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs an arm</source>
-        <translation>效应“%1”需要机械臂</translation>
-    </message>
-    <message>
-        <source>a property of the camera is out of range</source>
-        <translation>相机的某个属性超出范围</translation>
-    </message>
-    <message>
-        <source>a property of the soft tube is out of range</source>
-        <translation>软管的某个属性超出范围</translation>
-    </message>
-    <message>
-        <source>a finger&apos;s size or motion is out of range</source>
-        <translation>手指的尺寸或运动超出范围</translation>
-    </message>
-    <message>
-        <source>a number of the probing is out of range</source>
-        <translation>探测的某个数值超出范围</translation>
-    </message>
-    <message>
-        <source>what the arm under the soft tube does is out of range</source>
-        <translation>软管下方机械臂的动作超出范围</translation>
-    </message>
-    <message>
-        <source>a property of the servoing arm, its sensor, object or task is out of range</source>
-        <translation>伺服机械臂、其传感器、物体或任务的某个属性超出范围</translation>
-    </message>
-    <message>
-        <source>a camera has no effect &quot;%1&quot;</source>
-        <translation>相机没有效应“%1”</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs a camera</source>
-        <translation>效应“%1”需要相机</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs a servoing arm</source>
-        <translation>效应“%1”需要伺服机械臂</translation>
-    </message>
     <message>
         <source>the scene is not that of a tactile array</source>
         <translation>该场景不是触觉阵列的场景</translation>
@@ -4649,24 +4636,12 @@ x %4，y %5
         <translation>该场景不是伺服机械臂的场景</translation>
     </message>
     <message>
-        <source>how far the objects may be displaced is out of range</source>
-        <translation>物体允许的位移超出范围</translation>
-    </message>
-    <message>
-        <source>effect &quot;%1&quot; needs the program of an operator</source>
-        <translation>效应“%1”需要操作者的程序</translation>
-    </message>
-    <message>
         <source>the scene is not that of an arm with an operator</source>
         <translation>该场景不是带操作者的机械臂的场景</translation>
     </message>
 </context>
 <context>
     <name>SceneReader</name>
-    <message>
-        <source>the keyframes are not in the order of time</source>
-        <translation>关键帧未按时间顺序排列</translation>
-    </message>
     <message>
         <source>a time after %1 s</source>
         <translation>晚于 %1 s 的时间</translation>
@@ -4704,10 +4679,6 @@ x %4，y %5
         <translation>%1，从 %2 到 %3</translation>
     </message>
     <message>
-        <source>the waypoints are not in the order of time</source>
-        <translation>路径点未按时间顺序排列</translation>
-    </message>
-    <message>
         <source>the program has no object to touch</source>
         <translation>程序没有可触碰的物体</translation>
     </message>
@@ -4740,16 +4711,24 @@ x %4，y %5
         <translation>大于 %1 m 且小于 %2 m 的半径</translation>
     </message>
     <message>
-        <source>this is deeper than the skin gives way</source>
-        <translation>这超过了皮肤可压缩的深度</translation>
-    </message>
-    <message>
         <source>there is no tray to keep level</source>
         <translation>没有需要保持水平的托盘</translation>
     </message>
     <message>
         <source>an [object.hinge]</source>
         <translation>[object.hinge]</translation>
+    </message>
+    <message>
+        <source>the times of the keyframes do not increase</source>
+        <translation>关键帧未按时间顺序排列</translation>
+    </message>
+    <message>
+        <source>this is deeper than the skin can yield</source>
+        <translation>这超过了皮肤可压缩的深度</translation>
+    </message>
+    <message>
+        <source>this scene cannot have the effect &quot;%1&quot;</source>
+        <translation>此场景不能有效应“%1”</translation>
     </message>
 </context>
 <context>
@@ -4762,47 +4741,47 @@ x %4，y %5
 <context>
     <name>SceneRun</name>
     <message>
-        <source>the folder cannot be made or written to</source>
-        <translation>无法创建或写入该文件夹</translation>
-    </message>
-    <message>
         <source>the image cannot be written</source>
         <translation>无法写入图像</translation>
     </message>
     <message>
-        <source>the protocol has a stimulus that does not come with the program</source>
+        <source>the folder cannot be created or written to</source>
+        <translation>无法创建或写入该文件夹</translation>
+    </message>
+    <message>
+        <source>the protocol has a stimulus that is not built in</source>
         <translation>方案中的某个刺激未随程序提供</translation>
     </message>
     <message>
-        <source>tasks, letters and conditions whose patterns come with the program</source>
+        <source>tasks, letters and conditions whose patterns are built in</source>
         <translation>图案随程序提供的任务、字母和条件</translation>
     </message>
 </context>
 <context>
     <name>ServoCurves</name>
     <message>
-        <source>this is no number of a run</source>
-        <translation>这不是运行数据的有效数值</translation>
-    </message>
-    <message>
         <source>a number from -1e12 to 1e12, or NA</source>
         <translation>-1e12 至 1e12 的数，或 NA</translation>
-    </message>
-    <message>
-        <source>the time falls, or there is none</source>
-        <translation>时间倒退，或没有时间</translation>
     </message>
     <message>
         <source>times in order</source>
         <translation>按顺序的时间</translation>
     </message>
     <message>
-        <source>this is no limit of a servo</source>
-        <translation>这不是伺服的限制</translation>
-    </message>
-    <message>
         <source>names such as force+tool_speed, or nothing</source>
         <translation>诸如 force+tool_speed 的名称，或为空</translation>
+    </message>
+    <message>
+        <source>this is not a plausible number</source>
+        <translation>这不是运行数据的有效数值</translation>
+    </message>
+    <message>
+        <source>the time decreases or is missing</source>
+        <translation>时间倒退，或没有时间</translation>
+    </message>
+    <message>
+        <source>this is not a limit of a servo</source>
+        <translation>这不是伺服的限制</translation>
     </message>
 </context>
 <context>
@@ -5022,10 +5001,6 @@ x %4，y %5
         <translation>场景中所有随机数的种子</translation>
     </message>
     <message>
-        <source>Simulated time in seconds; otherwise what the scene says</source>
-        <translation>模拟时间，单位秒；默认由场景规定</translation>
-    </message>
-    <message>
         <source>Share of %1</source>
         <translation>%1 的占比</translation>
     </message>
@@ -5054,10 +5029,6 @@ x %4，y %5
         <translation>用于同一图中的先前伺服运行的文件夹，最多五个</translation>
     </message>
     <message>
-        <source>Leave out one effect at a time and tell how far the measures move against their spread</source>
-        <translation>每次去掉一种效应，并给出各测量量相对其离散度的变化</translation>
-    </message>
-    <message>
         <source>Runs of each variant, with seeds from --seed upwards</source>
         <translation>每个变体的运行次数，种子从 --seed 起递增</translation>
     </message>
@@ -5072,6 +5043,14 @@ x %4，y %5
     <message>
         <source>a scene file, or a name that teleta simulate --list prints</source>
         <translation>场景文件，或 teleta simulate --list 列出的名称</translation>
+    </message>
+    <message>
+        <source>Simulated time in seconds; default: as the scene says</source>
+        <translation>模拟时间，单位秒；默认由场景规定</translation>
+    </message>
+    <message>
+        <source>Leave out one effect at a time and compare how far each measure moves with its spread</source>
+        <translation>每次去掉一种效应，并给出各测量量相对其离散度的变化</translation>
     </message>
 </context>
 <context>
@@ -5109,7 +5088,7 @@ x %4，y %5
 <context>
     <name>SimulatedTube</name>
     <message>
-        <source>the lens of the camera folds: no camera has it</source>
+        <source>the lens folds the image over itself: no camera has such a lens</source>
         <translation>相机的镜头模型发生折叠：没有相机会如此</translation>
     </message>
 </context>
@@ -5120,20 +5099,8 @@ x %4，y %5
         <translation>这些数据属于不同模式：%1 和 %2</translation>
     </message>
     <message>
-        <source>one mode, or to be told which one counts</source>
-        <translation>同一种模式，或指明采用哪一种</translation>
-    </message>
-    <message>
         <source>%1 cannot be &quot;%2&quot;</source>
         <translation>%1 不能为“%2”</translation>
-    </message>
-    <message>
-        <source>%1 has trials in %2 too: these may be two people, or the same trials twice</source>
-        <translation>%1 在 %2 中也有试次：可能是两个人，或者是相同试次的两份</translation>
-    </message>
-    <message>
-        <source>each participant in one study, under a name of their own</source>
-        <translation>每名被试只在一个研究中，并使用自己的名称</translation>
     </message>
     <message>
         <source>run, pilot or simulated</source>
@@ -5152,24 +5119,12 @@ x %4，y %5
         <translation>correct、incorrect、timeout、aborted 或 device_error</translation>
     </message>
     <message>
-        <source>what stimulus and response say</source>
-        <translation>与 stimulus 和 response 一致的内容</translation>
-    </message>
-    <message>
         <source>a number of seconds or NA</source>
         <translation>秒数或 NA</translation>
     </message>
     <message>
-        <source>a whole number from 1 on</source>
-        <translation>从 1 开始的整数</translation>
-    </message>
-    <message>
         <source>%1 at most</source>
         <translation>至多 %1</translation>
-    </message>
-    <message>
-        <source>trial %1 of session %2 of %3 was counted before</source>
-        <translation>%3 的场次 %2 的试次 %1 之前已计入</translation>
     </message>
     <message>
         <source>each trial once</source>
@@ -5182,6 +5137,30 @@ x %4，y %5
     <message>
         <source>there are too many different patterns</source>
         <translation>不同的图案过多</translation>
+    </message>
+    <message>
+        <source>one mode, or the choice of one</source>
+        <translation>同一种模式，或指明采用哪一种</translation>
+    </message>
+    <message>
+        <source>%1 also has trials in %2: these may be two people, or the same trials twice</source>
+        <translation>%1 在 %2 中也有试次：可能是两个人，或者是相同试次的两份</translation>
+    </message>
+    <message>
+        <source>each participant in one study only, under a unique name</source>
+        <translation>每名被试只在一个研究中，并使用自己的名称</translation>
+    </message>
+    <message>
+        <source>the value implied by stimulus and response</source>
+        <translation>与 stimulus 和 response 一致的内容</translation>
+    </message>
+    <message>
+        <source>a whole number of at least 1</source>
+        <translation>从 1 开始的整数</translation>
+    </message>
+    <message>
+        <source>trial %1 of session %2 of %3 was already counted</source>
+        <translation>%3 的场次 %2 的试次 %1 之前已计入</translation>
     </message>
 </context>
 <context>
@@ -5386,10 +5365,6 @@ x %4，y %5
         <translation>手环已断开</translation>
     </message>
     <message>
-        <source>the bracelet stood still for too long</source>
-        <translation>手环停止时间过长</translation>
-    </message>
-    <message>
         <source>the pattern could not be played: %1</source>
         <translation>无法播放图案：%1</translation>
     </message>
@@ -5412,35 +5387,39 @@ x %4，y %5
         <translation>%1，就绪；上一个刺激：%2 帧，最长写入 %3 ms，%4 帧延迟，%5 帧丢失</translation>
     </message>
     <message>
-        <source>the bracelet did not begin</source>
-        <translation>手环没有开始</translation>
-    </message>
-    <message>
         <source>the bracelet does not answer</source>
         <translation>手环没有响应</translation>
-    </message>
-    <message>
-        <source>the bracelet refused the stimulus: it did not understand it</source>
-        <translation>手环拒绝了刺激：无法识别</translation>
-    </message>
-    <message>
-        <source>the bracelet did not confirm that it got the stimulus</source>
-        <translation>手环没有确认收到刺激</translation>
     </message>
     <message>
         <source>something else used the bracelet</source>
         <translation>手环被其他任务占用</translation>
     </message>
     <message>
-        <source>No bracelet: this rehearsal runs too fast to be played</source>
+        <source>playback stalled for too long</source>
+        <translation>播放停顿时间过长</translation>
+    </message>
+    <message>
+        <source>the bracelet did not start</source>
+        <translation>手环没有开始</translation>
+    </message>
+    <message>
+        <source>the bracelet rejected the stimulus</source>
+        <translation>手环拒绝了刺激：无法识别</translation>
+    </message>
+    <message>
+        <source>the bracelet did not confirm the stimulus</source>
+        <translation>手环没有确认收到刺激</translation>
+    </message>
+    <message>
+        <source>No bracelet: this rehearsal is too fast to be played</source>
         <translation>没有手环：此次预演速度过快，无法播放</translation>
     </message>
     <message>
-        <source>nobody can tell in which folder this pattern is</source>
+        <source>the folder of this pattern is unknown</source>
         <translation>无法得知该图案在哪个文件夹中</translation>
     </message>
     <message>
-        <source>the whole path of the file</source>
+        <source>the full path of the file</source>
         <translation>文件的完整路径</translation>
     </message>
 </context>
@@ -5455,56 +5434,20 @@ x %4，y %5
         <translation>无法创建研究的文件夹</translation>
     </message>
     <message>
-        <source>there is a study of this name already</source>
-        <translation>已存在同名的研究</translation>
-    </message>
-    <message>
-        <source>a new name, or to go on with the study</source>
-        <translation>新名称，或继续该研究</translation>
-    </message>
-    <message>
-        <source>there is a study in this folder already</source>
-        <translation>此文件夹中已有研究</translation>
-    </message>
-    <message>
-        <source>a new folder, or to go on with the study</source>
-        <translation>新的文件夹，或继续该研究</translation>
-    </message>
-    <message>
-        <source>the study was never completely made</source>
-        <translation>该研究从未完整创建</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; cannot name a participant</source>
         <translation>“%1”不能作为被试的名称</translation>
-    </message>
-    <message>
-        <source>another name: files have %1 for no value or for all participants</source>
-        <translation>另一个名称：文件中以 %1 表示无值或全部被试</translation>
     </message>
     <message>
         <source>a text of 1 to %1 characters</source>
         <translation>1 至 %1 个字符的文本</translation>
     </message>
     <message>
-        <source>the participant &quot;%1&quot; is enrolled already</source>
-        <translation>被试“%1”已登记</translation>
-    </message>
-    <message>
         <source>another name</source>
         <translation>另一个名称</translation>
     </message>
     <message>
-        <source>other stations enrol participants all the time</source>
-        <translation>其他工作站一直在登记被试</translation>
-    </message>
-    <message>
         <source>to try again</source>
         <translation>重试</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is in a session already, at %2</source>
-        <translation>“%1”已在 %2 进行一个场次</translation>
     </message>
     <message>
         <source>one session of a participant at a time</source>
@@ -5515,12 +5458,48 @@ x %4，y %5
         <translation>另一个工作站</translation>
     </message>
     <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>图案不是本研究开始时所用的图案</translation>
-    </message>
-    <message>
         <source>version %1 of the program, or a new study</source>
         <translation>%1 版程序，或新的研究</translation>
+    </message>
+    <message>
+        <source>a study of this name already exists</source>
+        <translation>已存在同名的研究</translation>
+    </message>
+    <message>
+        <source>a new name, or to continue the study</source>
+        <translation>新名称，或继续该研究</translation>
+    </message>
+    <message>
+        <source>this folder already contains a study</source>
+        <translation>此文件夹中已有研究</translation>
+    </message>
+    <message>
+        <source>a new folder, or to continue the study</source>
+        <translation>新的文件夹，或继续该研究</translation>
+    </message>
+    <message>
+        <source>the study was not created completely</source>
+        <translation>该研究从未完整创建</translation>
+    </message>
+    <message>
+        <source>another name: in files, %1 means no value or all participants</source>
+        <translation>另一个名称：文件中以 %1 表示无值或全部被试</translation>
+    </message>
+    <message>
+        <source>the participant &quot;%1&quot; is already enrolled</source>
+        <translation>被试“%1”已登记</translation>
+    </message>
+    <message>
+        <source>other stations keep enrolling participants</source>
+        <translation>其他工作站一直在登记被试</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is already in a session at %2</source>
+        <translation>“%1”已在 %2 进行一个场次</translation>
+    </message>
+    <message>
+        <source>the patterns have changed since this study was created</source>
+        <translation>图案不是本研究开始时所用的图案</translation>
     </message>
 </context>
 <context>
@@ -5591,16 +5570,8 @@ x %4，y %5
         <translation>方案</translation>
     </message>
     <message>
-        <source>Mend the protocol at this place and open it again.</source>
-        <translation>修正方案的此处，然后重新打开。</translation>
-    </message>
-    <message>
         <source>no protocol is open</source>
         <translation>未打开方案</translation>
-    </message>
-    <message>
-        <source>Open a protocol, or begin with the paper&apos;s.</source>
-        <translation>打开一个方案，或从论文的方案开始。</translation>
     </message>
     <message>
         <source>the protocol has no trials</source>
@@ -5615,20 +5586,8 @@ x %4，y %5
         <translation>被试</translation>
     </message>
     <message>
-        <source>no participant is chosen</source>
-        <translation>未选择被试</translation>
-    </message>
-    <message>
         <source>Choose a participant, or add a new one.</source>
         <translation>选择被试，或添加新被试。</translation>
-    </message>
-    <message>
-        <source>%1 is in a session already</source>
-        <translation>%1 已在进行一个场次</translation>
-    </message>
-    <message>
-        <source>%1 is in a session already, at %2</source>
-        <translation>%1 已在 %2 进行一个场次</translation>
     </message>
     <message>
         <source>Finish or abort the other session, or choose another participant.</source>
@@ -5663,10 +5622,6 @@ x %4，y %5
         <translation>%1 没有应答</translation>
     </message>
     <message>
-        <source>Check cable and power supply; it goes on by itself when it is back.</source>
-        <translation>检查电缆和电源；恢复后会自动继续。</translation>
-    </message>
-    <message>
         <source>STOP is engaged</source>
         <translation>STOP 已触发</translation>
     </message>
@@ -5687,16 +5642,8 @@ x %4，y %5
         <translation>文件夹</translation>
     </message>
     <message>
-        <source>%1 is not there</source>
-        <translation>%1 不存在</translation>
-    </message>
-    <message>
         <source>Connect the drive of the study, or choose another folder.</source>
         <translation>连接存放研究的磁盘，或选择其他文件夹。</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>无法写入 %1：%2</translation>
     </message>
     <message>
         <source>Allow writing to the folder, or choose another one.</source>
@@ -5711,20 +5658,12 @@ x %4，y %5
         <translation>剩余 %1 MB</translation>
     </message>
     <message>
-        <source>Free space until there are %1 MB, or choose another folder.</source>
-        <translation>释放空间至 %1 MB，或选择其他文件夹。</translation>
-    </message>
-    <message>
         <source>Data store</source>
         <translation>数据存储</translation>
     </message>
     <message>
         <source>ready</source>
         <translation>就绪</translation>
-    </message>
-    <message>
-        <source>Start the server or mend the network; then try again.</source>
-        <translation>启动服务器或修复网络，然后重试。</translation>
     </message>
     <message>
         <source>Make a copy of the study&apos;s folder and open the study again.</source>
@@ -5763,28 +5702,68 @@ x %4，y %5
         <translation>刺激</translation>
     </message>
     <message>
-        <source>there are no patterns %1</source>
+        <source>Correct the protocol at this place and open it again.</source>
+        <translation>修正方案的此处，然后重新打开。</translation>
+    </message>
+    <message>
+        <source>Open a protocol, or start with the paper&apos;s.</source>
+        <translation>打开一个方案，或从论文的方案开始。</translation>
+    </message>
+    <message>
+        <source>there are no tactile patterns for %1</source>
         <translation>没有图案 %1</translation>
     </message>
     <message>
-        <source>the patterns are not those with which this study was begun</source>
-        <translation>图案不是本研究开始时所用的图案</translation>
-    </message>
-    <message>
-        <source>Go on with version %1 of the program, which began it, or begin a new study.</source>
-        <translation>请用开始本研究的 %1 版程序继续，或开始新的研究。</translation>
-    </message>
-    <message>
-        <source>those with which the study was begun</source>
-        <translation>研究开始时所用的图案</translation>
-    </message>
-    <message>
-        <source>Make a study whose protocol names a file for each pattern that does not come with the program.</source>
+        <source>Create a study whose protocol names a file for each pattern that is not built in.</source>
         <translation>请用为每个未随程序提供的图案指定了文件的方案建立研究。</translation>
     </message>
     <message>
-        <source>all there; whether the study was begun with others is not known</source>
+        <source>the patterns have changed since this study was created</source>
+        <translation>图案不是本研究开始时所用的图案</translation>
+    </message>
+    <message>
+        <source>Use version %1 of the program, which created it, or create a new study.</source>
+        <translation>请用开始本研究的 %1 版程序继续，或开始新的研究。</translation>
+    </message>
+    <message>
+        <source>unchanged since the study was created</source>
+        <translation>研究开始时所用的图案</translation>
+    </message>
+    <message>
+        <source>all there; whether they have changed since the study was created is unknown</source>
         <translation>全部存在；是否与研究开始时所用的相同，不得而知</translation>
+    </message>
+    <message>
+        <source>no participant is selected</source>
+        <translation>未选择被试</translation>
+    </message>
+    <message>
+        <source>%1 is already in a session</source>
+        <translation>%1 已在进行一个场次</translation>
+    </message>
+    <message>
+        <source>%1 is already in a session at %2</source>
+        <translation>%1 已在 %2 进行一个场次</translation>
+    </message>
+    <message>
+        <source>Check cable and power supply; it reconnects by itself.</source>
+        <translation>检查电缆和电源；恢复后会自动继续。</translation>
+    </message>
+    <message>
+        <source>%1 was not found</source>
+        <translation>%1 不存在</translation>
+    </message>
+    <message>
+        <source>cannot write to %1: %2</source>
+        <translation>无法写入 %1：%2</translation>
+    </message>
+    <message>
+        <source>Free up space to at least %1 MB, or choose another folder.</source>
+        <translation>释放空间至 %1 MB，或选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Start the server or repair the network connection, then try again.</source>
+        <translation>启动服务器或修复网络，然后重试。</translation>
     </message>
 </context>
 <context>
@@ -5816,10 +5795,6 @@ x %4，y %5
     <message>
         <source>Protocol of the study; otherwise the paper&apos;s</source>
         <translation>研究的方案；默认为论文的方案</translation>
-    </message>
-    <message>
-        <source>How many take part</source>
-        <translation>参与人数</translation>
     </message>
     <message>
         <source>Seed of all orders and answers</source>
@@ -5977,6 +5952,10 @@ x %4，y %5
         <source>Tables and figures</source>
         <translation>表格和图</translation>
     </message>
+    <message>
+        <source>Number of participants</source>
+        <translation>参与人数</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -5985,12 +5964,12 @@ x %4，y %5
         <translation>无法创建文件夹</translation>
     </message>
     <message>
-        <source>the file does not hold what was written</source>
-        <translation>文件内容与写入的不符</translation>
-    </message>
-    <message>
         <source>the study has no participant &quot;%1&quot;</source>
         <translation>研究中没有被试“%1”</translation>
+    </message>
+    <message>
+        <source>the file differs from what was written</source>
+        <translation>文件内容与写入的不符</translation>
     </message>
 </context>
 <context>
@@ -6077,16 +6056,8 @@ x %4，y %5
 <context>
     <name>StudyNoise</name>
     <message>
-        <source>these settings of the noise are out of range</source>
-        <translation>噪声的这些设置超出范围</translation>
-    </message>
-    <message>
         <source>an even number of samples up to %1, and frequencies above 0 up to half the rate</source>
         <translation>至多 %1 的偶数个样本，以及大于 0 且不超过采样率一半的频率</translation>
-    </message>
-    <message>
-        <source>there is no frequency in this band</source>
-        <translation>此频带中没有频率</translation>
     </message>
     <message>
         <source>more samples or a wider band</source>
@@ -6107,6 +6078,14 @@ x %4，y %5
     <message>
         <source>at most 4 GiB of samples</source>
         <translation>至多 4 GiB 的样本</translation>
+    </message>
+    <message>
+        <source>the noise settings are out of range</source>
+        <translation>噪声的这些设置超出范围</translation>
+    </message>
+    <message>
+        <source>the band contains no frequency</source>
+        <translation>此频带中没有频率</translation>
     </message>
 </context>
 <context>
@@ -6151,10 +6130,6 @@ x %4，y %5
         <translation>至多 %1 个字符</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be answered by &quot;%2&quot;</source>
-        <translation>“%1”不能用“%2”回答</translation>
-    </message>
-    <message>
         <source>a number from 1 to %1</source>
         <translation>1 至 %1 的数</translation>
     </message>
@@ -6163,11 +6138,15 @@ x %4，y %5
         <translation>选项之一</translation>
     </message>
     <message>
-        <source>the answers are not those of this questionnaire</source>
+        <source>&quot;%1&quot; cannot be answered with &quot;%2&quot;</source>
+        <translation>“%1”不能用“%2”回答</translation>
+    </message>
+    <message>
+        <source>the answers do not match this questionnaire</source>
         <translation>这些回答不属于此问卷</translation>
     </message>
     <message>
-        <source>one answer an item, in their order</source>
+        <source>one answer per item, in order</source>
         <translation>每个题目一个回答，按题目顺序</translation>
     </message>
 </context>
@@ -6178,7 +6157,7 @@ x %4，y %5
         <translation>此研究有真实的被试</translation>
     </message>
     <message>
-        <source>a study that was begun as a rehearsal</source>
+        <source>a study created as a rehearsal</source>
         <translation>以预演方式开始的研究</translation>
     </message>
 </context>
@@ -6206,10 +6185,6 @@ x %4，y %5
         <translation>
             <numerusform>%1：%n 个图案；%2</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials a participant</source>
-        <translation>每个图案的重复次数：练习 %1 次，测试 %2 次；每名被试 %3 个测试试次</translation>
     </message>
     <message>
         <source>Stimulus %1 s, answer within %2 s %3</source>
@@ -6259,40 +6234,8 @@ x %4，y %5
         <translation>第 %1 场次，共 %2 场次，Williams 方阵第 %3 行</translation>
     </message>
     <message>
-        <source>Go on with this session</source>
-        <translation>继续此场次</translation>
-    </message>
-    <message>
-        <source>Begin this session</source>
-        <translation>开始此场次</translation>
-    </message>
-    <message>
-        <source>This session was interrupted after %1 of %2 trials. What was answered is kept; it goes on with the same order.</source>
-        <translation>此场次在完成 %2 个试次中的 %1 个后中断。已有的回答均已保留；将按相同顺序继续。</translation>
-    </message>
-    <message>
-        <source>The session can begin when all checks have passed.</source>
-        <translation>所有检查通过后即可开始此场次。</translation>
-    </message>
-    <message>
-        <source>Begin the rehearsal</source>
-        <translation>开始预演</translation>
-    </message>
-    <message>
-        <source>Go on with the rehearsal</source>
-        <translation>继续预演</translation>
-    </message>
-    <message>
-        <source>Simulated participants go through all sessions, with the same code as people.</source>
-        <translation>模拟被试完成所有场次，使用与真人相同的代码。</translation>
-    </message>
-    <message>
         <source>Halt the rehearsal</source>
         <translation>暂停预演</translation>
-    </message>
-    <message>
-        <source>To the next session</source>
-        <translation>前往下一个场次</translation>
     </message>
     <message>
         <source>This session is finished.</source>
@@ -6311,10 +6254,6 @@ x %4，y %5
         <translation>添加被试</translation>
     </message>
     <message>
-        <source>Enrol the first participant at the left: the order of the conditions follows from the order of enrolment.</source>
-        <translation>在左侧登记第一名被试：条件的顺序由登记顺序决定。</translation>
-    </message>
-    <message>
         <source>Choose another participant</source>
         <translation>选择其他被试</translation>
     </message>
@@ -6323,48 +6262,12 @@ x %4，y %5
         <translation>此被试已完成所有场次。</translation>
     </message>
     <message>
-        <source>It is asked again when a session of this participant begins or is gone on with.</source>
-        <translation>此被试的场次开始或继续时会再次询问。</translation>
-    </message>
-    <message>
-        <source>It is asked again only when this session is interrupted and gone on with.</source>
-        <translation>仅当此场次中断后继续时才会再次询问。</translation>
-    </message>
-    <message>
-        <source>The session is finished without it, and then it is not asked again.</source>
-        <translation>场次将在没有它的情况下完成，此后不再询问。</translation>
-    </message>
-    <message>
         <source>The simulated participant fills in “%1”.</source>
         <translation>模拟被试正在填写“%1”。</translation>
     </message>
     <message>
-        <source>Noting that “%1” is left out …</source>
-        <translation>正在记录“%1”已跳过…</translation>
-    </message>
-    <message>
-        <source>Keeping the answers …</source>
-        <translation>正在保存回答…</translation>
-    </message>
-    <message>
         <source>The participant fills in “%1”.</source>
         <translation>被试正在填写“%1”。</translation>
-    </message>
-    <message>
-        <source>Try again to leave it out</source>
-        <translation>重试跳过</translation>
-    </message>
-    <message>
-        <source>“%1” could not be left out, because the note about it could not be kept. %2</source>
-        <translation>无法跳过“%1”，因为相关备注无法保存。%2</translation>
-    </message>
-    <message>
-        <source>Try again to keep the answers</source>
-        <translation>重试保存回答</translation>
-    </message>
-    <message>
-        <source>The answers to “%1” could not be kept; they are still in the participant&apos;s window. %2</source>
-        <translation>“%1”的回答无法保存；它们仍在被试窗口中。%2</translation>
     </message>
     <message>
         <source>Show the questionnaire</source>
@@ -6387,20 +6290,12 @@ x %4，y %5
         <translation>已暂停。</translation>
     </message>
     <message>
-        <source>Begin the test</source>
-        <translation>开始测试</translation>
-    </message>
-    <message>
         <source>Practice is over. In the test there is no feedback unless the protocol says so.</source>
         <translation>练习已结束。除非方案另有规定，测试中没有反馈。</translation>
     </message>
     <message>
         <source>Go on after STOP</source>
         <translation>在 STOP 之后继续</translation>
-    </message>
-    <message>
-        <source>STOPPED. The bracelet is off. A trial that ran will be shown again.</source>
-        <translation>已停止。手环已关闭。进行中的试次将重新呈现。</translation>
     </message>
     <message>
         <source>The stimulus was interrupted: %1. The trial will be shown again.</source>
@@ -6411,40 +6306,16 @@ x %4，y %5
         <translation>按住 STOP 按钮一秒以解除。</translation>
     </message>
     <message>
-        <source>Try again to keep the last trial</source>
-        <translation>重试保存上一个试次</translation>
-    </message>
-    <message>
-        <source>The last trial could not be kept; it is still in memory. %1</source>
-        <translation>上一个试次无法保存；它仍在内存中。%1</translation>
-    </message>
-    <message>
         <source>Leave this session</source>
         <translation>离开此场次</translation>
-    </message>
-    <message>
-        <source>The session was aborted. What was answered is kept.</source>
-        <translation>场次已中止。已有的回答均已保留。</translation>
     </message>
     <message>
         <source>This session is finished. Thank the participant.</source>
         <translation>此场次已完成。请向被试致谢。</translation>
     </message>
     <message>
-        <source>Keeping the trial …</source>
-        <translation>正在保存试次…</translation>
-    </message>
-    <message>
         <source>Ready for the next trial.</source>
         <translation>已准备好进行下一个试次。</translation>
-    </message>
-    <message>
-        <source>The stimulus begins …</source>
-        <translation>刺激即将开始…</translation>
-    </message>
-    <message>
-        <source>The stimulus is felt.</source>
-        <translation>正在呈现刺激。</translation>
     </message>
     <message>
         <source>The right answer is shown.</source>
@@ -6455,24 +6326,8 @@ x %4，y %5
         <translation>正在等待回答。</translation>
     </message>
     <message>
-        <source>The simulated participant is at work</source>
-        <translation>模拟被试正在进行</translation>
-    </message>
-    <message>
-        <source>The participant goes on with Space</source>
-        <translation>由被试按空格键继续</translation>
-    </message>
-    <message>
         <source>A pause follows.</source>
         <translation>接下来是休息。</translation>
-    </message>
-    <message>
-        <source>Your answers could not be kept yet. Please tell the experimenter.</source>
-        <translation>您的回答尚未能保存。请告知实验人员。</translation>
-    </message>
-    <message>
-        <source>No session is chosen</source>
-        <translation>未选择场次</translation>
     </message>
     <message>
         <source>%1, test</source>
@@ -6487,16 +6342,140 @@ x %4，y %5
         <translation>结束休息</translation>
     </message>
     <message>
-        <source>Rest. The participant may go on in %1 s.</source>
+        <source>Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials per participant</source>
+        <translation>每个图案的重复次数：练习 %1 次，测试 %2 次；每名被试 %3 个测试试次</translation>
+    </message>
+    <message>
+        <source>Resume this session</source>
+        <translation>继续此场次</translation>
+    </message>
+    <message>
+        <source>Start this session</source>
+        <translation>开始此场次</translation>
+    </message>
+    <message>
+        <source>This session was interrupted after %1 of %2 trials. All answers are saved; it resumes in the same order.</source>
+        <translation>此场次在完成 %2 个试次中的 %1 个后中断。已有的回答均已保留；将按相同顺序继续。</translation>
+    </message>
+    <message>
+        <source>The session can start when all checks have passed.</source>
+        <translation>所有检查通过后即可开始此场次。</translation>
+    </message>
+    <message>
+        <source>Start the rehearsal</source>
+        <translation>开始预演</translation>
+    </message>
+    <message>
+        <source>Resume the rehearsal</source>
+        <translation>继续预演</translation>
+    </message>
+    <message>
+        <source>Simulated participants go through all sessions, by the same rules as people.</source>
+        <translation>模拟被试完成所有场次，使用与真人相同的代码。</translation>
+    </message>
+    <message>
+        <source>Next session</source>
+        <translation>前往下一个场次</translation>
+    </message>
+    <message>
+        <source>Enrol the first participant on the left: the order of enrolment determines the order of the conditions.</source>
+        <translation>在左侧登记第一名被试：条件的顺序由登记顺序决定。</translation>
+    </message>
+    <message>
+        <source>It is asked again when a session of this participant starts or resumes.</source>
+        <translation>此被试的场次开始或继续时会再次询问。</translation>
+    </message>
+    <message>
+        <source>It is asked again only if this session is interrupted and resumed.</source>
+        <translation>仅当此场次中断后继续时才会再次询问。</translation>
+    </message>
+    <message>
+        <source>The session finishes without it, and it is not asked again.</source>
+        <translation>场次将在没有它的情况下完成，此后不再询问。</translation>
+    </message>
+    <message>
+        <source>Recording that “%1” is skipped …</source>
+        <translation>正在记录“%1”已跳过…</translation>
+    </message>
+    <message>
+        <source>Saving the answers …</source>
+        <translation>正在保存回答…</translation>
+    </message>
+    <message>
+        <source>Try again to skip it</source>
+        <translation>重试跳过</translation>
+    </message>
+    <message>
+        <source>“%1” could not be skipped, because the note about it could not be saved. %2</source>
+        <translation>无法跳过“%1”，因为相关备注无法保存。%2</translation>
+    </message>
+    <message>
+        <source>Try again to save the answers</source>
+        <translation>重试保存回答</translation>
+    </message>
+    <message>
+        <source>The answers to “%1” could not be saved; they are still in the participant&apos;s window. %2</source>
+        <translation>“%1”的回答无法保存；它们仍在被试窗口中。%2</translation>
+    </message>
+    <message>
+        <source>Rest. The participant may continue in %1 s.</source>
         <translation>休息。被试可在 %1 秒后继续。</translation>
     </message>
     <message>
-        <source>Rest. The participant goes on with Space.</source>
+        <source>Rest. The participant continues with Space.</source>
         <translation>休息。被试按空格键继续。</translation>
     </message>
     <message>
-        <source>The last trial waits for the server. %1</source>
+        <source>Start the test</source>
+        <translation>开始测试</translation>
+    </message>
+    <message>
+        <source>STOPPED. The bracelet is off. An interrupted trial will be shown again.</source>
+        <translation>已停止。手环已关闭。进行中的试次将重新呈现。</translation>
+    </message>
+    <message>
+        <source>Try again to save the last trial</source>
+        <translation>重试保存上一个试次</translation>
+    </message>
+    <message>
+        <source>The last trial is waiting for the server. %1</source>
         <translation>上一个试次正在等待服务器。%1</translation>
+    </message>
+    <message>
+        <source>The last trial could not be saved; it is still in memory. %1</source>
+        <translation>上一个试次无法保存；它仍在内存中。%1</translation>
+    </message>
+    <message>
+        <source>The session was aborted. All answers are saved.</source>
+        <translation>场次已中止。已有的回答均已保留。</translation>
+    </message>
+    <message>
+        <source>Saving the trial …</source>
+        <translation>正在保存试次…</translation>
+    </message>
+    <message>
+        <source>The stimulus is starting …</source>
+        <translation>刺激即将开始…</translation>
+    </message>
+    <message>
+        <source>The stimulus is playing.</source>
+        <translation>正在呈现刺激。</translation>
+    </message>
+    <message>
+        <source>The simulated participant is working</source>
+        <translation>模拟被试正在进行</translation>
+    </message>
+    <message>
+        <source>The participant continues with Space</source>
+        <translation>由被试按空格键继续</translation>
+    </message>
+    <message>
+        <source>Your answers could not be saved yet. Please tell the experimenter.</source>
+        <translation>您的回答尚未能保存。请告知实验人员。</translation>
+    </message>
+    <message>
+        <source>No session is selected</source>
+        <translation>未选择场次</translation>
     </message>
 </context>
 <context>
@@ -6521,11 +6500,11 @@ x %4，y %5
 <context>
     <name>StudySession</name>
     <message>
-        <source>the trials that were kept are not those of this plan</source>
+        <source>the stored trials do not belong to this session&apos;s plan</source>
         <translation>已保存的试次与此计划不符</translation>
     </message>
     <message>
-        <source>the order that the seed of the session gives</source>
+        <source>the order given by the session&apos;s seed</source>
         <translation>由场次种子给出的顺序</translation>
     </message>
 </context>
@@ -6552,40 +6531,16 @@ x %4，y %5
         <translation>含 study.sqlite 的文件夹</translation>
     </message>
     <message>
-        <source>this trial is kept already</source>
-        <translation>该试次已保存</translation>
-    </message>
-    <message>
         <source>each attempt of a trial once</source>
         <translation>试次的每次尝试一次</translation>
-    </message>
-    <message>
-        <source>a folder of its own for each study</source>
-        <translation>每个研究使用各自的文件夹</translation>
-    </message>
-    <message>
-        <source>this folder has a study that is kept in it</source>
-        <translation>此文件夹中已有一个存于其内的研究</translation>
     </message>
     <message>
         <source>cannot read the file: %1</source>
         <translation>无法读取文件：%1</translation>
     </message>
     <message>
-        <source>this folder is that of another study, on %1</source>
-        <translation>此文件夹属于 %1 上的另一个研究</translation>
-    </message>
-    <message>
-        <source>this does not say which study the folder is for</source>
-        <translation>未说明该文件夹属于哪个研究</translation>
-    </message>
-    <message>
         <source>server, created_utc and seed of a study</source>
         <translation>研究的 server、created_utc 和 seed</translation>
-    </message>
-    <message>
-        <source>this is no address of a PostgreSQL server</source>
-        <translation>这不是 PostgreSQL 服务器的地址</translation>
     </message>
     <message>
         <source>the address has the port &quot;%1&quot;</source>
@@ -6612,10 +6567,6 @@ x %4，y %5
         <translation>“%1”不能作为服务器上研究的名称</translation>
     </message>
     <message>
-        <source>small letters, digits and _, not a digit first</source>
-        <translation>小写字母、数字和 _，不以数字开头</translation>
-    </message>
-    <message>
         <source>Qt&apos;s driver for PostgreSQL is not installed</source>
         <translation>未安装 Qt 的 PostgreSQL 驱动程序</translation>
     </message>
@@ -6628,14 +6579,6 @@ x %4，y %5
         <translation>服务器上没有研究“%1”</translation>
     </message>
     <message>
-        <source>the name of a study that was begun there</source>
-        <translation>已在该处开始的研究的名称</translation>
-    </message>
-    <message>
-        <source>another station went on with this participant while the server was away</source>
-        <translation>服务器断开期间，另一个工作站继续了此被试</translation>
-    </message>
-    <message>
         <source>one session of a participant at a time</source>
         <translation>一名被试同一时间只进行一个场次</translation>
     </message>
@@ -6644,24 +6587,8 @@ x %4，y %5
         <translation>另一个工作站</translation>
     </message>
     <message>
-        <source>the study is damaged: a session or a trial has a number that its protocol does not have</source>
-        <translation>研究已损坏：某个场次或试次的编号在其方案中不存在</translation>
-    </message>
-    <message>
         <source>these trials belong to another study</source>
         <translation>这些试次属于另一个研究</translation>
-    </message>
-    <message>
-        <source>The trial is safe in %1 and is sent when the server is back.</source>
-        <translation>该试次已安全存于 %1，服务器恢复后发送。</translation>
-    </message>
-    <message>
-        <source>this questionnaire belongs to another place in the study</source>
-        <translation>此问卷属于研究中的另一处</translation>
-    </message>
-    <message>
-        <source>this questionnaire was answered already</source>
-        <translation>此问卷已回答过</translation>
     </message>
     <message>
         <source>each questionnaire once</source>
@@ -6672,44 +6599,96 @@ x %4，y %5
         <translation>无法写入文件：%1</translation>
     </message>
     <message>
-        <source>this is no trial</source>
-        <translation>这不是试次</translation>
-    </message>
-    <message>
-        <source>a trial that was kept here</source>
-        <translation>在此保存过的试次</translation>
-    </message>
-    <message>
         <source>cannot remove the file: %1</source>
         <translation>无法删除文件：%1</translation>
-    </message>
-    <message>
-        <source>the program that ran this study was interrupted, and its last trials are in %1, which can only be read where something can be written</source>
-        <translation>运行此研究的程序被中断，其最后的试次在 %1 中，只能在可写入的位置读取</translation>
-    </message>
-    <message>
-        <source>a copy of the whole folder in a place that can be written</source>
-        <translation>整个文件夹在可写位置的副本</translation>
     </message>
     <message>
         <source>cannot read the study: %1</source>
         <translation>无法读取研究：%1</translation>
     </message>
     <message>
-        <source>an older program made this study, and it cannot be brought up to date here</source>
+        <source>another try in a moment</source>
+        <translation>稍后重试</translation>
+    </message>
+    <message>
+        <source>a separate folder for each study</source>
+        <translation>每个研究使用各自的文件夹</translation>
+    </message>
+    <message>
+        <source>this folder already contains a study</source>
+        <translation>此文件夹中已有一个存于其内的研究</translation>
+    </message>
+    <message>
+        <source>this folder belongs to another study, on %1</source>
+        <translation>此文件夹属于 %1 上的另一个研究</translation>
+    </message>
+    <message>
+        <source>the file does not say which study the folder belongs to</source>
+        <translation>未说明该文件夹属于哪个研究</translation>
+    </message>
+    <message>
+        <source>this is not the address of a PostgreSQL server</source>
+        <translation>这不是 PostgreSQL 服务器的地址</translation>
+    </message>
+    <message>
+        <source>lower-case letters, digits and _, no digit first</source>
+        <translation>小写字母、数字和 _，不以数字开头</translation>
+    </message>
+    <message>
+        <source>the program that ran this study was interrupted; its last trials are in %1, which can be read only in a writable folder</source>
+        <translation>运行此研究的程序被中断，其最后的试次在 %1 中，只能在可写入的位置读取</translation>
+    </message>
+    <message>
+        <source>a copy of the whole folder in a writable place</source>
+        <translation>整个文件夹在可写位置的副本</translation>
+    </message>
+    <message>
+        <source>this study was made by an older program and cannot be upgraded here</source>
         <translation>此研究由较旧的程序创建，无法在此处升级</translation>
     </message>
     <message>
-        <source>it cannot be written here, only be looked at</source>
-        <translation>此处不能写入，只能查看</translation>
+        <source>the name of a study on that server</source>
+        <translation>已在该处开始的研究的名称</translation>
     </message>
     <message>
-        <source>the server still has the connection that broke, and with it this participant</source>
+        <source>another station took over this participant while the server was unreachable</source>
+        <translation>服务器断开期间，另一个工作站继续了此被试</translation>
+    </message>
+    <message>
+        <source>the server still holds the broken connection, and with it this participant</source>
         <translation>服务器仍保留着已中断的连接及此被试</translation>
     </message>
     <message>
-        <source>another try in a moment</source>
-        <translation>稍后重试</translation>
+        <source>it is read-only here</source>
+        <translation>此处不能写入，只能查看</translation>
+    </message>
+    <message>
+        <source>the study is damaged: a session or trial has a number outside its protocol</source>
+        <translation>研究已损坏：某个场次或试次的编号在其方案中不存在</translation>
+    </message>
+    <message>
+        <source>this trial is already stored</source>
+        <translation>该试次已保存</translation>
+    </message>
+    <message>
+        <source>The trial is safe in %1 and will be sent when the server is back.</source>
+        <translation>该试次已安全存于 %1，服务器恢复后发送。</translation>
+    </message>
+    <message>
+        <source>this questionnaire belongs elsewhere in the study</source>
+        <translation>此问卷属于研究中的另一处</translation>
+    </message>
+    <message>
+        <source>this questionnaire has already been answered</source>
+        <translation>此问卷已回答过</translation>
+    </message>
+    <message>
+        <source>this is not a trial</source>
+        <translation>这不是试次</translation>
+    </message>
+    <message>
+        <source>a stored trial</source>
+        <translation>在此保存过的试次</translation>
     </message>
 </context>
 <context>
@@ -6750,40 +6729,40 @@ x %4，y %5
         <translation>0 至 %1 的整数</translation>
     </message>
     <message>
-        <source>taxel %1 is said to be in row %2, column %3</source>
-        <translation>触元 %1 被写在第 %2 行、第 %3 列</translation>
-    </message>
-    <message>
         <source>%1, in an array of %2 rows x %3 columns</source>
         <translation>%1（%2 行 x %3 列的阵列）</translation>
-    </message>
-    <message>
-        <source>taxel %1 is there twice</source>
-        <translation>触元 %1 出现两次</translation>
     </message>
     <message>
         <source>each taxel once</source>
         <translation>每个触元一次</translation>
     </message>
     <message>
-        <source>the gain is out of range or no number</source>
-        <translation>增益超出范围或不是数字</translation>
-    </message>
-    <message>
         <source>a number from %1 to %2, or NA</source>
         <translation>%1 至 %2 的数字，或 NA</translation>
     </message>
     <message>
-        <source>the standard error is out of range or no number</source>
+        <source>the state does not fit the gain</source>
+        <translation>状态与增益不符</translation>
+    </message>
+    <message>
+        <source>taxel %1 is listed in row %2, column %3</source>
+        <translation>触元 %1 被写在第 %2 行、第 %3 列</translation>
+    </message>
+    <message>
+        <source>taxel %1 is listed twice</source>
+        <translation>触元 %1 出现两次</translation>
+    </message>
+    <message>
+        <source>the gain is not a number or out of range</source>
+        <translation>增益超出范围或不是数字</translation>
+    </message>
+    <message>
+        <source>the standard error is not a number or out of range</source>
         <translation>标准误差超出范围或不是数字</translation>
     </message>
     <message>
-        <source>a number from 0 on, or NA</source>
+        <source>a number of at least 0, or NA</source>
         <translation>不小于 0 的数字，或 NA</translation>
-    </message>
-    <message>
-        <source>the state does not fit the gain</source>
-        <translation>状态与增益不符</translation>
     </message>
 </context>
 <context>
@@ -6791,10 +6770,6 @@ x %4，y %5
     <message>
         <source>Only %1 of %2 taxels feel the load.</source>
         <translation>%2 个触元中只有 %1 个感受到载荷。</translation>
-    </message>
-    <message>
-        <source>a load on the whole array, and a tare without any</source>
-        <translation>整个阵列受载，并在空载时去皮</translation>
     </message>
     <message>
         <source>Only %1 frames are under load.</source>
@@ -6811,10 +6786,6 @@ x %4，y %5
     <message>
         <source>at least one</source>
         <translation>至少一个</translation>
-    </message>
-    <message>
-        <source>The frames have %1 values in all.</source>
-        <translation>各帧共有 %1 个值。</translation>
     </message>
     <message>
         <source>a multiple of %1</source>
@@ -6837,12 +6808,20 @@ x %4，y %5
         <translation>触元能够测量的载荷</translation>
     </message>
     <message>
-        <source>In all but %1 frames under load the taxels are at the end of their range.</source>
+        <source>at least %1, under a smaller load</source>
+        <translation>至少 %1 帧，载荷更小</translation>
+    </message>
+    <message>
+        <source>a load on the whole array, and a tare taken without load</source>
+        <translation>整个阵列受载，并在空载时去皮</translation>
+    </message>
+    <message>
+        <source>Only %1 frames under load are within the range of the taxels.</source>
         <translation>除 %1 帧外，受载各帧中的触元都已到达量程上限。</translation>
     </message>
     <message>
-        <source>at least %1, under a smaller load</source>
-        <translation>至少 %1 帧，载荷更小</translation>
+        <source>The frames have %1 values in total.</source>
+        <translation>各帧共有 %1 个值。</translation>
     </message>
 </context>
 <context>
@@ -6950,7 +6929,7 @@ x %4，y %5
         <translation>Δ %1 %，rms %2 %</translation>
     </message>
     <message>
-        <source>O&amp;verdrive: help the motors up</source>
+        <source>O&amp;verdrive: make the motors start faster</source>
         <translation>过驱动(&amp;V)：帮助电机起动</translation>
     </message>
 </context>
@@ -7227,20 +7206,16 @@ x %4，y %5
         <source>The touch was too quick: the arm&apos;s own inertia was felt with the object. Press slower.</source>
         <translation>触碰过快：机械臂自身的惯性与物体一起被感觉到。请放慢按压。</translation>
     </message>
+    <message>
+        <source>joint %1</source>
+        <translation>关节 %1</translation>
+    </message>
 </context>
 <context>
     <name>TrackCommand</name>
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
         <translation>%2 帧中有 %1 帧无法使用。最近一次的原因：%3</translation>
-    </message>
-    <message>
-        <source>Frames that are missing by their time stamps: %1</source>
-        <translation>按时间戳判断缺失的帧：%1</translation>
-    </message>
-    <message>
-        <source>Contacts on the soft tube in a video or before a camera</source>
-        <translation>视频中或相机前软管上的接触</translation>
     </message>
     <message>
         <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the tube in the first frame</source>
@@ -7251,20 +7226,28 @@ x %4，y %5
         <translation>calibrate 写出的相机文件</translation>
     </message>
     <message>
-        <source>How contacts are found: exact ones take longer</source>
-        <translation>接触的检测方式：越精确用时越长</translation>
-    </message>
-    <message>
         <source>the output would replace the input</source>
         <translation>输出会覆盖输入</translation>
     </message>
     <message>
-        <source>the camera gives no frames any more</source>
-        <translation>相机不再提供帧</translation>
-    </message>
-    <message>
         <source>the video has no frame that can be decoded</source>
         <translation>视频中没有可解码的帧</translation>
+    </message>
+    <message>
+        <source>Find contacts on the soft tube in a video or live from a camera</source>
+        <translation>视频中或相机前软管上的接触</translation>
+    </message>
+    <message>
+        <source>How contacts are found; the more exact, the slower</source>
+        <translation>接触的检测方式：越精确用时越长</translation>
+    </message>
+    <message>
+        <source>Frames missing according to their time stamps: %1</source>
+        <translation>按时间戳判断缺失的帧：%1</translation>
+    </message>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>相机不再提供帧</translation>
     </message>
 </context>
 <context>
@@ -7375,16 +7358,16 @@ x %4，y %5
         <translation>已中止</translation>
     </message>
     <message>
-        <source>device fault, comes again</source>
-        <translation>设备故障，将重新呈现</translation>
-    </message>
-    <message>
         <source>practice %1</source>
         <translation>练习 %1</translation>
     </message>
     <message>
         <source>test %1</source>
         <translation>测试 %1</translation>
+    </message>
+    <message>
+        <source>device fault, will be repeated</source>
+        <translation>设备故障，将重新呈现</translation>
     </message>
 </context>
 <context>
@@ -7445,16 +7428,8 @@ x %4，y %5
         <translation>该帧没有显示皮肤：%2 个圆点中找到 %1 个。</translation>
     </message>
     <message>
-        <source>The camera sees none of the skin.</source>
-        <translation>相机看不到皮肤。</translation>
-    </message>
-    <message>
         <source>The image is too small for optical flow: %1 x %2 pixels.</source>
         <translation>图像过小，无法计算光流：%1 x %2 像素。</translation>
-    </message>
-    <message>
-        <source>The image shows no pattern on the skin whose movement could be seen.</source>
-        <translation>图像中的皮肤上没有可观察其移动的花纹。</translation>
     </message>
     <message>
         <source>There is no frame of the untouched skin to compare with.</source>
@@ -7473,11 +7448,19 @@ x %4，y %5
         <translation>相机在就绪之前已被关闭。</translation>
     </message>
     <message>
-        <source>The image cannot be worked on: %1</source>
+        <source>The camera does not see the skin.</source>
+        <translation>相机看不到皮肤。</translation>
+    </message>
+    <message>
+        <source>The image shows no pattern on the skin that could be tracked.</source>
+        <translation>图像中的皮肤上没有可观察其移动的花纹。</translation>
+    </message>
+    <message>
+        <source>The image cannot be processed: %1</source>
         <translation>无法处理该图像：%1</translation>
     </message>
     <message>
-        <source>There is too little memory for images of this size.</source>
+        <source>There is not enough memory for images of this size.</source>
         <translation>内存不足，无法处理此尺寸的图像。</translation>
     </message>
 </context>
@@ -7518,10 +7501,6 @@ x %4，y %5
     <message>
         <source>inconsistent data</source>
         <translation>数据不一致</translation>
-    </message>
-    <message>
-        <source>time-out in the sensor</source>
-        <translation>传感器超时</translation>
     </message>
     <message>
         <source>read error in the sensor</source>
@@ -7592,10 +7571,6 @@ x %4，y %5
         <translation>设备已拔出。</translation>
     </message>
     <message>
-        <source>the sensor says that it has %1 rows and %2 columns</source>
-        <translation>传感器报告其有 %1 行 %2 列</translation>
-    </message>
-    <message>
         <source>an array of 1 to %1 rows and columns whose frame fits into one message</source>
         <translation>1 至 %1 行和列的阵列，且一帧能装入一条消息</translation>
     </message>
@@ -7635,6 +7610,14 @@ x %4，y %5
         <source>The sensor has sent no usable frame for %1 s.</source>
         <translation>传感器已有 %1 s 未发送可用的帧。</translation>
     </message>
+    <message>
+        <source>the sensor reports %1 rows and %2 columns</source>
+        <translation>传感器报告其有 %1 行 %2 列</translation>
+    </message>
+    <message>
+        <source>timeout in the sensor</source>
+        <translation>传感器超时</translation>
+    </message>
 </context>
 <context>
     <name>ZipText</name>
@@ -7645,10 +7628,6 @@ x %4，y %5
     <message>
         <source>a zip archive that is not encrypted</source>
         <translation>未加密的 zip 压缩包</translation>
-    </message>
-    <message>
-        <source>the zip archive could not be made</source>
-        <translation>无法创建 zip 压缩包</translation>
     </message>
     <message>
         <source>the zip archive has too many files</source>
@@ -7665,6 +7644,10 @@ x %4，y %5
     <message>
         <source>at most %1 MiB</source>
         <translation>至多 %1 MiB</translation>
+    </message>
+    <message>
+        <source>the zip archive could not be created</source>
+        <translation>无法创建 zip 压缩包</translation>
     </message>
 </context>
 <context>
@@ -7717,20 +7700,20 @@ x %4，y %5
         <translation>手环</translation>
     </message>
     <message>
-        <source>&lt;p&gt;What the six motors of the bracelet do now, on the unrolled forearm: from left to right once around the arm. The fuller a disc, the stronger the motor vibrates.&lt;/p&gt;&lt;p&gt;Where a bracelet is connected, hold a disc with the mouse, or one of the keys 1 to 6, to feel that motor alone.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;手环的六个电机当前的动作，显示在展开的前臂上：从左到右绕手臂一周。圆盘越满，电机振动越强。&lt;/p&gt;&lt;p&gt;连接手环后，用鼠标按住圆盘，或按住 1 至 6 中的一个键，可单独感受该电机。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>motor %1: %2 %</source>
         <translation>电机 %1：%2 %</translation>
     </message>
     <message>
-        <source>Nothing is played</source>
-        <translation>未在播放</translation>
-    </message>
-    <message>
         <source>Motor %1 at %2°: %3 %</source>
         <translation>电机 %1，位于 %2°：%3 %</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What the six motors of the bracelet are doing, on the unrolled forearm: from left to right once around the arm. The fuller a disc, the stronger the motor vibrates.&lt;/p&gt;&lt;p&gt;With a bracelet connected, hold a disc with the mouse, or one of the keys 1 to 6, to feel that motor alone.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;手环的六个电机当前的动作，显示在展开的前臂上：从左到右绕手臂一周。圆盘越满，电机振动越强。&lt;/p&gt;&lt;p&gt;连接手环后，用鼠标按住圆盘，或按住 1 至 6 中的一个键，可单独感受该电机。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Nothing is playing</source>
+        <translation>未在播放</translation>
     </message>
 </context>
 <context>
@@ -7756,10 +7739,6 @@ x %4，y %5
         <translation>每个电机</translation>
     </message>
     <message>
-        <source>How strong the motors may be at most, whatever is played, held or felt on this bracelet. It is kept for the bracelet.</source>
-        <translation>无论播放、保持还是感受什么，此手环上电机的强度上限。它按手环保存。</translation>
-    </message>
-    <message>
         <source>A limit for each motor</source>
         <translation>每个电机的上限</translation>
     </message>
@@ -7770,6 +7749,10 @@ x %4，y %5
     <message>
         <source>Strongest, motor %1</source>
         <translation>最强，电机 %1</translation>
+    </message>
+    <message>
+        <source>The most that the motors may vibrate, whatever is played. Saved for this bracelet.</source>
+        <translation>无论播放、保持还是感受什么，此手环上电机的强度上限。它按手环保存。</translation>
     </message>
 </context>
 <context>
@@ -7787,16 +7770,8 @@ x %4，y %5
         <translation>电机 %1 的启动点</translation>
     </message>
     <message>
-        <source>Strength of motor %1, beside motor 1</source>
-        <translation>电机 %1 与电机 1 的强度比较</translation>
-    </message>
-    <message>
         <source>%1 answers so far</source>
         <translation>目前 %1 个回答</translation>
-    </message>
-    <message>
-        <source>The answers do not fit together.</source>
-        <translation>这些回答互不相符。</translation>
     </message>
     <message>
         <source>Play the next burst.</source>
@@ -7831,10 +7806,6 @@ x %4，y %5
         <translation>播放（空格键）</translation>
     </message>
     <message>
-        <source>Let the burst be felt, as often as you like</source>
-        <translation>让短振被感觉到，次数不限</translation>
-    </message>
-    <message>
         <source>Yes (Y)</source>
         <translation>是 (Y)</translation>
     </message>
@@ -7854,20 +7825,24 @@ x %4，y %5
         <source>Leave the motors as they were</source>
         <translation>保持各电机原状</translation>
     </message>
+    <message>
+        <source>Strength of motor %1, compared with motor 1</source>
+        <translation>电机 %1 与电机 1 的强度比较</translation>
+    </message>
+    <message>
+        <source>The answers contradict each other.</source>
+        <translation>这些回答互不相符。</translation>
+    </message>
+    <message>
+        <source>Play the burst, as often as you like</source>
+        <translation>让短振被感觉到，次数不限</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::GainsView</name>
     <message>
-        <source>no gains</source>
-        <translation>无增益</translation>
-    </message>
-    <message>
         <source>%1 of %2 taxels have gains from %3 to %4.</source>
         <translation>%2 个触元中有 %1 个的增益在 %3 至 %4 之间。</translation>
-    </message>
-    <message>
-        <source>The least certain one is known to %1 % (standard error).</source>
-        <translation>最不确定的一个精确到 %1 %（标准误差）。</translation>
     </message>
     <message numerus="yes">
         <source>%n dead</source>
@@ -7903,24 +7878,8 @@ x %4，y %5
         <translation>不使用：%1。</translation>
     </message>
     <message>
-        <source>Gains differ by %1 % from press to press.</source>
-        <translation>各次按压的增益相差 %1 %。</translation>
-    </message>
-    <message>
-        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn what presses round by half and collect another press; the difference cancels.</source>
-        <translation>响应沿 x 变化 %1 %，沿 y 变化 %2 %：载荷可能不均匀。请将按压物转半圈再采集一次，差异会相互抵消。</translation>
-    </message>
-    <message>
         <source>No array</source>
         <translation>没有阵列</translation>
-    </message>
-    <message>
-        <source>Open an array, a recording or a scene: on the page Operate, or the demo here.</source>
-        <translation>请在“操作”页打开阵列、记录或场景，或在此打开演示。</translation>
-    </message>
-    <message>
-        <source>finding the gains…</source>
-        <translation>正在求增益…</translation>
     </message>
     <message>
         <source>no gains: every taxel counts as it is</source>
@@ -7935,20 +7894,8 @@ x %4，y %5
         <translation>正在使用增益，未保存</translation>
     </message>
     <message>
-        <source>SIMULATED</source>
-        <translation>模拟</translation>
-    </message>
-    <message>
-        <source>RECORDED</source>
-        <translation>记录</translation>
-    </message>
-    <message>
         <source>1. The array is tared.</source>
         <translation>1. 阵列已去皮。</translation>
-    </message>
-    <message>
-        <source>1. Let nothing touch the array, and tare it.</source>
-        <translation>1. 不要让任何东西接触阵列，然后去皮。</translation>
     </message>
     <message>
         <source>2. Press evenly on the whole array, with a bladder or with a plate on foam. The load may change.</source>
@@ -7977,24 +7924,12 @@ x %4，y %5
         <translation>撤销</translation>
     </message>
     <message>
-        <source>Take back the last change (Ctrl+Z)</source>
-        <translation>撤销上一次更改 (Ctrl+Z)</translation>
-    </message>
-    <message>
         <source>Redo</source>
         <translation>重做</translation>
     </message>
     <message>
-        <source>Bring it back</source>
-        <translation>将其恢复</translation>
-    </message>
-    <message>
         <source>&amp;Load…</source>
         <translation>加载(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>Read gains of an array of this size from a file (CSV)</source>
-        <translation>从文件 (CSV) 读取同样大小阵列的增益</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
@@ -8009,10 +7944,6 @@ x %4，y %5
         <translation>保存(&amp;S)…</translation>
     </message>
     <message>
-        <source>Write the gains to a file (CSV): “Open recording”, source lists and the command line read it</source>
-        <translation>将增益写入文件 (CSV)：“打开记录”、源列表和命令行都能读取</translation>
-    </message>
-    <message>
         <source>&amp;Tare now</source>
         <translation>立即去皮(&amp;T)</translation>
     </message>
@@ -8023,10 +7954,6 @@ x %4，y %5
     <message>
         <source>&amp;Collect a press</source>
         <translation>采集一次按压(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Waits for a load and takes its frames; it ends by itself</source>
-        <translation>等待载荷并采集其帧；自动结束</translation>
     </message>
     <message>
         <source>&amp;End</source>
@@ -8041,10 +7968,6 @@ x %4，y %5
         <translation>打开已记录的按压(&amp;O)…</translation>
     </message>
     <message>
-        <source>Frames as CSV, a file a press: time_s,t0,t1,…</source>
-        <translation>CSV 格式的帧，每次按压一个文件：time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>Open the &amp;demo</source>
         <translation>打开演示(&amp;D)</translation>
     </message>
@@ -8053,16 +7976,8 @@ x %4，y %5
         <translation>模拟的平板均匀按压一个触元各不相同的阵列</translation>
     </message>
     <message>
-        <source>Every taxel counts as it is. What each one is multiplied with will be seen here.</source>
-        <translation>每个触元按原值计。各触元所乘的系数将显示在这里。</translation>
-    </message>
-    <message>
         <source>Gains of the taxels</source>
         <translation>触元的增益</translation>
-    </message>
-    <message>
-        <source>Red taxels feel too little and are raised, blue ones are lowered, hatched ones are not used. Arrow keys or the mouse read a taxel.</source>
-        <translation>红色触元感受偏小而被调高，蓝色触元被调低，带斜线的不使用。用方向键或鼠标读取单个触元。</translation>
     </message>
     <message>
         <source>Share of the press that has been collected</source>
@@ -8071,6 +7986,62 @@ x %4，y %5
     <message>
         <source>Calibration of an array&apos;s taxels</source>
         <translation>阵列触元的标定</translation>
+    </message>
+    <message>
+        <source>The least certain gain has a standard error of %1 %.</source>
+        <translation>最不确定的一个精确到 %1 %（标准误差）。</translation>
+    </message>
+    <message>
+        <source>Gains vary by %1 % from press to press.</source>
+        <translation>各次按压的增益相差 %1 %。</translation>
+    </message>
+    <message>
+        <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn the bladder or plate by 180° and collect another press: the difference cancels out.</source>
+        <translation>响应沿 x 变化 %1 %，沿 y 变化 %2 %：载荷可能不均匀。请将按压物转半圈再采集一次，差异会相互抵消。</translation>
+    </message>
+    <message>
+        <source>Open an array, a recording or a scene on the page Operate, or the demo.</source>
+        <translation>请在“操作”页打开阵列、记录或场景，或在此打开演示。</translation>
+    </message>
+    <message>
+        <source>computing the gains…</source>
+        <translation>正在求增益…</translation>
+    </message>
+    <message>
+        <source>1. Tare the array with nothing touching it.</source>
+        <translation>1. 不要让任何东西接触阵列，然后去皮。</translation>
+    </message>
+    <message>
+        <source>Undo the last change (Ctrl+Z)</source>
+        <translation>撤销上一次更改 (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo the change undone last</source>
+        <translation>将其恢复</translation>
+    </message>
+    <message>
+        <source>Load gains for an array of this size from a file (CSV)</source>
+        <translation>从文件 (CSV) 读取同样大小阵列的增益</translation>
+    </message>
+    <message>
+        <source>Save the gains to a file (CSV) for “Open recording”, source lists and the command line</source>
+        <translation>将增益写入文件 (CSV)：“打开记录”、源列表和命令行都能读取</translation>
+    </message>
+    <message>
+        <source>Wait for a load and collect its frames; stops by itself</source>
+        <translation>等待载荷并采集其帧；自动结束</translation>
+    </message>
+    <message>
+        <source>Frames as CSV, one file per press: time_s,t0,t1,…</source>
+        <translation>CSV 格式的帧，每次按压一个文件：time_s,t0,t1,…</translation>
+    </message>
+    <message>
+        <source>Every taxel counts as it is. Its gain will be shown here.</source>
+        <translation>每个触元按原值计。各触元所乘的系数将显示在这里。</translation>
+    </message>
+    <message>
+        <source>Red taxels read too low and are raised, blue ones are lowered, hatched ones are not used. Point at a taxel, or use the arrow keys, to read its gain.</source>
+        <translation>红色触元感受偏小而被调高，蓝色触元被调低，带斜线的不使用。用方向键或鼠标读取单个触元。</translation>
     </message>
 </context>
 <context>
@@ -8188,10 +8159,6 @@ x %4，y %5
         <translation>转速 (Hz)</translation>
     </message>
     <message>
-        <source>Known from</source>
-        <translation>来源</translation>
-    </message>
-    <message>
         <source>Drive at which the motor begins to turn, with its standard error</source>
         <translation>电机开始转动时的驱动量，含标准误</translation>
     </message>
@@ -8211,49 +8178,17 @@ x %4，y %5
         <source>Speed at the full drive of this motor</source>
         <translation>此电机满驱动时的转速</translation>
     </message>
+    <message>
+        <source>Source</source>
+        <translation>数据源</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::MotorsView</name>
     <message>
-        <source>answers</source>
-        <translation>回答</translation>
-    </message>
-    <message>
-        <source>It turns at %1 Hz now, says the bracelet&apos;s sensor.</source>
-        <translation>手环的传感器显示，它目前以 %1 Hz 转动。</translation>
-    </message>
-    <message>
-        <source>loading</source>
-        <translation>加载</translation>
-    </message>
-    <message>
-        <source>reset</source>
-        <translation>重置</translation>
-    </message>
-    <message>
-        <source>All motors are assumed again. Undo brings back what was measured.</source>
-        <translation>所有电机重新采用假定值。撤销可恢复测量结果。</translation>
-    </message>
-    <message>
-        <source>balance</source>
-        <translation>平衡</translation>
-    </message>
-    <message>
-        <source>Every measured motor now ends at the speed of the slowest one.</source>
-        <translation>现在所有已测电机的最高转速都与最慢的电机一致。</translation>
-    </message>
-    <message>
-        <source>Measuring motor %1: stairs up to the full drive, then pulses.</source>
-        <translation>正在测量电机 %1：阶梯升至满驱动，然后是脉冲。</translation>
-    </message>
-    <message>
         <source>Motor %1 was not calibrated. %2</source>
         <comment>a motor, and why not</comment>
         <translation>电机 %1 未标定。%2</translation>
-    </message>
-    <message>
-        <source>measurement</source>
-        <translation>测量</translation>
     </message>
     <message>
         <source>Motor %1: starts at %2 to %3 % of the drive, rises in %4 ± %5 ms, falls in %6 ± %7 ms, reaches %8 Hz.</source>
@@ -8268,24 +8203,12 @@ x %4，y %5
         <translation>请在“手环”菜单中选择手环。</translation>
     </message>
     <message>
-        <source>not calibrated: motors are assumed</source>
-        <translation>未标定：电机采用假定值</translation>
-    </message>
-    <message>
         <source>calibrated, saved</source>
         <translation>已标定，已保存</translation>
     </message>
     <message>
         <source>calibrated, not saved</source>
         <translation>已标定，未保存</translation>
-    </message>
-    <message>
-        <source>a study uses the bracelet: its motors stay as they are</source>
-        <translation>研究正在使用手环：其电机保持原状</translation>
-    </message>
-    <message>
-        <source>SIMULATED</source>
-        <translation>模拟</translation>
     </message>
     <message>
         <source>Motor %1</source>
@@ -8304,48 +8227,24 @@ x %4，y %5
         <translation>撤销</translation>
     </message>
     <message>
-        <source>Take back the last change, or the last answer (Ctrl+Z)</source>
-        <translation>撤回上一次更改或上一个回答 (Ctrl+Z)</translation>
-    </message>
-    <message>
         <source>Redo</source>
         <translation>重做</translation>
-    </message>
-    <message>
-        <source>Bring it back</source>
-        <translation>将其恢复</translation>
     </message>
     <message>
         <source>&amp;Load…</source>
         <translation>加载(&amp;L)…</translation>
     </message>
     <message>
-        <source>Read a profile of this bracelet from a file</source>
-        <translation>从文件读取此手环的配置</translation>
-    </message>
-    <message>
         <source>Save a &amp;copy…</source>
         <translation>保存副本(&amp;C)…</translation>
-    </message>
-    <message>
-        <source>Write the profile to another file</source>
-        <translation>将配置写入另一个文件</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
         <translation>重置(&amp;R)</translation>
     </message>
     <message>
-        <source>Forget what was measured</source>
-        <translation>清除测量结果</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>保存(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Keep the profile for this bracelet: it is used whenever it is connected</source>
-        <translation>保存此手环的配置：每次连接时都会使用</translation>
     </message>
     <message>
         <source>&amp;Measure this motor</source>
@@ -8364,26 +8263,6 @@ x %4，y %5
         <translation>打开记录(&amp;O)…</translation>
     </message>
     <message>
-        <source>CSV with time_s,commanded and speed_hz of a tachometer or signal of an accelerometer or microphone</source>
-        <translation>CSV，含 time_s,commanded 以及转速计的 speed_hz 或加速度计、麦克风的 signal</translation>
-    </message>
-    <message>
-        <source>Write the &amp;excitation…</source>
-        <translation>写出激励信号(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>What the motor is told during a measurement, as CSV: for a sensor of your own</source>
-        <translation>测量期间给电机的指令，存为 CSV：用于您自备的传感器</translation>
-    </message>
-    <message>
-        <source>Find its start by &amp;feel</source>
-        <translation>凭感觉找启动点(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Bursts that get weaker and stronger; you say what you felt</source>
-        <translation>逐渐变弱和变强的短振；由您说明感觉</translation>
-    </message>
-    <message>
         <source>&amp;Balance by feel</source>
         <translation>凭感觉平衡(&amp;B)</translation>
     </message>
@@ -8396,10 +8275,6 @@ x %4，y %5
         <translation>按曲线平衡(&amp;V)</translation>
     </message>
     <message>
-        <source>Let all measured motors end at the speed of the slowest</source>
-        <translation>使所有已测电机的最高转速与最慢的电机一致</translation>
-    </message>
-    <message>
         <source>Stop measuring</source>
         <translation>停止测量</translation>
     </message>
@@ -8407,13 +8282,81 @@ x %4，y %5
         <source>Calibration of the bracelet&apos;s motors</source>
         <translation>手环电机的标定</translation>
     </message>
+    <message>
+        <source>Turning at %1 Hz, measured by the bracelet&apos;s sensor.</source>
+        <translation>手环的传感器显示，它目前以 %1 Hz 转动。</translation>
+    </message>
+    <message>
+        <source>All motors use assumed values again. Undo brings the measurements back.</source>
+        <translation>所有电机重新采用假定值。撤销可恢复测量结果。</translation>
+    </message>
+    <message>
+        <source>Every measured motor is now limited to the top speed of the slowest one.</source>
+        <translation>现在所有已测电机的最高转速都与最慢的电机一致。</translation>
+    </message>
+    <message>
+        <source>Measuring motor %1: steps up to full drive, then pulses.</source>
+        <translation>正在测量电机 %1：阶梯升至满驱动，然后是脉冲。</translation>
+    </message>
+    <message>
+        <source>not calibrated: the motors use assumed values</source>
+        <translation>未标定：电机采用假定值</translation>
+    </message>
+    <message>
+        <source>a study uses the bracelet: its motors cannot be changed</source>
+        <translation>研究正在使用手环：其电机保持原状</translation>
+    </message>
+    <message>
+        <source>Undo the last change or answer (Ctrl+Z)</source>
+        <translation>撤回上一次更改或上一个回答 (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo the change undone last</source>
+        <translation>将其恢复</translation>
+    </message>
+    <message>
+        <source>Load a profile of this bracelet from a file</source>
+        <translation>从文件读取此手环的配置</translation>
+    </message>
+    <message>
+        <source>Save the profile to another file</source>
+        <translation>将配置写入另一个文件</translation>
+    </message>
+    <message>
+        <source>Discard the measurements</source>
+        <translation>清除测量结果</translation>
+    </message>
+    <message>
+        <source>Save the profile for this bracelet: it is used whenever the bracelet is connected</source>
+        <translation>保存此手环的配置：每次连接时都会使用</translation>
+    </message>
+    <message>
+        <source>CSV with time_s, commanded, and speed_hz (tachometer) or signal (accelerometer, microphone)</source>
+        <translation>CSV，含 time_s,commanded 以及转速计的 speed_hz 或加速度计、麦克风的 signal</translation>
+    </message>
+    <message>
+        <source>Save the &amp;excitation…</source>
+        <translation>写出激励信号(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Save the drive signal of a measurement as CSV, to record with a sensor of your own</source>
+        <translation>测量期间给电机的指令，存为 CSV：用于您自备的传感器</translation>
+    </message>
+    <message>
+        <source>Find the start by &amp;feel</source>
+        <translation>凭感觉找启动点(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Plays weaker and stronger bursts; you say what you felt</source>
+        <translation>逐渐变弱和变强的短振；由您说明感觉</translation>
+    </message>
+    <message>
+        <source>Limit all measured motors to the top speed of the slowest</source>
+        <translation>使所有已测电机的最高转速与最慢的电机一致</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::CameraPanel</name>
-    <message>
-        <source>Go on</source>
-        <translation>继续</translation>
-    </message>
     <message>
         <source>Pause</source>
         <translation>暂停</translation>
@@ -8427,28 +8370,8 @@ x %4，y %5
         <translation>尚无参考：%1</translation>
     </message>
     <message>
-        <source>Not used: %1</source>
-        <translation>未使用：%1</translation>
-    </message>
-    <message>
         <source>This finder cannot be used: %1</source>
         <translation>此检测器无法使用：%1</translation>
-    </message>
-    <message>
-        <source>The finder %1 is being made ready.</source>
-        <translation>正在准备检测器 %1。</translation>
-    </message>
-    <message>
-        <source>The arm has drawn back from contact %1.</source>
-        <translation>机械臂已从接触 %1 退缩。</translation>
-    </message>
-    <message>
-        <source>The arm stands.</source>
-        <translation>机械臂静止。</translation>
-    </message>
-    <message>
-        <source>The arm draws back from contact %1.</source>
-        <translation>机械臂正从接触 %1 退缩。</translation>
     </message>
     <message>
         <source>The arm follows contact %1.</source>
@@ -8471,10 +8394,6 @@ x %4，y %5
         <translation>检测器</translation>
     </message>
     <message>
-        <source>How contacts are found: the printed dots alone, or dense flow by one of OpenCV&apos;s presets; the number divides the image&apos;s size</source>
-        <translation>接触的检测方式：仅用印刷圆点，或采用 OpenCV 预设之一的稠密光流；数字为图像尺寸的除数</translation>
-    </message>
-    <message>
         <source>&amp;Displacement</source>
         <translation>位移(&amp;D)</translation>
     </message>
@@ -8487,24 +8406,8 @@ x %4，y %5
         <translation>新参考(&amp;R)</translation>
     </message>
     <message>
-        <source>Take the next picture as that of the untouched tube</source>
-        <translation>将下一幅图像作为未接触软管的图像</translation>
-    </message>
-    <message>
-        <source>Keep this picture; contacts are followed on (Space)</source>
-        <translation>冻结此图像；接触仍继续跟踪（空格键）</translation>
-    </message>
-    <message>
         <source>The arm may r&amp;eact</source>
         <translation>允许机械臂反应(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Off: the arm stands, whatever touches it. STOP takes this away until you give it again.</source>
-        <translation>关闭：无论什么接触软管，机械臂都静止。STOP 会取消此许可，直到您再次授予。</translation>
-    </message>
-    <message>
-        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of what has moved there</source>
-        <translation>与已发表的工作相同：在 512 × 288 的图像中计算稠密光流，并取其中移动部分的平均值</translation>
     </message>
     <message>
         <source>Each printed dot is followed in the whole picture. The default.</source>
@@ -8531,12 +8434,56 @@ x %4，y %5
         <translation>采用 OpenCV 预设（%1）的稠密光流，在原尺寸图像中计算</translation>
     </message>
     <message>
-        <source>Only around what differs from the reference</source>
+        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of the points that moved</source>
+        <translation>与已发表的工作相同：在 512 × 288 的图像中计算稠密光流，并取其中移动部分的平均值</translation>
+    </message>
+    <message>
+        <source>Only where the picture differs from the reference</source>
         <translation>仅在与参考不同之处的周围</translation>
     </message>
     <message>
-        <source>Begun with the flow of the picture before</source>
+        <source>Starts from the flow of the previous picture</source>
         <translation>以前一幅图像的光流为初值</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Picture not used: %1</source>
+        <translation>未使用：%1</translation>
+    </message>
+    <message>
+        <source>Preparing the finder %1.</source>
+        <translation>正在准备检测器 %1。</translation>
+    </message>
+    <message>
+        <source>The arm has retreated from contact %1.</source>
+        <translation>机械臂已从接触 %1 退缩。</translation>
+    </message>
+    <message>
+        <source>The arm is at rest.</source>
+        <translation>机械臂静止。</translation>
+    </message>
+    <message>
+        <source>The arm is retreating from contact %1.</source>
+        <translation>机械臂正从接触 %1 退缩。</translation>
+    </message>
+    <message>
+        <source>How contacts are found: from the printed dots alone, or with dense flow by one of OpenCV&apos;s presets; the number is how many times the image is reduced</source>
+        <translation>接触的检测方式：仅用印刷圆点，或采用 OpenCV 预设之一的稠密光流；数字为图像尺寸的除数</translation>
+    </message>
+    <message>
+        <source>Take the next picture as the reference: nothing may touch the tube</source>
+        <translation>将下一幅图像作为未接触软管的图像</translation>
+    </message>
+    <message>
+        <source>Freeze the picture; contacts are still tracked (Space)</source>
+        <translation>冻结此图像；接触仍继续跟踪（空格键）</translation>
+    </message>
+    <message>
+        <source>Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react.</source>
+        <translation>关闭：无论什么接触软管，机械臂都静止。STOP 会取消此许可，直到您再次授予。</translation>
     </message>
 </context>
 <context>
@@ -8544,10 +8491,6 @@ x %4，y %5
     <message>
         <source>camera</source>
         <translation>相机</translation>
-    </message>
-    <message>
-        <source>&amp;Go on</source>
-        <translation>继续(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;Pause the picture</source>
@@ -8565,6 +8508,10 @@ x %4，y %5
         <source>&lt;p&gt;What the camera sees inside the tube. Lines show, enlarged, how far the printed pattern has moved since nothing touched the tube; outlines are contacts, each in the colour of its number.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, dragging moves, a double click shows all.&lt;/p&gt;</source>
         <translation>&lt;p&gt;相机在管内看到的画面。线条以放大的方式显示印刷花纹自无接触以来移动的距离；轮廓线表示接触，颜色与其编号对应。&lt;/p&gt;&lt;p&gt;Ctrl+滚轮缩放，拖动平移，双击显示全部。&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>继续(&amp;G)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::EventModel</name>
@@ -8577,20 +8524,12 @@ x %4，y %5
         <translation>碰撞</translation>
     </message>
     <message>
-        <source>let go</source>
-        <translation>松开</translation>
-    </message>
-    <message>
         <source>arm follows</source>
         <translation>机械臂跟随</translation>
     </message>
     <message>
         <source>reference taken</source>
         <translation>已取参考</translation>
-    </message>
-    <message>
-        <source>begins anew</source>
-        <translation>重新开始</translation>
     </message>
     <message>
         <source>Time</source>
@@ -8609,12 +8548,20 @@ x %4，y %5
         <translation>沿管</translation>
     </message>
     <message>
-        <source>Around it</source>
-        <translation>绕管</translation>
-    </message>
-    <message>
         <source>Depth</source>
         <translation>深度</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>松开</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>重新开始</translation>
+    </message>
+    <message>
+        <source>Around the tube</source>
+        <translation>绕管</translation>
     </message>
 </context>
 <context>
@@ -8632,7 +8579,7 @@ x %4，y %5
         <translation>事件</translation>
     </message>
     <message>
-        <source>What happened to the tube, the newest first. The context menu copies and saves the list.</source>
+        <source>What happened to the tube, newest first. The context menu copies and saves the list.</source>
         <translation>软管上发生的事件，最新的在最前。右键菜单可复制和保存列表。</translation>
     </message>
 </context>
@@ -8686,10 +8633,6 @@ x %4，y %5
         <translation>展开圆柱上的残差</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Each pair at its pixel, with an enlarged arrow to where the camera projects its point. Arrows without a pattern are noise; arrows that flow are something that the camera does not describe.&lt;/p&gt;&lt;p&gt;A pixel outside the dashed circle has no ray.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;每个点对显示在其像素处，放大的箭头指向相机对其点的投影。无规律的箭头是噪声；呈流动状的箭头表示相机模型未描述的因素。&lt;/p&gt;&lt;p&gt;虚线圆以外的像素没有视线。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;Each pair at its point on the cylinder, cut open at the back, with an enlarged arrow to where its pixel is located. The colour is the error along the axis.&lt;/p&gt;</source>
         <translation>&lt;p&gt;每个点对显示在圆柱上的点处，圆柱从背面剖开，放大的箭头指向其像素的定位处。颜色表示沿轴向的误差。&lt;/p&gt;</translation>
     </message>
@@ -8733,6 +8676,10 @@ x %4，y %5
         <source>&amp;Use pair %1 again</source>
         <translation>重新使用点对 %1(&amp;U)</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Each pair at its pixel, with an enlarged arrow to where the camera projects its point. Random arrows are noise; a pattern shows something that the camera model misses.&lt;/p&gt;&lt;p&gt;Pixels outside the dashed circle have no ray.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;每个点对显示在其像素处，放大的箭头指向相机对其点的投影。无规律的箭头是噪声；呈流动状的箭头表示相机模型未描述的因素。&lt;/p&gt;&lt;p&gt;虚线圆以外的像素没有视线。&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::StageBar</name>
@@ -8752,16 +8699,6 @@ x %4，y %5
         <source>locate</source>
         <translation>定位</translation>
     </message>
-    <message>
-        <source>%1 ms a frame, %2 frames/s</source>
-        <translation>每帧 %1 ms，%2 帧/秒</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n passed over</source>
-        <translation>
-            <numerusform>%n 帧被跳过</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n unusable</source>
         <translation>
@@ -8772,6 +8709,16 @@ x %4，y %5
         <source>%1: %2 ms</source>
         <comment>stage of a computation and its time</comment>
         <translation>%1：%2 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms per frame, %2 frames/s</source>
+        <translation>每帧 %1 ms，%2 帧/秒</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n 帧被跳过</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8801,7 +8748,7 @@ x %4，y %5
         <translation>关节</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Torque of each joint over time. The coloured band is the torque window: between its ends a touch is evaluated. Grey stretches are touches with their numbers, from the first torque above the noise to the estimate.&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its ends.&lt;/p&gt;</source>
+        <source>&lt;p&gt;Torque of each joint over time. The coloured band is the torque window in which a touch is evaluated. Grey stretches are touches with their numbers, from the first torque above the noise to the estimate.&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its range.&lt;/p&gt;</source>
         <translation>&lt;p&gt;各关节力矩随时间的变化。彩色带为力矩窗口：触碰在其两端之间评估。灰色段为带编号的触碰，从力矩首次高于噪声到得出估计为止。&lt;/p&gt;&lt;p&gt;拖动或 Shift+滚轮滚动，Ctrl+滚轮改变时间跨度，空格键暂停，End 返回实时。双击坐标轴可输入其端点。&lt;/p&gt;</translation>
     </message>
 </context>
@@ -8831,16 +8778,16 @@ x %4，y %5
         <source>Joint angle</source>
         <translation>关节角</translation>
     </message>
+    <message>
+        <source>joint %1</source>
+        <translation>关节 %1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::charts::StripChartView</name>
     <message>
         <source>Strip charts of the tactile features</source>
         <translation>触觉特征的条带图</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Force, centres, moment deviation and orientation of the contact over time. The numbers beside the strips are the newest values, or those at the cursor.&lt;/p&gt;&lt;p&gt;A line that stops and goes on means that nothing is known in between: the contact was gone, samples were lost, or the recording jumped (dotted line).&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its ends.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;接触的力、中心、矩偏差和方向随时间的变化。条带旁的数值为最新值，或光标处的值。&lt;/p&gt;&lt;p&gt;曲线中断后又继续，表示其间没有已知数据：接触消失、样本丢失或记录跳变（点线）。&lt;/p&gt;&lt;p&gt;拖动或 Shift+滚轮滚动，Ctrl+滚轮改变时间跨度，空格键暂停，End 返回实时。双击坐标轴可输入其端点。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Strips</source>
@@ -8874,6 +8821,10 @@ x %4，y %5
         <source>&amp;Strips</source>
         <translation>条带(&amp;S)</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Force, centres, moment deviation and orientation of the contact over time. The numbers beside the strips are the newest values, or those at the cursor.&lt;/p&gt;&lt;p&gt;A gap in a line means that nothing is known there: there was no contact, samples were lost, or the recording jumped (dotted line).&lt;/p&gt;&lt;p&gt;Drag or Shift+wheel scrolls, Ctrl+wheel changes the span, Space pauses, End goes back to live. Double-click an axis to type its range.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;接触的力、中心、矩偏差和方向随时间的变化。条带旁的数值为最新值，或光标处的值。&lt;/p&gt;&lt;p&gt;曲线中断后又继续，表示其间没有已知数据：接触消失、样本丢失或记录跳变（点线）。&lt;/p&gt;&lt;p&gt;拖动或 Shift+滚轮滚动，Ctrl+滚轮改变时间跨度，空格键暂停，End 返回实时。双击坐标轴可输入其端点。&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>teleta::charts::TimeChartView</name>
@@ -8890,10 +8841,6 @@ x %4，y %5
         <translation>显示 %1 s（Ctrl+滚轮可选其他跨度）</translation>
     </message>
     <message>
-        <source>Stop the picture; samples go on being kept (Space)</source>
-        <translation>停止画面；样本仍继续保存（空格键）</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>暂停</translation>
     </message>
@@ -8908,10 +8855,6 @@ x %4，y %5
     <message>
         <source>PAUSED, %1 s behind   %2</source>
         <translation>已暂停，落后 %1 s   %2</translation>
-    </message>
-    <message>
-        <source>Ends of the axis of %1</source>
-        <translation>%1 坐标轴的端点</translation>
     </message>
     <message>
         <source>Lower and upper end, for example -5 5. Empty: automatic.</source>
@@ -8932,6 +8875,14 @@ x %4，y %5
     <message>
         <source>Go live</source>
         <translation>转到实时</translation>
+    </message>
+    <message>
+        <source>Freeze the chart; samples are still collected (Space)</source>
+        <translation>停止画面；样本仍继续保存（空格键）</translation>
+    </message>
+    <message>
+        <source>Range of the axis of %1</source>
+        <translation>%1 坐标轴的端点</translation>
     </message>
 </context>
 <context>
@@ -8990,16 +8941,16 @@ x %4，y %5
         <translation>最新帧距今：%1</translation>
     </message>
     <message>
-        <source>From the read to the screen: %1 ms</source>
-        <translation>从读取到屏幕：%1 ms</translation>
-    </message>
-    <message>
         <source>touch to skin %1 ms</source>
         <translation>从触碰到皮肤 %1 ms</translation>
     </message>
     <message>
         <source>From the completed touch to the first frame of its pattern: %1 ms</source>
         <translation>从触碰完成到其图案的第一帧：%1 ms</translation>
+    </message>
+    <message>
+        <source>From sensor read to screen: %1 ms</source>
+        <translation>从读取到屏幕：%1 ms</translation>
     </message>
 </context>
 <context>
@@ -9124,10 +9075,6 @@ x %4，y %5
         <translation>右方向键</translation>
     </message>
     <message>
-        <source>Start again at the end</source>
-        <translation>到末尾后重新开始</translation>
-    </message>
-    <message>
         <source>Time in the recording</source>
         <translation>记录中的时间</translation>
     </message>
@@ -9135,17 +9082,13 @@ x %4，y %5
         <source>Speed</source>
         <translation>速度</translation>
     </message>
+    <message>
+        <source>Repeat</source>
+        <translation>到末尾后重新开始</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::RecordingIndicator</name>
-    <message>
-        <source>Begins…</source>
-        <translation>正在开始…</translation>
-    </message>
-    <message>
-        <source>Is completed…</source>
-        <translation>正在完成…</translation>
-    </message>
     <message numerus="yes">
         <source>Recording %1 · %2 · %n lost</source>
         <comment>time, size of the file, frames</comment>
@@ -9180,6 +9123,14 @@ x %4，y %5
     <message>
         <source>Mark this moment</source>
         <translation>标记此刻</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>正在开始…</translation>
+    </message>
+    <message>
+        <source>Finishing…</source>
+        <translation>正在完成…</translation>
     </message>
 </context>
 <context>
@@ -9334,81 +9285,6 @@ x %4，y %5
     </message>
 </context>
 <context>
-    <name>teleta::console::BraceletStation</name>
-    <message>
-        <source>STOP is engaged: the bracelet is off.</source>
-        <translation>STOP 已触发：手环已关闭。</translation>
-    </message>
-    <message>
-        <source>No bracelet: what would be played is named in the table of patterns.</source>
-        <translation>无手环：将要播放的内容列在图案表中。</translation>
-    </message>
-    <message>
-        <source>Connecting to the bracelet…</source>
-        <translation>正在连接手环…</translation>
-    </message>
-    <message>
-        <source>The bracelet is not connected. %1</source>
-        <translation>手环未连接。%1</translation>
-    </message>
-    <message>
-        <source>Bracelet</source>
-        <translation>手环</translation>
-    </message>
-    <message>
-        <source>A study uses the bracelet.</source>
-        <translation>研究正在使用手环。</translation>
-    </message>
-    <message>
-        <source>The motors are not calibrated (page Calibrate).</source>
-        <translation>电机未标定（“标定”页）。</translation>
-    </message>
-    <message>
-        <source>not calibrated: the motors are assumed</source>
-        <translation>未标定：电机采用假定值</translation>
-    </message>
-    <message>
-        <source>The bracelet does not answer.</source>
-        <translation>手环没有响应。</translation>
-    </message>
-    <message>
-        <source>The bracelet is too hot: it is off until it has cooled down.</source>
-        <translation>手环过热：冷却之前保持关闭。</translation>
-    </message>
-    <message>
-        <source>The supply of the bracelet is low: %1 V.</source>
-        <translation>手环供电电压过低：%1 V。</translation>
-    </message>
-    <message>
-        <source>The supply of the bracelet is low.</source>
-        <translation>手环供电电压过低。</translation>
-    </message>
-    <message>
-        <source>The bracelet refused what was played last: it did not understand it.</source>
-        <translation>手环拒绝了上次播放的内容：无法识别。</translation>
-    </message>
-    <message>
-        <source>too hot: off until it has cooled down</source>
-        <translation>过热：冷却之前保持关闭</translation>
-    </message>
-    <message>
-        <source>supply low</source>
-        <translation>供电电压过低</translation>
-    </message>
-    <message>
-        <source>frames refused: %1</source>
-        <translation>被拒绝的帧：%1</translation>
-    </message>
-    <message>
-        <source>supply %1 V</source>
-        <translation>供电电压 %1 V</translation>
-    </message>
-    <message>
-        <source>temperature %1 °C</source>
-        <translation>温度 %1 °C</translation>
-    </message>
-</context>
-<context>
     <name>teleta::console::CalibratePage</name>
     <message>
         <source>What can be calibrated</source>
@@ -9436,7 +9312,7 @@ x %4，y %5
         <translation>%1：标定尚未保存。</translation>
     </message>
     <message>
-        <source>What is discarded has to be measured again.</source>
+        <source>Discarded values must be measured again.</source>
         <translation>丢弃的内容须重新测量。</translation>
     </message>
 </context>
@@ -9455,20 +9331,8 @@ x %4，y %5
         <translation>像素与点的点对：CSV，含 u_px,v_px,x_m,y_m,z_m</translation>
     </message>
     <message>
-        <source>All pairs, those that are left out too, as they are loaded</source>
-        <translation>按加载时的原样保存全部点对，包括被剔除的</translation>
-    </message>
-    <message>
-        <source>The camera of the chosen method, for teleta locate and the camera view</source>
-        <translation>所选方法得到的相机，用于 teleta locate 和相机视图</translation>
-    </message>
-    <message>
         <source>&amp;Probe the simulated tube</source>
         <translation>探测模拟软管(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Collect pairs: a simulated person presses a stick on the marked places of a simulated tube, and takes one in ten for its neighbour</source>
-        <translation>采集点对：模拟的人用探棒按压模拟软管上的标记位置，每十个中有一个误按到相邻位置</translation>
     </message>
     <message>
         <source>&amp;Method:</source>
@@ -9497,10 +9361,6 @@ x %4，y %5
     <message>
         <source>&amp;Exclude wrong pairs</source>
         <translation>排除错误点对(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Leaves the pairs that are marked as wrong out for every method</source>
-        <translation>在所有方法中剔除标为错误的点对</translation>
     </message>
     <message>
         <source>Methods side by side</source>
@@ -9543,10 +9403,6 @@ x %4，y %5
         <translation>移除(&amp;R)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Finds the camera inside the tactile cylinder from pairs: a pixel and the point of the surface that was probed there.&lt;/p&gt;&lt;p&gt;Load a CSV file or drop it here, or type pairs in. Wrong pairs are found and left out; you may exclude more or remove them (Delete in the table), and take every step back.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;由点对求触觉圆柱内的相机：每个点对是一个像素及在该处探测的表面点。&lt;/p&gt;&lt;p&gt;加载 CSV 文件或将其拖放到此处，也可键入点对。错误的点对会被找出并剔除；您还可以排除更多点对或将其移除（在表中按 Delete），每一步都可撤回。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Save the camera</source>
         <translation>保存相机</translation>
     </message>
@@ -9561,10 +9417,6 @@ x %4，y %5
     <message>
         <source>Cameras (*.json)</source>
         <translation>相机 (*.json)</translation>
-    </message>
-    <message>
-        <source>Pairs (*.csv);;All files (*)</source>
-        <translation>点对 (*.csv);;所有文件 (*)</translation>
     </message>
     <message>
         <source>probing</source>
@@ -9601,10 +9453,6 @@ x %4，y %5
         <translation>图像和圆柱</translation>
     </message>
     <message>
-        <source>The first touch is awaited.</source>
-        <translation>等待第一次触碰。</translation>
-    </message>
-    <message>
         <source>No calibration: %1.</source>
         <translation>无法标定：%1。</translation>
     </message>
@@ -9615,32 +9463,12 @@ x %4，y %5
         </translation>
     </message>
     <message>
-        <source>their points are located to within %1 on average, and the camera is sure to within %2. </source>
-        <translation>其点的定位平均偏差在 %1 以内，相机的不确定度在 %2 以内。 </translation>
-    </message>
-    <message>
-        <source>This method knows no lens: use it to compare only.</source>
-        <translation>此方法不含镜头模型：仅供比较。</translation>
-    </message>
-    <message>
-        <source>Be careful: residuals of neighbours are alike, so the pairs hold something that this camera does not describe (a shell that has moved, a wrong radius).</source>
-        <translation>请注意：相邻残差相似，说明点对中含有此相机模型未描述的因素（外壳移动、半径有误）。</translation>
-    </message>
-    <message>
-        <source>The residuals have no pattern. Good.</source>
-        <translation>残差无规律。良好。</translation>
-    </message>
-    <message>
         <source>SIMULATED</source>
         <translation>模拟</translation>
     </message>
     <message>
         <source>has a pattern</source>
         <translation>有规律</translation>
-    </message>
-    <message>
-        <source>Collect pairs: press a stick through the holes of a shell while a camera, or a video of it, is watched</source>
-        <translation>采集点对：将探棒穿过外壳的孔按压，同时观察相机或其视频</translation>
     </message>
     <message>
         <source>Load pairs of pixels and probed points, drop their file here, type them in below, or probe a tube.</source>
@@ -9683,8 +9511,60 @@ x %4，y %5
         <translation>正在标定…</translation>
     </message>
     <message>
-        <source>The camera was not saved: it is being calibrated.</source>
+        <source>Save all pairs, including excluded ones, to load them again later</source>
+        <translation>按加载时的原样保存全部点对，包括被剔除的</translation>
+    </message>
+    <message>
+        <source>Save the camera found by the chosen method, for teleta locate and the camera view</source>
+        <translation>所选方法得到的相机，用于 teleta locate 和相机视图</translation>
+    </message>
+    <message>
+        <source>Collect pairs: a simulated person presses a stick on the marked places of a simulated tube and mistakes one in ten for its neighbour</source>
+        <translation>采集点对：模拟的人用探棒按压模拟软管上的标记位置，每十个中有一个误按到相邻位置</translation>
+    </message>
+    <message>
+        <source>Collect pairs: press a stick through the holes of a shell while a camera watches, live or in a video</source>
+        <translation>采集点对：将探棒穿过外壳的孔按压，同时观察相机或其视频</translation>
+    </message>
+    <message>
+        <source>Exclude the pairs marked as wrong, for every method</source>
+        <translation>在所有方法中剔除标为错误的点对</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Finds the camera inside the tactile cylinder from pairs of a pixel and the surface point that was probed there.&lt;/p&gt;&lt;p&gt;Load a CSV file, drop it here, or type pairs in. Wrong pairs are detected and left out; you can exclude more, remove them (Delete in the table) and undo every step.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;由点对求触觉圆柱内的相机：每个点对是一个像素及在该处探测的表面点。&lt;/p&gt;&lt;p&gt;加载 CSV 文件或将其拖放到此处，也可键入点对。错误的点对会被找出并剔除；您还可以排除更多点对或将其移除（在表中按 Delete），每一步都可撤回。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>The camera was not saved. Wait until it is calibrated.</source>
         <translation>相机未保存：正在标定。</translation>
+    </message>
+    <message>
+        <source>Waiting for the first touch.</source>
+        <translation>等待第一次触碰。</translation>
+    </message>
+    <message>
+        <source>their points are located to within %1 on average; the camera&apos;s uncertainty is %2. </source>
+        <translation>其点的定位平均偏差在 %1 以内，相机的不确定度在 %2 以内。 </translation>
+    </message>
+    <message>
+        <source>This method ignores lens distortion: use it only for comparison.</source>
+        <translation>此方法不含镜头模型：仅供比较。</translation>
+    </message>
+    <message>
+        <source>Caution: neighbouring residuals are alike, so the camera model misses something (a shell that has moved, a wrong radius).</source>
+        <translation>请注意：相邻残差相似，说明点对中含有此相机模型未描述的因素（外壳移动、半径有误）。</translation>
+    </message>
+    <message>
+        <source>The residuals show no pattern, as they should.</source>
+        <translation>残差无规律。良好。</translation>
+    </message>
+    <message>
+        <source>Pairs (*.csv)</source>
+        <translation>点对 (*.csv)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -9756,15 +9636,15 @@ x %4，y %5
 <context>
     <name>teleta::console::CostMeasuring</name>
     <message>
-        <source>The costs that were measured before cannot be read.</source>
-        <translation>无法读取先前测得的代价。</translation>
-    </message>
-    <message>
         <source>The ladders could not be measured.</source>
         <translation>无法测量各阶梯。</translation>
     </message>
     <message>
-        <source>The measured costs cannot be kept.</source>
+        <source>The saved costs cannot be read.</source>
+        <translation>无法读取先前测得的代价。</translation>
+    </message>
+    <message>
+        <source>The costs cannot be saved.</source>
         <translation>无法保存测得的代价。</translation>
     </message>
 </context>
@@ -9801,10 +9681,6 @@ x %4，y %5
         <translation>%1：平均 %2，100 帧中有 99 帧在 %3 以内（1640 x 1232 像素）。</translation>
     </message>
     <message>
-        <source>No rung is so quick: of 100 frames one may take longer.</source>
-        <translation>没有如此快的档级：要求 100 帧中至多一帧超时。</translation>
-    </message>
-    <message>
         <source>Measuring %1: %2</source>
         <translation>正在测量 %1：%2</translation>
     </message>
@@ -9833,20 +9709,12 @@ x %4，y %5
         <translation>测量所有阶梯(&amp;A)</translation>
     </message>
     <message>
-        <source>Takes some minutes; the console can be used meanwhile</source>
-        <translation>需要几分钟；期间仍可使用控制台</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>取消(&amp;C)</translation>
     </message>
     <message>
         <source>Not measured on this machine</source>
         <translation>未在本机上测量</translation>
-    </message>
-    <message>
-        <source>Close other programs and sources first: what they compute makes times uncertain.</source>
-        <translation>请先关闭其他程序和数据源：它们的计算会使计时不可靠。</translation>
     </message>
     <message>
         <source>Measure this ladder</source>
@@ -9925,12 +9793,24 @@ x %4，y %5
         <translation>打开带相机的演示</translation>
     </message>
     <message>
-        <source>Being measured</source>
+        <source>Measuring</source>
         <translation>正在测量</translation>
     </message>
     <message>
-        <source>Ending…</source>
+        <source>Close other programs and sources first: their load makes the times unreliable.</source>
+        <translation>请先关闭其他程序和数据源：它们的计算会使计时不可靠。</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
         <translation>正在结束…</translation>
+    </message>
+    <message>
+        <source>No rung is fast enough: only one frame in 100 may take longer.</source>
+        <translation>没有如此快的档级：要求 100 帧中至多一帧超时。</translation>
+    </message>
+    <message>
+        <source>Takes a few minutes; you can go on using the console</source>
+        <translation>需要几分钟；期间仍可使用控制台</translation>
     </message>
 </context>
 <context>
@@ -9942,10 +9822,6 @@ x %4，y %5
     <message>
         <source>commanded intensities</source>
         <translation>指令强度</translation>
-    </message>
-    <message>
-        <source>what the motors are predicted to do</source>
-        <translation>电机的预测动作</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
@@ -9962,6 +9838,10 @@ x %4，y %5
     <message>
         <source>Choose file…</source>
         <translation>选择文件…</translation>
+    </message>
+    <message>
+        <source>predicted intensities</source>
+        <translation>电机的预测动作</translation>
     </message>
 </context>
 <context>
@@ -10082,14 +9962,6 @@ x %4，y %5
         <translation>请选择其他文件夹或文件名。</translation>
     </message>
     <message>
-        <source>press</source>
-        <translation>按压</translation>
-    </message>
-    <message>
-        <source>loading</source>
-        <translation>加载</translation>
-    </message>
-    <message>
         <source>%1 could not be saved.</source>
         <comment>a file</comment>
         <translation>无法保存 %1。</translation>
@@ -10160,12 +10032,12 @@ x %4，y %5
 <context>
     <name>teleta::console::LiveProbing</name>
     <message>
-        <source>The camera is open, but no frame comes.</source>
+        <source>The camera is open but sends no frames.</source>
         <translation>相机已打开，但没有帧到来。</translation>
     </message>
     <message>
-        <source>The camera&apos;s image has changed from %1 × %2 to %3 × %4 pixels.</source>
-        <translation>相机图像已从 %1 × %2 变为 %3 × %4 像素。</translation>
+        <source>The camera&apos;s image size has changed from %1 × %2 to %3 × %4 pixels. Start probing again.</source>
+        <translation>相机图像已从 %1 × %2 变为 %3 × %4 像素。请重新开始探测。</translation>
     </message>
 </context>
 <context>
@@ -10175,16 +10047,8 @@ x %4，y %5
         <translation>用相机探测</translation>
     </message>
     <message>
-        <source>Of the first hole of each ring, from the x axis towards y</source>
-        <translation>每一圈第一个孔的角度，从 x 轴转向 y</translation>
-    </message>
-    <message>
         <source>&amp;Camera or video:</source>
         <translation>相机或视频(&amp;C)：</translation>
-    </message>
-    <message>
-        <source>Holes a &amp;ring:</source>
-        <translation>每圈孔数(&amp;R)：</translation>
     </message>
     <message>
         <source>Ri&amp;ngs:</source>
@@ -10206,6 +10070,14 @@ x %4，y %5
         <source>&amp;Probe</source>
         <translation>探测(&amp;P)</translation>
     </message>
+    <message>
+        <source>Angle of the first hole of each ring, from the x axis towards y</source>
+        <translation>每一圈第一个孔的角度，从 x 轴转向 y</translation>
+    </message>
+    <message>
+        <source>Holes per &amp;ring:</source>
+        <translation>每圈孔数(&amp;R)：</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::LiveProbingPanel</name>
@@ -10226,28 +10098,12 @@ x %4，y %5
         <translation>第 %1 孔，共 %2 孔：第 %3 圈，%4&#xa0;mm，%5°</translation>
     </message>
     <message>
-        <source>The camera is awaited: %1</source>
-        <translation>正在等待相机：%1</translation>
-    </message>
-    <message>
-        <source>The first frame is awaited. Nothing may touch the skin.</source>
-        <translation>正在等待第一帧。请勿触碰皮肤。</translation>
-    </message>
-    <message>
-        <source>A frame in which nothing touches the skin is awaited: %1</source>
-        <translation>正在等待皮肤未被触碰的一帧：%1</translation>
-    </message>
-    <message>
         <source>Press the stick into this hole.</source>
         <translation>请将探棒压入此孔。</translation>
     </message>
     <message>
         <source>Hold still.</source>
         <translation>请保持不动。</translation>
-    </message>
-    <message>
-        <source>The skin is touched at several places. Lift all but the stick.</source>
-        <translation>皮肤有多处被触碰。请移开探棒以外的物体。</translation>
     </message>
     <message>
         <source>Taken. Lift the stick.</source>
@@ -10266,36 +10122,52 @@ x %4，y %5
         <translation>返回(&amp;B)</translation>
     </message>
     <message>
-        <source>The hole before this one. A hole that is probed again gets a new pixel</source>
-        <translation>上一个孔。重新探测的孔会得到新的像素</translation>
-    </message>
-    <message>
         <source>S&amp;kip</source>
         <translation>跳过(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Leave this hole out for now</source>
-        <translation>暂时略过此孔</translation>
-    </message>
-    <message>
-        <source>&amp;Untouched now</source>
-        <translation>现在未触碰(&amp;U)</translation>
-    </message>
-    <message>
-        <source>The next frame shows the skin with nothing touching it</source>
-        <translation>下一帧显示未被触碰的皮肤</translation>
     </message>
     <message>
         <source>Sto&amp;p probing</source>
         <translation>停止探测(&amp;P)</translation>
     </message>
     <message>
-        <source>Keep what was collected until now</source>
-        <translation>保留目前采集的内容</translation>
-    </message>
-    <message>
         <source>Lift the stick first.</source>
         <translation>请先抬起探棒。</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera: %1</source>
+        <translation>正在等待相机：%1</translation>
+    </message>
+    <message>
+        <source>Waiting for the first frame. Nothing may touch the skin.</source>
+        <translation>正在等待第一帧。请勿触碰皮肤。</translation>
+    </message>
+    <message>
+        <source>Waiting for a frame in which nothing touches the skin: %1</source>
+        <translation>正在等待皮肤未被触碰的一帧：%1</translation>
+    </message>
+    <message>
+        <source>The skin is touched in several places. Remove everything but the stick.</source>
+        <translation>皮肤有多处被触碰。请移开探棒以外的物体。</translation>
+    </message>
+    <message>
+        <source>Back to the previous hole. Probing it again replaces its pixel</source>
+        <translation>上一个孔。重新探测的孔会得到新的像素</translation>
+    </message>
+    <message>
+        <source>Skip this hole for now</source>
+        <translation>暂时略过此孔</translation>
+    </message>
+    <message>
+        <source>Ne&amp;w reference</source>
+        <translation>现在未触碰(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Take the next frame as the reference: nothing may touch the skin</source>
+        <translation>下一帧显示未被触碰的皮肤</translation>
+    </message>
+    <message>
+        <source>Keep the pairs collected so far</source>
+        <translation>保留目前采集的内容</translation>
     </message>
 </context>
 <context>
@@ -10309,20 +10181,8 @@ x %4，y %5
         <translation>文本 (*.txt)</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>已写入：%1</translation>
-    </message>
-    <message>
-        <source>%1 could not be written: %2</source>
-        <translation>无法写入 %1：%2</translation>
-    </message>
-    <message>
         <source>Log</source>
         <translation>日志</translation>
-    </message>
-    <message>
-        <source>Messages since the program began</source>
-        <translation>程序启动以来的消息</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -10335,6 +10195,18 @@ x %4，y %5
     <message>
         <source>C&amp;lose</source>
         <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved: %2</source>
+        <translation>无法写入 %1：%2</translation>
+    </message>
+    <message>
+        <source>Messages since the program started</source>
+        <translation>程序启动以来的消息</translation>
     </message>
 </context>
 <context>
@@ -10535,20 +10407,12 @@ x %4，y %5
 <context>
     <name>teleta::console::MotorCalibrator</name>
     <message>
-        <source>The profile of the motors cannot be used; they are assumed.</source>
-        <translation>无法使用电机配置；电机采用假定值。</translation>
-    </message>
-    <message>
         <source>Open the recording of a motor</source>
         <translation>打开电机的记录</translation>
     </message>
     <message>
         <source>Recordings (*.csv)</source>
         <translation>记录 (*.csv)</translation>
-    </message>
-    <message>
-        <source>Write the excitation</source>
-        <translation>写出激励信号</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -10576,18 +10440,26 @@ x %4，y %5
         <translation>无法打开 %1。</translation>
     </message>
     <message>
-        <source>%1 is of another bracelet.</source>
+        <source>%1 could not be saved.</source>
+        <comment>a file</comment>
+        <translation>无法保存 %1。</translation>
+    </message>
+    <message>
+        <source>The motor profile cannot be used: the motors use assumed values.</source>
+        <translation>无法使用电机配置；电机采用假定值。</translation>
+    </message>
+    <message>
+        <source>Save the excitation</source>
+        <translation>写出激励信号</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another bracelet.</source>
         <comment>a file</comment>
         <translation>%1 属于另一个手环。</translation>
     </message>
     <message>
-        <source>It is of “%1”, this one is “%2”. Measure this one, or connect the other.</source>
+        <source>The file is for “%1”, this bracelet is “%2”. Measure this one, or connect the other.</source>
         <translation>它属于“%1”，而当前手环为“%2”。请测量当前手环，或连接另一个。</translation>
-    </message>
-    <message>
-        <source>%1 could not be saved.</source>
-        <comment>a file</comment>
-        <translation>无法保存 %1。</translation>
     </message>
 </context>
 <context>
@@ -10601,18 +10473,6 @@ x %4，y %5
         <translation>新建研究</translation>
     </message>
     <message>
-        <source>In a file of this folder: one station</source>
-        <translation>存于此文件夹的文件中：单个工作站</translation>
-    </message>
-    <message>
-        <source>On a PostgreSQL server: stations share it</source>
-        <translation>存于 PostgreSQL 服务器：多个工作站共用</translation>
-    </message>
-    <message>
-        <source>Run: real participants, counts as data</source>
-        <translation>正式：真实被试，计为数据</translation>
-    </message>
-    <message>
         <source>Pilot: people try it, marked PILOT everywhere</source>
         <translation>预试：由人试做，处处标为“预试”</translation>
     </message>
@@ -10621,20 +10481,8 @@ x %4，y %5
         <translation>模拟：无真人参与，处处标为“模拟”</translation>
     </message>
     <message>
-        <source>The orders of all trials follow from it: the same seed gives the same study</source>
-        <translation>所有试次的顺序由它决定：相同的种子得到相同的研究</translation>
-    </message>
-    <message>
         <source>&amp;Choose…</source>
         <translation>选择(&amp;C)…</translation>
-    </message>
-    <message>
-        <source>&amp;Folder, which is made</source>
-        <translation>要创建的文件夹(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Kept</source>
-        <translation>存储位置(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Mode</source>
@@ -10643,18 +10491,6 @@ x %4，y %5
     <message>
         <source>&amp;Seed</source>
         <translation>种子(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Make the study</source>
-        <translation>创建研究</translation>
-    </message>
-    <message>
-        <source>Folder of the study</source>
-        <translation>研究的文件夹</translation>
-    </message>
-    <message>
-        <source>Choose a folder, with its whole path.</source>
-        <translation>请选择文件夹，使用完整路径。</translation>
     </message>
     <message>
         <source>The seed is a whole number from 0 to 18446744073709551615.</source>
@@ -10685,18 +10521,54 @@ x %4，y %5
         <source>Protocols (*.toml)</source>
         <translation>方案 (*.toml)</translation>
     </message>
+    <message>
+        <source>In a file in this folder, for one station</source>
+        <translation>存于此文件夹的文件中：单个工作站</translation>
+    </message>
+    <message>
+        <source>On a PostgreSQL server, shared by several stations</source>
+        <translation>存于 PostgreSQL 服务器：多个工作站共用</translation>
+    </message>
+    <message>
+        <source>Run: real participants, data count</source>
+        <translation>正式：真实被试，计为数据</translation>
+    </message>
+    <message>
+        <source>Determines the order of all trials: the same seed gives the same study</source>
+        <translation>所有试次的顺序由它决定：相同的种子得到相同的研究</translation>
+    </message>
+    <message>
+        <source>New &amp;folder</source>
+        <translation>要创建的文件夹(&amp;F)</translation>
+    </message>
+    <message>
+        <source>S&amp;torage</source>
+        <translation>存储位置(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Create the study</source>
+        <translation>创建研究</translation>
+    </message>
+    <message>
+        <source>Study folder</source>
+        <translation>研究的文件夹</translation>
+    </message>
     <message numerus="yes">
-        <source>%n test trial(s) a participant</source>
+        <source>%n test trial(s) per participant</source>
         <translation>
             <numerusform>每名被试 %n 个测试试次</numerusform>
         </translation>
     </message>
     <message>
-        <source>This protocol has no pattern %1 to be felt: name a file for it in the protocol.</source>
+        <source>There is no tactile pattern for %1: name a file for it in the protocol.</source>
         <translation>此方案没有可供感受的图案 %1：请在方案中为它指定文件。</translation>
     </message>
     <message>
-        <source>The file is no protocol that can be used; the one above stays chosen. %1</source>
+        <source>Choose a folder by its full path.</source>
+        <translation>请选择文件夹，使用完整路径。</translation>
+    </message>
+    <message>
+        <source>The file is not a usable protocol; the one above stays selected. %1</source>
         <translation>该文件不是可用的方案；仍选用上面的方案。%1</translation>
     </message>
 </context>
@@ -10712,16 +10584,16 @@ x %4，y %5
         <translation>%1 无法播放 48 kHz</translation>
     </message>
     <message>
-        <source>headphones that are plugged in, or the noise from another device</source>
-        <translation>已插入的耳机，或由其他设备播放噪声</translation>
-    </message>
-    <message>
         <source>the sound output stopped</source>
         <translation>声音输出已停止</translation>
     </message>
     <message>
         <source>headphones that stay plugged in</source>
         <translation>保持插入的耳机</translation>
+    </message>
+    <message>
+        <source>headphones, plugged in, or the noise from another device</source>
+        <translation>已插入的耳机，或由其他设备播放噪声</translation>
     </message>
 </context>
 <context>
@@ -10916,7 +10788,7 @@ x %4，y %5
         <translation>添加点对(&amp;A)</translation>
     </message>
     <message>
-        <source>Take this pair up (Enter)</source>
+        <source>Add this pair (Enter)</source>
         <translation>加入此点对 (Enter)</translation>
     </message>
 </context>
@@ -10951,7 +10823,7 @@ x %4，y %5
         <translation>已删除 %1。</translation>
     </message>
     <message>
-        <source>%1 could not be brought back.</source>
+        <source>%1 could not be restored.</source>
         <comment>a pattern</comment>
         <translation>无法恢复 %1。</translation>
     </message>
@@ -10959,16 +10831,12 @@ x %4，y %5
 <context>
     <name>teleta::console::PatternPlayback</name>
     <message>
-        <source>What plays is only shown, not felt.</source>
+        <source>The pattern is shown on the screen but not felt.</source>
         <translation>播放的内容只会显示，不会被感受到。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::PatternsPage</name>
-    <message>
-        <source>The edits that are not saved could not be kept aside: a crash would lose them.</source>
-        <translation>无法暂存未保存的编辑：程序崩溃时将会丢失。</translation>
-    </message>
     <message>
         <source>%1 (copy)</source>
         <translation>%1（副本）</translation>
@@ -11006,16 +10874,6 @@ x %4，y %5
         <source>Unsaved edits</source>
         <translation>未保存的编辑</translation>
     </message>
-    <message>
-        <source>%1 has edits that are not saved.</source>
-        <comment>a pattern</comment>
-        <translation>%1 有未保存的编辑。</translation>
-    </message>
-    <message>
-        <source>The program ended without saving %1, edited %2. The file on disk is as it was.</source>
-        <comment>a pattern, a time</comment>
-        <translation>程序结束时未保存于 %2 编辑的 %1。磁盘上的文件保持原样。</translation>
-    </message>
     <message numerus="yes">
         <source>There are %n more.</source>
         <translation>
@@ -11051,10 +10909,6 @@ x %4，y %5
         <translation>tact (*.tact)</translation>
     </message>
     <message>
-        <source>How strong the bracelet may be could not be read or kept: look at the slider Strongest.</source>
-        <translation>无法读取或保存手环的强度上限：请查看滑块“最强”。</translation>
-    </message>
-    <message>
         <source>Open the edits</source>
         <translation>打开编辑内容</translation>
     </message>
@@ -11062,23 +10916,41 @@ x %4，y %5
         <source>Discard them</source>
         <translation>放弃编辑内容</translation>
     </message>
+    <message>
+        <source>Unsaved edits could not be backed up: a crash would lose them.</source>
+        <translation>无法暂存未保存的编辑：程序崩溃时将会丢失。</translation>
+    </message>
+    <message>
+        <source>The strength limit of the bracelet could not be read or saved: check the slider Strongest.</source>
+        <translation>无法读取或保存手环的强度上限：请查看滑块“最强”。</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved edits.</source>
+        <comment>a pattern</comment>
+        <translation>%1 有未保存的编辑。</translation>
+    </message>
+    <message>
+        <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
+        <comment>a pattern, a time</comment>
+        <translation>程序结束时未保存于 %2 编辑的 %1。磁盘上的文件保持原样。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::ProbingStrip</name>
-    <message>
-        <source>How far the probing is</source>
-        <translation>探测的进度</translation>
-    </message>
-    <message>
-        <source>SIMULATED: a person probes the tube; pairs until now: %1</source>
-        <translation>模拟：由人探测软管；目前点对数：%1</translation>
-    </message>
     <message>
         <source>Sto&amp;p probing</source>
         <translation>停止探测(&amp;P)</translation>
     </message>
     <message>
-        <source>Keep what was collected until now</source>
+        <source>Progress of the probing</source>
+        <translation>探测的进度</translation>
+    </message>
+    <message>
+        <source>SIMULATED: a person probes the tube; pairs so far: %1</source>
+        <translation>模拟：由人探测软管；目前点对数：%1</translation>
+    </message>
+    <message>
+        <source>Keep the pairs collected so far</source>
         <translation>保留目前采集的内容</translation>
     </message>
 </context>
@@ -11199,10 +11071,6 @@ x %4，y %5
         <translation>例如：static, dynamic</translation>
     </message>
     <message>
-        <source>letter and name, one a line, for example A circle</source>
-        <translation>字母和名称，每行一个，例如：A 圆</translation>
-    </message>
-    <message>
         <source>Identifier</source>
         <translation>标识符</translation>
     </message>
@@ -11225,12 +11093,6 @@ x %4，y %5
     <message>
         <source>this form</source>
         <translation>此表单</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n test trial(s) a participant</source>
-        <translation>
-            <numerusform>每名被试 %n 个测试试次</numerusform>
-        </translation>
     </message>
     <message>
         <source> (expected: %1)</source>
@@ -11276,20 +11138,8 @@ x %4，y %5
         <translation>添加问卷(&amp;Q)</translation>
     </message>
     <message>
-        <source>letter, condition and file, one a line, for patterns of your own; all others come with the program</source>
-        <translation>自有图案的字母、条件和文件，每行一个；其余图案均随程序提供</translation>
-    </message>
-    <message>
-        <source>Of your own</source>
-        <translation>自有图案</translation>
-    </message>
-    <message>
         <source>Choose a pattern file…</source>
         <translation>选择图案文件…</translation>
-    </message>
-    <message>
-        <source>no pattern of the task is felt as &quot;%1 %2&quot;</source>
-        <translation>该任务中没有“%1 %2”对应的图案</translation>
     </message>
     <message>
         <source>a letter and a condition of the task, then the file</source>
@@ -11298,10 +11148,6 @@ x %4，y %5
     <message>
         <source>the file of &quot;%1 %2&quot; cannot be found</source>
         <translation>找不到“%1 %2”的文件</translation>
-    </message>
-    <message>
-        <source>its whole path</source>
-        <translation>其完整路径</translation>
     </message>
     <message>
         <source>&quot;%1 %2&quot; has two files</source>
@@ -11317,16 +11163,42 @@ x %4，y %5
         <translation>%1 的图案文件</translation>
     </message>
     <message>
-        <source>There is no pattern %1 to be felt. Name a file for it, or take a task, letter and condition whose pattern comes with the program; the protocol can be saved.</source>
-        <translation>没有可供感受的图案 %1。请为它指定文件，或改用图案随程序提供的任务、字母和条件；方案可以保存。</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>未保存的更改</translation>
     </message>
     <message>
         <source>The protocol has changes that are not saved.</source>
         <translation>方案有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>letter, condition and file, one per line, for your own patterns; all others are built in</source>
+        <translation>自有图案的字母、条件和文件，每行一个；其余图案均随程序提供</translation>
+    </message>
+    <message>
+        <source>letter and name, one per line, for example A circle</source>
+        <translation>字母和名称，每行一个，例如：A 圆</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>自有图案</translation>
+    </message>
+    <message>
+        <source>the task has no pattern &quot;%1 %2&quot;</source>
+        <translation>该任务中没有“%1 %2”对应的图案</translation>
+    </message>
+    <message>
+        <source>its full path</source>
+        <translation>其完整路径</translation>
+    </message>
+    <message>
+        <source>There is no tactile pattern for %1. Name a file for it, or use a task, letter and condition whose pattern is built in. The protocol can be saved as it is.</source>
+        <translation>没有可供感受的图案 %1。请为它指定文件，或改用图案随程序提供的任务、字母和条件；方案可以保存。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test trial(s) per participant</source>
+        <translation>
+            <numerusform>每名被试 %n 个测试试次</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11376,10 +11248,6 @@ x %4，y %5
         <translation>删除此问卷</translation>
     </message>
     <message>
-        <source>has to be answered</source>
-        <translation>必须回答</translation>
-    </message>
-    <message>
         <source>for example hard</source>
         <translation>例如 hard</translation>
     </message>
@@ -11409,10 +11277,6 @@ x %4，y %5
         <translation>最后一级的含义</translation>
     </message>
     <message>
-        <source>identifier and text, one a line, for example yes I felt it</source>
-        <translation>标识符和文本，每行一个，例如 yes I felt it</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>删除</translation>
     </message>
@@ -11431,6 +11295,14 @@ x %4，y %5
     <message>
         <source>Answers</source>
         <translation>答案</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>必须回答</translation>
+    </message>
+    <message>
+        <source>identifier and text, one per line, for example yes I felt it</source>
+        <translation>标识符和文本，每行一个，例如 yes I felt it</translation>
     </message>
 </context>
 <context>
@@ -11686,7 +11558,7 @@ x %4，y %5
     </message>
 </context>
 <context>
-    <name>teleta::console::RecordingStation</name>
+    <name>teleta::console::RecordingMarks</name>
     <message>
         <source>mark</source>
         <translation>标记</translation>
@@ -11699,6 +11571,9 @@ x %4，y %5
         <source>text of a mark</source>
         <translation>标记的文字</translation>
     </message>
+</context>
+<context>
+    <name>teleta::console::RecordingService</name>
     <message>
         <source>the folder cannot be made</source>
         <translation>无法创建文件夹</translation>
@@ -11715,10 +11590,6 @@ x %4，y %5
         <translation>留空则用 PGPASSWORD 或 ~/.pgpass</translation>
     </message>
     <message>
-        <source>Used for this connection, and kept nowhere</source>
-        <translation>仅用于此次连接，不在任何地方保存</translation>
-    </message>
-    <message>
         <source>&amp;Server</source>
         <translation>服务器(&amp;S)</translation>
     </message>
@@ -11730,16 +11601,16 @@ x %4，y %5
         <source>The address of a server looks like %1.</source>
         <translation>服务器地址形如 %1。</translation>
     </message>
+    <message>
+        <source>Used for this connection only, never saved</source>
+        <translation>仅用于此次连接，不在任何地方保存</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::ServerStudyDialog</name>
     <message>
         <source>Open a study on a server</source>
         <translation>打开服务器上的研究</translation>
-    </message>
-    <message>
-        <source>Exports go here, and trials while the server is away</source>
-        <translation>导出文件存于此处；服务器断开期间，试次也存于此处</translation>
     </message>
     <message>
         <source>&amp;Folder on this computer</source>
@@ -11750,16 +11621,16 @@ x %4，y %5
         <translation>打开研究</translation>
     </message>
     <message>
-        <source>Choose a folder, with its whole path.</source>
+        <source>For exports, and for trials while the server is unreachable</source>
+        <translation>导出文件存于此处；服务器断开期间，试次也存于此处</translation>
+    </message>
+    <message>
+        <source>Choose a folder by its full path.</source>
         <translation>请选择文件夹，使用完整路径。</translation>
     </message>
 </context>
 <context>
     <name>teleta::console::StudyController</name>
-    <message>
-        <source>a session of the open study is going on</source>
-        <translation>打开的研究正在进行一个场次</translation>
-    </message>
     <message>
         <source>the open study is being read or written</source>
         <translation>打开的研究正在读取或写入</translation>
@@ -11778,10 +11649,6 @@ x %4，y %5
         <translation>无法打开 %1。</translation>
     </message>
     <message>
-        <source>The study could not be made.</source>
-        <translation>无法创建研究。</translation>
-    </message>
-    <message>
         <source>The rehearsal could not be opened.</source>
         <translation>无法打开预演。</translation>
     </message>
@@ -11795,24 +11662,12 @@ x %4，y %5
         <translation>无法读取研究。</translation>
     </message>
     <message>
-        <source>The session could not begin.</source>
-        <translation>无法开始场次。</translation>
-    </message>
-    <message>
-        <source>Saved, read back and compared: %1</source>
-        <translation>已保存、读回并比对：%1</translation>
-    </message>
-    <message>
         <source>The trials are safe in the study, but could not be exported.</source>
         <translation>试次已安全存于研究中，但无法导出。</translation>
     </message>
     <message>
         <source>The session could not be closed.</source>
         <translation>无法结束场次。</translation>
-    </message>
-    <message>
-        <source>The note could not be kept.</source>
-        <translation>无法保存备注。</translation>
     </message>
     <message>
         <source>The note is safe in the study, but could not be exported.</source>
@@ -11822,6 +11677,26 @@ x %4，y %5
         <source>The export failed.</source>
         <translation>导出失败。</translation>
     </message>
+    <message>
+        <source>a session of the open study is running</source>
+        <translation>打开的研究正在进行一个场次</translation>
+    </message>
+    <message>
+        <source>The study could not be created.</source>
+        <translation>无法创建研究。</translation>
+    </message>
+    <message>
+        <source>The session could not start.</source>
+        <translation>无法开始场次。</translation>
+    </message>
+    <message>
+        <source>Saved and verified: %1</source>
+        <translation>已保存、读回并比对：%1</translation>
+    </message>
+    <message>
+        <source>The note could not be saved.</source>
+        <translation>无法保存备注。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyLeaving</name>
@@ -11830,33 +11705,33 @@ x %4，y %5
         <translation>研究</translation>
     </message>
     <message>
-        <source>The last answer is not kept: %1</source>
-        <translation>最后的回答未保存：%1</translation>
-    </message>
-    <message>
-        <source>It is only in the memory of this program. The session ends with it.</source>
-        <translation>它只在本程序的内存中，场次结束时将随之丢失。</translation>
-    </message>
-    <message>
         <source>&amp;Try again</source>
         <translation>重试(&amp;T)</translation>
     </message>
     <message>
-        <source>&amp;Lose it</source>
+        <source>&amp;End the session</source>
+        <translation>结束场次(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The last answer is not saved: %1</source>
+        <translation>最后的回答未保存：%1</translation>
+    </message>
+    <message>
+        <source>It exists only in the memory of this program and is lost when the session ends.</source>
+        <translation>它只在本程序的内存中，场次结束时将随之丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Discard it</source>
         <translation>丢弃(&amp;L)</translation>
     </message>
     <message>
-        <source>The session of %1 is going on.</source>
+        <source>The session of %1 is still running.</source>
         <comment>a participant</comment>
         <translation>%1 的场次正在进行。</translation>
     </message>
     <message>
-        <source>What was answered is kept, and the session can be gone on with later.</source>
+        <source>All answers are saved, and the session can be resumed later.</source>
         <translation>已回答的内容已保存，场次可以稍后继续。</translation>
-    </message>
-    <message>
-        <source>&amp;End the session</source>
-        <translation>结束场次(&amp;E)</translation>
     </message>
 </context>
 <context>
@@ -11898,14 +11773,6 @@ x %4，y %5
         <translation>多个工作站共用的研究</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen was lost.</source>
-        <translation>被试的屏幕已断开。</translation>
-    </message>
-    <message>
-        <source>The participant&apos;s window is beside the console now, and the session pauses. Plug the screen in and show the window again.</source>
-        <translation>被试窗口现位于控制台旁，场次已暂停。请插好屏幕并重新显示窗口。</translation>
-    </message>
-    <message>
         <source>The noise cannot be played.</source>
         <translation>无法播放噪声。</translation>
     </message>
@@ -11920,10 +11787,6 @@ x %4，y %5
     <message>
         <source>A session of this study was interrupted.</source>
         <translation>此研究的一个场次曾中断。</translation>
-    </message>
-    <message>
-        <source>Nothing that was answered is lost. Go on with it, or choose another one.</source>
-        <translation>已有的回答均未丢失。请继续该场次，或选择其他场次。</translation>
     </message>
     <message>
         <source>%1 could not be opened.</source>
@@ -11957,10 +11820,6 @@ x %4，y %5
     <message>
         <source>There are no completed trials yet.</source>
         <translation>尚无已完成的试次。</translation>
-    </message>
-    <message>
-        <source>Test trials that are complete; others are left out.</source>
-        <translation>已完成的测试试次；其他不计入。</translation>
     </message>
     <message>
         <source>The results could not be computed.</source>
@@ -12003,30 +11862,6 @@ x %4，y %5
         <translation>%1 倍实时速度，不播放</translation>
     </message>
     <message>
-        <source>How fast simulated participants are; it can be changed between sessions</source>
-        <translation>模拟被试的速度；可在场次之间更改</translation>
-    </message>
-    <message>
-        <source>This study can only be looked at: nothing can be written here.</source>
-        <translation>此研究只能查看：此处不能写入任何内容。</translation>
-    </message>
-    <message>
-        <source>Copy its whole folder to go on with it.</source>
-        <translation>要继续，请复制其整个文件夹。</translation>
-    </message>
-    <message>
-        <source>Of the paper&apos;s protocol, or of one of your own</source>
-        <translation>按论文方案，或按您自己的方案</translation>
-    </message>
-    <message>
-        <source>The participant&apos;s window covers a part of the console.</source>
-        <translation>被试窗口遮住了控制台的一部分。</translation>
-    </message>
-    <message>
-        <source>There is no other screen, and no room beside the console. Plug in a second screen, or make the console smaller, and show the window again.</source>
-        <translation>没有其他屏幕，控制台旁也没有位置。请连接第二个屏幕，或缩小控制台，然后重新显示窗口。</translation>
-    </message>
-    <message>
         <source>The protocols that come with the program could not be read.</source>
         <translation>无法读取程序自带的方案。</translation>
     </message>
@@ -12035,19 +11870,59 @@ x %4，y %5
         <comment>a protocol</comment>
         <translation>程序自带</translation>
     </message>
+    <message>
+        <source>The participant&apos;s screen was disconnected.</source>
+        <translation>被试的屏幕已断开。</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window is now next to the console, and the session pauses. Reconnect the screen and show the window again.</source>
+        <translation>被试窗口现位于控制台旁，场次已暂停。请插好屏幕并重新显示窗口。</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window covers part of the console.</source>
+        <translation>被试窗口遮住了控制台的一部分。</translation>
+    </message>
+    <message>
+        <source>There is no second screen, and no room next to the console. Connect a second screen, or make the console smaller, and show the window again.</source>
+        <translation>没有其他屏幕，控制台旁也没有位置。请连接第二个屏幕，或缩小控制台，然后重新显示窗口。</translation>
+    </message>
+    <message>
+        <source>This study is read-only: nothing can be written here.</source>
+        <translation>此研究只能查看：此处不能写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Copy its whole folder to continue the study.</source>
+        <translation>要继续，请复制其整个文件夹。</translation>
+    </message>
+    <message>
+        <source>No answer is lost. Resume it, or choose another one.</source>
+        <translation>已有的回答均未丢失。请继续该场次，或选择其他场次。</translation>
+    </message>
+    <message>
+        <source>Completed test trials only.</source>
+        <translation>已完成的测试试次；其他不计入。</translation>
+    </message>
+    <message>
+        <source>With the paper&apos;s protocol or your own</source>
+        <translation>按论文方案，或按您自己的方案</translation>
+    </message>
+    <message>
+        <source>Speed of the simulated participants; can be changed between sessions</source>
+        <translation>模拟被试的速度；可在场次之间更改</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyRunner</name>
-    <message>
-        <source>there is no pattern &quot;%1&quot; to be felt</source>
-        <translation>没有可供感觉的图案“%1”</translation>
-    </message>
     <message>
         <source>STOP was pressed</source>
         <translation>按下了 STOP</translation>
     </message>
     <message>
-        <source>a protocol that names a file for each pattern that does not come with the program</source>
+        <source>there is no tactile pattern &quot;%1&quot;</source>
+        <translation>没有可供感觉的图案“%1”</translation>
+    </message>
+    <message>
+        <source>a protocol that names a file for each pattern that is not built in</source>
         <translation>为每个未随程序提供的图案指定了文件的方案</translation>
     </message>
 </context>
@@ -12074,24 +11949,12 @@ x %4，y %5
         <translation>图像高度</translation>
     </message>
     <message>
-        <source>Width of the image in which the pixels are</source>
-        <translation>像素所在图像的宽度</translation>
-    </message>
-    <message>
-        <source>Height of the image in which the pixels are</source>
-        <translation>像素所在图像的高度</translation>
-    </message>
-    <message>
         <source>Radius of the tactile cylinder</source>
         <translation>触觉圆柱的半径</translation>
     </message>
     <message>
         <source>Length of the tactile cylinder</source>
         <translation>触觉圆柱的长度</translation>
-    </message>
-    <message>
-        <source>Radius of the surface on which the points are</source>
-        <translation>点所在表面的半径</translation>
     </message>
     <message>
         <source>Length of the surface, from z = 0 of the sensor&apos;s frame</source>
@@ -12102,11 +11965,23 @@ x %4，y %5
         <translation>孔系数(&amp;H)：</translation>
     </message>
     <message>
-        <source>From the holes of a shell to the tactile cylinder</source>
+        <source>Width of the image that the pixels refer to</source>
+        <translation>像素所在图像的宽度</translation>
+    </message>
+    <message>
+        <source>Height of the image that the pixels refer to</source>
+        <translation>像素所在图像的高度</translation>
+    </message>
+    <message>
+        <source>Radius of the surface that the points lie on</source>
+        <translation>点所在表面的半径</translation>
+    </message>
+    <message>
+        <source>Factor from the holes of a shell to the tactile cylinder</source>
         <translation>由外壳的孔到触觉圆柱的系数</translation>
     </message>
     <message>
-        <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
+        <source>For points that are holes of a shell: x and y times this factor lie on the elastomer (0.97 for the shell in the paper)</source>
         <translation>这些点是外壳的孔：其 x 和 y 乘以该系数即位于弹性体上（论文的外壳：0.97）</translation>
     </message>
 </context>
@@ -12152,15 +12027,15 @@ x %4，y %5
         <translation>修正(&amp;F)</translation>
     </message>
     <message>
-        <source>Laws: looking…</source>
-        <translation>规律：正在检查…</translation>
-    </message>
-    <message>
         <source>Laws: no warning</source>
         <translation>规律：无警告</translation>
     </message>
     <message>
-        <source>Laws: %1 to look at</source>
+        <source>Laws: checking…</source>
+        <translation>规律：正在检查…</translation>
+    </message>
+    <message>
+        <source>Laws: %1 to review</source>
         <translation>规律：%1 项待查看</translation>
     </message>
 </context>
@@ -12243,10 +12118,6 @@ x %4，y %5
         <translation>将对象转为节点</translation>
     </message>
     <message>
-        <source>Bake all</source>
-        <translation>全部转为节点</translation>
-    </message>
-    <message>
         <source>Follow the law</source>
         <translation>遵循规律</translation>
     </message>
@@ -12279,7 +12150,7 @@ x %4，y %5
         <translation>过驱动</translation>
     </message>
     <message>
-        <source>No motor needs help here: the pattern stays as it is.</source>
+        <source>No motor needs overdrive here: the pattern is unchanged.</source>
         <translation>这里没有电机需要帮助：图案保持不变。</translation>
     </message>
 </context>
@@ -12296,14 +12167,6 @@ x %4，y %5
     <message>
         <source>Compared with %1: largest difference %2 % (motor %3 at %4 s), rms %5 %</source>
         <translation>与 %1 比较：最大差异 %2 %（电机 %3，%4 s 处），rms %5 %</translation>
-    </message>
-    <message>
-        <source>Compared with %1: the motors do the same</source>
-        <translation>与 %1 比较：电机动作相同</translation>
-    </message>
-    <message>
-        <source>Editor of patterns</source>
-        <translation>图案编辑器</translation>
     </message>
     <message>
         <source>File</source>
@@ -12332,10 +12195,6 @@ x %4，y %5
     <message>
         <source>Save</source>
         <translation>保存</translation>
-    </message>
-    <message>
-        <source>Save the pattern; one without a file goes to one&apos;s own patterns</source>
-        <translation>保存图案；没有文件的图案存入自己的图案中</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -12378,10 +12237,6 @@ x %4，y %5
         <translation>循环</translation>
     </message>
     <message>
-        <source>Begin again at the end; Shift and a drag on the ruler set the range</source>
-        <translation>到末尾后重新开始；按住 Shift 在标尺上拖动可设置范围</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>撤销</translation>
     </message>
@@ -12408,10 +12263,6 @@ x %4，y %5
     <message>
         <source>Snap</source>
         <translation>吸附</translation>
-    </message>
-    <message>
-        <source>Times on a grid; Alt while dragging leaves it</source>
-        <translation>时间对齐到网格；拖动时按住 Alt 可不对齐</translation>
     </message>
     <message>
         <source>Step of the grid, and of the arrow keys</source>
@@ -12450,10 +12301,6 @@ x %4，y %5
         <translation>镜像</translation>
     </message>
     <message>
-        <source>The order of the motors the other way round</source>
-        <translation>将电机的顺序反转</translation>
-    </message>
-    <message>
         <source>Other arm</source>
         <translation>另一只手臂</translation>
     </message>
@@ -12470,16 +12317,8 @@ x %4，y %5
         <translation>显示整个图案（时间轴上按 Ctrl+0）</translation>
     </message>
     <message>
-        <source>Compare no more</source>
-        <translation>停止比较</translation>
-    </message>
-    <message>
         <source>Untitled</source>
         <translation>未命名</translation>
-    </message>
-    <message>
-        <source>built-in, edits make a copy</source>
-        <translation>内置，编辑时生成副本</translation>
     </message>
     <message>
         <source>not saved</source>
@@ -12492,6 +12331,38 @@ x %4，y %5
     <message>
         <source>right arm</source>
         <translation>右臂</translation>
+    </message>
+    <message>
+        <source>Compared with %1: no difference</source>
+        <translation>与 %1 比较：电机动作相同</translation>
+    </message>
+    <message>
+        <source>Pattern editor</source>
+        <translation>图案编辑器</translation>
+    </message>
+    <message>
+        <source>Save the pattern; a new one is added to your own patterns</source>
+        <translation>保存图案；没有文件的图案存入自己的图案中</translation>
+    </message>
+    <message>
+        <source>Repeat from the beginning; Shift and dragging on the ruler set the range</source>
+        <translation>到末尾后重新开始；按住 Shift 在标尺上拖动可设置范围</translation>
+    </message>
+    <message>
+        <source>Snap times to a grid; hold Alt while dragging to ignore it</source>
+        <translation>时间对齐到网格；拖动时按住 Alt 可不对齐</translation>
+    </message>
+    <message>
+        <source>Reverse the order of the motors</source>
+        <translation>将电机的顺序反转</translation>
+    </message>
+    <message>
+        <source>Stop comparing</source>
+        <translation>停止比较</translation>
+    </message>
+    <message>
+        <source>built-in, edits create a copy</source>
+        <translation>内置，编辑时生成副本</translation>
     </message>
 </context>
 <context>
@@ -12613,10 +12484,6 @@ x %4，y %5
         <translation>循环终点</translation>
     </message>
     <message>
-        <source>What is played again and again; the whole pattern when both are the same</source>
-        <translation>反复播放的部分；两者相同时为整个图案</translation>
-    </message>
-    <message>
         <source>T&amp;ells:</source>
         <translation>表达(&amp;E)：</translation>
     </message>
@@ -12684,6 +12551,10 @@ x %4，y %5
         <source>Curve:</source>
         <translation>曲线：</translation>
     </message>
+    <message>
+        <source>The range that is repeated; the whole pattern when both times are equal</source>
+        <translation>反复播放的部分；两者相同时为整个图案</translation>
+    </message>
 </context>
 <context>
     <name>teleta::editor::PatternLibrary</name>
@@ -12700,16 +12571,8 @@ x %4，y %5
         <translation>撤销</translation>
     </message>
     <message>
-        <source>Undo what was done to the library last (Ctrl+Z in the list)</source>
-        <translation>撤销对图案库的上一次操作（在列表中按 Ctrl+Z）</translation>
-    </message>
-    <message>
         <source>Patterns</source>
         <translation>图案</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns stay as they are: the first edit makes a copy. In one&apos;s own: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; takes that back.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;双击或按 &lt;b&gt;Enter&lt;/b&gt; 打开图案。内置图案保持不变：首次编辑时生成副本。对自己的图案：&lt;b&gt;F2&lt;/b&gt; 重命名，&lt;b&gt;Ctrl+D&lt;/b&gt; 创建副本，&lt;b&gt;Delete&lt;/b&gt; 删除，&lt;b&gt;Ctrl+Z&lt;/b&gt; 撤回。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Built-in: shapes</source>
@@ -12756,12 +12619,20 @@ x %4，y %5
         <translation>删除(&amp;L)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The pattern in bold, with a sign before it, is open in the editor; the keys are for the highlighted one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;粗体且前有标记的图案已在编辑器中打开；按键作用于突出显示的图案。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Open in the editor</source>
         <translation>已在编辑器中打开</translation>
+    </message>
+    <message>
+        <source>Undo the last change to the library (Ctrl+Z in the list)</source>
+        <translation>撤销对图案库的上一次操作（在列表中按 Ctrl+Z）</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;双击或按 &lt;b&gt;Enter&lt;/b&gt; 打开图案。内置图案保持不变：首次编辑时生成副本。对自己的图案：&lt;b&gt;F2&lt;/b&gt; 重命名，&lt;b&gt;Ctrl+D&lt;/b&gt; 创建副本，&lt;b&gt;Delete&lt;/b&gt; 删除，&lt;b&gt;Ctrl+Z&lt;/b&gt; 撤回。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;粗体且前有标记的图案已在编辑器中打开；按键作用于突出显示的图案。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -12775,12 +12646,12 @@ x %4，y %5
         <translation>绘制一笔：感觉为沿其移动的点</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The forearm, unrolled: from left to right once around it. What is drawn here with the mouse becomes a stroke of the pattern, from the playhead on, as fast as it was drawn. &lt;b&gt;Esc&lt;/b&gt; gives it up.&lt;/p&gt;&lt;p&gt;By keys: the arrows move a cursor, &lt;b&gt;Space&lt;/b&gt; sets a point a quarter of a second after the last one, &lt;b&gt;Backspace&lt;/b&gt; takes it back, &lt;b&gt;Enter&lt;/b&gt; finishes.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;展开的前臂：从左到右绕手臂一周。用鼠标在此绘制的内容将成为图案的一个笔画，从播放头开始，速度与绘制时相同。&lt;b&gt;Esc&lt;/b&gt; 放弃。&lt;/p&gt;&lt;p&gt;键盘操作：方向键移动光标，&lt;b&gt;空格键&lt;/b&gt;在上一点之后四分之一秒处设置一个点，&lt;b&gt;Backspace&lt;/b&gt; 撤回该点，&lt;b&gt;Enter&lt;/b&gt; 完成。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Draw a stroke here</source>
         <translation>在此绘制笔画</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The unrolled forearm: from left to right once around it. Draw with the mouse to add a stroke that starts at the playhead and moves as fast as you draw. &lt;b&gt;Esc&lt;/b&gt; cancels it.&lt;/p&gt;&lt;p&gt;With keys: the arrows move a cursor, &lt;b&gt;Space&lt;/b&gt; adds a point a quarter of a second after the last one, &lt;b&gt;Backspace&lt;/b&gt; removes it, &lt;b&gt;Enter&lt;/b&gt; finishes.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;展开的前臂：从左到右绕手臂一周。用鼠标在此绘制的内容将成为图案的一个笔画，从播放头开始，速度与绘制时相同。&lt;b&gt;Esc&lt;/b&gt; 放弃。&lt;/p&gt;&lt;p&gt;键盘操作：方向键移动光标，&lt;b&gt;空格键&lt;/b&gt;在上一点之后四分之一秒处设置一个点，&lt;b&gt;Backspace&lt;/b&gt; 撤回该点，&lt;b&gt;Enter&lt;/b&gt; 完成。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -12818,7 +12689,7 @@ x %4，y %5
         <translation>清除循环(&amp;L)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Six motors over time. The blue line is what is asked of a motor, the thin one what the motor is predicted to do; it is hatched where the motor cannot follow.&lt;/p&gt;&lt;p&gt;Double-click or &lt;b&gt;P&lt;/b&gt;: add breakpoints. Drag: move, with &lt;b&gt;Alt&lt;/b&gt; off the grid. Drag on the ground, or with &lt;b&gt;Shift&lt;/b&gt;: select. Double-click on a breakpoint or &lt;b&gt;Enter&lt;/b&gt;: type its numbers. Arrow keys: move what is selected, with &lt;b&gt;Shift&lt;/b&gt; farther in time and finer in intensity. &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;: lane; &lt;b&gt;,&lt;/b&gt; and &lt;b&gt;.&lt;/b&gt;: breakpoint, with &lt;b&gt;Shift&lt;/b&gt; one more; &lt;b&gt;N&lt;/b&gt;: object; &lt;b&gt;Insert&lt;/b&gt;: a breakpoint at the playhead; &lt;b&gt;[&lt;/b&gt; and &lt;b&gt;]&lt;/b&gt;: begin and end of the loop, &lt;b&gt;\&lt;/b&gt;: none.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; and wheel: zoom. &lt;b&gt;Shift&lt;/b&gt; and wheel: scroll. On the ruler a drag moves the playhead and, with &lt;b&gt;Shift&lt;/b&gt;, sets the loop.&lt;/p&gt;</source>
+        <source>&lt;p&gt;Six motors over time. The blue line is the commanded intensity of a motor, the thin one its predicted response; hatching shows where the motor cannot follow.&lt;/p&gt;&lt;p&gt;Double-click or &lt;b&gt;P&lt;/b&gt;: add breakpoints. Drag: move, with &lt;b&gt;Alt&lt;/b&gt; without the grid. Drag on the background, or with &lt;b&gt;Shift&lt;/b&gt;: select. Double-click on a breakpoint or &lt;b&gt;Enter&lt;/b&gt;: type its numbers. Arrow keys: move what is selected, with &lt;b&gt;Shift&lt;/b&gt; farther in time and finer in intensity. &lt;b&gt;Page Up&lt;/b&gt;, &lt;b&gt;Page Down&lt;/b&gt;: lane; &lt;b&gt;,&lt;/b&gt; and &lt;b&gt;.&lt;/b&gt;: breakpoint, with &lt;b&gt;Shift&lt;/b&gt; one more; &lt;b&gt;N&lt;/b&gt;: object; &lt;b&gt;Insert&lt;/b&gt;: a breakpoint at the playhead; &lt;b&gt;[&lt;/b&gt; and &lt;b&gt;]&lt;/b&gt;: begin and end of the loop, &lt;b&gt;\&lt;/b&gt;: none.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; and wheel: zoom. &lt;b&gt;Shift&lt;/b&gt; and wheel: scroll. On the ruler a drag moves the playhead and, with &lt;b&gt;Shift&lt;/b&gt;, sets the loop.&lt;/p&gt;</source>
         <translation>&lt;p&gt;六个电机随时间的变化。蓝线为对电机的指令，细线为电机的预测动作；电机无法跟随处以斜线填充。&lt;/p&gt;&lt;p&gt;双击或 &lt;b&gt;P&lt;/b&gt;：添加节点。拖动：移动，按住 &lt;b&gt;Alt&lt;/b&gt; 不对齐网格。在空白处拖动，或按住 &lt;b&gt;Shift&lt;/b&gt; 拖动：选择。双击节点或按 &lt;b&gt;Enter&lt;/b&gt;：输入其数值。方向键：移动所选内容，按住 &lt;b&gt;Shift&lt;/b&gt; 时时间步长更大、强度步长更小。&lt;b&gt;Page Up&lt;/b&gt;、&lt;b&gt;Page Down&lt;/b&gt;：轨道；&lt;b&gt;,&lt;/b&gt; 和 &lt;b&gt;.&lt;/b&gt;：节点，按住 &lt;b&gt;Shift&lt;/b&gt; 再多选一个；&lt;b&gt;N&lt;/b&gt;：对象；&lt;b&gt;Insert&lt;/b&gt;：在播放头处添加节点；&lt;b&gt;[&lt;/b&gt; 和 &lt;b&gt;]&lt;/b&gt;：循环的起点和终点，&lt;b&gt;\&lt;/b&gt;：取消循环。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 加滚轮：缩放。&lt;b&gt;Shift&lt;/b&gt; 加滚轮：滚动。在标尺上拖动可移动播放头，按住 &lt;b&gt;Shift&lt;/b&gt; 则设置循环。&lt;/p&gt;</translation>
     </message>
 </context>
@@ -12827,10 +12698,6 @@ x %4，y %5
     <message>
         <source>Force over time</source>
         <translation>力随时间的变化</translation>
-    </message>
-    <message>
-        <source>Force that the array reads (line) and that is wanted (dashes), over the last 20 s</source>
-        <translation>最近 20 s 内阵列读取的力（实线）和期望的力（虚线）</translation>
     </message>
     <message>
         <source>Force, N</source>
@@ -12843,6 +12710,10 @@ x %4，y %5
     <message>
         <source>desired</source>
         <translation>期望</translation>
+    </message>
+    <message>
+        <source>Measured force (line) and desired force (dashes) over the last 20 s</source>
+        <translation>最近 20 s 内阵列读取的力（实线）和期望的力（虚线）</translation>
     </message>
 </context>
 <context>
@@ -12873,10 +12744,6 @@ x %4，y %5
         <translation>任务(&amp;T)</translation>
     </message>
     <message>
-        <source>The running task; choose one to begin it now</source>
-        <translation>正在运行的任务；选择一个即可立即开始</translation>
-    </message>
-    <message>
         <source>&amp;Force</source>
         <translation>力(&amp;F)</translation>
     </message>
@@ -12897,10 +12764,6 @@ x %4，y %5
         <translation>增益(&amp;G)</translation>
     </message>
     <message>
-        <source>All gains of the regulators, in percent of the scene&apos;s</source>
-        <translation>调节器的全部增益，以场景设定的百分比表示</translation>
-    </message>
-    <message>
         <source>Balance the &amp;moment (DZMP)</source>
         <translation>平衡力矩 (DZMP)(&amp;M)</translation>
     </message>
@@ -12911,6 +12774,14 @@ x %4，y %5
     <message>
         <source>The scene is held</source>
         <translation>场景处于保持状态</translation>
+    </message>
+    <message>
+        <source>The running task; choose one to start it now</source>
+        <translation>正在运行的任务；选择一个即可立即开始</translation>
+    </message>
+    <message>
+        <source>All controller gains, in percent of those in the scene</source>
+        <translation>调节器的全部增益，以场景设定的百分比表示</translation>
     </message>
 </context>
 <context>
@@ -12951,14 +12822,6 @@ x %4，y %5
 <context>
     <name>teleta::servo::ServoRunsView</name>
     <message>
-        <source>A run that teleta simulate --out has written: its servo.csv</source>
-        <translation>teleta simulate --out 写出的运行：其 servo.csv</translation>
-    </message>
-    <message>
-        <source>Keeps only the run that goes on</source>
-        <translation>仅保留正在进行的运行</translation>
-    </message>
-    <message>
         <source>&amp;Picture</source>
         <translation>图片(&amp;P)</translation>
     </message>
@@ -12969,10 +12832,6 @@ x %4，y %5
     <message>
         <source>Servo runs</source>
         <translation>伺服运行</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Servo runs in one chart: the running one, those before its source was restarted or another source was shown, and recorded ones.&lt;/p&gt;&lt;p&gt;To see what the moment is for, restart the scene with and without “Balance the moment”.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;同一图中的各次伺服运行：正在进行的运行，数据源重新启动或切换之前的运行，以及记录的运行。&lt;/p&gt;&lt;p&gt;要了解力矩的作用，请分别勾选和取消“平衡力矩”后重新启动场景。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Servo runs (servo.csv)</source>
@@ -12988,10 +12847,6 @@ x %4，y %5
         <translation>伺服运行</translation>
     </message>
     <message>
-        <source>No run yet. Runs of servos are drawn here, one over the other.</source>
-        <translation>尚无运行。伺服运行将叠加绘制于此。</translation>
-    </message>
-    <message>
         <source>&amp;Add recorded run…</source>
         <translation>添加记录的运行(&amp;A)…</translation>
     </message>
@@ -13002,6 +12857,22 @@ x %4，y %5
     <message>
         <source>Add recorded run</source>
         <translation>添加记录的运行</translation>
+    </message>
+    <message>
+        <source>A run written by teleta simulate --out: its servo.csv</source>
+        <translation>teleta simulate --out 写出的运行：其 servo.csv</translation>
+    </message>
+    <message>
+        <source>Keeps only the current run</source>
+        <translation>仅保留正在进行的运行</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Servo runs in one chart: the current one, earlier ones from before a restart or a change of the source, and recorded ones.&lt;/p&gt;&lt;p&gt;To see the effect of the moment, restart the scene with and without “Balance the moment”.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;同一图中的各次伺服运行：正在进行的运行，数据源重新启动或切换之前的运行，以及记录的运行。&lt;/p&gt;&lt;p&gt;要了解力矩的作用，请分别勾选和取消“平衡力矩”后重新启动场景。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>No runs yet. Servo runs are drawn here on top of each other.</source>
+        <translation>尚无运行。伺服运行将叠加绘制于此。</translation>
     </message>
 </context>
 <context>
@@ -13047,10 +12918,6 @@ x %4，y %5
         <translation>尚无试次</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Rows: what was presented. Columns: what was answered, and NONE for no answer in time. &lt;b&gt;Space&lt;/b&gt; or a double click changes between counts and percent of the row.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;行：呈现的图案。列：回答的图案，NONE 表示未及时回答。按&lt;b&gt;空格键&lt;/b&gt;或双击可在计数与占行的百分比之间切换。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <comment>count of a row</comment>
         <translation>%1 / %2</translation>
@@ -13068,6 +12935,10 @@ x %4，y %5
     <message>
         <source>In &amp;percent</source>
         <translation>以百分比显示(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Rows: what was presented. Columns: what was answered, and NONE for no answer in time. &lt;b&gt;Space&lt;/b&gt; or a double click switches between counts and percent of the row.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;行：呈现的图案。列：回答的图案，NONE 表示未及时回答。按&lt;b&gt;空格键&lt;/b&gt;或双击可在计数与占行的百分比之间切换。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -13110,18 +12981,6 @@ x %4，y %5
         <translation>您感觉到的是哪个图案？</translation>
     </message>
     <message>
-        <source>There was no answer in time. The marked pattern was felt. Press Space to go on.</source>
-        <translation>未及时回答。实际呈现的是标出的图案。按空格键继续。</translation>
-    </message>
-    <message>
-        <source>Right. Press Space to go on.</source>
-        <translation>正确。按空格键继续。</translation>
-    </message>
-    <message>
-        <source>That was another one: the pattern marked with ✓ was felt. Press Space to go on.</source>
-        <translation>是另一个图案：实际呈现的是标有 ✓ 的图案。按空格键继续。</translation>
-    </message>
-    <message>
         <source>Pause. Please wait for the experimenter.</source>
         <translation>暂停。请等待实验人员。</translation>
     </message>
@@ -13151,21 +13010,28 @@ x %4，y %5
         <translation>%1 — %2，第 %3 个试次，共 %4 个</translation>
     </message>
     <message>
-        <source>Have a rest. You may go on in %1 s.</source>
+        <source>There was no answer in time. The marked pattern was the right one. Press Space to continue.</source>
+        <translation>未及时回答。实际呈现的是标出的图案。按空格键继续。</translation>
+    </message>
+    <message>
+        <source>Right. Press Space to continue.</source>
+        <translation>正确。按空格键继续。</translation>
+    </message>
+    <message>
+        <source>That was another one: the pattern marked with ✓ was the right one. Press Space to continue.</source>
+        <translation>是另一个图案：实际呈现的是标有 ✓ 的图案。按空格键继续。</translation>
+    </message>
+    <message>
+        <source>Take a break. You can continue in %1 s.</source>
         <translation>请休息。%1 秒后可以继续。</translation>
     </message>
     <message>
-        <source>Have a rest. Press Space when you would like to go on.</source>
+        <source>Take a break. Press Space when you would like to continue.</source>
         <translation>请休息。想继续时请按空格键。</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::QuestionnaireForm</name>
-    <message>
-        <source>This does not fit: %1.</source>
-        <comment>what is expected</comment>
-        <translation>不符合要求，应为：%1。</translation>
-    </message>
     <message>
         <source>Please answer this question.</source>
         <translation>请回答此问题。</translation>
@@ -13179,17 +13045,17 @@ x %4，y %5
         <translation>完成(&amp;D)</translation>
     </message>
     <message>
-        <source>Hands the answers over (Ctrl+Return)</source>
+        <source>This answer is not valid: %1.</source>
+        <comment>what is expected</comment>
+        <translation>不符合要求，应为：%1。</translation>
+    </message>
+    <message>
+        <source>Submits the answers (Ctrl+Return)</source>
         <translation>提交回答 (Ctrl+Return)</translation>
     </message>
 </context>
 <context>
     <name>teleta::studyview::QuestionnaireItemView</name>
-    <message>
-        <source>%1 (may be left out)</source>
-        <comment>a question</comment>
-        <translation>%1（可不填）</translation>
-    </message>
     <message>
         <source>No answer</source>
         <translation>未回答</translation>
@@ -13199,16 +13065,17 @@ x %4，y %5
         <comment>question, point, points</comment>
         <translation>%1：%2，共 %3 级</translation>
     </message>
+    <message>
+        <source>%1 (optional)</source>
+        <comment>a question</comment>
+        <translation>%1（可不填）</translation>
+    </message>
 </context>
 <context>
     <name>teleta::studyview::ResultsView</name>
     <message>
         <source>All participants</source>
         <translation>全部被试</translation>
-    </message>
-    <message>
-        <source>Nobody beside them</source>
-        <translation>不对比</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -13220,20 +13087,8 @@ x %4，y %5
         <translation>任务</translation>
     </message>
     <message>
-        <source>Participants that are shown</source>
-        <translation>显示的被试</translation>
-    </message>
-    <message>
         <source>Tick one participant, or a group</source>
         <translation>勾选一名被试或一组被试</translation>
-    </message>
-    <message>
-        <source>Participants beside them</source>
-        <translation>对比的被试</translation>
-    </message>
-    <message>
-        <source>Tick those whom you want to compare with: a second group side by side</source>
-        <translation>勾选要对比的被试：第二组并排显示</translation>
     </message>
     <message>
         <source>What the matrices show</source>
@@ -13283,6 +13138,22 @@ x %4，y %5
         <source>&amp;Results: tables, figures, R script</source>
         <translation>结果：表格、图、R 脚本(&amp;R)</translation>
     </message>
+    <message>
+        <source>No comparison</source>
+        <translation>不对比</translation>
+    </message>
+    <message>
+        <source>Participants shown</source>
+        <translation>显示的被试</translation>
+    </message>
+    <message>
+        <source>Participants for comparison</source>
+        <translation>对比的被试</translation>
+    </message>
+    <message>
+        <source>Tick the participants to compare with: a second group, side by side</source>
+        <translation>勾选要对比的被试：第二组并排显示</translation>
+    </message>
 </context>
 <context>
     <name>teleta::studyview::SessionPanel</name>
@@ -13299,32 +13170,12 @@ x %4，y %5
         <translation>中止场次？</translation>
     </message>
     <message>
-        <source>The session ends here. What was answered is kept, and the session can be gone on with later, where it stopped.</source>
-        <translation>场次在此结束。已有的回答均会保留，以后可从停止处继续此场次。</translation>
-    </message>
-    <message>
         <source>&amp;Abort the session</source>
         <translation>中止场次(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Go on</source>
         <translation>继续(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Leave the questionnaire out?</source>
-        <translation>跳过问卷？</translation>
-    </message>
-    <message>
-        <source>What is filled in is lost, and a note says that it was left out.</source>
-        <translation>已填写的内容将丢失，并会记录备注说明问卷已跳过。</translation>
-    </message>
-    <message>
-        <source>&amp;Leave it out</source>
-        <translation>跳过(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Go on with it</source>
-        <translation>继续填写(&amp;G)</translation>
     </message>
     <message>
         <source>Next step</source>
@@ -13375,10 +13226,6 @@ x %4，y %5
         <translation>反应时间</translation>
     </message>
     <message>
-        <source>A note on this session; Return keeps it</source>
-        <translation>关于此场次的备注；按 Return 保存</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>备注</translation>
     </message>
@@ -13387,28 +13234,52 @@ x %4，y %5
         <translation>被试窗口(&amp;W)</translation>
     </message>
     <message>
-        <source>Shows the participant&apos;s window, on the second screen where there is one</source>
-        <translation>显示被试窗口；有第二屏幕时显示在其上</translation>
-    </message>
-    <message>
-        <source>&amp;Leave the questionnaire out…</source>
-        <translation>跳过问卷(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>Goes on without the participant&apos;s answers</source>
-        <translation>不等被试回答即继续</translation>
-    </message>
-    <message>
         <source>&amp;Pause</source>
         <translation>暂停(&amp;P)</translation>
     </message>
     <message>
-        <source>Pauses after the present trial</source>
-        <translation>在当前试次之后暂停</translation>
-    </message>
-    <message>
         <source>&amp;Abort…</source>
         <translation>中止(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The session ends here. All answers are saved, and it can be resumed later where it stopped.</source>
+        <translation>场次在此结束。已有的回答均会保留，以后可从停止处继续此场次。</translation>
+    </message>
+    <message>
+        <source>Skip the questionnaire?</source>
+        <translation>跳过问卷？</translation>
+    </message>
+    <message>
+        <source>What is filled in is lost, and a note says that it was skipped.</source>
+        <translation>已填写的内容将丢失，并会记录备注说明问卷已跳过。</translation>
+    </message>
+    <message>
+        <source>&amp;Skip it</source>
+        <translation>跳过(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Continue with it</source>
+        <translation>继续填写(&amp;G)</translation>
+    </message>
+    <message>
+        <source>A note on this session; Return saves it</source>
+        <translation>关于此场次的备注；按 Return 保存</translation>
+    </message>
+    <message>
+        <source>Shows the participant&apos;s window, on the second screen if there is one</source>
+        <translation>显示被试窗口；有第二屏幕时显示在其上</translation>
+    </message>
+    <message>
+        <source>S&amp;kip the questionnaire…</source>
+        <translation>跳过问卷(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Continues without the participant&apos;s answers</source>
+        <translation>不等被试回答即继续</translation>
+    </message>
+    <message>
+        <source>Pauses after the current trial</source>
+        <translation>在当前试次之后暂停</translation>
     </message>
 </context>
 <context>
@@ -13416,10 +13287,6 @@ x %4，y %5
     <message>
         <source>● On the server: %1</source>
         <translation>● 在服务器上：%1</translation>
-    </message>
-    <message>
-        <source>✗ Server away: %1</source>
-        <translation>✗ 服务器已断开：%1</translation>
     </message>
     <message>
         <source>✗ The study cannot be used: %1</source>
@@ -13433,10 +13300,6 @@ x %4，y %5
     <message>
         <source>&amp;New…</source>
         <translation>新建(&amp;N)…</translation>
-    </message>
-    <message>
-        <source>Begin a new study</source>
-        <translation>开始新的研究</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -13457,10 +13320,6 @@ x %4，y %5
     <message>
         <source>Pro&amp;tocol…</source>
         <translation>方案(&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Look at the protocol, or make another one from it</source>
-        <translation>查看方案，或由它制作另一个方案</translation>
     </message>
     <message>
         <source>Participants</source>
@@ -13493,6 +13352,18 @@ x %4，y %5
     <message>
         <source>Enrol this participant</source>
         <translation>登记此被试</translation>
+    </message>
+    <message>
+        <source>✗ Server unreachable: %1</source>
+        <translation>✗ 服务器已断开：%1</translation>
+    </message>
+    <message>
+        <source>Create a new study</source>
+        <translation>开始新的研究</translation>
+    </message>
+    <message>
+        <source>View the protocol, or make another one from it</source>
+        <translation>查看方案，或由它制作另一个方案</translation>
     </message>
 </context>
 <context>
@@ -13564,20 +13435,12 @@ x %4，y %5
         <translation>噪声高度(&amp;N)：</translation>
     </message>
     <message>
-        <source>Two summits are one contact when the lower one rises less than this above the saddle between them, in percent of the frame&apos;s peak</source>
-        <translation>若两个峰顶中较低者高出其间鞍点的量小于此值（帧峰值的百分比），则视为同一接触</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
     </message>
     <message>
         <source>&amp;Smallest contact:</source>
         <translation>最小接触(&amp;S)：</translation>
-    </message>
-    <message>
-        <source>In taxels; contacts of fewer are ignored</source>
-        <translation>以触元计；触元数更少的接触将被忽略</translation>
     </message>
     <message>
         <source>&amp;Orientation:</source>
@@ -13588,20 +13451,8 @@ x %4，y %5
         <translation>由哪些触元计算主轴</translation>
     </message>
     <message>
-        <source>active taxels alike</source>
-        <translation>活动触元等权</translation>
-    </message>
-    <message>
-        <source>weighted with the load</source>
-        <translation>按载荷加权</translation>
-    </message>
-    <message>
         <source>&amp;Force over:</source>
         <translation>力的范围(&amp;F)：</translation>
-    </message>
-    <message>
-        <source>The whole image counts every load; active taxels leave out the noise of unloaded ones</source>
-        <translation>整幅图像计入所有载荷；活动触元则排除空载触元的噪声</translation>
     </message>
     <message>
         <source>whole image</source>
@@ -13649,7 +13500,27 @@ x %4，y %5
         <translation>正在使用触元增益</translation>
     </message>
     <message>
-        <source>Default values for everything but the tare and the gains of the taxels</source>
+        <source>Two peaks count as one contact when the lower one rises less than this above the saddle between them, in percent of the highest peak of the frame</source>
+        <translation>若两个峰顶中较低者高出其间鞍点的量小于此值（帧峰值的百分比），则视为同一接触</translation>
+    </message>
+    <message>
+        <source>In taxels; smaller contacts are ignored</source>
+        <translation>以触元计；触元数更少的接触将被忽略</translation>
+    </message>
+    <message>
+        <source>active taxels equally</source>
+        <translation>活动触元等权</translation>
+    </message>
+    <message>
+        <source>weighted by load</source>
+        <translation>按载荷加权</translation>
+    </message>
+    <message>
+        <source>Whole image: adds up every load. Active taxels: leaves out the noise of unloaded taxels</source>
+        <translation>整幅图像计入所有载荷；活动触元则排除空载触元的噪声</translation>
+    </message>
+    <message>
+        <source>Reset everything but the tare and the taxel gains</source>
         <translation>除去皮和触元增益外全部恢复默认值</translation>
     </message>
 </context>
@@ -13716,12 +13587,6 @@ x %4，y %5
         <translation>自动</translation>
     </message>
     <message>
-        <source>Loads from 0 to %1. Taxels under the threshold of %2 carry no contact.
-Double-click to type the upper end.</source>
-        <translation>载荷从 0 到 %1。低于阈值 %2 的触元不属于接触。
-双击可输入上端。</translation>
-    </message>
-    <message>
         <source>Dead taxel: its value is not used.</source>
         <translation>失效触元：其值不被使用。</translation>
     </message>
@@ -13748,6 +13613,12 @@ Double-click to type the upper end.</source>
     <message>
         <source>Show &amp;whole array</source>
         <translation>显示整个阵列(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Loads from 0 to %1. Taxels below the threshold of %2 are not in contact.
+Double-click to type the upper end.</source>
+        <translation>载荷从 0 到 %1。低于阈值 %2 的触元不属于接触。
+双击可输入上端。</translation>
     </message>
 </context>
 <context>
@@ -13887,10 +13758,6 @@ Double-click to type the upper end.</source>
         <translation>按住 Shift 和一个按钮，或按 Shift 加 D A (x)、W S (y)、E Q (z)。</translation>
     </message>
     <message>
-        <source>Hold Shift and a button, or Shift with Q W E R (up), A S D F (down).</source>
-        <translation>按住 Shift 和一个按钮，或按 Shift 加 Q W E R（正向）、A S D F（负向）。</translation>
-    </message>
-    <message>
         <source>The joint readings are old: nothing is moved until they come again.</source>
         <translation>关节读数已过时：在新读数到来之前不会移动。</translation>
     </message>
@@ -13953,6 +13820,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>Restart the arm&apos;s program</source>
         <translation>重新开始机械臂的程序</translation>
+    </message>
+    <message>
+        <source>Hold with Shift to move</source>
+        <translation>与 Shift 同时按住以移动</translation>
+    </message>
+    <message>
+        <source>Hold Shift and a button, or Shift with %1 (up), %2 (down).</source>
+        <translation>按住 Shift 和一个按钮，或按 Shift 加 %1（正向）、%2（负向）。</translation>
     </message>
 </context>
 <context>
@@ -14415,10 +14290,6 @@ Double-click to type the upper end.</source>
         <translation>显示全部</translation>
     </message>
     <message>
-        <source>Back to the start: everything from a corner</source>
-        <translation>回到初始视角：从角上看全部内容</translation>
-    </message>
-    <message>
         <source>Follow contact</source>
         <translation>跟随接触</translation>
     </message>
@@ -14514,11 +14385,15 @@ Double-click to type the upper end.</source>
         <source>Triangles (*.stl)</source>
         <translation>三角面 (*.stl)</translation>
     </message>
+    <message>
+        <source>Back to the initial view: everything from a corner</source>
+        <translation>回到初始视角：从角上看全部内容</translation>
+    </message>
 </context>
 <context>
     <name>teleta::view3d::VtkWidget</name>
     <message>
-        <source>No 3-D view here. %1
+        <source>The 3-D view is not available. %1
 All other views work without it.</source>
         <translation>此处没有 3D 视图。%1
 所有其他视图不受影响。</translation>
@@ -14526,10 +14401,6 @@ All other views work without it.</source>
 </context>
 <context>
     <name>view3d</name>
-    <message>
-        <source>This is no geometry format that can be written.</source>
-        <translation>这不是可写出的几何数据格式。</translation>
-    </message>
     <message>
         <source>a file name that ends in .vtp, .ply or .stl</source>
         <translation>以 .vtp、.ply 或 .stl 结尾的文件名</translation>
@@ -14551,16 +14422,20 @@ All other views work without it.</source>
         <translation>显示平台“%1”不支持 OpenGL 部件。</translation>
     </message>
     <message>
-        <source>This display offers no OpenGL %1.%2 or newer.</source>
-        <translation>此显示器不提供 OpenGL %1.%2 或更新版本。</translation>
-    </message>
-    <message>
         <source>This display refused an OpenGL context.</source>
         <translation>此显示器拒绝了 OpenGL 上下文。</translation>
     </message>
     <message>
         <source>The OpenGL driver of this display does not work with VTK.</source>
         <translation>此显示器的 OpenGL 驱动程序无法与 VTK 配合工作。</translation>
+    </message>
+    <message>
+        <source>Geometry cannot be written in this format.</source>
+        <translation>这不是可写出的几何数据格式。</translation>
+    </message>
+    <message>
+        <source>This display does not support OpenGL %1.%2 or newer.</source>
+        <translation>此显示器不提供 OpenGL %1.%2 或更新版本。</translation>
     </message>
 </context>
 </TS>

@@ -29,7 +29,7 @@ struct ChannelSummary {
 
 /// One open source in the running system: an array, an arm with its skin, or a camera. What runs, records or
 /// reports sources knows them by this interface only; a view that shows what only one kind has asks for that
-/// kind, see channel_kinds.h. A class rather than a variant, since the pipeline, the recorder and the status
+/// kind. A class rather than a variant, since the pipeline, the recorder and the status
 /// bar treat all kinds alike, and a further kind of source then changes none of them.
 ///
 /// Threads: start() and stop() by the control thread; process() by the pipeline thread; drain(), record() and
