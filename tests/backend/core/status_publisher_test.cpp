@@ -102,13 +102,19 @@ TEST_F(StatusPublisherTest, countsLossesOneByOneOrInTotal) {
     EXPECT_EQ(m_publisher.status().framesLost, 7U);
 }
 
+JointSample sampleAt(std::int64_t time_ns) {
+    JointSample sample;
+    sample.time_ns = time_ns;
+    return sample;
+}
+
 TEST(JointOutlet, wakesTheConsumerWithTheFirstSampleAndThenOncePerBatch) {
     JointOutlet outlet(16, 3);
     Wakeup consumer;
     outlet.open(consumer, 0);
     EXPECT_TRUE(consumer.waitFor(0s));
     const auto wakes = [&](std::int64_t time_ns) {
-        outlet.deliver({.time_ns = time_ns});
+        outlet.deliver(sampleAt(time_ns));
         return consumer.waitFor(0s);
     };
     EXPECT_TRUE(wakes(10));
@@ -127,7 +133,7 @@ TEST(JointOutlet, countsWhatAFullQueueLoses) {
     Wakeup consumer;
     outlet.open(consumer, 0);
     for (int i = 1; i <= 5; ++i)
-        outlet.deliver({.time_ns = 10 * i});
+        outlet.deliver(sampleAt(10 * i));
     outlet.lose(1);
     EXPECT_EQ(outlet.status().framesRead, 5U);
     EXPECT_EQ(outlet.status().framesLost, 4U);

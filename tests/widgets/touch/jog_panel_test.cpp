@@ -133,7 +133,9 @@ private slots:
             desk.panel->setArm(std::nullopt);
             QVERIFY(!desk.panel->isMoving());
             desk.panel->setArm(test::sampleArm());
-            desk.panel->setSample(core::JointSample{.angle_rad = {0.1, -0.2, 0.3, 1.5}});
+            core::JointSample sample;
+            sample.angle_rad = {0.1, -0.2, 0.3, 1.5};
+            desk.panel->setSample(sample);
         } else if (event == 2) {
             desk.panel->setHand(std::nullopt);
         } else {
