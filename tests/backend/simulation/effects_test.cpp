@@ -12,6 +12,7 @@
 using namespace teleta;
 using namespace teleta::simulation;
 using core::ArrayLayout;
+using core::RandomStream;
 
 namespace {
 
