@@ -92,7 +92,7 @@ TEST(MotorFit, refusesWithTheReason) {
     EXPECT_NE(refusal(changed([](auto& r) { std::swap(r.time_s[10], r.time_s[11]); })).find("does not rise"),
               std::string::npos);
     EXPECT_NE(refusal(changed([](auto& r) { r.drive[5] = 1.2; })).find("1.2"), std::string::npos);
-    EXPECT_NE(refusal(changed([](auto& r) { r.speed_Hz.pop_back(); })).find("equally many"),
+    EXPECT_NE(refusal(changed([](auto& r) { r.speed_Hz.pop_back(); })).find("speeds differ"),
               std::string::npos);
     EXPECT_NE(refusal(measured(kMotor, 0.5, 1, steps({{0.0, 1.0}}))).find("no step"), std::string::npos);
     EXPECT_NE(refusal(measured(kMotor, 0.5, 1, steps({{0, 0.3}, {0.5, 0.3}, {0.8, 0.3}, {0, 0.3}})))
@@ -138,7 +138,7 @@ TEST(MotorFit, refusesAMotorThatSticksNowAndThen) {
     for (std::size_t i = 0; i < recording.size(); ++i)
         if (recording.drive[i] > 0.49 && recording.drive[i] < 0.56)
             recording.speed_Hz[i] = 0.0;
-    EXPECT_NE(refusal(recording).find("but stood at"), std::string::npos) << refusal(recording);
+    EXPECT_NE(refusal(recording).find("but stood still at"), std::string::npos) << refusal(recording);
 }
 
 TEST(MotorFit, refusesATooCoarseRecordingOfTheLag) {

@@ -206,8 +206,10 @@ TEST(RegisterMap, saysWhereAFileIsWrong) {
         {begin + tactors + "[[input]]\nname = 'a'\naddress = 0\ntype = 'int16'\nunit = '1'\n" +
              "[[input]]\nname = 'a'\naddress = 1\ntype = 'int16'\nunit = '1'\n",
          "d.toml:17:8: the name \"a\" is used twice (expected a name of its own for each input)"},
-        {begin + tactors + repeated("[[joint]]\nangle = 'a'\ntorque = 'b'\n", 17),
-         "d.toml:11:1: too many joints: 17 (expected at most 16, from the base to the tip)"},
+        {begin + tactors + "[[input]]\nname = 'a'\naddress = 0\ntype = 'int16'\nunit = 'rad'\n" +
+             "[[input]]\nname = 'b'\naddress = 1\ntype = 'int16'\nunit = 'N m'\n" +
+             repeated("[[joint]]\nangle = 'a'\ntorque = 'b'\n", 17),
+         "d.toml:21:1: too many joints: 17 (expected at most 16, from the base to the tip)"},
         {"supply = 'a'\n" + begin + tactors,
          "d.toml:1:10: there is no input \"a\" (expected the name of an [[input]])"},
         {"supply = 'a'\n" + begin + "[[input]]\nname = 'a'\naddress = 0\ntype = 'int16'\nunit = 'mV'\n",
