@@ -226,7 +226,7 @@ private slots:
     }
 
     void theDataAreThoseOfTheCommandLine() {
-        const Shown shown(test::boundOf(9000.0));
+        Shown shown(test::boundOf(9000.0));
         QCOMPARE(shown.gauge.figure().csv(),
                  QString("method,samples,delta_theta_rad,delta_torque_nm,total_stiffness_n_per_m,"
                          "total_stiffness_se,object_stiffness_n_per_m,object_stiffness_lower_95,"
@@ -236,7 +236,7 @@ private slots:
 
     void picturesAreForPaperWhateverTheThemeIs() {
         base::applyTheme(base::ThemeChoice::dark);
-        const Shown shown(test::estimateOf(282.0, 270.0, 295.0));
+        Shown shown(test::estimateOf(282.0, 270.0, 295.0));
         const QTemporaryDir folder;
         for (const char* name : {"g.svg", "g.pdf", "g.png"})
             QVERIFY(base::saveFigure(shown.gauge.figure(), folder.filePath(name)).has_value());
