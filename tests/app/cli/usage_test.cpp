@@ -70,14 +70,14 @@ TEST(CommandLine, aCommandThatNobodyKnowsIsNamedWithThoseThatThereAre) {
     EXPECT_NE(outer.err.find("no command 'frobnicate'; expected one of features, contacts, "),
               std::string::npos)
         << outer.err;
-    EXPECT_NE(outer.err.find("\nteleta --help"), std::string::npos) << outer.err;
+    EXPECT_NE(outer.err.find("\nRun teleta --help"), std::string::npos) << outer.err;
     const ProgramResult inner = run({"pattern", "frobnicate"});
     EXPECT_EQ(inner.exitCode, 2);
     EXPECT_NE(inner.err.find("no command 'frobnicate'; expected one of list, show, "), std::string::npos)
         << inner.err;
-    EXPECT_NE(inner.err.find("\nteleta pattern --help"), std::string::npos) << inner.err;
+    EXPECT_NE(inner.err.find("\nRun teleta pattern --help"), std::string::npos) << inner.err;
     // What a part of a command takes is told by its own help.
-    EXPECT_NE(run({"pattern", "render"}).err.find("\nteleta pattern render --help"), std::string::npos);
+    EXPECT_NE(run({"pattern", "render"}).err.find("\nRun teleta pattern render --help"), std::string::npos);
 }
 
 TEST(CommandLine, theVersionIsPrinted) {
