@@ -15,6 +15,10 @@ SourceManager::SourceManager(core::StopSwitch& stop, QObject* parent)
     , m_stop(stop) {
 }
 
+core::PlaybackControl* SourceManager::Item::playback() const {
+    return channel ? channel->playback() : nullptr;
+}
+
 std::shared_ptr<pipeline::TouchChannel> SourceManager::Item::array() const {
     const auto ofArm = arm();
     return ofArm ? ofArm->skin() : std::dynamic_pointer_cast<pipeline::TouchChannel>(channel);

@@ -33,9 +33,7 @@ public:
 
         [[nodiscard]] bool isOpen() const { return channel != nullptr; }
         /// Null when it is no playback, or is being opened.
-        [[nodiscard]] core::PlaybackControl* playback() const {
-            return channel ? channel->playback() : nullptr;
-        }
+        [[nodiscard]] core::PlaybackControl* playback() const;
 
         // For the views of one kind of source; null when it is another one, or is being opened.
         /// An array, or the skin of an arm.

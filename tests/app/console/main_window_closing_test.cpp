@@ -180,7 +180,7 @@ private slots:
     void gainsThatAreNotSavedAreAskedAbout() {
         openWindow(withoutBracelet());
         auto& gains = m_window->calibratePage().gains().view();
-        gains.take({}, QStringLiteral("loading"));
+        gains.take({});
         QVERIFY(!gains.isSaved());
         QVERIFY(!m_window->close());
         choose("unsavedCalibration2", QMessageBox::DestructiveRole);

@@ -40,6 +40,7 @@ using namespace teleta;
 using console::ConsoleOptions;
 using console::ConsoleSettings;
 using console::MainWindow;
+using console::RecordingArguments;
 
 /// The window as a whole, on a real display.
 class MainWindowTest : public QObject {
@@ -388,7 +389,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(items[1 - played].displayed > displayed, 60'000);
         m_window->sources().activate(recording);
         QVERIFY(history.size() >= before);
-        QVERIFY(items[played].channel->generation() > 0);
+        QVERIFY(items[played].array()->generation() > 0);
     }
 
     void aStudyIsOpenedOnceWhateverIsAskedForWithIt_data() {

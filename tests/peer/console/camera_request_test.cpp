@@ -64,7 +64,7 @@ protected:
         if (!eventually([&] { return !m_failures.empty() || m_sources.find(m_key)->isOpen(); }) ||
             !m_failures.empty())
             return nullptr;
-        return m_sources.find(m_key)->camera;
+        return m_sources.find(m_key)->camera();
     }
 
     [[nodiscard]] bool processes(CameraChannel& channel, std::uint64_t frames) {

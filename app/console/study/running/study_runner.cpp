@@ -273,4 +273,12 @@ void StudyRunner::retry() {
     emit changed();
 }
 
+const study::SessionFlow* StudyRunner::flow() const {
+    return m_flow ? &*m_flow : nullptr;
+}
+
+const study::Session* StudyRunner::session() const {
+    return m_flow ? &m_flow->session() : nullptr;
+}
+
 } // namespace teleta::console

@@ -63,8 +63,8 @@ public:
 
     [[nodiscard]] bool isActive() const { return m_flow.has_value(); }
     /// Null: no session.
-    [[nodiscard]] const study::SessionFlow* flow() const { return m_flow ? &*m_flow : nullptr; }
-    [[nodiscard]] const study::Session* session() const { return m_flow ? &m_flow->session() : nullptr; }
+    [[nodiscard]] const study::SessionFlow* flow() const;
+    [[nodiscard]] const study::Session* session() const;
     [[nodiscard]] study::Hold hold() const { return m_flow ? m_flow->hold() : study::Hold::none; }
     [[nodiscard]] bool isKeeping() const { return m_flow && m_flow->isKeeping(); }
     /// Why it holds, in words, for stopped, deviceLost and notKept.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/bracelet/bracelet_service.h"
 #include "app/console/operate/camera_views.h"
 #include "app/console/operate/operate_page.h"
 #include "app/console/sources/camera_dialog.h"
@@ -86,6 +87,7 @@ class CameraViewsTest : public QObject {
 
     QTemporaryDir m_folder;
     core::StopSwitch m_stop;
+    console::BraceletService m_bracelet{m_stop};
     std::unique_ptr<SourceManager> m_sources;
     std::unique_ptr<OperatePage> m_page;
 
@@ -116,7 +118,7 @@ private slots:
     void init() {
         m_stop.release();
         m_sources = std::make_unique<SourceManager>(m_stop);
-        m_page = std::make_unique<OperatePage>(*m_sources, m_stop);
+        m_page = std::make_unique<OperatePage>(*m_sources, m_bracelet, m_stop);
         m_page->resize(1200, 800);
         QFile file(m_folder.filePath("poke.toml"));
         QVERIFY(file.open(QIODevice::WriteOnly));
