@@ -10,8 +10,9 @@
 #include <span>
 #include <vector>
 
-/// Quantiles and medians. Types are those of Hyndman and Fan, Sample Quantiles in Statistical Packages (1996).
-/// Functions without "sorted" in their parameters reorder the values that they are given. Thread: any (pure).
+/// Quantiles and medians. Types are those of Hyndman and Fan, Sample Quantiles in Statistical Packages
+/// (1996). Functions without "sorted" in their parameters reorder the values that they are given. Thread: any
+/// (pure).
 namespace teleta::core {
 
 /// Type 7, the default of R: linear between order statistics. sorted: not empty; probability: 0..1.
@@ -51,8 +52,8 @@ template <std::ranges::random_access_range Values>
 /// Type 7 without interpolation: the order statistic below. values: as orderStatistic(); probability: 0..1.
 template <std::ranges::random_access_range Values>
 [[nodiscard]] auto lowerQuantileOf(Values&& values, double probability) {
-    return orderStatistic(values, static_cast<std::size_t>(
-                                      probability * static_cast<double>(std::ranges::size(values) - 1)));
+    return orderStatistic(
+        values, static_cast<std::size_t>(probability * static_cast<double>(std::ranges::size(values) - 1)));
 }
 
 } // namespace teleta::core

@@ -17,7 +17,7 @@ class CsvCursor {
 public:
     /// Error: as core::FrameFile::open; refused for a pipe, which has no positions to go to.
     [[nodiscard]] static core::Expected<CsvCursor> open(const std::string& path,
-                                                           const core::ArrayLayout& layout);
+                                                        const core::ArrayLayout& layout);
 
     /// Reads the next frame. False at the end of the file: the last frame that was read then stays.
     [[nodiscard]] core::Expected<bool> read();

@@ -16,9 +16,9 @@
 
 namespace teleta::replay {
 
-/// Recorded tactile frames in a CSV file, which a thread of its own indexes while they are played. Times count
-/// from the first frame.
-/// Thread: startIndexing() and stopIndexing() from the controlling one; otherwise as PlaybackRecording.
+/// Recorded tactile frames in a CSV file, which a thread of its own indexes while they are played. Times
+/// count from the first frame. Thread: startIndexing() and stopIndexing() from the controlling one; otherwise
+/// as PlaybackRecording.
 class CsvRecording : public PlaybackRecording {
 public:
     /// Reads the header and the first frames, which tell the frame rate.

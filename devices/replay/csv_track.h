@@ -39,7 +39,7 @@ private:
     CsvCursor m_cursor;
     const CsvRecording& m_recording;
     std::function<bool()> m_isInterrupted;
-    bool m_atEnd = true; ///< also before the first seek
+    bool m_atEnd = true;      ///< also before the first seek
     bool m_canReadOn = false; ///< the next read gives the frame behind the cursor's
 };
 

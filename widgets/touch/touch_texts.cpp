@@ -4,9 +4,8 @@
 #include "backend/core/number_text.h"
 #include "widgets/base/numbers/quantity_text.h"
 
-#include <cmath>
-
 #include <array>
+#include <cmath>
 
 namespace teleta::touch {
 

@@ -19,9 +19,9 @@ public:
     [[nodiscard]] static core::Expected<ColumnReader> open(const std::string& path,
                                                            std::span<const std::string_view> names);
 
-    /// Hands each row to take(), with the values in the order of the names, until the end of the file or until
-    /// take() returns false. Failure: the file's, or interruption() after Ctrl-C.
-    /// resultsOnTerminal: as ProgressBar.
+    /// Hands each row to take(), with the values in the order of the names, until the end of the file or
+    /// until take() returns false. Failure: the file's, or interruption() after Ctrl-C. resultsOnTerminal: as
+    /// ProgressBar.
     [[nodiscard]] core::Expected<void> forEachRow(bool resultsOnTerminal,
                                                   const std::function<bool(std::span<const double>)>& take);
 

@@ -74,8 +74,8 @@ core::Expected<Opened> openCsv(const CsvRequest& request) {
     config.speed = request.speed;
     config.loop = request.loop;
     TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
-    return std::make_shared<pipeline::TouchChannel>(std::make_unique<replay::RecordedArray>(std::move(player)),
-                                                    std::move(settings));
+    return std::make_shared<pipeline::TouchChannel>(
+        std::make_unique<replay::RecordedArray>(std::move(player)), std::move(settings));
 }
 
 core::Expected<Opened> openArm(const scene::Scene& scene, std::uint64_t seed, const core::StopSwitch& stop) {

@@ -9,8 +9,8 @@
 namespace teleta::core {
 
 /// The thread of a device's worker. start() calls worker.open(consumer) on the caller's thread and then
-/// worker.run(stop) on its own; stop(), which the destructor calls, ends the worker's wait by worker.wake() and
-/// joins. Both are idempotent. Declare it after the worker, which must outlive it. Thread: one at a time.
+/// worker.run(stop) on its own; stop(), which the destructor calls, ends the worker's wait by worker.wake()
+/// and joins. Both are idempotent. Declare it after the worker, which must outlive it. Thread: one at a time.
 template <typename Worker>
 class DeviceThread {
 public:

@@ -21,8 +21,8 @@ struct RehearsalProgress {
     [[nodiscard]] std::size_t allTrials() const { return trialsBefore + trials; }
 };
 
-/// Replaces parts of a rehearsal. Without it participants answer as in the paper, with the study's lapses, and
-/// the bracelet never fails.
+/// Replaces parts of a rehearsal. Without it participants answer as in the paper, with the study's lapses,
+/// and the bracelet never fails.
 struct RehearsalCast {
     struct Shown {
         double latency_s = 0.005;                ///< from the request to the onset
@@ -42,12 +42,12 @@ struct RehearsalCast {
 /// Practice and test trials of all planned participants of a rehearsal. Thread: any.
 [[nodiscard]] std::size_t plannedTrials(const StudyHead& head);
 
-/// Runs all sessions of a study that are not finished yet, with simulated participants P01, P02 .., by the same
-/// rules as sessions with people (SessionFlow), with a clock of its own, as fast as the store keeps the trials.
-/// Every answer depends on the seed and the trial alone, and times of day count from the creation of the
-/// study: a rehearsal that was interrupted and resumed has the same trials as an uninterrupted one.
-/// Questionnaires are answered at random. Each finished session is exported as Psych-DS. Error: refused unless
-/// the study is simulated; what the store reports. Thread: that of the store.
+/// Runs all sessions of a study that are not finished yet, with simulated participants P01, P02 .., by the
+/// same rules as sessions with people (SessionFlow), with a clock of its own, as fast as the store keeps the
+/// trials. Every answer depends on the seed and the trial alone, and times of day count from the creation of
+/// the study: a rehearsal that was interrupted and resumed has the same trials as an uninterrupted one.
+/// Questionnaires are answered at random. Each finished session is exported as Psych-DS. Error: refused
+/// unless the study is simulated; what the store reports. Thread: that of the store.
 [[nodiscard]] core::Expected<RehearsalProgress> rehearse(StudyStore& store, const RehearsalCast& cast = {});
 
 } // namespace teleta::study

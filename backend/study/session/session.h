@@ -44,8 +44,8 @@ enum class Stage {
 /// Thread: one. Times must not go back, except those of presses.
 class Session {
 public:
-    /// done: the results that were kept before an interruption, in their order; the session resumes after them.
-    /// Error: refused when they are not results of this plan.
+    /// done: the results that were kept before an interruption, in their order; the session resumes after
+    /// them. Error: refused when they are not results of this plan.
     [[nodiscard]] static core::Expected<Session> create(const Protocol& protocol, const PlannedSession& plan,
                                                         std::span<const TrialResult> done,
                                                         std::int64_t now_ns);
@@ -75,8 +75,8 @@ public:
     /// Starts the next trial. False, and nothing happens, unless ready and the last result has been taken.
     [[nodiscard]] bool startTrial(std::int64_t time_ns);
 
-    /// due_ns: when the stimulus will end by itself, the reference for answers given before that; empty: after
-    /// the protocol's stimulus time.
+    /// due_ns: when the stimulus will end by itself, the reference for answers given before that; empty:
+    /// after the protocol's stimulus time.
     void stimulusStarted(std::int64_t time_ns, std::optional<std::int64_t> due_ns = {});
     void stimulusEnded(std::int64_t time_ns);
 

@@ -245,7 +245,8 @@ TEST(TaxelGains, aPressWithHardlyAnyFrameBelowTheEndOfTheRangeIsRefused) {
     const auto gains = gainsOf(press);
     ASSERT_FALSE(gains);
     EXPECT_EQ(gains.error().kind, core::ErrorKind::refused);
-    EXPECT_NE(gains.error().message.find("within the range of the taxels"), std::string::npos) << gains.error().message;
+    EXPECT_NE(gains.error().message.find("within the range of the taxels"), std::string::npos)
+        << gains.error().message;
 }
 
 TEST(TaxelGains, anArrayThatIsSaturatedThroughoutIsRefused) {

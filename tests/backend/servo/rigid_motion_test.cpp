@@ -8,10 +8,10 @@
 #include <random>
 
 using namespace teleta::servo;
-using teleta::servo::test::adjoint;
-using teleta::servo::test::wrenchTo;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
+using teleta::servo::test::adjoint;
+using teleta::servo::test::wrenchTo;
 
 namespace {
 

@@ -78,7 +78,8 @@ TEST_F(RehearsalTest, isTheSameAfterAnInterruptionAtAnyTrial) {
         const std::string name = "stopped" + std::to_string(stop);
         {
             StudyStore store = create(name, 2);
-            const auto progress = rehearse(store, {.goOn = [stop](const RehearsalProgress& now) { return now.allTrials() < stop; }});
+            const auto progress = rehearse(
+                store, {.goOn = [stop](const RehearsalProgress& now) { return now.allTrials() < stop; }});
             ASSERT_TRUE(progress);
             EXPECT_TRUE(progress->interrupted);
             EXPECT_EQ(progress->trials, stop);

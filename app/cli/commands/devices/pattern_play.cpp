@@ -227,8 +227,8 @@ core::Expected<void> playPattern(const pattern::Pattern& drawn, const PlayOption
             {}});
     }
 
-    playback::Player player(bracelet, stop,
-                            {.limits = {.userLimit = limits.strongest}, .ranges = playback::rangesOf(motors)});
+    playback::Player player(
+        bracelet, stop, {.limits = {.userLimit = limits.strongest}, .ranges = playback::rangesOf(motors)});
     player.play(playback::programOf(pattern), options.measure_s.has_value());
     waitFor(player, options.measure_s);
     const Measured program = measuredBy(player);

@@ -28,8 +28,8 @@ public:
     using WallClock = std::function<QDateTime()>; ///< UTC
     using Kept = std::function<void(const core::Expected<void>&)>;
     /// Keeps a result and calls back, on this thread, when it is safe or could not be kept. The time is the
-    /// UTC at which the trial ended; retries have the same. Error: unavailable when the result is safe on this
-    /// machine and waits for its server.
+    /// UTC at which the trial ended; retries have the same. Error: unavailable when the result is safe on
+    /// this machine and waits for its server.
     using Keep = std::function<void(const study::TrialResult&, const QDateTime&, Kept)>;
 
     StudyRunner(const core::StopSwitch& stop, Clock clock, WallClock utcNow, Keep keep,

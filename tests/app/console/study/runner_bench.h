@@ -19,11 +19,11 @@ namespace teleta::test {
 
 using console::StimulusState;
 using console::StudyRunner;
+using study::Hold;
 using study::Outcome;
 using study::Phase;
 using study::Stage;
 using studyview::ParticipantWindow;
-using study::Hold;
 
 inline constexpr std::int64_t kMs = 1'000'000;
 inline constexpr std::int64_t kS = 1'000'000'000;
