@@ -11,7 +11,7 @@ namespace teleta::scene {
 
 namespace {
 
-struct CameraText {
+struct CameraWorldText {
     Q_DECLARE_TR_FUNCTIONS(SceneReader)
 };
 
@@ -20,8 +20,8 @@ void tellDepth(Keys& keys, double& depth_m, const NumberRange& range, const Came
     keys.number("depth_m", depth_m, range, about);
     const double deepest_m = 0.5 * skin.radius_m;
     if (depth_m >= deepest_m)
-        keys.refuse("depth_m", CameraText::tr("this is deeper than the skin can yield").toStdString(),
-                    CameraText::tr("less than %1 m").arg(deepest_m).toStdString());
+        keys.refuse("depth_m", CameraWorldText::tr("this is deeper than the skin can yield").toStdString(),
+                    CameraWorldText::tr("less than %1 m").arg(deepest_m).toStdString());
 }
 
 } // namespace
@@ -36,12 +36,13 @@ void CameraSkin::tell(Keys& keys) {
     keys.number("drag_per_depth", dragPerDepth, kNotNegative,
                 "How far a sliding finger drags the skin along, as a share of its depth", Need::optional);
     if (dotDiameter_m >= dotPitch_m)
-        keys.refuse("dot_diameter_m", CameraText::tr("the dots touch each other").toStdString(),
-                    CameraText::tr("less than the pitch of %1 m").arg(dotPitch_m).toStdString());
+        keys.refuse("dot_diameter_m", CameraWorldText::tr("the dots touch each other").toStdString(),
+                    CameraWorldText::tr("less than the pitch of %1 m").arg(dotPitch_m).toStdString());
     const double least_m = length_m / kMostDotRings;
     if (dotPitch_m >= radius_m || dotPitch_m <= least_m)
-        keys.refuse("dot_pitch_m", CameraText::tr("there would be too few or too many dots").toStdString(),
-                    CameraText::tr("more than %1 m and less than the radius of %2 m")
+        keys.refuse("dot_pitch_m",
+                    CameraWorldText::tr("there would be too few or too many dots").toStdString(),
+                    CameraWorldText::tr("more than %1 m and less than the radius of %2 m")
                         .arg(least_m)
                         .arg(radius_m)
                         .toStdString());
@@ -59,8 +60,8 @@ void TubeCamera::tell(Keys& keys, const CameraSkin& skin) {
     const double farthest_m = 0.5 * skin.radius_m;
     if (std::hypot(offsetX_m, offsetY_m) >= farthest_m)
         keys.refuse(std::abs(offsetX_m) > std::abs(offsetY_m) ? "offset_x_m" : "offset_y_m",
-                    CameraText::tr("the camera is too far from the tube's axis").toStdString(),
-                    CameraText::tr("less than %1 m").arg(farthest_m).toStdString());
+                    CameraWorldText::tr("the camera is too far from the tube's axis").toStdString(),
+                    CameraWorldText::tr("less than %1 m").arg(farthest_m).toStdString());
 }
 
 void Finger::tell(Keys& keys, const CameraSkin& skin) {

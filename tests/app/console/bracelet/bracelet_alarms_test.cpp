@@ -91,7 +91,7 @@ private slots:
         stimulus.begin(strong(), 0.1, core::steadyNow_ns());
         QTRY_VERIFY(!stimulus.state(core::steadyNow_ns()).failure.isEmpty());
         const StimulusState state = stimulus.state(core::steadyNow_ns());
-        QVERIFY2(state.failure.contains(QLatin1String("refused")), qPrintable(state.failure));
+        QVERIFY2(state.failure.contains(QLatin1String("rejected")), qPrintable(state.failure));
         QCOMPARE(state.onset_ns, std::int64_t{0});
         QVERIFY(m_station->note().contains(QLatin1String("refused")));
         QVERIFY(detailsHave("frames refused"));

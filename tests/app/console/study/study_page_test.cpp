@@ -281,7 +281,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
         QVERIFY(controller().foundInterrupted());
         QCOMPARE(m_page->messages().count(), 1);
-        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->text().contains(QStringLiteral("Go on")), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->text().contains(QStringLiteral("Resume")), kPatience_ms);
         beginSession();
         QCOMPARE(session().remainingTrials(), std::size_t(3));
         for (int trial = 0; trial < 3; ++trial)
@@ -341,7 +341,7 @@ private slots:
         QCOMPARE(before.size(), std::size_t(3));
         m_clockSet_s = -86'400;
         controller().leaveSession();
-        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->text().contains(QStringLiteral("Go on")), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->text().contains(QStringLiteral("Resume")), kPatience_ms);
         beginSession();
         for (int trial = 0; trial < 3; ++trial)
             doTrial();
