@@ -3,21 +3,21 @@
 # Installs what is missing, builds everything with warnings as errors and runs all checks:
 #   format      clang-format of every C++ file
 #   ci          the whole project: all tests, those with OpenGL on a screen in memory
-#   alone       each source of the programs compiles by itself, without what a unity build puts before it; only what
-#               changed since the last run is read again
 #   headless    backend and command line without any GUI library; statistics over many runs only in ci
 #   tsan        threads: parts of backend and devices under the thread sanitizer
 #   asan        parts of the backend, the hard cases of the others and what once broke a parser, under the address and
 #               undefined-behaviour sanitizers
 # Outside that run, only when named:
+#   alone       each source of the programs compiles by itself, without what a unity build puts before it; only what
+#               changed since the last run is read again (a first run takes about 13 minutes on 2 cores)
 #   soak        what takes many minutes: every effect of every scene with a camera left out once; the console for an hour
 #               with arm, array, camera, bracelet and recording (TELETA_SOAK_S: other seconds)
 # Names as arguments choose among them. Every check runs, whatever the others found; the summary is last.
 set -uo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
-all_checks=(format ci alone headless tsan asan)
-more_checks=(soak)
+all_checks=(format ci headless tsan asan)
+more_checks=(alone soak)
 for name in "$@"; do
     if [[ " ${all_checks[*]} ${more_checks[*]} " != *" $name "* ]]; then
         printf "test: unknown check '%s' (expected %s)\n" "$name" "${all_checks[*]} ${more_checks[*]}" >&2
