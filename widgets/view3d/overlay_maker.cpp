@@ -27,9 +27,8 @@ std::optional<QPointF> placeInPicture(vtkRenderer& renderer, const Eigen::Vector
     const double world[4] = {p_World.x(), p_World.y(), p_World.z(), 1.0};
     double view[4];
     matrix->MultiplyPoint(world, view);
-    if (!(view[3] > 0.0)) {
+    if (!(view[3] > 0.0))
         return {};
-    }
     return QPointF(0.5 * (1.0 + view[0] / view[3]), 0.5 * (1.0 - view[1] / view[3]));
 }
 
@@ -68,22 +67,19 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& ca
                                                          QStringLiteral("z")};
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const Eigen::Vector3d beyond = 1.06 * scene.axes().tips()[axis];
-                if (const auto place = placeInPicture(*scene.renderer(), scene.toWorld(beyond))) {
+                if (const auto place = placeInPicture(*scene.renderer(), scene.toWorld(beyond)))
                     content.labels.push_back({*place, names[axis], content.axisColours[axis]});
-                }
             }
         }
-        if (request.contactLabels) {
+        if (request.contactLabels)
             addContacts(scene, content);
-        }
     }
     if (request.contactLabels)
         addTubeMarks(scene, content);
     if (!contour.isEmpty() && !request.shapeLabel.isEmpty()) {
         const Eigen::Vector3d above(contour.center().x(), contour.center().y(), contour.max().z());
-        if (const auto place = placeInPicture(*scene.renderer(), above)) {
+        if (const auto place = placeInPicture(*scene.renderer(), above))
             content.labels.push_back({*place, request.shapeLabel, colours.contourCurve, true});
-        }
     }
     return content;
 }
@@ -94,9 +90,8 @@ void OverlayMaker::addContacts(const TouchScene& scene, OverlayContent& content)
     for (std::size_t i = 0; i < std::min(marks.size(), kMostLabels); ++i) {
         const ContactMark& mark = marks[i];
         const auto place = placeInPicture(*scene.renderer(), scene.toWorld(mark.p_Sensor_Tail));
-        if (!place) {
+        if (!place)
             continue;
-        }
         base::SteadyNumber& force = m_forces[mark.contact.id];
         force.update(mark.contact.force_N);
         content.labels.push_back(
@@ -162,9 +157,8 @@ QString contactRows(const TouchScene& scene) {
 QStringList OverlayMaker::legendOf(const TouchScene& scene, bool grid) {
     QStringList legend;
     if (scene.hasSensor()) {
-        if (scene.grid().block() > 1) {
+        if (scene.grid().block() > 1)
             legend += tr("Each block: the largest of %1 × %1 taxels").arg(scene.grid().block());
-        }
         if (scene.surface() == Surface::cylinder) {
             const CylinderSize cylinder = scene.cylinder();
             legend += scene.cylinderWasEnlarged()
@@ -190,9 +184,8 @@ QStringList OverlayMaker::legendOf(const TouchScene& scene, bool grid) {
         if (!scene.tube().marks().empty())
             legend += tr("Ellipses: 95 % regions of the centres");
     }
-    if (grid) {
+    if (grid)
         legend += tr("Grid: %1").arg(millimetres(scene.gridSpacing_m()));
-    }
     return legend;
 }
 

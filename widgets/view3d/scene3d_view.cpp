@@ -228,9 +228,8 @@ void Scene3dView::makeToolBar() {
     parts.toolBar->setIconSize(QSize(side, side));
     parts.toolBar->addActions({parts.plate, parts.cylinder});
     parts.toolBar->addSeparator();
-    for (QAction* preset : parts.presets) {
+    for (QAction* preset : parts.presets)
         parts.toolBar->addAction(preset);
-    }
     parts.toolBar->addAction(parts.reset);
     parts.toolBar->addSeparator();
     parts.toolBar->addActions({parts.follow, parts.parallel});
@@ -275,18 +274,16 @@ void Scene3dView::retranslate() {
 
 void Scene3dView::fillMenu(QMenu& menu) {
     Parts& parts = *m_parts;
-    for (QAction* preset : parts.presets) {
+    for (QAction* preset : parts.presets)
         menu.addAction(preset);
-    }
     menu.addAction(parts.reset);
     menu.addSeparator();
     menu.addActions({parts.plate, parts.cylinder});
     menu.addSeparator();
     menu.addActions({parts.follow, parts.parallel});
     menu.addSeparator();
-    for (QAction* layer : parts.layers) {
+    for (QAction* layer : parts.layers)
         menu.addAction(layer);
-    }
     menu.addSeparator();
     parts.figures.addActions(menu);
     menu.addAction(parts.saveGeometry);
@@ -294,9 +291,8 @@ void Scene3dView::fillMenu(QMenu& menu) {
 
 void Scene3dView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
     Parts& parts = *m_parts;
-    if (!parts.vtk->canRender()) {
+    if (!parts.vtk->canRender())
         return;
-    }
     switch (parts.scene.take(snapshot)) {
     case TouchScene::Taken::same:
         return;
@@ -306,16 +302,14 @@ void Scene3dView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
     case TouchScene::Taken::fresh:
         break;
     }
-    if (isVisible()) {
+    if (isVisible())
         refresh();
-    }
 }
 
 void Scene3dView::refresh() {
     Parts& parts = *m_parts;
-    if (parts.scene.draw()) {
+    if (parts.scene.draw())
         sceneMoved(true);
-    }
     const double time_s = parts.scene.snapshot().sourceTime_s;
     if (parts.follow->isChecked() && !parts.scene.marks().empty()) {
         parts.camera.follow(parts.scene.toWorld(parts.scene.marks().front().p_Sensor_Foot),
@@ -445,9 +439,8 @@ QString Scene3dView::contactTextAt(const QPoint& position) const {
             }
         }
     }
-    if (nearest == nullptr) {
+    if (nearest == nullptr)
         return {};
-    }
     return wordsFor(nearest->contact, QString::fromStdString(parts.scene.snapshot().loadUnit));
 }
 
@@ -474,9 +467,8 @@ void Scene3dView::showEvent(QShowEvent* event) {
 void Scene3dView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     layout()->activate();
-    if (!m_parts->vtk->size().isEmpty()) {
+    if (!m_parts->vtk->size().isEmpty())
         m_parts->camera.setAspect(static_cast<double>(m_parts->vtk->width()) / m_parts->vtk->height());
-    }
 }
 
 void Scene3dView::keyPressEvent(QKeyEvent* event) {

@@ -33,18 +33,16 @@ SceneCamera::SceneCamera(vtkRenderer* renderer)
 
 void SceneCamera::setScene(std::vector<Eigen::Vector3d> corners_m, bool refit) {
     m_corners_m = std::move(corners_m);
-    if (m_fitted && refit) {
+    if (m_fitted && refit)
         fit();
-    }
     apply();
 }
 
 void SceneCamera::setAspect(double aspect) {
     if (aspect > 0.0 && aspect != m_aspect) {
         m_aspect = aspect;
-        if (m_fitted) {
+        if (m_fitted)
             fit();
-        }
         apply();
     }
 }
@@ -69,9 +67,8 @@ void SceneCamera::pan(double right, double up) {
 }
 
 void SceneCamera::zoom(double factor) {
-    if (!(factor > 0.0)) {
+    if (!(factor > 0.0))
         return;
-    }
     m_fitted = false;
     m_distance_m = std::clamp(m_distance_m / factor, kLeastRadius_m, 1e4);
     apply();
@@ -79,21 +76,18 @@ void SceneCamera::zoom(double factor) {
 
 void SceneCamera::setParallel(bool parallel) {
     m_parallel = parallel;
-    if (m_fitted) {
+    if (m_fitted)
         fit();
-    }
     apply();
 }
 
 void SceneCamera::follow(const Eigen::Vector3d& target_m, double elapsed_s) {
-    if (!target_m.allFinite()) {
+    if (!target_m.allFinite())
         return;
-    }
     const Eigen::Vector3d way_m = target_m - m_focal_m;
     const double rest_m = kFollowRest * visibleHeight_m();
-    if (way_m.norm() <= rest_m) {
+    if (way_m.norm() <= rest_m)
         return;
-    }
     m_fitted = false;
     const double share = -std::expm1(-std::clamp(elapsed_s, 0.0, 1.0) / kFollowTime_s);
     m_focal_m += share * (1.0 - rest_m / way_m.norm()) * way_m;
@@ -107,9 +101,8 @@ double SceneCamera::visibleHeight_m() const {
 void SceneCamera::fit() {
     m_fitted = true;
     Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& corner : m_corners_m) {
+    for (const Eigen::Vector3d& corner : m_corners_m)
         box.extend(corner);
-    }
     m_focal_m = box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(box.center());
     const CameraFit fitted =
         fitCamera(m_orbit, m_focal_m, m_corners_m, kViewAngle_rad, m_aspect, kFill, kLeastRadius_m);
@@ -130,14 +123,12 @@ void SceneCamera::apply() {
     camera->SetParallelScale(0.5 * visibleHeight_m());
     // Planes around the scene and its ground, which is larger; loads and arrows stay inside.
     double radius_m = kLeastRadius_m;
-    for (const Eigen::Vector3d& corner : m_corners_m) {
+    for (const Eigen::Vector3d& corner : m_corners_m)
         radius_m = std::max(radius_m, (corner - m_focal_m).norm());
-    }
     const double far_m = m_distance_m + 4.0 * radius_m;
     camera->SetClippingRange(std::max(m_distance_m - 4.0 * radius_m, kNearest * far_m), far_m);
-    if (m_changed) {
+    if (m_changed)
         m_changed();
-    }
 }
 
 vtkStandardNewMacro(OrbitStyle);
@@ -145,9 +136,8 @@ vtkStandardNewMacro(OrbitStyle);
 std::optional<Eigen::Vector2d> OrbitStyle::movedShare() const {
     vtkRenderWindowInteractor* interactor = this->Interactor;
     const int* size = interactor->GetRenderWindow()->GetSize();
-    if (m_camera == nullptr || size[1] <= 0) {
+    if (m_camera == nullptr || size[1] <= 0)
         return {};
-    }
     return Eigen::Vector2d(interactor->GetEventPosition()[0] - interactor->GetLastEventPosition()[0],
                            interactor->GetEventPosition()[1] - interactor->GetLastEventPosition()[1]) /
            size[1];
@@ -161,21 +151,18 @@ void OrbitStyle::Rotate() {
 }
 
 void OrbitStyle::Pan() {
-    if (const auto moved = movedShare()) {
+    if (const auto moved = movedShare())
         m_camera->pan(moved->x(), moved->y());
-    }
 }
 
 void OrbitStyle::Dolly() {
-    if (const auto moved = movedShare()) {
+    if (const auto moved = movedShare())
         m_camera->zoom(std::exp(3.0 * moved->y()));
-    }
 }
 
 void OrbitStyle::Dolly(double factor) {
-    if (m_camera != nullptr) {
+    if (m_camera != nullptr)
         m_camera->zoom(factor);
-    }
 }
 
 } // namespace teleta::view3d

@@ -43,9 +43,8 @@ public:
                                Qt::AlignCenter | Qt::TextWordWrap, m_content.emptyText);
             return;
         }
-        for (const OverlayLabel& label : m_content.labels) {
+        for (const OverlayLabel& label : m_content.labels)
             label.boxed ? paintCard(label) : paintText(label);
-        }
         paintColourBar();
         const double left = m_content.orientationShown ? paintOrientation() : m_margin;
         paintLegend(left);
@@ -54,9 +53,8 @@ public:
 private:
     void paintBadge() {
         const QString text = base::provenanceText(m_content.provenance);
-        if (text.isEmpty()) {
+        if (text.isEmpty())
             return;
-        }
         const QRectF rect(QPointF(m_margin, m_margin), base::badgeSize(m_content.font, text));
         m_painter.setFont(m_content.font);
         base::paintBadge(m_painter, rect, text, m_content.provenanceColour);
@@ -89,14 +87,12 @@ private:
         for (std::size_t tries = 0; tries <= m_cards.size(); ++tries) {
             const auto hit = std::find_if(m_cards.begin(), m_cards.end(),
                                           [&](const QRectF& other) { return other.intersects(rect); });
-            if (hit == m_cards.end()) {
+            if (hit == m_cards.end())
                 break;
-            }
             rect.moveBottom(hit->top() - 2.0);
         }
-        if (rect.top() < 0.0) {
+        if (rect.top() < 0.0)
             return; // no room left
-        }
         m_cards.push_back(rect);
         m_painter.setPen(QPen(label.colour, 1.0));
         m_painter.setBrush(m_content.card);
@@ -112,9 +108,8 @@ private:
     void paintColourBar() {
         const double height = std::min(0.4 * m_size.height(), 10.0 * m_em);
         const double width = 0.7 * m_em;
-        if (!(m_content.loadRange > 0.0) || height < 3.0 * m_em || m_size.width() < 12.0 * m_em) {
+        if (!(m_content.loadRange > 0.0) || height < 3.0 * m_em || m_size.width() < 12.0 * m_em)
             return;
-        }
         const double top = m_margin + m_metrics.height() + 0.4 * m_em;
         const QRectF bar(m_size.width() - m_margin - width, top, width, height);
         QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
@@ -168,9 +163,8 @@ private:
     }
 
     void paintLegend(double left) {
-        if (m_size.height() < kLegendFrom * m_em) {
+        if (m_size.height() < kLegendFrom * m_em)
             return; // the scene needs the room
-        }
         m_painter.setPen(m_content.faintText);
         double bottom = m_size.height() - m_margin;
         const double width = m_size.width() - left - m_margin;

@@ -38,9 +38,8 @@ void DrawnGrid::pool(std::span<const float> load_N, std::span<const std::uint8_t
     for (int row = 0; row < m_layout.rows; ++row) {
         for (int column = 0; column < m_layout.columns; ++column, ++taxel) {
             const float load = load_N[taxel];
-            if (!std::isfinite(load) || (!dead.empty() && dead[taxel] != 0)) {
+            if (!std::isfinite(load) || (!dead.empty() && dead[taxel] != 0))
                 continue;
-            }
             float& cell = cell_N[cellOf(row, column)];
             const float usable = std::max(load, 0.0F);
             cell = std::isnan(cell) ? usable : std::max(cell, usable);

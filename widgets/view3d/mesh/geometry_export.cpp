@@ -38,9 +38,8 @@ core::Unexpected failure(core::ErrorKind kind, const QString& path, const QStrin
 
 vtkSmartPointer<vtkPolyData> joinedInMillimetres(std::span<const vtkSmartPointer<vtkPolyData>> meshes_m) {
     const vtkNew<vtkAppendPolyData> joined;
-    for (const auto& mesh : meshes_m) {
+    for (const auto& mesh : meshes_m)
         joined->AddInputData(mesh);
-    }
     const vtkNew<vtkTransform> scale;
     scale->Scale(kMillimetresPerMetre, kMillimetresPerMetre, kMillimetresPerMetre);
     const vtkNew<vtkTransformPolyDataFilter> scaled;
@@ -117,9 +116,8 @@ core::Expected<void> exportGeometry(std::span<const vtkSmartPointer<vtkPolyData>
     } else {
         std::error_code renamed;
         std::filesystem::rename(partName.toStdString(), QFile::encodeName(path).toStdString(), renamed);
-        if (!renamed) {
+        if (!renamed)
             return {};
-        }
         reason = QString::fromStdString(renamed.message());
     }
     QFile::remove(part);

@@ -44,9 +44,8 @@ MeshBuilder::MeshBuilder(bool withNormals)
     m_data->SetPolys(m_polys);
     m_data->SetLines(m_lines);
     m_data->GetPointData()->SetScalars(m_colours);
-    if (withNormals) {
+    if (withNormals)
         m_data->GetPointData()->SetNormals(m_normals);
-    }
 }
 
 void MeshBuilder::clear() {
@@ -68,9 +67,8 @@ void MeshBuilder::finish() {
 
 vtkIdType MeshBuilder::point(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, QRgb colour) {
     const vtkIdType id = m_points->InsertNextPoint(p.data());
-    if (m_withNormals) {
+    if (m_withNormals)
         m_normals->InsertNextTuple3(normal.x(), normal.y(), normal.z());
-    }
     const std::array<unsigned char, 3> rgb = {static_cast<unsigned char>(qRed(colour)),
                                               static_cast<unsigned char>(qGreen(colour)),
                                               static_cast<unsigned char>(qBlue(colour))};
@@ -115,9 +113,8 @@ void MeshBuilder::cone(const Eigen::Vector3d& from, const Eigen::Vector3d& to, d
                        double radiusTo, QRgb colour) {
     const Eigen::Vector3d along = to - from;
     const double length = along.norm();
-    if (!(length > 0.0)) {
+    if (!(length > 0.0))
         return;
-    }
     const Eigen::Vector3d w = along / length;
     const Eigen::Vector3d u = w.unitOrthogonal();
     const Eigen::Vector3d v = w.cross(u);
@@ -133,26 +130,22 @@ void MeshBuilder::cone(const Eigen::Vector3d& from, const Eigen::Vector3d& to, d
         const vtkIdType a = first + 2 * side;
         m_polys->InsertNextCell({a, a + 2, a + 3, a + 1});
     }
-    if (radiusFrom > 0.0) {
+    if (radiusFrom > 0.0)
         disc(from, -w, radiusFrom, colour);
-    }
-    if (radiusTo > 0.0) {
+    if (radiusTo > 0.0)
         disc(to, w, radiusTo, colour);
-    }
 }
 
 void MeshBuilder::arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double shaftRadius,
                         double headLength, QRgb colour) {
     const Eigen::Vector3d along = to - from;
     const double length = along.norm();
-    if (!(length > 0.0)) {
+    if (!(length > 0.0))
         return;
-    }
     const double head = std::min(headLength, length);
     const Eigen::Vector3d neck = to - head / length * along;
-    if (head < length) {
+    if (head < length)
         cone(from, neck, shaftRadius, shaftRadius, colour);
-    }
     cone(neck, to, 2.4 * shaftRadius, 0.0, colour);
 }
 
@@ -164,9 +157,8 @@ void MeshBuilder::octahedron(const Eigen::Vector3d& centre, double radius, QRgb 
                 vtkIdType x = point(centre + Eigen::Vector3d(sx * radius, 0, 0), normal, colour);
                 vtkIdType y = point(centre + Eigen::Vector3d(0, sy * radius, 0), normal, colour);
                 const vtkIdType z = point(centre + Eigen::Vector3d(0, 0, sz * radius), normal, colour);
-                if (sx * sy * sz < 0.0) {
+                if (sx * sy * sz < 0.0)
                     std::swap(x, y); // keep the outside counter-clockwise
-                }
                 m_polys->InsertNextCell({x, y, z});
             }
         }
@@ -191,18 +183,15 @@ void MeshBuilder::segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, QR
 }
 
 void MeshBuilder::polyline(std::span<const Eigen::Vector3d> points, QRgb colour, bool closed) {
-    if (points.size() < 2) {
+    if (points.size() < 2)
         return;
-    }
     const vtkIdType first = m_points->GetNumberOfPoints();
     const int count = static_cast<int>(points.size());
     m_lines->InsertNextCell(closed ? count + 1 : count);
-    for (const Eigen::Vector3d& p : points) {
+    for (const Eigen::Vector3d& p : points)
         m_lines->InsertCellPoint(point(p, Eigen::Vector3d::UnitZ(), colour));
-    }
-    if (closed) {
+    if (closed)
         m_lines->InsertCellPoint(first);
-    }
 }
 
 } // namespace teleta::view3d

@@ -14,18 +14,16 @@ CylinderSize cylinderThatFits(const CylinderSize& wanted, const core::ArrayLayou
 }
 
 Eigen::Vector3d SurfaceMap::point(double x_m, double y_m, double height_m) const {
-    if (m_surface == Surface::plate) {
+    if (m_surface == Surface::plate)
         return {x_m, y_m, height_m};
-    }
     const double angle = y_m / m_radius_m;
     const double r_m = m_radius_m + height_m;
     return {x_m, r_m * std::sin(angle), r_m * std::cos(angle)};
 }
 
 Eigen::Vector3d SurfaceMap::normal(double y_m) const {
-    if (m_surface == Surface::plate) {
+    if (m_surface == Surface::plate)
         return Eigen::Vector3d::UnitZ();
-    }
     const double angle = y_m / m_radius_m;
     return {0.0, std::sin(angle), std::cos(angle)};
 }

@@ -46,9 +46,8 @@ void TaxelMesh::rebuild(const DrawnGrid& grid, const SurfaceMap& map, double gap
             const double y0 = edges.y0_m + insetY_m;
             const double y1 = edges.y1_m - insetY_m;
             const auto base = static_cast<vtkIdType>(2 * m_corners.size());
-            for (const auto& [x, y] : {std::array{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}) {
+            for (const auto& [x, y] : {std::array{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}})
                 m_corners.push_back({map.point(x, y, 0.0).cast<float>(), map.normal(y).cast<float>()});
-            }
             for (int half = 0; half < 2; ++half) {
                 for (std::size_t i = m_corners.size() - kCornersOfCell; i < m_corners.size();
                      ++i, position += 3) {

@@ -76,12 +76,10 @@ void ContactPart::update(std::span<const contact::Contact> contacts, std::span<c
     m_outlines.clear();
     m_ways.clear();
     for (const contact::Contact& contact : contacts) {
-        if (m_marks.size() == kMaximum) {
+        if (m_marks.size() == kMaximum)
             break; // contacts are sorted by decreasing force
-        }
-        if (!isDrawable(contact)) {
+        if (!isDrawable(contact))
             continue;
-        }
         const int identity = contact.id > 0 ? contact.id : contact.region;
         const QColor colour = base::identityColour(std::max(1, identity), onDark);
         const double height_m = sensor.heightOf(contact.peak_N / loadRange_N);
@@ -93,16 +91,13 @@ void ContactPart::update(std::span<const contact::Contact> contacts, std::span<c
         const Eigen::Vector3d tail = share > 0.0 ? Eigen::Vector3d(head + share * size.arrow_m * out) : foot;
         m_marks.push_back({contact, colour, foot, tail});
         m_solids.sphere(foot, size.mark_m, colour.rgb());
-        if (share > 0.0) {
+        if (share > 0.0)
             m_solids.arrow(tail, head, kShaft * size.mark_m, kHead * size.mark_m, colour.rgb());
-        }
-        if (const auto start_m = touches.startOf(contact.id)) {
+        if (const auto start_m = touches.startOf(contact.id))
             drawWay(m_marks.back(), *start_m, height_m, sensor);
-        }
     }
-    if (labels.size() == layout.taxels() && !m_marks.empty()) {
+    if (labels.size() == layout.taxels() && !m_marks.empty())
         outlineRegions(labels, layout, sensor);
-    }
     m_solids.finish();
     m_outlines.finish();
     m_ways.finish();
@@ -111,9 +106,8 @@ void ContactPart::update(std::span<const contact::Contact> contacts, std::span<c
 void ContactPart::drawWay(const ContactMark& mark, const Eigen::Vector2d& start_m, double height_m,
                           const SensorPart& sensor) {
     const Eigen::Vector2d end_m(mark.contact.x_m, mark.contact.y_m);
-    if ((end_m - start_m).norm() < sensor.size().mark_m) {
+    if ((end_m - start_m).norm() < sensor.size().mark_m)
         return; // hidden in the sphere
-    }
     constexpr int kSteps = 24;
     m_way.clear();
     for (int i = 0; i <= kSteps; ++i) {
@@ -127,11 +121,9 @@ void ContactPart::drawWay(const ContactMark& mark, const Eigen::Vector2d& start_
 void ContactPart::outlineRegions(std::span<const std::int32_t> labels, const core::ArrayLayout& layout,
                                  const SensorPart& sensor) {
     const auto colourOf = [&](std::int32_t region) -> const ContactMark* {
-        for (const ContactMark& mark : m_marks) {
-            if (mark.contact.region == region) {
+        for (const ContactMark& mark : m_marks)
+            if (mark.contact.region == region)
                 return &mark;
-            }
-        }
         return nullptr;
     };
     const auto labelAt = [&](int row, int column) {
@@ -153,18 +145,15 @@ void ContactPart::outlineRegions(std::span<const std::int32_t> labels, const cor
     for (int row = 0; row < layout.rows; ++row) {
         for (int column = 0; column < layout.columns; ++column) {
             const std::int32_t region = labelAt(row, column);
-            if (region <= 0) {
+            if (region <= 0)
                 continue;
-            }
             const ContactMark* mark = colourOf(region);
-            if (mark == nullptr) {
+            if (mark == nullptr)
                 continue;
-            }
             const double height_m = sensor.heightOfCell(sensor.grid().cellOf(row, column)) + lift_m;
             for (const Side& side : kSides) {
-                if (labelAt(row + side.rowStep, column + side.columnStep) == region) {
+                if (labelAt(row + side.rowStep, column + side.columnStep) == region)
                     continue;
-                }
                 m_outlines.segment(
                     sensor.map().point(layout.x_m(column + side.x0), layout.y_m(row + side.y0), height_m),
                     sensor.map().point(layout.x_m(column + side.x1), layout.y_m(row + side.y1), height_m),
@@ -177,9 +166,8 @@ void ContactPart::outlineRegions(std::span<const std::int32_t> labels, const cor
 void ContactPart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
     meshes.push_back(m_solids.data());
     meshes.push_back(m_outlines.data());
-    if (m_wayShown) {
+    if (m_wayShown)
         meshes.push_back(m_ways.data());
-    }
 }
 
 } // namespace teleta::view3d

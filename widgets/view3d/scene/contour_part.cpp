@@ -63,12 +63,10 @@ void ContourPart::rebuild() {
     const double radius_m = std::max(kSmallestPoint_m, 0.011 * extent_m);
     m_solids.clear();
     m_curve.clear();
-    for (const Eigen::Vector3d& p : m_points_m) {
+    for (const Eigen::Vector3d& p : m_points_m)
         m_solids.sphere(p, radius_m, m_pointColour);
-    }
-    for (const Eigen::Vector3d& p : m_vertices_m) {
+    for (const Eigen::Vector3d& p : m_vertices_m)
         m_solids.octahedron(p, 2.2 * radius_m, m_vertexColour);
-    }
     m_curve.polyline(m_curve_m, m_curveColour);
     m_solids.finish();
     m_curve.finish();

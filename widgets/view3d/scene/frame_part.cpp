@@ -23,9 +23,8 @@ bool GridPart::cover(const Eigen::AlignedBox3d& box_m, bool always) {
     const bool oversized =
         covers && m_box_m.sizes().head<2>().maxCoeff() >
                       kMuchTooLarge * box_m.sizes().head<2>().maxCoeff() + 4.0 * m_spacing_m;
-    if (!always && covers && !oversized) {
+    if (!always && covers && !oversized)
         return false;
-    }
     m_spacing_m = base::niceStep(std::max(box_m.sizes().maxCoeff(), 1e-6) / kCells);
     const Eigen::Vector3d margin(m_spacing_m, m_spacing_m, 0.0);
     Eigen::Vector3d low = box_m.min() - margin;

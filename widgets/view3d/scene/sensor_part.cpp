@@ -122,9 +122,8 @@ void SensorPart::update(std::span<const float> share) {
         }
     }
     m_taxels.update(m_height_m, m_colour);
-    if (m_deadCells != m_crossedCells) {
+    if (m_deadCells != m_crossedCells)
         rebuildCrosses();
-    }
 }
 
 void SensorPart::rebuildCrosses() {
@@ -163,12 +162,10 @@ void SensorPart::rebuildSlab() {
 
     m_outline.clear();
     std::vector<Eigen::Vector3d> border;
-    for (int i = 0; i <= strips; ++i) {
+    for (int i = 0; i <= strips; ++i)
         border.push_back(at(-x_m, i, 0));
-    }
-    for (int i = strips; i >= 0; --i) {
+    for (int i = strips; i >= 0; --i)
         border.push_back(at(x_m, i, 0));
-    }
     m_outline.polyline(border, m_outlineColour, true);
     m_outline.finish();
 }
@@ -190,14 +187,12 @@ void SensorPart::rebuildCylinder() {
         }
         const int rings = static_cast<int>(std::floor(half_m / kRingSpacing_m));
         std::vector<double> places = {-half_m, half_m};
-        for (int ring = -rings; ring <= rings; ++ring) {
+        for (int ring = -rings; ring <= rings; ++ring)
             places.push_back(ring * kRingSpacing_m);
-        }
         std::array<Eigen::Vector3d, kStrips> circle;
         for (const double x : places) {
-            for (int i = 0; i < kStrips; ++i) {
+            for (int i = 0; i < kStrips; ++i)
                 circle[static_cast<std::size_t>(i)] = at(x, i, radius_m);
-            }
             m_rings.polyline(circle, m_ringColour, true);
         }
     }
@@ -209,9 +204,8 @@ void SensorPart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
     meshes.push_back(m_taxels.data());
     meshes.push_back(m_slab.data());
     meshes.push_back(m_outline.data());
-    if (m_map.surface() == Surface::cylinder) {
+    if (m_map.surface() == Surface::cylinder)
         meshes.push_back(m_tube.data());
-    }
 }
 
 } // namespace teleta::view3d

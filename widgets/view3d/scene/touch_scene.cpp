@@ -60,14 +60,12 @@ TouchScene::TouchScene(const SceneColours& colours)
 }
 
 TouchScene::Taken TouchScene::take(const pipeline::TouchSnapshot& snapshot) {
-    if (!isDrawable(snapshot)) {
+    if (!isDrawable(snapshot))
         return Taken::refused;
-    }
     const bool sameLayout = m_hasSensor && snapshot.layout == m_snapshot.layout;
     if (sameLayout && snapshot.frame == m_snapshot.frame && snapshot.time_ns == m_snapshot.time_ns &&
-        snapshot.framesProcessed == m_snapshot.framesProcessed) {
+        snapshot.framesProcessed == m_snapshot.framesProcessed)
         return Taken::same;
-    }
     if (!sameLayout) {
         m_bodyStale = true;
         m_touches.clear();
@@ -86,17 +84,14 @@ TouchScene::Taken TouchScene::take(const pipeline::TouchSnapshot& snapshot) {
     double peak_N = 0.0;
     for (std::size_t taxel = 0; taxel < snapshot.load_N.size(); ++taxel) {
         const auto load_N = static_cast<double>(snapshot.load_N[taxel]);
-        if (std::isfinite(load_N) && (snapshot.dead.empty() || snapshot.dead[taxel] == 0)) {
+        if (std::isfinite(load_N) && (snapshot.dead.empty() || snapshot.dead[taxel] == 0))
             peak_N = std::max(peak_N, load_N);
-        }
     }
     m_loadRange.update(0.0, peak_N, snapshot.sourceTime_s);
     double force_N = 0.0;
-    for (const contact::Contact& contact : snapshot.contacts) {
-        if (std::isfinite(contact.force_N)) {
+    for (const contact::Contact& contact : snapshot.contacts)
+        if (std::isfinite(contact.force_N))
             force_N = std::max(force_N, contact.force_N);
-        }
-    }
     m_forceRange.update(0.0, force_N, snapshot.sourceTime_s);
     return Taken::fresh;
 }
@@ -120,9 +115,8 @@ bool TouchScene::draw() {
         m_frameStale = m_hasSensor;
         rebuildSensor();
     }
-    if (!m_frameStale) {
+    if (!m_frameStale)
         return newBody;
-    }
     m_frameStale = false;
     m_sensor.grid().pool(m_snapshot.load_N, m_snapshot.dead, m_cell_N);
     const double range_N = loadRange_N();
@@ -138,9 +132,8 @@ bool TouchScene::draw() {
 }
 
 void TouchScene::rebuildSensor() {
-    if (!m_hasSensor) {
+    if (!m_hasSensor)
         return;
-    }
     const SurfaceMap map(m_surface, cylinder().radius_m);
     m_sensor.rebuild(m_snapshot.layout, map, cylinder());
     m_sensor.setVisible(true);
@@ -169,9 +162,8 @@ void TouchScene::setCylinder(const CylinderSize& cylinder) {
 }
 
 void TouchScene::setSensorPose(const Eigen::Isometry3d& X_World_Sensor) {
-    if (!X_World_Sensor.matrix().allFinite()) {
+    if (!X_World_Sensor.matrix().allFinite())
         return;
-    }
     m_X_World_Sensor = X_World_Sensor;
     setMatrix(*m_poseMatrix, X_World_Sensor);
     coverGround(false);
@@ -243,9 +235,8 @@ Eigen::AlignedBox3d TouchScene::sensorBox_m() const {
 std::vector<Eigen::Vector3d> TouchScene::corners() const {
     std::vector<Eigen::Vector3d> corners;
     const auto add = [&](const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& X_World_Box) {
-        for (int i = 0; i < 8 && !box.isEmpty(); ++i) {
+        for (int i = 0; i < 8 && !box.isEmpty(); ++i)
             corners.emplace_back(X_World_Box * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
-        }
     };
     if (m_hasSensor) {
         Eigen::AlignedBox3d box = sensorBox_m();
@@ -264,9 +255,8 @@ std::vector<Eigen::Vector3d> TouchScene::corners() const {
 
 void TouchScene::coverGround(bool always) {
     Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& corner : corners()) {
+    for (const Eigen::Vector3d& corner : corners())
         box.extend(corner);
-    }
     m_ground.cover(box, always);
 }
 
@@ -276,9 +266,8 @@ std::vector<vtkSmartPointer<vtkPolyData>> TouchScene::worldMeshes() const {
         const vtkNew<vtkTransform> transform;
         transform->SetMatrix(X_World_Mesh);
         for (vtkPolyData* mesh : meshes) {
-            if (mesh->GetNumberOfCells() == 0) {
+            if (mesh->GetNumberOfCells() == 0)
                 continue;
-            }
             const vtkNew<vtkTransformPolyDataFilter> moved;
             moved->SetInputData(mesh);
             moved->SetTransform(transform);

@@ -211,10 +211,9 @@ void TubePart::drawPatch(const vision::FollowedContact& followed, const TubeMark
     const double lift_m = kLift * m_surface.radius_m;
     const auto& contour = followed.contact.contour_m;
     m_line.clear();
-    for (const Eigen::Vector3d& p : contour) {
+    for (const Eigen::Vector3d& p : contour)
         if (p.allFinite())
             m_line.push_back(onSkin(p, 0.6 * lift_m));
-    }
     const Eigen::Vector3d centre = onSkin(followed.contact.p_Sensor_Centre_m, 0.6 * lift_m);
     const QColor fill = base::mixed(m_skinColour, mark.colour, 0.55);
     // Each sector in strips from its middle, so that the patch follows the tube.

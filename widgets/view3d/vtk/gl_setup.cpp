@@ -16,20 +16,17 @@ constexpr int kOpenGlMinor = 2;
 
 GlProblem askDriver() {
     const QString platform = QGuiApplication::platformName();
-    if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal")) {
+    if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal"))
         return GlProblem::noGlPlatform;
-    }
     QOpenGLContext context;
     context.setFormat(QSurfaceFormat::defaultFormat());
-    if (!context.create() || context.isOpenGLES()) {
+    if (!context.create() || context.isOpenGLES())
         return GlProblem::tooOld;
-    }
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();
-    if (!surface.isValid() || !context.makeCurrent(&surface)) {
+    if (!surface.isValid() || !context.makeCurrent(&surface))
         return GlProblem::tooOld;
-    }
     const bool recent = context.format().version() >= qMakePair(kOpenGlMajor, kOpenGlMinor);
     context.doneCurrent();
     return recent ? GlProblem::none : GlProblem::tooOld;
@@ -49,10 +46,8 @@ void configureOpenGlBeforeApplication() {
 
     const bool wayland =
         qEnvironmentVariableIsSet("WAYLAND_DISPLAY") || qgetenv("XDG_SESSION_TYPE") == "wayland";
-    if (wayland && !qEnvironmentVariableIsEmpty("DISPLAY") &&
-        qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+    if (wayland && !qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "xcb");
-    }
 }
 
 GlProblem findGlProblem() {

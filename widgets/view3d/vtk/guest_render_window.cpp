@@ -56,9 +56,8 @@ bool GuestRenderWindow::attach(QOpenGLContext* context, QSurface* surface) {
 }
 
 void GuestRenderWindow::detach() {
-    if (!m_context) {
+    if (!m_context)
         return;
-    }
     MakeCurrent();
     dropFence();
     Finalize();
@@ -68,9 +67,8 @@ void GuestRenderWindow::detach() {
 }
 
 void GuestRenderWindow::MakeCurrent() {
-    if (m_context && !IsCurrent()) {
+    if (m_context && !IsCurrent())
         m_context->makeCurrent(m_surface);
-    }
 }
 
 bool GuestRenderWindow::IsCurrent() {
@@ -79,9 +77,8 @@ bool GuestRenderWindow::IsCurrent() {
 }
 
 void GuestRenderWindow::renderGuarded() {
-    if (!m_context) {
+    if (!m_context)
         return;
-    }
     MakeCurrent();
     vtkCollectionSimpleIterator place;
     GetRenderers()->InitTraversal(place);
@@ -103,23 +100,20 @@ void GuestRenderWindow::renderGuarded() {
 }
 
 bool GuestRenderWindow::isDrawn() {
-    if (!m_context || !m_fence) {
+    if (!m_context || !m_fence)
         return true;
-    }
     MakeCurrent();
     return m_context->extraFunctions()->glClientWaitSync(m_fence, 0, 0) != GL_TIMEOUT_EXPIRED;
 }
 
 void GuestRenderWindow::dropFence() {
-    if (m_fence) {
+    if (m_fence)
         m_context->extraFunctions()->glDeleteSync(std::exchange(m_fence, nullptr));
-    }
 }
 
 QImage GuestRenderWindow::frame() {
-    if (!m_context) {
+    if (!m_context)
         return {};
-    }
     MakeCurrent();
     const vtkRecti all(0, 0, GetSize()[0], GetSize()[1]);
     QImage image(all.GetWidth(), all.GetHeight(), QImage::Format_RGB32);

@@ -42,9 +42,8 @@ VtkCanvas::~VtkCanvas() {
 void VtkCanvas::requestRender() {
     m_stale = true;
     // An invisible view does not wait for a turn: it is repainted when it appears.
-    if (!visibleRegion().isEmpty()) {
+    if (!visibleRegion().isEmpty())
         RenderQueue::instance().ask(*this);
-    }
 }
 
 QSize VtkCanvas::deviceSize() const {
@@ -52,9 +51,8 @@ QSize VtkCanvas::deviceSize() const {
 }
 
 void VtkCanvas::setDeviceSize(const QSize& size, double pixelScale) {
-    if (size == m_size && pixelScale == m_pixelScale) {
+    if (size == m_size && pixelScale == m_pixelScale)
         return;
-    }
     m_size = size;
     m_stale = true;
     m_drawing = false; // of another size
@@ -68,31 +66,27 @@ void VtkCanvas::setDeviceSize(const QSize& size, double pixelScale) {
 }
 
 bool VtkCanvas::makeContext() {
-    if (m_window->attached() || m_refused) {
+    if (m_window->attached() || m_refused)
         return !m_refused;
-    }
     const auto refuse = [this](GlProblem problem) {
         m_refused = true;
         emit contextRefused(problem);
         return false;
     };
     if (!m_context.isValid()) {
-        if (!m_context.create()) {
+        if (!m_context.create())
             return refuse(GlProblem::contextRefused);
-        }
         m_surface.setFormat(m_context.format());
         m_surface.create();
     }
-    if (!m_surface.isValid() || !m_context.makeCurrent(&m_surface)) {
+    if (!m_surface.isValid() || !m_context.makeCurrent(&m_surface))
         return refuse(GlProblem::contextRefused);
-    }
     return m_window->attach(&m_context, &m_surface) || refuse(GlProblem::driverRefused);
 }
 
 void VtkCanvas::turnHasCome() {
-    if (!m_stale || visibleRegion().isEmpty()) {
+    if (!m_stale || visibleRegion().isEmpty())
         return;
-    }
     if (m_frame.isNull() || deviceSize() != m_size) {
         update(); // there is nothing to show meanwhile
     } else if (!m_drawing) {
@@ -115,9 +109,8 @@ void VtkCanvas::endFrame() {
     m_frame.setDevicePixelRatio(m_pixelScale);
     ++m_framesRendered;
     RenderQueue::instance().drawn(*this, m_begun_ns, core::steadyNow_ns());
-    if (m_stale) {
+    if (m_stale)
         requestRender();
-    }
 }
 
 void VtkCanvas::lookForFrame() {
@@ -137,18 +130,15 @@ bool VtkCanvas::paintsOnScreen() const {
 
 void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
     const QSize device = deviceSize();
-    if (device.isEmpty() || !makeContext()) {
+    if (device.isEmpty() || !makeContext())
         return;
-    }
     setDeviceSize(device, devicePixelRatio());
     const bool fits = m_frame.size() == device && m_frame.devicePixelRatio() == m_pixelScale;
     if (!fits || !paintsOnScreen()) {
-        if (m_stale) {
+        if (m_stale)
             beginFrame();
-        }
-        if (m_drawing) {
+        if (m_drawing)
             endFrame();
-        }
     } else if (m_stale) {
         requestRender(); // there were no requests while it was hidden
     }
@@ -161,9 +151,8 @@ void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
 }
 
 QImage VtkCanvas::picture(double scale, bool withOverlay) {
-    if (deviceSize().isEmpty() || !makeContext()) {
+    if (deviceSize().isEmpty() || !makeContext())
         return {};
-    }
     m_drawing = false; // the window now draws another picture
     m_window->MakeCurrent();
     GLint largest = 0;
@@ -181,9 +170,8 @@ QImage VtkCanvas::picture(double scale, bool withOverlay) {
     QImage image = m_window->frame();
     image.setDevicePixelRatio(m_pixelScale);
     m_window->SetMultiSamples(samples);
-    if (!before.isEmpty()) {
+    if (!before.isEmpty())
         setDeviceSize(before, pixelScaleBefore);
-    }
     requestRender();
     if (!image.isNull() && withOverlay && m_overlay) {
         QPainter painter(&image);
@@ -205,9 +193,8 @@ void VtkCanvas::mousePressEvent(QMouseEvent* event) {
 void VtkCanvas::mouseReleaseEvent(QMouseEvent* event) {
     m_input.mouse(*event, devicePixelRatio());
     event->accept();
-    if (event->button() == Qt::RightButton && !m_rightDragged) {
+    if (event->button() == Qt::RightButton && !m_rightDragged)
         emit menuRequested(event->globalPosition().toPoint());
-    }
 }
 
 void VtkCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -217,9 +204,8 @@ void VtkCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void VtkCanvas::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons().testFlag(Qt::RightButton) &&
-        (event->position() - m_rightPress).manhattanLength() >= QApplication::startDragDistance()) {
+        (event->position() - m_rightPress).manhattanLength() >= QApplication::startDragDistance())
         m_rightDragged = true;
-    }
     m_input.mouse(*event, devicePixelRatio());
     event->accept();
 }
@@ -231,9 +217,8 @@ void VtkCanvas::wheelEvent(QWheelEvent* event) {
 
 void VtkCanvas::contextMenuEvent(QContextMenuEvent* event) {
     // The right button also zooms: its menu opens on release, when nothing was dragged.
-    if (event->reason() != QContextMenuEvent::Mouse) {
+    if (event->reason() != QContextMenuEvent::Mouse)
         emit menuRequested(mapToGlobal(rect().center()));
-    }
     event->accept();
 }
 

@@ -77,14 +77,11 @@ void VtkInput::wheel(const QWheelEvent& event, double pixelRatio) {
     // Touchpads send fractions of a step; Alt turns the wheel sideways in some desktops.
     const QPoint turned = event.angleDelta();
     m_wheelRest += turned.y() != 0 ? turned.y() : turned.x();
-    for (; m_wheelRest >= QWheelEvent::DefaultDeltasPerStep;
-         m_wheelRest -= QWheelEvent::DefaultDeltasPerStep) {
+    for (; m_wheelRest >= QWheelEvent::DefaultDeltasPerStep; m_wheelRest -= QWheelEvent::DefaultDeltasPerStep)
         m_interactor->InvokeEvent(vtkCommand::MouseWheelForwardEvent);
-    }
     for (; m_wheelRest <= -QWheelEvent::DefaultDeltasPerStep;
-         m_wheelRest += QWheelEvent::DefaultDeltasPerStep) {
+         m_wheelRest += QWheelEvent::DefaultDeltasPerStep)
         m_interactor->InvokeEvent(vtkCommand::MouseWheelBackwardEvent);
-    }
 }
 
 } // namespace teleta::view3d

@@ -83,15 +83,13 @@ QString VtkWidget::fallbackText() const {
 }
 
 void VtkWidget::requestRender() {
-    if (m_parts->canvas != nullptr) {
+    if (m_parts->canvas != nullptr)
         m_parts->canvas->requestRender();
-    }
 }
 
 void VtkWidget::setOverlay(Overlay overlay) {
-    if (m_parts->canvas != nullptr) {
+    if (m_parts->canvas != nullptr)
         m_parts->canvas->setOverlay(std::move(overlay));
-    }
 }
 
 QImage VtkWidget::picture(double scale, PictureOverlay overlay) {
@@ -112,9 +110,8 @@ QSize VtkWidget::minimumSizeHint() const {
 }
 
 void VtkWidget::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::LanguageChange) {
+    if (event->type() == QEvent::LanguageChange)
         writeFallback();
-    }
     QWidget::changeEvent(event);
 }
 
