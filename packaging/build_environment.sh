@@ -9,10 +9,10 @@ export CCACHE_NOHASHDIR=1
 # Precompiled headers are cached only when these differences are forgiven.
 export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 
-# Configures a preset quietly; its output appears when it fails.
+# configure PRESET [CMAKE ARGUMENTS...]: quiet; the output appears when it fails.
 configure() {
     local log
-    if ! log=$(cd "$root" && cmake --preset "$1" 2>&1); then
+    if ! log=$(cd "$root" && cmake --preset "$@" 2>&1); then
         printf '%s\n' "$log" >&2
         return 1
     fi

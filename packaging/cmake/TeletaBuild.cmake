@@ -21,17 +21,8 @@ set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     WORLD_READ
     WORLD_EXECUTE)
 
-# A unity build hides a missing include behind the sources compiled before it. The preset `alone` finds it: it reads each
-# source by itself, generates no code, links nothing, and repeats only what changed.
-if(TELETA_SYNTAX_ONLY)
-    set(CMAKE_CXX_COMPILE_OBJECT "<CMAKE_CXX_COMPILER> <DEFINES> <INCLUDES> <FLAGS> -fsyntax-only -c <SOURCE>"
-                                 "<CMAKE_COMMAND> -E touch <OBJECT>")
-    set(CMAKE_CXX_CREATE_STATIC_LIBRARY "<CMAKE_COMMAND> -E touch <TARGET>")
-    set(CMAKE_CXX_LINK_EXECUTABLE "<CMAKE_COMMAND> -E touch <TARGET>")
-endif()
-
 find_program(TELETA_CCACHE ccache)
-if(TELETA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT TELETA_SYNTAX_ONLY)
+if(TELETA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER "${TELETA_CCACHE}")
     set(CMAKE_C_COMPILER_LAUNCHER "${TELETA_CCACHE}")
 endif()
