@@ -244,8 +244,8 @@ std::vector<EffectTime> SimulatedArm::effectTimes() const {
     // Part of the contact itself, which is not timed apart.
     if (m_nonlinearObjects)
         times.push_back({.name = scene::NonlinearObjectSpec::kRow.name, .time_s = 0.0});
-    m_jointEffects.appendTimes(times);
-    m_skinEffects.appendTimes(times);
+    times.insert(times.end(), m_jointEffects.times().begin(), m_jointEffects.times().end());
+    times.insert(times.end(), m_skinEffects.times().begin(), m_skinEffects.times().end());
     return times;
 }
 

@@ -31,10 +31,6 @@ SimulatedArray::SimulatedArray(const scene::Scene& scene, std::uint64_t seed)
     }
 }
 
-core::SourceDescription SimulatedArray::description() const {
-    return m_description;
-}
-
 void SimulatedArray::next(std::span<float> values, bool motionHeld) {
     ++m_frame;
     if (!motionHeld)
@@ -53,26 +49,14 @@ void SimulatedArray::next(std::span<float> values, bool motionHeld) {
                            [](double load_N) { return static_cast<float>(load_N); });
 }
 
-double SimulatedArray::time_s() const {
-    return static_cast<double>(m_frame) / m_description.nominalRate_Hz;
-}
-
 void SimulatedArray::restart() {
     m_frame = m_motionFrame = 0;
     m_effects.restart();
 }
 
-std::vector<EffectTime> SimulatedArray::effectTimes() const {
-    std::vector<EffectTime> times;
-    m_effects.appendTimes(times);
-    return times;
-}
-
 core::Expected<std::unique_ptr<core::FrameGenerator>> makeTactileArray(const scene::Scene& scene,
                                                                        std::uint64_t seed) {
-    return SimulatedArray::make(scene, seed).map([](std::unique_ptr<SimulatedArray>&& array) {
-        return std::unique_ptr<core::FrameGenerator>(std::move(array));
-    });
+    return SimulatedArray::make(scene, seed);
 }
 
 } // namespace teleta::simulation

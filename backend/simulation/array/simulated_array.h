@@ -43,13 +43,15 @@ public:
     [[nodiscard]] static core::Expected<std::unique_ptr<SimulatedArray>> make(const scene::Scene& scene,
                                                                               std::uint64_t seed);
 
-    [[nodiscard]] core::SourceDescription description() const override;
+    [[nodiscard]] core::SourceDescription description() const override { return m_description; }
     void next(std::span<float> values, bool motionHeld) override;
-    [[nodiscard]] double time_s() const override;
+    [[nodiscard]] double time_s() const override {
+        return static_cast<double>(m_frame) / m_description.nominalRate_Hz;
+    }
     void restart() override;
 
     [[nodiscard]] const ContactTruth& truth() const { return m_truth; }
-    [[nodiscard]] std::vector<EffectTime> effectTimes() const;
+    [[nodiscard]] const std::vector<EffectTime>& effectTimes() const { return m_effects.times(); }
 
 private:
     SimulatedArray(const scene::Scene& scene, std::uint64_t seed);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "backend/arm/arm4_kinematics.h"
-#include "backend/simulation/base/effect.h"
+
+#include <functional>
+#include <string_view>
 
 namespace teleta::simulation {
 
@@ -12,14 +14,13 @@ struct JointReading {
     arm::JointVector torque_Nm = arm::JointVector::Zero();
 };
 
-/// One imperfection of the joints' sensors, applied to each reading in turn.
-class JointEffect : public Effect {
-public:
-    using Effect::Effect;
-
+/// One imperfection of the joints' sensors, applied to each reading in turn. Thread: one.
+struct JointEffect {
+    std::string_view name;
     /// Angles of links and motors as they truly are; reading: changed in place.
-    virtual void apply(const arm::JointVector& trueLink_rad, const arm::JointVector& trueMotor_rad,
-                       JointReading& reading) = 0;
+    std::function<void(const arm::JointVector& trueLink_rad, const arm::JointVector& trueMotor_rad,
+                       JointReading& reading)>
+        apply{};
 };
 
 } // namespace teleta::simulation

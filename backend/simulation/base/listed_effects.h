@@ -6,7 +6,7 @@
 #include "backend/simulation/base/effect.h"
 
 #include <cstdint>
-#include <memory>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -14,10 +14,10 @@
 
 namespace teleta::simulation {
 
-class JointEffect;
-class CameraEffect;
+struct JointEffect;
+struct CameraEffect;
 
-/// The class of the effects that act on this.
+/// The type of the effects that act on this.
 template <scene::ActsOn kOn>
 using EffectOn = std::conditional_t<
     kOn == scene::ActsOn::taxels, TaxelEffect,
@@ -43,7 +43,7 @@ struct Listed {
     [[nodiscard]] std::string_view name() const { return Spec::kRow.name; }
     [[nodiscard]] core::RandomStream random() const { return core::RandomStream(seed, name()); }
 
-    friend std::unique_ptr<EffectOn<Spec::kRow.actsOn>> makeEffect(const Listed<Spec>& listed);
+    friend EffectOn<Spec::kRow.actsOn> makeEffect(const Listed<Spec>& listed);
 };
 
 #pragma GCC diagnostic pop
@@ -51,9 +51,9 @@ struct Listed {
 /// The effects that a valid scene lists and that act on this, in the order of the table. Each has its own
 /// random stream.
 template <scene::ActsOn kOn>
-[[nodiscard]] std::vector<std::unique_ptr<EffectOn<kOn>>>
-makeEffects(const scene::Scene& scene, std::uint64_t seed, double step_s = 0.0) {
-    std::vector<std::unique_ptr<EffectOn<kOn>>> effects;
+[[nodiscard]] std::vector<EffectOn<kOn>> makeEffects(const scene::Scene& scene, std::uint64_t seed,
+                                                     double step_s = 0.0) {
+    std::vector<EffectOn<kOn>> effects;
     const auto add = [&]<typename Spec>(std::type_identity<Spec>) {
         if constexpr (Spec::kRow.actsOn == kOn) {
             if (const Spec* spec = scene.listed<Spec>())

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,21 +18,21 @@ struct EffectTime {
 template <typename Effect>
 class TimedEffects {
 public:
-    explicit TimedEffects(std::vector<std::unique_ptr<Effect>> effects) {
-        for (std::unique_ptr<Effect>& effect : effects)
-            m_effects.push_back({.effect = std::move(effect)});
+    explicit TimedEffects(std::vector<Effect> effects)
+        : m_fresh(std::move(effects)) {
+        restart();
     }
 
     /// Calls act(effect) with each effect for which which(effect) is true.
     template <typename Which, typename Act>
     void apply(const Which& which, const Act& act) {
         using Clock = std::chrono::steady_clock;
-        for (Timed& timed : m_effects) {
-            if (!which(*timed.effect))
+        for (std::size_t i = 0; i < m_effects.size(); ++i) {
+            if (!which(m_effects[i]))
                 continue;
             const Clock::time_point start = Clock::now();
-            act(*timed.effect);
-            timed.time_s += std::chrono::duration<double>(Clock::now() - start).count();
+            act(m_effects[i]);
+            m_times[i].time_s += std::chrono::duration<double>(Clock::now() - start).count();
         }
     }
     template <typename Act>
@@ -41,26 +40,21 @@ public:
         apply([](const Effect&) { return true; }, act);
     }
 
-    /// Forgets all that was applied, and all times.
+    /// Forgets all that was applied, and all times: the same inputs then give the same results again.
     void restart() {
-        for (Timed& timed : m_effects) {
-            timed.effect->restart();
-            timed.time_s = 0.0;
-        }
+        m_effects = m_fresh;
+        m_times.clear();
+        for (const Effect& effect : m_fresh)
+            m_times.push_back({.name = effect.name});
     }
 
-    /// Adds the times of the effects, in their order.
-    void appendTimes(std::vector<EffectTime>& times) const {
-        for (const Timed& timed : m_effects)
-            times.push_back({.name = timed.effect->name(), .time_s = timed.time_s});
-    }
+    /// Of the effects, in their order.
+    [[nodiscard]] const std::vector<EffectTime>& times() const { return m_times; }
 
 private:
-    struct Timed {
-        std::unique_ptr<Effect> effect;
-        double time_s = 0.0;
-    };
-    std::vector<Timed> m_effects;
+    std::vector<Effect> m_fresh; ///< as before the first call
+    std::vector<Effect> m_effects;
+    std::vector<EffectTime> m_times;
 };
 
 } // namespace teleta::simulation

@@ -85,13 +85,13 @@ SimulatedTube::SimulatedTube(const scene::Scene& scene, std::uint64_t seed)
     vision::CameraParameters parameters = ideal(m_world.camera);
     PrintedDots dots(m_world.skin);
     m_effects.apply([&](CameraEffect& effect) {
-        effect.changeLens(parameters);
-        effect.changePrint(dots);
-        m_changesRows = m_changesRows || effect.changesRows();
-        if (effect.moments() > 1)
-            m_before_s.clear();
-        for (int i = 0; effect.moments() > 1 && i < effect.moments(); ++i)
-            m_before_s.push_back(effect.before_s(i));
+        if (effect.changeLens)
+            effect.changeLens(parameters);
+        if (effect.changePrint)
+            effect.changePrint(dots);
+        m_changesRows = m_changesRows || effect.changeRows;
+        if (!effect.before_s.empty())
+            m_before_s = effect.before_s;
     });
     const auto camera = vision::CameraModel::create(parameters);
     if (!camera)
@@ -102,7 +102,8 @@ SimulatedTube::SimulatedTube(const scene::Scene& scene, std::uint64_t seed)
                                          .highest_z_m = m_world.skin.begin_m + m_world.skin.length_m}),
         m_world.skin, std::move(dots));
     cv::Mat1f light(parameters.height_px, parameters.width_px, 1.0F);
-    m_effects.apply([&](CameraEffect& effect) { effect.changeLight(light, m_renderer->places()); });
+    m_effects.apply([](const CameraEffect& effect) { return bool(effect.changeLight); },
+                    [&](CameraEffect& effect) { effect.changeLight(light, m_renderer->places()); });
     m_renderer->setLight(light);
     m_image = m_renderer->atRest().clone();
     for (std::size_t i = 0; i < m_motions.size(); ++i)
@@ -202,7 +203,7 @@ void SimulatedTube::expose(const std::vector<std::vector<SkinPress>>& moments, c
             m_renderer->draw(deformations.front(), part, m_image);
             continue;
         }
-        const auto blurs = [](const CameraEffect& effect) { return effect.moments() > 1; };
+        const auto blurs = [](const CameraEffect& effect) { return !effect.before_s.empty(); };
         m_effects.apply(blurs, [&](CameraEffect&) {
             m_part.create(m_image.size());
             m_sum.create(part.size());
@@ -229,17 +230,11 @@ void SimulatedTube::finish(cv::Mat1b& frame) {
     for (int v = 0; v < m_image.rows; v += kRows) {
         const cv::Range rows(v, std::min(v + kRows, m_image.rows));
         m_image.rowRange(rows).copyTo(m_rows);
-        m_effects.apply([](const CameraEffect& effect) { return effect.changesRows(); },
+        m_effects.apply([](const CameraEffect& effect) { return bool(effect.changeRows); },
                         [this](CameraEffect& effect) { effect.changeRows(m_rows); });
         cv::Mat1b finished = frame.rowRange(rows);
         m_rows.convertTo(finished, CV_8U);
     }
-}
-
-std::vector<EffectTime> SimulatedTube::effectTimes() const {
-    std::vector<EffectTime> times;
-    m_effects.appendTimes(times);
-    return times;
 }
 
 } // namespace teleta::simulation

@@ -55,7 +55,7 @@ public:
     /// Of the person with the stick, whose truth is the last one; empty in a scene without.
     [[nodiscard]] const std::optional<ProbingPlan>& probing() const { return m_probing; }
     [[nodiscard]] const SkinRenderer& renderer() const { return *m_renderer; }
-    [[nodiscard]] std::vector<EffectTime> effectTimes() const;
+    [[nodiscard]] const std::vector<EffectTime>& effectTimes() const { return m_effects.times(); }
 
 private:
     SimulatedTube(const scene::Scene& scene, std::uint64_t seed);

@@ -15,28 +15,14 @@ std::vector<double> gainFactors(const scene::GainSpreadSpec& spec, std::size_t t
     return factors;
 }
 
-namespace {
-
 /// Multiplies the load of each taxel with its factor, the same in every frame.
-class GainSpread : public TaxelEffect {
-public:
-    explicit GainSpread(const Listed<scene::GainSpreadSpec>& listed)
-        : TaxelEffect(listed.name())
-        , m_factors(gainFactors(listed.spec, listed.scene.taxels().taxels(), listed.random())) {}
-
-    void apply(std::span<double> load_N) override {
-        for (std::size_t i = 0; i < load_N.size(); ++i)
-            load_N[i] *= m_factors[i];
-    }
-
-private:
-    std::vector<double> m_factors;
-};
-
-} // namespace
-
-std::unique_ptr<TaxelEffect> makeEffect(const Listed<scene::GainSpreadSpec>& listed) {
-    return std::make_unique<GainSpread>(listed);
+TaxelEffect makeEffect(const Listed<scene::GainSpreadSpec>& listed) {
+    return {.name = listed.name(),
+            .apply = [factors = gainFactors(listed.spec, listed.scene.taxels().taxels(), listed.random())](
+                         std::span<double> load_N) {
+                for (std::size_t i = 0; i < load_N.size(); ++i)
+                    load_N[i] *= factors[i];
+            }};
 }
 
 } // namespace teleta::simulation

@@ -6,41 +6,19 @@
 
 namespace teleta::simulation {
 
-namespace {
-
 /// Readings come late by whole frames, the number nearest to the delay.
 ///   y_k = x_(k-n),  n = round(delay / step),  0 before the first frame
-class Latency : public TaxelEffect {
-public:
-    explicit Latency(const Listed<scene::LatencySpec>& listed)
-        : TaxelEffect(listed.name())
-        , m_taxels(listed.scene.taxels().taxels())
-        , m_waiting_N(static_cast<std::size_t>(std::llround(listed.spec.delay_s / listed.step_s)) * m_taxels,
-                      0.0) {}
-
-    void apply(std::span<double> load_N) override {
-        if (m_waiting_N.empty())
-            return;
-        std::swap_ranges(load_N.begin(), load_N.end(),
-                         m_waiting_N.begin() + static_cast<std::ptrdiff_t>(m_next));
-        m_next = (m_next + m_taxels) % m_waiting_N.size();
-    }
-
-    void restart() override {
-        std::ranges::fill(m_waiting_N, 0.0);
-        m_next = 0;
-    }
-
-private:
-    std::size_t m_taxels;
-    std::vector<double> m_waiting_N; ///< n frames, one after another, around
-    std::size_t m_next = 0;          ///< where the oldest one begins
-};
-
-} // namespace
-
-std::unique_ptr<TaxelEffect> makeEffect(const Listed<scene::LatencySpec>& listed) {
-    return std::make_unique<Latency>(listed);
+TaxelEffect makeEffect(const Listed<scene::LatencySpec>& listed) {
+    const auto frames = static_cast<std::size_t>(std::llround(listed.spec.delay_s / listed.step_s));
+    // n frames, one after another, around; next: where the oldest one begins.
+    return {.name = listed.name(),
+            .apply = [waiting_N = std::vector<double>(frames * listed.scene.taxels().taxels()),
+                      next = std::ptrdiff_t{0}](std::span<double> load_N) mutable {
+                if (waiting_N.empty())
+                    return;
+                std::swap_ranges(load_N.begin(), load_N.end(), waiting_N.begin() + next);
+                next = (next + std::ssize(load_N)) % std::ssize(waiting_N);
+            }};
 }
 
 } // namespace teleta::simulation

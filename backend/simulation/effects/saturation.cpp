@@ -5,28 +5,13 @@
 
 namespace teleta::simulation {
 
-namespace {
-
 /// Limits each reading to 0 .. full scale.
-class Saturation : public TaxelEffect {
-public:
-    explicit Saturation(const Listed<scene::SaturationSpec>& listed)
-        : TaxelEffect(listed.name())
-        , m_fullScale_N(listed.scene.fullScale_N()) {}
-
-    void apply(std::span<double> load_N) override {
-        for (double& value_N : load_N)
-            value_N = std::clamp(value_N, 0.0, m_fullScale_N);
-    }
-
-private:
-    double m_fullScale_N;
-};
-
-} // namespace
-
-std::unique_ptr<TaxelEffect> makeEffect(const Listed<scene::SaturationSpec>& listed) {
-    return std::make_unique<Saturation>(listed);
+TaxelEffect makeEffect(const Listed<scene::SaturationSpec>& listed) {
+    return {.name = listed.name(),
+            .apply = [fullScale_N = listed.scene.fullScale_N()](std::span<double> load_N) {
+                for (double& value_N : load_N)
+                    value_N = std::clamp(value_N, 0.0, fullScale_N);
+            }};
 }
 
 } // namespace teleta::simulation

@@ -4,32 +4,14 @@
 
 namespace teleta::simulation {
 
-namespace {
-
 /// Adds Gaussian noise of a given standard deviation, independent in every joint and reading.
-class TorqueNoise : public JointEffect {
-public:
-    explicit TorqueNoise(const Listed<scene::TorqueNoiseSpec>& listed)
-        : JointEffect(listed.name())
-        , m_sd_Nm(listed.spec.sd_Nm)
-        , m_random(listed.random()) {}
-
-    void apply(const arm::JointVector&, const arm::JointVector&, JointReading& reading) override {
-        for (double& torque_Nm : reading.torque_Nm)
-            torque_Nm += m_sd_Nm * m_random.normal();
-    }
-
-    void restart() override { m_random.restart(); }
-
-private:
-    double m_sd_Nm;
-    core::RandomStream m_random;
-};
-
-} // namespace
-
-std::unique_ptr<JointEffect> makeEffect(const Listed<scene::TorqueNoiseSpec>& listed) {
-    return std::make_unique<TorqueNoise>(listed);
+JointEffect makeEffect(const Listed<scene::TorqueNoiseSpec>& listed) {
+    return {.name = listed.name(),
+            .apply = [sd_Nm = listed.spec.sd_Nm, random = listed.random()](
+                         const arm::JointVector&, const arm::JointVector&, JointReading& reading) mutable {
+                for (double& torque_Nm : reading.torque_Nm)
+                    torque_Nm += sd_Nm * random.normal();
+            }};
 }
 
 } // namespace teleta::simulation

@@ -209,7 +209,7 @@ std::vector<EffectTime> SimulatedServoWorld::effectTimes() const {
     std::vector<EffectTime> times;
     for (const std::string_view name : m_contactEffects)
         times.push_back({.name = name, .time_s = 0.0});
-    m_effects.appendTimes(times);
+    times.insert(times.end(), m_effects.times().begin(), m_effects.times().end());
     return times;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/base/listed_effects.h"
+#include "backend/simulation/base/timed_effects.h"
 #include "backend/simulation/effects/gain_spread.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ std::unique_ptr<TaxelEffect> made(const Spec& spec, const ArrayLayout& layout = 
                                   double step_s = 0.005, std::uint64_t seed = 1, double fullScale_N = 2.89) {
     scene::Scene scene;
     scene.array().sensor = {.layout = layout, .fullScale_N = fullScale_N};
-    return makeEffect(Listed<Spec>{spec, scene, seed, step_s});
+    return std::make_unique<TaxelEffect>(makeEffect(Listed<Spec>{spec, scene, seed, step_s}));
 }
 
 double sum(const std::vector<double>& values) {
@@ -254,17 +255,17 @@ TEST(Drift, staysFiniteForAnEndlessTimeConstant) {
 
 TEST(Latency, aRampReadsWhatItWasSoManyFramesAgo) {
     // 37 ms are 7.4 frames of 5 ms: 7 of them.
-    const auto latency = made(scene::LatencySpec{.delay_s = 0.037});
+    TimedEffects<TaxelEffect> latency({*made(scene::LatencySpec{.delay_s = 0.037})});
     for (int run = 0; run < 2; ++run) {
         for (int frame = 0; frame < 30; ++frame) {
             std::vector<double> load_N(84);
             for (std::size_t i = 0; i < load_N.size(); ++i)
                 load_N[i] = frame + 0.01 * static_cast<double>(i);
-            latency->apply(load_N);
+            latency.apply([&](TaxelEffect& effect) { effect.apply(load_N); });
             for (std::size_t i = 0; i < load_N.size(); ++i)
                 ASSERT_EQ(load_N[i], frame < 7 ? 0.0 : frame - 7 + 0.01 * static_cast<double>(i));
         }
-        latency->restart();
+        latency.restart();
     }
 }
 

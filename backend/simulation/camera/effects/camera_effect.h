@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/simulation/base/effect.h"
 #include "backend/simulation/camera/skin/printed_dots.h"
 #include "backend/vision/camera/camera_model.h"
 
 #include <opencv2/core.hpp>
 
+#include <functional>
+#include <string_view>
+#include <vector>
+
 namespace teleta::simulation {
 
-/// One imperfection of the camera inside the tube. Each overrides what it acts on.
-class CameraEffect : public Effect {
-public:
-    using Effect::Effect;
+/// One imperfection of the camera inside the tube. Each sets what it acts on. Thread: one.
+struct CameraEffect {
+    std::string_view name;
 
-    /// Once, in this order.
-    virtual void changeLens(vision::CameraParameters& /*camera*/) {}
-    virtual void changePrint(PrintedDots& /*dots*/) {}
+    // Once, in this order.
+    std::function<void(vision::CameraParameters& camera)> changeLens{};
+    std::function<void(PrintedDots& dots)> changePrint{};
     /// light: factor of each pixel's brightness; places: angle and z of the skin behind it, NaN without any.
-    virtual void changeLight(cv::Mat1f& /*light*/, const cv::Mat2f& /*places*/) {}
+    std::function<void(cv::Mat1f& light, const cv::Mat2f& places)> changeLight{};
 
-    /// How long before the end of the exposure each of the moments is that a frame averages.
-    [[nodiscard]] virtual int moments() const { return 1; }
-    [[nodiscard]] virtual double before_s(int /*moment*/) const { return 0.0; }
+    /// How long before the end of the exposure each of the moments is that a frame averages; empty: one, at
+    /// the end.
+    std::vector<double> before_s{};
 
-    /// Each frame from top to bottom, a few rows a call, in grey levels, for an effect that says so.
-    [[nodiscard]] virtual bool changesRows() const { return false; }
-    virtual void changeRows(cv::Mat1f& /*rows*/) {}
+    /// Each frame from top to bottom, a few rows a call, in grey levels.
+    std::function<void(cv::Mat1f& rows)> changeRows{};
 };
 
 } // namespace teleta::simulation

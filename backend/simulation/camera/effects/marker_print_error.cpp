@@ -4,27 +4,11 @@
 
 namespace teleta::simulation {
 
-namespace {
-
-/// See scene::MarkerPrintErrorSpec.
-class MarkerPrintError : public CameraEffect {
-public:
-    explicit MarkerPrintError(const Listed<scene::MarkerPrintErrorSpec>& listed)
-        : CameraEffect(listed.name())
-        , m_spec(listed.spec)
-        , m_random(listed.random()) {}
-
-    void changePrint(PrintedDots& dots) override { dots.misprint(m_spec, m_random); }
-
-private:
-    scene::MarkerPrintErrorSpec m_spec;
-    core::RandomStream m_random;
-};
-
-} // namespace
-
-std::unique_ptr<CameraEffect> makeEffect(const Listed<scene::MarkerPrintErrorSpec>& listed) {
-    return std::make_unique<MarkerPrintError>(listed);
+CameraEffect makeEffect(const Listed<scene::MarkerPrintErrorSpec>& listed) {
+    return {.name = listed.name(),
+            .changePrint = [spec = listed.spec, random = listed.random()](PrintedDots& dots) mutable {
+                dots.misprint(spec, random);
+            }};
 }
 
 } // namespace teleta::simulation

@@ -4,28 +4,12 @@
 
 namespace teleta::simulation {
 
-namespace {
-
-/// See scene::MotionBlurSpec.
-class MotionBlur : public CameraEffect {
-public:
-    explicit MotionBlur(const Listed<scene::MotionBlurSpec>& listed)
-        : CameraEffect(listed.name())
-        , m_spec(listed.spec) {}
-
-    [[nodiscard]] int moments() const override { return m_spec.samples; }
-    [[nodiscard]] double before_s(int moment) const override {
-        return m_spec.exposure_s * (m_spec.samples - 1 - moment) / (m_spec.samples - 1);
-    }
-
-private:
-    scene::MotionBlurSpec m_spec;
-};
-
-} // namespace
-
-std::unique_ptr<CameraEffect> makeEffect(const Listed<scene::MotionBlurSpec>& listed) {
-    return std::make_unique<MotionBlur>(listed);
+CameraEffect makeEffect(const Listed<scene::MotionBlurSpec>& listed) {
+    CameraEffect effect{.name = listed.name()};
+    for (int moment = 0; moment < listed.spec.samples; ++moment)
+        effect.before_s.push_back(listed.spec.exposure_s * (listed.spec.samples - 1 - moment) /
+                                  (listed.spec.samples - 1));
+    return effect;
 }
 
 } // namespace teleta::simulation

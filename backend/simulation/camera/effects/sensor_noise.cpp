@@ -14,19 +14,17 @@ constexpr float kBrightest = 255.0F;
 
 /// See scene::SensorNoiseSpec. Normal numbers are drawn once; each row of a frame reads them from a place
 /// that is drawn anew.
-class SensorNoise : public CameraEffect {
+class SensorNoise {
 public:
     explicit SensorNoise(const Listed<scene::SensorNoiseSpec>& listed)
-        : CameraEffect(listed.name())
-        , m_random(listed.random())
+        : m_random(listed.random())
         , m_normal(kNormals)
         , m_read2(static_cast<float>(listed.spec.read * listed.spec.read))
         , m_shot2PerLevel(static_cast<float>(listed.spec.shot * listed.spec.shot) / kBrightest) {
         std::ranges::generate(m_normal, [this] { return static_cast<float>(m_random.normal()); });
     }
 
-    [[nodiscard]] bool changesRows() const override { return true; }
-    void changeRows(cv::Mat1f& rows) override {
+    void operator()(cv::Mat1f& rows) {
         for (int v = 0; v < rows.rows; ++v) {
             float* pixel = rows[v];
             int left = rows.cols;
@@ -57,8 +55,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<CameraEffect> makeEffect(const Listed<scene::SensorNoiseSpec>& listed) {
-    return std::make_unique<SensorNoise>(listed);
+CameraEffect makeEffect(const Listed<scene::SensorNoiseSpec>& listed) {
+    return {.name = listed.name(), .changeRows = SensorNoise(listed)};
 }
 
 } // namespace teleta::simulation
