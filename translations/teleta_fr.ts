@@ -12044,7 +12044,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::LawList</name>
+    <name>teleta::pattern::LawList</name>
     <message>
         <source>Laws of the display</source>
         <translation>Lois de l’affichage tactile</translation>
@@ -12071,7 +12071,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternDocument</name>
+    <name>teleta::pattern::PatternDocument</name>
     <message>
         <source>%1 (copy)</source>
         <translation>%1 (copie)</translation>
@@ -12186,7 +12186,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternEditor</name>
+    <name>teleta::pattern::PatternEditor</name>
     <message>
         <source>&amp;Recent</source>
         <translation>&amp;Récents</translation>
@@ -12397,7 +12397,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternInspector</name>
+    <name>teleta::pattern::PatternInspector</name>
     <message>
         <source>Numbers from 1 to 6, separated by spaces</source>
         <translation>Nombres de 1 à 6, séparés par des espaces</translation>
@@ -12588,7 +12588,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternLibrary</name>
+    <name>teleta::pattern::PatternLibrary</name>
     <message>
         <source>Filter: name, tag</source>
         <translation>Filtre&#xa0;: nom, étiquette</translation>
@@ -12667,7 +12667,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::StrokePad</name>
+    <name>teleta::pattern::StrokePad</name>
     <message>
         <source>Unrolled forearm</source>
         <translation>Avant-bras déroulé</translation>
@@ -12686,7 +12686,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::TimelineView</name>
+    <name>teleta::pattern::TimelineView</name>
     <message>
         <source>Time in s; intensity in %</source>
         <translation>Temps en s&#xa0;; intensité en&#xa0;%</translation>
@@ -12907,7 +12907,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::AnswerButton</name>
+    <name>teleta::study::AnswerButton</name>
     <message>
         <source>Answer %1: %2</source>
         <comment>letter, name</comment>
@@ -12935,7 +12935,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ConfusionView</name>
+    <name>teleta::study::ConfusionView</name>
     <message>
         <source>Confusion matrix</source>
         <translation>Matrice de confusion</translation>
@@ -12973,7 +12973,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ParticipantPicker</name>
+    <name>teleta::study::ParticipantPicker</name>
     <message numerus="yes">
         <source>%n participant(s)</source>
         <translation>
@@ -12983,7 +12983,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ParticipantWindow</name>
+    <name>teleta::study::ParticipantWindow</name>
     <message>
         <source>Please wait for the experimenter.</source>
         <translation>Veuillez attendre l’expérimentateur.</translation>
@@ -13063,7 +13063,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::QuestionnaireForm</name>
+    <name>teleta::study::QuestionnaireForm</name>
     <message>
         <source>Please answer this question.</source>
         <translation>Veuillez répondre à cette question.</translation>
@@ -13087,7 +13087,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::QuestionnaireItemView</name>
+    <name>teleta::study::QuestionnaireItemView</name>
     <message>
         <source>No answer</source>
         <translation>Pas de réponse</translation>
@@ -13104,7 +13104,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ResultsView</name>
+    <name>teleta::study::ResultsView</name>
     <message>
         <source>All participants</source>
         <translation>Tous les participants</translation>
@@ -13188,7 +13188,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::SessionPanel</name>
+    <name>teleta::study::SessionPanel</name>
     <message>
         <source>Stop the noise</source>
         <translation>Arrêter le bruit</translation>
@@ -13315,7 +13315,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::StudyPanel</name>
+    <name>teleta::study::StudyPanel</name>
     <message>
         <source>● On the server: %1</source>
         <translation>● Sur le serveur&#xa0;: %1</translation>

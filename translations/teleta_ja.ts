@@ -12013,7 +12013,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::LawList</name>
+    <name>teleta::pattern::LawList</name>
     <message>
         <source>Laws of the display</source>
         <translation>提示の法則</translation>
@@ -12040,7 +12040,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternDocument</name>
+    <name>teleta::pattern::PatternDocument</name>
     <message>
         <source>%1 (copy)</source>
         <translation>%1 (コピー)</translation>
@@ -12155,7 +12155,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternEditor</name>
+    <name>teleta::pattern::PatternEditor</name>
     <message>
         <source>&amp;Recent</source>
         <translation>最近使ったファイル(&amp;R)</translation>
@@ -12366,7 +12366,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternInspector</name>
+    <name>teleta::pattern::PatternInspector</name>
     <message>
         <source>Numbers from 1 to 6, separated by spaces</source>
         <translation>1から6までの数字をスペース区切りで入力</translation>
@@ -12557,7 +12557,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternLibrary</name>
+    <name>teleta::pattern::PatternLibrary</name>
     <message>
         <source>Filter: name, tag</source>
         <translation>絞り込み: 名前、タグ</translation>
@@ -12636,7 +12636,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::StrokePad</name>
+    <name>teleta::pattern::StrokePad</name>
     <message>
         <source>Unrolled forearm</source>
         <translation>展開した前腕</translation>
@@ -12655,7 +12655,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::TimelineView</name>
+    <name>teleta::pattern::TimelineView</name>
     <message>
         <source>Time in s; intensity in %</source>
         <translation>時間 (s)、強度 (%)</translation>
@@ -12876,7 +12876,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::AnswerButton</name>
+    <name>teleta::study::AnswerButton</name>
     <message>
         <source>Answer %1: %2</source>
         <comment>letter, name</comment>
@@ -12904,7 +12904,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ConfusionView</name>
+    <name>teleta::study::ConfusionView</name>
     <message>
         <source>Confusion matrix</source>
         <translation>混同行列</translation>
@@ -12942,7 +12942,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ParticipantPicker</name>
+    <name>teleta::study::ParticipantPicker</name>
     <message numerus="yes">
         <source>%n participant(s)</source>
         <translation>
@@ -12951,7 +12951,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ParticipantWindow</name>
+    <name>teleta::study::ParticipantWindow</name>
     <message>
         <source>Please wait for the experimenter.</source>
         <translation>実験者をお待ちください。</translation>
@@ -13031,7 +13031,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::QuestionnaireForm</name>
+    <name>teleta::study::QuestionnaireForm</name>
     <message>
         <source>Please answer this question.</source>
         <translation>この質問に回答してください。</translation>
@@ -13055,7 +13055,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::QuestionnaireItemView</name>
+    <name>teleta::study::QuestionnaireItemView</name>
     <message>
         <source>No answer</source>
         <translation>無回答</translation>
@@ -13072,7 +13072,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ResultsView</name>
+    <name>teleta::study::ResultsView</name>
     <message>
         <source>All participants</source>
         <translation>全参加者</translation>
@@ -13156,7 +13156,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::SessionPanel</name>
+    <name>teleta::study::SessionPanel</name>
     <message>
         <source>Stop the noise</source>
         <translation>ノイズを停止</translation>
@@ -13283,7 +13283,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::StudyPanel</name>
+    <name>teleta::study::StudyPanel</name>
     <message>
         <source>● On the server: %1</source>
         <translation>● サーバー上: %1</translation>

@@ -12013,7 +12013,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::LawList</name>
+    <name>teleta::pattern::LawList</name>
     <message>
         <source>Laws of the display</source>
         <translation>触觉显示规律</translation>
@@ -12040,7 +12040,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternDocument</name>
+    <name>teleta::pattern::PatternDocument</name>
     <message>
         <source>%1 (copy)</source>
         <translation>%1（副本）</translation>
@@ -12155,7 +12155,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternEditor</name>
+    <name>teleta::pattern::PatternEditor</name>
     <message>
         <source>&amp;Recent</source>
         <translation>最近使用(&amp;R)</translation>
@@ -12366,7 +12366,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternInspector</name>
+    <name>teleta::pattern::PatternInspector</name>
     <message>
         <source>Numbers from 1 to 6, separated by spaces</source>
         <translation>1 至 6 的数字，以空格分隔</translation>
@@ -12557,7 +12557,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::PatternLibrary</name>
+    <name>teleta::pattern::PatternLibrary</name>
     <message>
         <source>Filter: name, tag</source>
         <translation>筛选：名称、标签</translation>
@@ -12636,7 +12636,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::StrokePad</name>
+    <name>teleta::pattern::StrokePad</name>
     <message>
         <source>Unrolled forearm</source>
         <translation>展开的前臂</translation>
@@ -12655,7 +12655,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::editor::TimelineView</name>
+    <name>teleta::pattern::TimelineView</name>
     <message>
         <source>Time in s; intensity in %</source>
         <translation>时间，s；强度，%</translation>
@@ -12876,7 +12876,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::AnswerButton</name>
+    <name>teleta::study::AnswerButton</name>
     <message>
         <source>Answer %1: %2</source>
         <comment>letter, name</comment>
@@ -12904,7 +12904,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ConfusionView</name>
+    <name>teleta::study::ConfusionView</name>
     <message>
         <source>Confusion matrix</source>
         <translation>混淆矩阵</translation>
@@ -12942,7 +12942,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ParticipantPicker</name>
+    <name>teleta::study::ParticipantPicker</name>
     <message numerus="yes">
         <source>%n participant(s)</source>
         <translation>
@@ -12951,7 +12951,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ParticipantWindow</name>
+    <name>teleta::study::ParticipantWindow</name>
     <message>
         <source>Please wait for the experimenter.</source>
         <translation>请等待实验人员。</translation>
@@ -13031,7 +13031,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::QuestionnaireForm</name>
+    <name>teleta::study::QuestionnaireForm</name>
     <message>
         <source>Please answer this question.</source>
         <translation>请回答此问题。</translation>
@@ -13055,7 +13055,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::QuestionnaireItemView</name>
+    <name>teleta::study::QuestionnaireItemView</name>
     <message>
         <source>No answer</source>
         <translation>未回答</translation>
@@ -13072,7 +13072,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ResultsView</name>
+    <name>teleta::study::ResultsView</name>
     <message>
         <source>All participants</source>
         <translation>全部被试</translation>
@@ -13156,7 +13156,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::SessionPanel</name>
+    <name>teleta::study::SessionPanel</name>
     <message>
         <source>Stop the noise</source>
         <translation>停止噪声</translation>
@@ -13283,7 +13283,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::studyview::StudyPanel</name>
+    <name>teleta::study::StudyPanel</name>
     <message>
         <source>● On the server: %1</source>
         <translation>● 在服务器上：%1</translation>

@@ -105,8 +105,7 @@ public:
         application.watch(window());
         const Clock::time_point begin = Clock::now();
         key(QEvent::KeyPress, digit);
-        while (!application.painted() ||
-               window()->scene().state != studyview::ParticipantScene::State::feedback)
+        while (!application.painted() || window()->scene().state != study::ParticipantScene::State::feedback)
             QApplication::processEvents();
         QApplication::processEvents();
         const Times times{std::chrono::duration<double>(*application.painted() - begin).count(),

@@ -16,7 +16,6 @@
 namespace {
 
 using namespace teleta;
-using namespace teleta::editor;
 using namespace teleta::pattern;
 
 constexpr double kHour_s = 3600.0;

@@ -14,9 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -302,4 +300,4 @@ void PatternInspector::buildObject() {
     });
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

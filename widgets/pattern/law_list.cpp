@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 constexpr int kRestOfLaws_ms = 200;
@@ -136,4 +134,4 @@ void LawList::takeCurrent() {
         emit shown(row);
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -14,7 +14,7 @@ class QLabel;
 class QListWidget;
 class QPushButton;
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// Lists where the pattern breaks the laws of perception, each with a fix that is one edit. Checks again in
 /// the background when the pattern has not changed for a moment. Thread: GUI.
@@ -24,7 +24,7 @@ public:
     explicit LawList(PatternDocument* document, QWidget* parent = nullptr);
     ~LawList() override;
 
-    [[nodiscard]] const std::vector<pattern::Finding>& findings() const { return m_findings; }
+    [[nodiscard]] const std::vector<Finding>& findings() const { return m_findings; }
     /// Whether the findings are up to date with the pattern.
     [[nodiscard]] bool isChecked() const { return m_checkedRevision == m_document->revision(); }
     [[nodiscard]] QListWidget* list() const { return m_list; }
@@ -45,9 +45,9 @@ private:
     QListWidget* m_list;
     QPushButton* m_fix;
     QTimer m_rest;
-    std::vector<pattern::Finding> m_findings;
+    std::vector<Finding> m_findings;
     std::shared_ptr<std::atomic<bool>> m_cancelled; ///< cancels the running check; null: none is running
     quint64 m_checkedRevision;
 };
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -32,9 +32,7 @@
 #include <memory>
 #include <utility>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -398,4 +396,4 @@ void PatternEditor::togglePlay() {
         emit playRequested(m_document->pattern());
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

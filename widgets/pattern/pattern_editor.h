@@ -14,7 +14,7 @@ class QPushButton;
 class QSplitter;
 class QToolBar;
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 class LawList;
 class PatternInspector;
@@ -44,7 +44,7 @@ public:
     /// Recent files for the menu, newest first.
     void setRecent(const QStringList& paths);
     /// Shows another pattern behind this one and their difference; null: ends the comparison.
-    void compareWith(std::shared_ptr<const pattern::Pattern> other);
+    void compareWith(std::shared_ptr<const Pattern> other);
     /// The difference as shown above the timeline; empty without a comparison.
     [[nodiscard]] QString comparisonText() const;
 
@@ -76,7 +76,7 @@ private:
     void updateTitle();
     void updateComparison();
     void togglePlay();
-    void addObject(const pattern::ObjectForm& form);
+    void addObject(const ObjectForm& form);
     void showFinding(int index);
 
     PatternDocument* m_document;
@@ -99,4 +99,4 @@ private:
     bool m_playing = false;
 };
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

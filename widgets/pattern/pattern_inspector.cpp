@@ -21,9 +21,7 @@
 #include <array>
 #include <cmath>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -308,4 +306,4 @@ QComboBox* PatternInspector::easingBox(const char* name) {
     return box;
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -17,7 +17,7 @@ class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// Intensities are shown in percent.
 inline constexpr double kPercent = 100.0;
@@ -30,7 +30,7 @@ public:
     explicit PatternInspector(PatternDocument* document, QWidget* parent = nullptr);
 
     /// Shows the range of the loop; emits nothing.
-    void setLoop(const std::optional<pattern::Span>& loop);
+    void setLoop(const std::optional<Span>& loop);
 
 signals:
     /// The user has typed another loop; equal begin and end mean none.
@@ -100,4 +100,4 @@ private:
     bool m_showing = false;
 };
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

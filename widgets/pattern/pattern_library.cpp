@@ -23,9 +23,7 @@
 
 #include <algorithm>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -298,4 +296,4 @@ bool PatternLibrary::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

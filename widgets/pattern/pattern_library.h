@@ -15,7 +15,7 @@ class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// One of the user's own patterns, by its file.
 struct OwnPattern {
@@ -73,4 +73,4 @@ private:
     QString m_wanted; ///< to be selected; empty: keep the selection
 };
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -14,9 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -253,4 +251,4 @@ QSize StrokePad::minimumSizeHint() const {
     return {base::em(this, 14), base::em(this, 6)};
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// The unrolled forearm. A stroke drawn with the mouse becomes an object of the pattern that starts at the
 /// playhead and moves as fast as it was drawn. The width is once around the arm (tactors at 0 to 300
@@ -24,7 +24,7 @@ public:
     void setStart(double start_s) { m_start_s = start_s; }
     /// Converts angle and place along the arm to a point of the pad, and back.
     [[nodiscard]] QPointF placeOf(double angle_rad, double along) const;
-    [[nodiscard]] pattern::StrokePoint pointAt(const QPointF& at) const;
+    [[nodiscard]] StrokePoint pointAt(const QPointF& at) const;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -46,12 +46,12 @@ private:
     void giveUp();
 
     PatternDocument* m_document;
-    std::vector<pattern::StrokePoint> m_drawn;
+    std::vector<StrokePoint> m_drawn;
     quint64 m_begin_ms = 0;
     double m_start_s = 0.0;
     bool m_drawing = false;
-    pattern::StrokePoint m_cursor; ///< moved by the keys
+    StrokePoint m_cursor; ///< moved by the keys
     bool m_cursorShown = false;
 };
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -24,7 +24,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -342,4 +342,4 @@ void SessionPanel::retranslate() {
     refresh();
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

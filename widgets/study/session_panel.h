@@ -13,7 +13,7 @@ class QPushButton;
 class QTableWidget;
 class QVBoxLayout;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// The experimenter's view of a session: the next step as one large button, checks before a run, progress,
 /// the last outcomes, the device, notes. Thread: GUI.
@@ -73,4 +73,4 @@ private:
     QPushButton* m_abort;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// How much attention something needs.
 enum class Tone { calm, good, attention, alarm };
@@ -38,7 +38,7 @@ struct OutcomeLine {
 struct SessionScene {
     QString title;    ///< participant and task
     QString subtitle; ///< place in the plan
-    study::Mode mode = study::Mode::run;
+    Mode mode = Mode::run;
     QString next; ///< the next step, on the large button
     bool nextEnabled = false;
     QString state; ///< what happens now, or why nothing happens
@@ -64,4 +64,4 @@ struct SessionScene {
     friend bool operator==(const SessionScene&, const SessionScene&) = default;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -38,7 +38,7 @@ constexpr std::array kBuiltInNames{
     BuiltInName{"stiffness", "dynamic", QT_TRANSLATE_NOOP("StudyNames", "dynamic")},
 };
 
-QString inLanguage(const study::StudyTask& task, std::string_view part, const std::string& name) {
+QString inLanguage(const StudyTask& task, std::string_view part, const std::string& name) {
     const bool isBuiltIn =
         std::any_of(kBuiltInNames.begin(), kBuiltInNames.end(), [&](const BuiltInName& known) {
             return known.task == task.id && known.part == part && known.name == name;
@@ -48,16 +48,16 @@ QString inLanguage(const study::StudyTask& task, std::string_view part, const st
 
 } // namespace
 
-QString displayName(const study::StudyTask& task) {
+QString displayName(const StudyTask& task) {
     return inLanguage(task, {}, task.name);
 }
 
-QString displayName(const study::StudyTask& task, const study::StudyPattern& pattern) {
+QString displayName(const StudyTask& task, const StudyPattern& pattern) {
     return inLanguage(task, pattern.letter, pattern.name);
 }
 
-QString displayCondition(const study::StudyTask& task, const std::string& condition) {
+QString displayCondition(const StudyTask& task, const std::string& condition) {
     return inLanguage(task, condition, condition);
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

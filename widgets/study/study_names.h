@@ -7,12 +7,12 @@
 
 #include <string>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// Names to show: those of built-in protocols in the program's language, others as written. Files and rows
 /// contain the identifiers and letters, in every language. Thread: any (pure).
-[[nodiscard]] QString displayName(const study::StudyTask& task);
-[[nodiscard]] QString displayName(const study::StudyTask& task, const study::StudyPattern& pattern);
-[[nodiscard]] QString displayCondition(const study::StudyTask& task, const std::string& condition);
+[[nodiscard]] QString displayName(const StudyTask& task);
+[[nodiscard]] QString displayName(const StudyTask& task, const StudyPattern& pattern);
+[[nodiscard]] QString displayCondition(const StudyTask& task, const std::string& condition);
 
-} // namespace teleta::studyview
+} // namespace teleta::study

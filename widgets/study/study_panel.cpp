@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <initializer_list>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -126,7 +126,7 @@ void StudyPanel::clearName(const QString& id) {
         m_id->clear();
 }
 
-void StudyPanel::setScene(const StudyScene& scene) {
+void StudyPanel::setScene(const PanelScene& scene) {
     if (scene == m_scene)
         return;
     const bool newPeople = scene.participants != m_scene.participants || scene.chosen != m_scene.chosen;
@@ -154,7 +154,7 @@ void StudyPanel::refresh() {
     for (QWidget* widget : std::initializer_list<QWidget*>{m_list, m_new, m_open, m_add})
         widget->setEnabled(!m_scene.locked);
     m_id->setReadOnly(m_scene.locked); // it keeps the keyboard
-    const bool real = m_scene.mode != study::Mode::simulated;
+    const bool real = m_scene.mode != Mode::simulated;
     m_id->setVisible(real);
     m_add->setVisible(real);
 }
@@ -208,4 +208,4 @@ void StudyPanel::retranslate() {
     refresh();
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -16,7 +16,7 @@ class QLineEdit;
 class QPushButton;
 class QTreeWidget;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// A participant's session in the list.
 struct SessionLine {
@@ -37,18 +37,18 @@ struct ParticipantLine {
 };
 
 /// What the study panel shows.
-struct StudyScene {
+struct PanelScene {
     QString name;
     QString folder;
     QString store;          ///< a server; empty: a file in the folder
     QString storeProblem;   ///< why the server cannot be used; empty: no problem
     bool storeAway = false; ///< the server does not answer
-    study::Mode mode = study::Mode::run;
+    Mode mode = Mode::run;
     QString protocol; ///< some lines
     std::vector<ParticipantLine> participants;
     std::optional<std::pair<int, int>> chosen; ///< participant, session
     bool locked = false; ///< a session is running or the store is busy: the choice is locked
-    friend bool operator==(const StudyScene&, const StudyScene&) = default;
+    friend bool operator==(const PanelScene&, const PanelScene&) = default;
 };
 
 /// The study on the left of its page: a summary of the protocol, the participants with their sessions.
@@ -59,7 +59,7 @@ class StudyPanel : public QWidget {
 public:
     explicit StudyPanel(QWidget* parent = nullptr);
 
-    void setScene(const StudyScene& scene);
+    void setScene(const PanelScene& scene);
     /// Moves the keyboard focus to the field for a new participant.
     void askForName();
     /// Clears the field once the participant is enrolled.
@@ -79,7 +79,7 @@ private:
     void refresh();
     void fillList();
 
-    StudyScene m_scene;
+    PanelScene m_scene;
     QLabel* m_name;
     QLabel* m_mark;
     QLabel* m_folder;
@@ -94,4 +94,4 @@ private:
     QPushButton* m_add;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -22,26 +22,24 @@ constexpr float kOpacity = 0.16F;
 
 } // namespace
 
-QString modeMark(study::Mode mode) {
+QString modeMark(Mode mode) {
     switch (mode) {
-    case study::Mode::run:
+    case Mode::run:
         return {};
-    case study::Mode::pilot:
+    case Mode::pilot:
         return MarkText::tr("PILOT");
-    case study::Mode::simulated:
+    case Mode::simulated:
         break;
     }
     return MarkText::tr("SIMULATED");
 }
 
-QColor modeColour(study::Mode mode, const QPalette& palette) {
+QColor modeColour(Mode mode, const QPalette& palette) {
     const base::StatusColours& colours = base::statusColours(palette);
-    return mode == study::Mode::simulated ? colours.simulated
-           : mode == study::Mode::pilot   ? colours.stale
-                                          : colours.live;
+    return mode == Mode::simulated ? colours.simulated : mode == Mode::pilot ? colours.stale : colours.live;
 }
 
-void paintWatermark(QPainter& painter, const QRectF& rect, study::Mode mode, const QPalette& palette) {
+void paintWatermark(QPainter& painter, const QRectF& rect, Mode mode, const QPalette& palette) {
     const QString mark = modeMark(mode);
     if (mark.isEmpty() || rect.isEmpty())
         return;
@@ -63,4 +61,4 @@ void paintWatermark(QPainter& painter, const QRectF& rect, study::Mode mode, con
     painter.restore();
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

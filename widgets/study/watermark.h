@@ -9,13 +9,13 @@
 
 class QPainter;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// "PILOT", "SIMULATED", translated; empty for a real run.
-[[nodiscard]] QString modeMark(study::Mode mode);
-[[nodiscard]] QColor modeColour(study::Mode mode, const QPalette& palette);
+[[nodiscard]] QString modeMark(Mode mode);
+[[nodiscard]] QColor modeColour(Mode mode, const QPalette& palette);
 
 /// Paints it, large and faint, across a picture; nothing for a real run.
-void paintWatermark(QPainter& painter, const QRectF& rect, study::Mode mode, const QPalette& palette);
+void paintWatermark(QPainter& painter, const QRectF& rect, Mode mode, const QPalette& palette);
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -84,7 +84,7 @@ void FeedbackPanel::setMap(const pattern::PatternMap& map) {
 void FeedbackPanel::offerPatterns() {
     std::vector<touch::PatternChoice> choices = m_own;
     for (const pattern::Pattern& pattern : pattern::builtInPatterns())
-        choices.push_back({pattern.id, editor::displayName(pattern),
+        choices.push_back({pattern.id, pattern::displayName(pattern),
                            pattern.task == pattern::Task::shape ? tr("shape") : tr("stiffness"),
                            pattern.condition == pattern::Condition::dynamic ? tr("dynamic") : tr("static")});
     m_choices = choices;

@@ -112,7 +112,7 @@ playback::Program PatternCollection::program(const std::string& id) const {
 
 QString PatternCollection::nameOf(const QString& path) const {
     const auto pattern = atPath(path);
-    return pattern ? editor::displayName(*pattern) : QFileInfo(path).fileName();
+    return pattern ? pattern::displayName(*pattern) : QFileInfo(path).fileName();
 }
 
 void PatternCollection::add(const pattern::Pattern& pattern) {

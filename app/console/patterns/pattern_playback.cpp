@@ -20,7 +20,7 @@ constexpr double kNsPerS = 1e9;
 
 } // namespace
 
-PatternPlayback::PatternPlayback(BraceletService& station, editor::PatternEditor& editor, QObject* parent)
+PatternPlayback::PatternPlayback(BraceletService& station, pattern::PatternEditor& editor, QObject* parent)
     : QObject(parent)
     , m_station(station)
     , m_editor(editor) {
@@ -30,12 +30,12 @@ PatternPlayback::PatternPlayback(BraceletService& station, editor::PatternEditor
         if (std::exchange(m_changed, false))
             followSoon();
     });
-    using editor::PatternEditor;
+    using pattern::PatternEditor;
     connect(&m_editor, &PatternEditor::playRequested, this, &PatternPlayback::play);
     connect(&m_editor, &PatternEditor::stopRequested, this, &PatternPlayback::stop);
     connect(&m_editor, &PatternEditor::playheadMoved, this, &PatternPlayback::moveTo);
     connect(&m_editor, &PatternEditor::loopingChanged, this, &PatternPlayback::followSoon);
-    connect(m_editor.document(), &editor::PatternDocument::patternChanged, this,
+    connect(m_editor.document(), &pattern::PatternDocument::patternChanged, this,
             &PatternPlayback::followSoon);
     connect(&m_station, &BraceletService::sessionChanged, this, [this] {
         if (m_way == Way::felt)

@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 class PatternEditor;
 }
 
@@ -24,7 +24,7 @@ class PatternPlayback : public QObject {
 
 public:
     /// station and editor: must outlive this object.
-    PatternPlayback(BraceletService& station, editor::PatternEditor& editor, QObject* parent = nullptr);
+    PatternPlayback(BraceletService& station, pattern::PatternEditor& editor, QObject* parent = nullptr);
 
     void play();
     void stop();
@@ -52,7 +52,7 @@ private:
     void end();
 
     BraceletService& m_station;
-    editor::PatternEditor& m_editor;
+    pattern::PatternEditor& m_editor;
     QTimer m_rest;          ///< delay after an update
     bool m_changed = false; ///< since the last update
     Way m_way = Way::none;

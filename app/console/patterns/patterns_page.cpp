@@ -71,7 +71,7 @@ PatternsPage::PatternsPage(BraceletService& station, PatternCollection& collecti
     , m_recoveryText(new QLabel(m_recovery))
     , m_recover(new QPushButton(m_recovery))
     , m_discard(new QPushButton(m_recovery))
-    , m_editor(new editor::PatternEditor(this))
+    , m_editor(new pattern::PatternEditor(this))
     , m_playback(new PatternPlayback(station, *m_editor, this))
     , m_picture(new bracelet::BraceletView)
     , m_strength(new bracelet::StrengthPanel) {
@@ -124,7 +124,7 @@ PatternsPage::PatternsPage(BraceletService& station, PatternCollection& collecti
 }
 
 void PatternsPage::connectEditor() {
-    using editor::PatternEditor;
+    using pattern::PatternEditor;
     connect(m_editor, &PatternEditor::newRequested, this, [this] { whenSettled([this] { openNew(); }); });
     connect(m_editor, &PatternEditor::openRequested, this, [this](const QString& idOrPath) {
         if (idOrPath.isEmpty())
@@ -138,19 +138,19 @@ void PatternsPage::connectEditor() {
     connect(m_editor, &PatternEditor::compareRequested, this, &PatternsPage::compareWith);
     connect(m_editor, &PatternEditor::duplicateRequested, this, [this](const QString& idOrPath) {
         load(idOrPath, [this](const std::shared_ptr<const Pattern>& pattern) {
-            m_collection.duplicate(*pattern, tr("%1 (copy)").arg(editor::displayName(*pattern)));
+            m_collection.duplicate(*pattern, tr("%1 (copy)").arg(pattern::displayName(*pattern)));
         });
     });
-    editor::PatternDocument* document = m_editor->document();
-    connect(document, &editor::PatternDocument::refused, this, [this](const QString& message) {
+    pattern::PatternDocument* document = m_editor->document();
+    connect(document, &pattern::PatternDocument::refused, this, [this](const QString& message) {
         m_messages->post({chrome::Message::Severity::warning, message, {}, {}});
     });
-    connect(document, &editor::PatternDocument::told, this, &PatternsPage::inform);
-    connect(document, &editor::PatternDocument::autosaveDue, this, [this](const Pattern& pattern) {
+    connect(document, &pattern::PatternDocument::told, this, &PatternsPage::inform);
+    connect(document, &pattern::PatternDocument::autosaveDue, this, [this](const Pattern& pattern) {
         m_keeper->keep(
             {pattern, m_editor->document()->path().toStdString(), QDateTime::currentMSecsSinceEpoch()});
     });
-    connect(document, &editor::PatternDocument::dirtyChanged, this, [this](bool dirty) {
+    connect(document, &pattern::PatternDocument::dirtyChanged, this, [this](bool dirty) {
         if (!dirty)
             m_keeper->forget();
     });
@@ -178,10 +178,10 @@ void PatternsPage::connectStrength() {
 }
 
 void PatternsPage::connectCollection() {
-    editor::PatternLibrary* library = m_editor->library();
-    connect(library, &editor::PatternLibrary::renameRequested, &m_collection, &PatternCollection::rename);
-    connect(library, &editor::PatternLibrary::deleteRequested, &m_collection, &PatternCollection::remove);
-    connect(library, &editor::PatternLibrary::undoRequested, &m_collection, &PatternCollection::undo);
+    pattern::PatternLibrary* library = m_editor->library();
+    connect(library, &pattern::PatternLibrary::renameRequested, &m_collection, &PatternCollection::rename);
+    connect(library, &pattern::PatternLibrary::deleteRequested, &m_collection, &PatternCollection::remove);
+    connect(library, &pattern::PatternLibrary::undoRequested, &m_collection, &PatternCollection::undo);
     connect(&m_collection, &PatternCollection::changed, this, &PatternsPage::showOwn);
     connect(&m_collection, &PatternCollection::doneChanged, this,
             [this] { m_editor->library()->setNotice(m_collection.lastDone(), m_collection.canUndo()); });
@@ -200,9 +200,9 @@ void PatternsPage::connectCollection() {
 }
 
 void PatternsPage::showOwn() {
-    std::vector<editor::OwnPattern> own;
+    std::vector<pattern::OwnPattern> own;
     for (const pattern::StoredPattern& stored : m_collection.patterns()) {
-        editor::OwnPattern item;
+        pattern::OwnPattern item;
         item.path = QString::fromStdString(stored.path);
         item.name = fileName(item.path);
         item.renamable = isOwnFormat(item.path);
@@ -325,7 +325,7 @@ void PatternsPage::save() {
 }
 
 void PatternsPage::takeAdded(const QString& path, quint64 revision) {
-    editor::PatternDocument* document = m_editor->document();
+    pattern::PatternDocument* document = m_editor->document();
     if (revision == document->revision())
         document->markSaved(path);
     else
@@ -432,7 +432,7 @@ void PatternsPage::showRecovery() {
         QLocale().toString(QDateTime::fromMSecsSinceEpoch(lost.edited_ms), QLocale::ShortFormat);
     QString text = tr("The program ended before %1, edited %2, was saved. The file on disk is unchanged.",
                       "a pattern, a time")
-                       .arg(editor::displayName(lost.pattern), when);
+                       .arg(pattern::displayName(lost.pattern), when);
     if (m_keeper->lost().size() > 1)
         text += QLatin1Char(' ') +
                 tr("There are %n more.", nullptr, static_cast<int>(m_keeper->lost().size()) - 1);
@@ -491,10 +491,10 @@ void PatternsPage::askForFile(bool save) {
 }
 
 void PatternsPage::askForExport() {
-    const editor::PatternDocument& document = *m_editor->document();
+    const pattern::PatternDocument& document = *m_editor->document();
     const QString name =
         document.path().isEmpty()
-            ? editor::displayName(document.pattern()).replace(QLatin1Char('/'), QLatin1Char('-'))
+            ? pattern::displayName(document.pattern()).replace(QLatin1Char('/'), QLatin1Char('-'))
             : QString::fromStdString(pattern::baseName(document.path().toStdString()));
     auto* dialog = new ExportDialog(document.motors(), name, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -516,7 +516,7 @@ void PatternsPage::tick() {
     m_picture->setIntensities(m_playback->intensities());
     m_picture->setNote(m_playback->note());
     m_picture->setHoldable(m_station.isFree());
-    m_picture->setTitle(editor::displayName(m_editor->document()->pattern()));
+    m_picture->setTitle(pattern::displayName(m_editor->document()->pattern()));
     m_picture->setProvenance(m_station.isSimulated() ? base::Provenance::simulated : base::Provenance::live);
 }
 

@@ -23,7 +23,7 @@ namespace teleta::bracelet {
 class BraceletView;
 class StrengthPanel;
 } // namespace teleta::bracelet
-namespace teleta::editor {
+namespace teleta::pattern {
 class PatternEditor;
 }
 
@@ -39,7 +39,7 @@ public:
     PatternsPage(BraceletService& station, PatternCollection& collection, const QString& recoveryFolder,
                  QWidget* parent = nullptr);
 
-    [[nodiscard]] editor::PatternEditor& editor() { return *m_editor; }
+    [[nodiscard]] pattern::PatternEditor& editor() { return *m_editor; }
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
     [[nodiscard]] RecoveryKeeper& recovery() { return *m_keeper; }
 
@@ -103,7 +103,7 @@ private:
     QLabel* m_recoveryText;
     QPushButton* m_recover;
     QPushButton* m_discard;
-    editor::PatternEditor* m_editor;
+    pattern::PatternEditor* m_editor;
     PatternPlayback* m_playback;
     bracelet::BraceletView* m_picture;
     bracelet::StrengthPanel* m_strength;

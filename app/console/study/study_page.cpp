@@ -68,17 +68,17 @@ StudyPage::StudyPage(BraceletService& station, core::StopSwitch& stop, StudyCont
     , m_stack(new QStackedWidget(this))
     , m_empty(new chrome::EmptyState(base::Icon::study, this))
     , m_tabs(new QTabWidget(this))
-    , m_study(new studyview::StudyPanel(this))
-    , m_session(new studyview::SessionPanel(this))
-    , m_matrix(new studyview::ConfusionView(this))
+    , m_study(new study::StudyPanel(this))
+    , m_session(new study::SessionPanel(this))
+    , m_matrix(new study::ConfusionView(this))
     , m_counts(new QComboBox(this))
     , m_speed(new QComboBox(this))
     , m_speedRow(new QWidget(this))
     , m_speedLabel(new QLabel(this))
     // No parent: a modal dialog of the experimenter would block it.
-    , m_participant(std::make_unique<studyview::ParticipantWindow>([this] { return m_controller.now_ns(); }))
+    , m_participant(std::make_unique<study::ParticipantWindow>([this] { return m_controller.now_ns(); }))
     , m_placement(*m_participant, *this, *m_session)
-    , m_results(new studyview::ResultsView(this))
+    , m_results(new study::ResultsView(this))
     , m_leaving(new StudyLeaving(m_controller, *this)) {
     m_participant->setAttribute(Qt::WA_QuitOnClose, false); // it does not keep the program open
     build();
@@ -144,7 +144,7 @@ void StudyPage::build() {
 
 void StudyPage::connectViews() {
     StudyRunner& runner = m_controller.runner();
-    using studyview::ParticipantWindow;
+    using study::ParticipantWindow;
     connect(m_participant.get(), &ParticipantWindow::nextRequested, &runner, &StudyRunner::next);
     connect(m_participant.get(), &ParticipantWindow::replayRequested, &runner, &StudyRunner::replay);
     connect(m_participant.get(), &ParticipantWindow::pressed, &runner, &StudyRunner::press);
@@ -173,7 +173,7 @@ void StudyPage::connectViews() {
                           QString()});
     });
 
-    using studyview::SessionPanel;
+    using study::SessionPanel;
     connect(m_session, &SessionPanel::nextRequested, this, &StudyPage::doNextStep);
     connect(m_session, &SessionPanel::pauseRequested, &runner, &StudyRunner::pause);
     connect(m_session, &SessionPanel::abortRequested, &m_controller, &StudyController::abort);
@@ -196,7 +196,7 @@ void StudyPage::connectViews() {
     });
     connect(m_session, &SessionPanel::participantWindowRequested, this, &StudyPage::showParticipantWindow);
 
-    using studyview::StudyPanel;
+    using study::StudyPanel;
     connect(m_study, &StudyPanel::newRequested, this, [this] { askForNewStudy(study::Mode::run); });
     connect(m_study, &StudyPanel::openRequested, this, &StudyPage::askForStudy);
     connect(m_study, &StudyPanel::openServerRequested, this, &StudyPage::askForServer);
@@ -208,17 +208,17 @@ void StudyPage::connectViews() {
 
     connect(m_counts, &QComboBox::currentIndexChanged, this,
             [this](int index) { m_matrix->setPercent(index == 1); });
-    connect(m_matrix, &studyview::ConfusionView::percentChanged, this,
+    connect(m_matrix, &study::ConfusionView::percentChanged, this,
             [this](bool percent) { m_counts->setCurrentIndex(percent ? 1 : 0); });
-    connect(m_matrix, &studyview::ConfusionView::exportFailed, this, [this](const QString& message) {
+    connect(m_matrix, &study::ConfusionView::exportFailed, this, [this](const QString& message) {
         m_messages->post(
             {chrome::Message::Severity::error, tr("The figure could not be saved."), {}, message});
     });
     connect(m_speed, &QComboBox::currentIndexChanged, this,
             [this] { m_controller.setSpeed(m_speed->currentData().toDouble()); });
 
-    connect(m_results, &studyview::ResultsView::exportRequested, this, &StudyPage::exportStudy);
-    connect(m_results, &studyview::ResultsView::figureFailed, this, [this](const QString& message) {
+    connect(m_results, &study::ResultsView::exportRequested, this, &StudyPage::exportStudy);
+    connect(m_results, &study::ResultsView::figureFailed, this, [this](const QString& message) {
         m_messages->post(
             {chrome::Message::Severity::error, tr("The figure could not be saved."), {}, message});
     });
@@ -456,7 +456,7 @@ void StudyPage::showParticipant() {
 }
 
 void StudyPage::showSession() {
-    studyview::SessionScene scene = StudyScenes::session(m_controller);
+    study::SessionScene scene = StudyScenes::session(m_controller);
     // The level at the ear depends on headphones and volume, not on what is played.
     scene.noisePlaying = m_noise.isPlaying();
     scene.needsNoise = scene.needsNoise || scene.noisePlaying; // whatever plays can be stopped
@@ -497,14 +497,14 @@ void StudyPage::analyse() {
     m_analysing = true;
     m_results->setState(tr("Computing \u2026"));
     const StudyOverview& overview = *m_controller.overview();
-    studyview::ResultsScene scene;
+    study::ResultsScene scene;
     scene.mode = overview.head.mode;
     for (const study::StudyTask& task : overview.head.protocol.tasks) {
         const QString id = QString::fromStdString(task.id);
-        scene.taskNames.insert(id, studyview::displayName(task));
+        scene.taskNames.insert(id, study::displayName(task));
         for (const std::string& condition : task.conditions)
             scene.conditionNames[id].insert(QString::fromStdString(condition),
-                                            studyview::displayCondition(task, condition));
+                                            study::displayCondition(task, condition));
     }
     runInBackground(
         this, [location = overview.location] { return resultsOf(location); },

@@ -24,13 +24,13 @@ namespace teleta::chrome {
 class EmptyState;
 }
 
-namespace teleta::studyview {
+namespace teleta::study {
 class ConfusionView;
 class ParticipantWindow;
 class ResultsView;
 class SessionPanel;
 class StudyPanel;
-} // namespace teleta::studyview
+} // namespace teleta::study
 
 namespace teleta::console {
 
@@ -67,7 +67,7 @@ public:
 
     [[nodiscard]] StudyController& controller() { return m_controller; }
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
-    [[nodiscard]] studyview::ParticipantWindow& participantWindow() { return *m_participant; }
+    [[nodiscard]] study::ParticipantWindow& participantWindow() { return *m_participant; }
 
 signals:
     /// Something could not be opened.
@@ -100,16 +100,16 @@ private:
     QStackedWidget* m_stack;
     chrome::EmptyState* m_empty;
     QTabWidget* m_tabs;
-    studyview::StudyPanel* m_study;
-    studyview::SessionPanel* m_session;
-    studyview::ConfusionView* m_matrix;
+    study::StudyPanel* m_study;
+    study::SessionPanel* m_session;
+    study::ConfusionView* m_matrix;
     QComboBox* m_counts;
     QComboBox* m_speed;
     QWidget* m_speedRow;
     QLabel* m_speedLabel;
-    std::unique_ptr<studyview::ParticipantWindow> m_participant;
+    std::unique_ptr<study::ParticipantWindow> m_participant;
     ParticipantPlacement m_placement;
-    studyview::ResultsView* m_results;
+    study::ResultsView* m_results;
     StudyLeaving* m_leaving;
     bool m_outdated = true;   ///< the results lack the latest trials
     bool m_analysing = false; ///< on a pool thread

@@ -13,12 +13,12 @@
 
 namespace teleta::console {
 
+using study::displayCondition;
+using study::displayName;
 using study::Hold;
 using study::Phase;
 using study::Stage;
-using studyview::displayCondition;
-using studyview::displayName;
-using studyview::Tone;
+using study::Tone;
 
 namespace {
 
@@ -76,8 +76,8 @@ QString StudyScenes::protocolText(const study::StudyHead& head) {
     return lines.join(QLatin1Char('\n'));
 }
 
-studyview::StudyScene StudyScenes::study(const StudyController& controller) {
-    studyview::StudyScene scene;
+study::PanelScene StudyScenes::study(const StudyController& controller) {
+    study::PanelScene scene;
     if (!controller.overview())
         return scene;
     const StudyOverview& overview = *controller.overview();
@@ -96,13 +96,13 @@ studyview::StudyScene StudyScenes::study(const StudyController& controller) {
     scene.chosen = controller.chosen();
     scene.locked = controller.isActive() || controller.isBusy() || controller.isRehearsing();
     for (const ParticipantOverview& person : overview.participants) {
-        studyview::ParticipantLine line{text(person.participant.id), {}, {}};
+        study::ParticipantLine line{text(person.participant.id), {}, {}};
         QStringList order;
         for (const SessionOverview& session : person.sessions) {
             const study::StudyTask& task = protocol.tasks[session.plan.task];
             if (session.plan.task == 0)
                 order << displayCondition(task, task.conditions[session.plan.condition]);
-            studyview::SessionLine one;
+            study::SessionLine one;
             one.name = sessionName(protocol, session.plan);
             one.kept = session.kept;
             one.planned = session.planned();
@@ -159,8 +159,8 @@ NextStep StudyScenes::nextStep(const StudyController& controller) {
     return NextStep::begin;
 }
 
-studyview::SessionScene StudyScenes::session(const StudyController& controller) {
-    studyview::SessionScene scene;
+study::SessionScene StudyScenes::session(const StudyController& controller) {
+    study::SessionScene scene;
     if (!controller.overview())
         return scene;
     const StudyOverview& overview = *controller.overview();
@@ -189,7 +189,7 @@ studyview::SessionScene StudyScenes::session(const StudyController& controller) 
     return scene;
 }
 
-void StudyScenes::describeIdle(const StudyController& controller, studyview::SessionScene& scene) {
+void StudyScenes::describeIdle(const StudyController& controller, study::SessionScene& scene) {
     const StudyOverview& overview = *controller.overview();
     const SessionOverview* session = controller.chosenSession();
     bool passed = true;
@@ -267,7 +267,7 @@ QString StudyScenes::skipConsequence(study::QuestionnaireTime when) {
     return tr("The session finishes without it, and it is not asked again.");
 }
 
-void StudyScenes::describeQuestionnaire(const StudyController& controller, studyview::SessionScene& scene) {
+void StudyScenes::describeQuestionnaire(const StudyController& controller, study::SessionScene& scene) {
     const QuestionnaireSequence& questionnaires = controller.questionnaires();
     const QString title = text(questionnaires.current()->title);
     scene.canAbort = true;
@@ -308,7 +308,7 @@ void StudyScenes::describeQuestionnaire(const StudyController& controller, study
     }
 }
 
-void StudyScenes::describeRunning(const StudyController& controller, studyview::SessionScene& scene) {
+void StudyScenes::describeRunning(const StudyController& controller, study::SessionScene& scene) {
     const StudyRunner& runner = controller.runner();
     const study::SessionFlow* running = runner.flow();
     if (running == nullptr)
@@ -399,9 +399,9 @@ void StudyScenes::describeRunning(const StudyController& controller, studyview::
         scene.state += QLatin1Char(' ') + tr("A pause follows.");
 }
 
-studyview::ParticipantScene StudyScenes::participant(const StudyController& controller) {
-    using State = studyview::ParticipantScene::State;
-    studyview::ParticipantScene scene;
+study::ParticipantScene StudyScenes::participant(const StudyController& controller) {
+    using State = study::ParticipantScene::State;
+    study::ParticipantScene scene;
     if (!controller.overview())
         return scene;
     if (const QuestionnaireSequence& questionnaires = controller.questionnaires();
@@ -478,8 +478,8 @@ studyview::ParticipantScene StudyScenes::participant(const StudyController& cont
     return scene;
 }
 
-studyview::ConfusionContent StudyScenes::matrix(const StudyController& controller) {
-    studyview::ConfusionContent content;
+study::ConfusionContent StudyScenes::matrix(const StudyController& controller) {
+    study::ConfusionContent content;
     const study::StudyTask* task = controller.task();
     if (task == nullptr) {
         content.title = tr("No session is selected");
@@ -511,17 +511,17 @@ studyview::ConfusionContent StudyScenes::matrix(const StudyController& controlle
     return content;
 }
 
-std::vector<studyview::AnswerChoice> StudyScenes::choices(const StudyController& controller) {
-    std::vector<studyview::AnswerChoice> choices;
+std::vector<study::AnswerChoice> StudyScenes::choices(const StudyController& controller) {
+    std::vector<study::AnswerChoice> choices;
     const study::StudyTask* task = controller.task();
     if (task == nullptr)
         return choices;
     const std::string& condition = task->conditions[controller.plan()->condition];
     for (const study::StudyPattern& pattern : task->patterns) {
-        studyview::AnswerChoice choice{text(pattern.letter), displayName(*task, pattern), {}};
+        study::AnswerChoice choice{text(pattern.letter), displayName(*task, pattern), {}};
         const std::string id = study::stimulusId(*task, pattern, condition);
         if (const pattern::Pattern* stimulus = controller.overview()->head.stimuli.find(id))
-            choice.diagram = studyview::diagramOf(*stimulus, controller.overview()->head.protocol.stimulus_s);
+            choice.diagram = study::diagramOf(*stimulus, controller.overview()->head.protocol.stimulus_s);
         choices.push_back(std::move(choice));
     }
     return choices;

@@ -30,22 +30,22 @@ class StudyScenes {
     Q_DECLARE_TR_FUNCTIONS(StudyScenes)
 
 public:
-    [[nodiscard]] static studyview::StudyScene study(const StudyController& controller);
-    [[nodiscard]] static studyview::SessionScene session(const StudyController& controller);
-    [[nodiscard]] static studyview::ParticipantScene participant(const StudyController& controller);
-    [[nodiscard]] static studyview::ConfusionContent matrix(const StudyController& controller);
+    [[nodiscard]] static study::PanelScene study(const StudyController& controller);
+    [[nodiscard]] static study::SessionScene session(const StudyController& controller);
+    [[nodiscard]] static study::ParticipantScene participant(const StudyController& controller);
+    [[nodiscard]] static study::ConfusionContent matrix(const StudyController& controller);
     /// The answers of the chosen session, with pictures of the patterns.
-    [[nodiscard]] static std::vector<studyview::AnswerChoice> choices(const StudyController& controller);
+    [[nodiscard]] static std::vector<study::AnswerChoice> choices(const StudyController& controller);
     [[nodiscard]] static NextStep nextStep(const StudyController& controller);
     /// "Object shape, static".
     [[nodiscard]] static QString sessionName(const study::Protocol& protocol,
                                              const study::PlannedSession& plan);
 
 private:
-    static void describeRunning(const StudyController& controller, studyview::SessionScene& scene);
-    static void describeQuestionnaire(const StudyController& controller, studyview::SessionScene& scene);
+    static void describeRunning(const StudyController& controller, study::SessionScene& scene);
+    static void describeQuestionnaire(const StudyController& controller, study::SessionScene& scene);
     [[nodiscard]] static QString skipConsequence(study::QuestionnaireTime when);
-    static void describeIdle(const StudyController& controller, studyview::SessionScene& scene);
+    static void describeIdle(const StudyController& controller, study::SessionScene& scene);
     [[nodiscard]] static QString protocolText(const study::StudyHead& head);
 };
 

@@ -9,7 +9,7 @@
 
 namespace teleta::console {
 
-using studyview::Tone;
+using study::Tone;
 
 namespace {
 
@@ -37,15 +37,15 @@ std::pair<QString, Tone> outcomeText(study::Outcome outcome) {
 
 } // namespace
 
-std::vector<studyview::OutcomeLine> outcomeLines(const std::vector<study::TrialResult>& results,
-                                                 const study::StudyTask& task) {
-    std::vector<studyview::OutcomeLine> lines;
+std::vector<study::OutcomeLine> outcomeLines(const std::vector<study::TrialResult>& results,
+                                             const study::StudyTask& task) {
+    std::vector<study::OutcomeLine> lines;
     const auto letter = [&](std::size_t pattern) {
         return QString::fromStdString(task.patterns[pattern].letter);
     };
     for (auto result = results.rbegin(); result != results.rend() && lines.size() < kShownOutcomes;
          ++result) {
-        studyview::OutcomeLine line;
+        study::OutcomeLine line;
         const bool isPractice = result->planned.phase == study::Phase::practice;
         line.trial =
             (isPractice ? LineText::tr("practice %1") : LineText::tr("test %1")).arg(result->planned.trial);

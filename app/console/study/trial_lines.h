@@ -12,8 +12,8 @@
 namespace teleta::console {
 
 /// The last trials of a session as they are listed, the latest first. Thread: GUI.
-[[nodiscard]] std::vector<studyview::OutcomeLine> outcomeLines(const std::vector<study::TrialResult>& results,
-                                                               const study::StudyTask& task);
+[[nodiscard]] std::vector<study::OutcomeLine> outcomeLines(const std::vector<study::TrialResult>& results,
+                                                           const study::StudyTask& task);
 
 /// What was answered in the complete trials of a phase. Thread: any.
 [[nodiscard]] study::ConfusionMatrix confusionOf(const std::vector<study::TrialResult>& results,

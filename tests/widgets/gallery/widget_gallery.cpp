@@ -188,7 +188,7 @@ std::unique_ptr<QWidget> patternMap() {
 
 /// Breakpoints with every curve, objects with a broken law, a stroke.
 std::unique_ptr<QWidget> patternEditor() {
-    auto view = std::make_unique<editor::PatternEditor>();
+    auto view = std::make_unique<pattern::PatternEditor>();
     pattern::Pattern pattern = *pattern::findBuiltIn("stiffness.C.dynamic");
     pattern.id = "mine.example";
     pattern.name = "Rubber, then a stroke";
@@ -206,7 +206,7 @@ std::unique_ptr<QWidget> patternEditor() {
     view->document()->setPattern(pattern);
     view->document()->select({{}, 0});
     view->setPlayhead(0.9);
-    view->findChild<editor::LawList*>()->check();
+    view->findChild<pattern::LawList*>()->check();
     return view;
 }
 

@@ -7,7 +7,6 @@
 #include <limits>
 
 using namespace teleta;
-using namespace teleta::editor;
 using namespace teleta::pattern;
 
 namespace {

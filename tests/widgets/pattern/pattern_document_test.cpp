@@ -10,7 +10,6 @@
 #include <functional>
 
 using namespace teleta;
-using namespace teleta::editor;
 using namespace teleta::pattern;
 
 namespace {

@@ -28,7 +28,6 @@
 #include <numbers>
 
 using namespace teleta;
-using namespace teleta::editor;
 using namespace teleta::pattern;
 
 namespace {

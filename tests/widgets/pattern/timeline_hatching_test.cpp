@@ -8,7 +8,6 @@
 #include <QTest>
 
 using namespace teleta;
-using namespace teleta::editor;
 using namespace teleta::pattern;
 
 namespace {

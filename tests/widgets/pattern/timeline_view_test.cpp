@@ -15,7 +15,6 @@
 #include <cmath>
 
 using namespace teleta;
-using namespace teleta::editor;
 using namespace teleta::pattern;
 
 namespace {

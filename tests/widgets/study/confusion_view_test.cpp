@@ -9,9 +9,9 @@
 #include <QTest>
 
 using namespace teleta;
-using studyview::ConfusionContent;
-using studyview::ConfusionLayout;
-using studyview::ConfusionView;
+using study::ConfusionContent;
+using study::ConfusionLayout;
+using study::ConfusionView;
 
 class ConfusionViewTest : public QObject {
     Q_OBJECT
@@ -28,9 +28,9 @@ class ConfusionViewTest : public QObject {
 
 private slots:
     void itsDataHaveEveryCellWithTheTotalOfItsRow() {
-        QCOMPARE(studyview::confusionCsv(content()), QStringLiteral("stimulus,response,count,row_total\n"
-                                                                    "A,A,3,4\nA,B,0,4\nA,NONE,1,4\n"
-                                                                    "B,A,2,2\nB,B,0,2\nB,NONE,0,2\n"));
+        QCOMPARE(study::confusionCsv(content()), QStringLiteral("stimulus,response,count,row_total\n"
+                                                                "A,A,3,4\nA,B,0,4\nA,NONE,1,4\n"
+                                                                "B,A,2,2\nB,B,0,2\nB,NONE,0,2\n"));
     }
 
     void aCellIsFoundUnderThePointer() {
@@ -91,7 +91,7 @@ private slots:
             for (const QSize size : {QSize(1, 1), QSize(60, 400), QSize(900, 90)}) {
                 QImage image(size, QImage::Format_ARGB32);
                 QPainter painter(&image);
-                studyview::paintConfusion(painter, image.rect(), any, QPalette());
+                study::paintConfusion(painter, image.rect(), any, QPalette());
             }
         }
     }

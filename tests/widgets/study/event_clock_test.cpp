@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-using teleta::studyview::EventClock;
+using teleta::study::EventClock;
 
 namespace {
 

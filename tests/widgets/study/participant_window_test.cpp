@@ -15,9 +15,9 @@
 #include <memory>
 
 using namespace teleta;
-using studyview::AnswerButton;
-using studyview::ParticipantScene;
-using studyview::ParticipantWindow;
+using study::AnswerButton;
+using study::ParticipantScene;
+using study::ParticipantWindow;
 using State = ParticipantScene::State;
 
 Q_DECLARE_METATYPE(teleta::study::KeyPress)
@@ -56,7 +56,7 @@ private slots:
         m_presses.clear();
         m_releases.clear();
         m_window = std::make_unique<ParticipantWindow>([this] { return m_now; });
-        std::vector<studyview::AnswerChoice> choices;
+        std::vector<study::AnswerChoice> choices;
         for (const char* letter : {"A", "B", "C", "D", "E", "F"})
             choices.push_back({letter, QString(letter).toLower(), {}});
         m_window->setChoices(std::move(choices));
@@ -212,9 +212,9 @@ private slots:
 
     void picturesThatAreKeptFollowSizePaletteAndMode() {
         const auto choices = [] {
-            return std::vector<studyview::AnswerChoice>{
-                {"A", "a", studyview::diagramOf(*pattern::findBuiltIn("shape.A.dynamic"), 2.0)},
-                {"B", "b", studyview::diagramOf(*pattern::findBuiltIn("shape.B.dynamic"), 2.0)}};
+            return std::vector<study::AnswerChoice>{
+                {"A", "a", study::diagramOf(*pattern::findBuiltIn("shape.A.dynamic"), 2.0)},
+                {"B", "b", study::diagramOf(*pattern::findBuiltIn("shape.B.dynamic"), 2.0)}};
         };
         const auto show = [](ParticipantWindow& window, QSize size, study::Mode mode) {
             window.setScene({.state = State::answering, .mode = mode, .answersOpen = true, .diagrams = true});
@@ -257,9 +257,7 @@ private slots:
     }
 
     void aDiagramIsThatOfThePattern() {
-        const auto diagram = [](const char* id) {
-            return studyview::diagramOf(*pattern::findBuiltIn(id), 2.0);
-        };
+        const auto diagram = [](const char* id) { return study::diagramOf(*pattern::findBuiltIn(id), 2.0); };
         // All six tactors at once for the static circle, one after another for the dynamic one.
         for (const int turn : diagram("shape.A.static").turn)
             QCOMPARE(turn, 0);

@@ -18,10 +18,10 @@
 using namespace teleta;
 using study::ItemAnswer;
 using study::ItemKind;
-using studyview::ParticipantScene;
-using studyview::ParticipantWindow;
-using studyview::QuestionnaireForm;
-using studyview::QuestionnaireItemView;
+using study::ParticipantScene;
+using study::ParticipantWindow;
+using study::QuestionnaireForm;
+using study::QuestionnaireItemView;
 using State = ParticipantScene::State;
 
 namespace {

@@ -18,8 +18,8 @@
 #include <string>
 
 using namespace teleta;
-using studyview::ResultsContent;
-using studyview::ResultsView;
+using study::ResultsContent;
+using study::ResultsView;
 
 namespace {
 
@@ -59,7 +59,7 @@ const study::TaskResults& results() {
     return all;
 }
 
-QString cellOf(const studyview::TableContent& table, const QString& row, const QString& column) {
+QString cellOf(const study::TableContent& table, const QString& row, const QString& column) {
     for (const auto& cells : table.rows) {
         if (cells[0].shown == row)
             return cells[static_cast<std::size_t>(table.header.indexOf(column))].shown;
@@ -75,7 +75,7 @@ class ResultsViewTest : public QObject {
 private slots:
     // Table of the specification, from R.
     void showsTheAnovaOfDataSetAToThePrintedDigits() {
-        const studyview::TableContent table = ResultsContent::anova(results());
+        const study::TableContent table = ResultsContent::anova(results());
         QCOMPARE(cellOf(table, "condition", "F"), QStringLiteral("18.78"));
         QCOMPARE(cellOf(table, "condition", "p"), QStringLiteral("0.003"));
         QCOMPARE(cellOf(table, "condition", "df"), QStringLiteral("1; 7"));
@@ -90,7 +90,7 @@ private slots:
 
     // 100 times the mean of the rows of data set A; the t interval is that of R's t.test.
     void accuracyIsTheMeanOfParticipantsWithTheirDots() {
-        const studyview::IntervalChartContent chart = ResultsContent::accuracy(results(), {});
+        const study::IntervalChartContent chart = ResultsContent::accuracy(results(), {});
         QCOMPARE(chart.categories, (QStringList{"dynamic", "static"}));
         double sum = 0.0;
         for (const double one : chart.series[0].points[1].single)
@@ -103,9 +103,9 @@ private slots:
 
     // Wilson's interval of 27/30 from the roots of its quadratic.
     void oneParticipantHasWilsonsInterval() {
-        const studyview::IntervalChartContent chart =
+        const study::IntervalChartContent chart =
             ResultsContent::accuracy(results(), {.group = {QStringLiteral("s01")}});
-        const studyview::ChartPoint& point = chart.series[0].points[1];
+        const study::ChartPoint& point = chart.series[0].points[1];
         const double n = 30.0, share = 0.9, z = 1.959963984540054;
         const double middle = (share + z * z / (2 * n)) / (1 + z * z / n);
         const double half = z / (1 + z * z / n) * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
@@ -115,13 +115,13 @@ private slots:
     }
 
     void everyPatternHasBothConditionsAndTheirComparison() {
-        const studyview::IntervalChartContent chart = ResultsContent::patterns(results(), {});
+        const study::IntervalChartContent chart = ResultsContent::patterns(results(), {});
         QCOMPARE(chart.categories.size(), 6);
         QCOMPARE(chart.series.size(), std::size_t(2));
         QCOMPARE(chart.notes.size(), 6);
         for (const QString& note : chart.notes)
             QVERIFY2(note.startsWith(QStringLiteral("p ")), qPrintable(note));
-        QVERIFY(studyview::intervalChartCsv(chart).startsWith(
+        QVERIFY(study::intervalChartCsv(chart).startsWith(
             QStringLiteral("category,series,value,low,high,singles\nP1,")));
     }
 
@@ -134,27 +134,26 @@ private slots:
 
     void followsTheChoiceOfTaskAndParticipant() {
         ResultsView view;
-        studyview::ResultsScene scene;
+        study::ResultsScene scene;
         scene.tasks = {results()};
         scene.taskNames.insert("shape", "Object shape");
         scene.conditionNames["shape"].insert("static", "statique");
         scene.mode = study::Mode::pilot;
         view.setScene(scene);
         // A condition without a name is called by its id, and data have the id in every language.
-        QCOMPARE(view.findChild<studyview::IntervalChart*>("accuracyChart")->content().categories,
+        QCOMPARE(view.findChild<study::IntervalChart*>("accuracyChart")->content().categories,
                  (QStringList{"dynamic", "statique"}));
         QVERIFY(view.matrices()[1]->content().title.startsWith("statique, "));
-        QCOMPARE(view.findChild<studyview::ResultTable*>("groupTable")->item(1, 0)->text(),
+        QCOMPARE(view.findChild<study::ResultTable*>("groupTable")->item(1, 0)->text(),
                  QStringLiteral("statique"));
-        QVERIFY(view.findChild<studyview::ResultTable*>("groupTable")->csv().contains("\nstatic,"));
-        QVERIFY(!view.findChild<studyview::ResultTable*>("groupTable")->csv().contains("statique"));
+        QVERIFY(view.findChild<study::ResultTable*>("groupTable")->csv().contains("\nstatic,"));
+        QVERIFY(!view.findChild<study::ResultTable*>("groupTable")->csv().contains("statique"));
         view.resize(1200, 900);
         view.show();
         QCOMPARE(view.matrices().size(), std::size_t(2));
         QCOMPARE(view.matrices()[1]->content().matrix.total(), 8 * 30);
         QCOMPARE(view.matrices()[1]->content().mode, study::Mode::pilot);
-        studyview::ParticipantPicker* who =
-            view.findChild<studyview::ParticipantPicker*>("resultParticipant");
+        study::ParticipantPicker* who = view.findChild<study::ParticipantPicker*>("resultParticipant");
         QCOMPARE(who->text(), QStringLiteral("All participants"));
         auto* box = who->menu()->findChild<QCheckBox*>("s01");
         QVERIFY(box != nullptr);
@@ -162,13 +161,13 @@ private slots:
         QCOMPARE(who->chosen(), QStringList("s01"));
         QCOMPARE(view.matrices()[1]->content().matrix.total(), 30);
         QCOMPARE(view.matrices()[1]->content().matrix.correct(), 27);
-        QCOMPARE(view.findChild<studyview::ResultTable*>("peopleTable")->rowCount(), 2);
+        QCOMPARE(view.findChild<study::ResultTable*>("peopleTable")->rowCount(), 2);
         view.setScene(scene);
         QCOMPARE(who->chosen(), QStringList("s01"));
         QCOMPARE(who->text(), QStringLiteral("s01"));
         auto* counts = view.findChild<QComboBox*>("resultCounts");
         counts->setCurrentIndex(1);
-        for (const studyview::ConfusionView* matrix : view.matrices())
+        for (const study::ConfusionView* matrix : view.matrices())
             QVERIFY(matrix->content().percent);
     }
 
@@ -176,13 +175,13 @@ private slots:
     // 20 and 25.
     void showsTwoGroupsSideBySide() {
         ResultsView view;
-        studyview::ResultsScene scene;
+        study::ResultsScene scene;
         scene.tasks = {results()};
         view.setScene(scene);
-        view.findChild<studyview::ParticipantPicker*>("resultParticipant")
+        view.findChild<study::ParticipantPicker*>("resultParticipant")
             ->choose({"s02", "s01", "nobody of that name"});
-        view.findChild<studyview::ParticipantPicker*>("resultBeside")->choose({"s03", "s04"});
-        QCOMPARE(view.findChild<studyview::ParticipantPicker*>("resultParticipant")->chosen(),
+        view.findChild<study::ParticipantPicker*>("resultBeside")->choose({"s03", "s04"});
+        QCOMPARE(view.findChild<study::ParticipantPicker*>("resultParticipant")->chosen(),
                  (QStringList{"s01", "s02"}));
         QCOMPARE(view.matrices().size(), std::size_t(4));
         const auto right = [&](std::size_t matrix) {
@@ -192,33 +191,32 @@ private slots:
         QCOMPARE(right(1), 27 + 14);
         QCOMPARE(right(2), 18 + 25);
         QCOMPARE(right(3), 16 + 20);
-        for (const studyview::ConfusionView* matrix : view.matrices())
+        for (const study::ConfusionView* matrix : view.matrices())
             QCOMPARE(matrix->content().matrix.total(), 60);
         QVERIFY2(view.matrices()[3]->content().title.contains("s03, s04"),
                  qPrintable(view.matrices()[3]->content().title));
-        const auto& accuracy = view.findChild<studyview::IntervalChart*>("accuracyChart")->content();
+        const auto& accuracy = view.findChild<study::IntervalChart*>("accuracyChart")->content();
         QCOMPARE(accuracy.series.size(), std::size_t(2));
         QVERIFY(std::abs(*accuracy.series[0].points[1].value - 100.0 * (27 + 14) / 60) < 1e-9);
         QVERIFY(std::abs(*accuracy.series[1].points[1].value - 100.0 * (16 + 20) / 60) < 1e-9);
-        QCOMPARE(view.findChild<studyview::IntervalChart*>("patternChart")->content().series.size(),
+        QCOMPARE(view.findChild<study::IntervalChart*>("patternChart")->content().series.size(),
                  std::size_t(4));
-        for (const QString& note : view.findChild<studyview::IntervalChart*>("patternChart")->content().notes)
+        for (const QString& note : view.findChild<study::IntervalChart*>("patternChart")->content().notes)
             QVERIFY2(note.isEmpty(), "p is of all participants");
-        QCOMPARE(view.findChild<studyview::IntervalChart*>("timeChart")->content().series.size(),
-                 std::size_t(2));
-        QCOMPARE(view.findChild<studyview::ResultTable*>("peopleTable")->rowCount(), 8);
-        view.findChild<studyview::ParticipantPicker*>("resultBeside")->choose({});
+        QCOMPARE(view.findChild<study::IntervalChart*>("timeChart")->content().series.size(), std::size_t(2));
+        QCOMPARE(view.findChild<study::ResultTable*>("peopleTable")->rowCount(), 8);
+        view.findChild<study::ParticipantPicker*>("resultBeside")->choose({});
         QCOMPARE(view.matrices().size(), std::size_t(2));
-        QCOMPARE(view.findChild<studyview::IntervalChart*>("accuracyChart")->content().series.size(),
+        QCOMPARE(view.findChild<study::IntervalChart*>("accuracyChart")->content().series.size(),
                  std::size_t(1));
-        view.findChild<studyview::ParticipantPicker*>("resultParticipant")->choose({});
-        QVERIFY(!view.findChild<studyview::IntervalChart*>("patternChart")->content().notes[0].isEmpty());
+        view.findChild<study::ParticipantPicker*>("resultParticipant")->choose({});
+        QVERIFY(!view.findChild<study::IntervalChart*>("patternChart")->content().notes[0].isEmpty());
     }
 
     void aPickerNamesAFewAndCountsMany() {
-        studyview::ParticipantPicker picker;
+        study::ParticipantPicker picker;
         picker.setChoices({"P01", "P02", "P03", "P04", "P05"}, QStringLiteral("everybody"));
-        QSignalSpy changed(&picker, &studyview::ParticipantPicker::chosenChanged);
+        QSignalSpy changed(&picker, &study::ParticipantPicker::chosenChanged);
         QCOMPARE(picker.text(), QStringLiteral("everybody"));
         picker.choose({"P05", "P01"});
         QCOMPARE(picker.text(), QStringLiteral("P01, P05"));
@@ -234,12 +232,12 @@ private slots:
         ResultsView view;
         view.setScene({});
         view.show();
-        QVERIFY(!view.findChild<studyview::ResultTable*>("groupTable")->isVisible());
+        QVERIFY(!view.findChild<study::ResultTable*>("groupTable")->isVisible());
         QVERIFY(!view.findChild<QComboBox*>("resultTask")->isEnabled());
     }
 
     void aTablesDataAreInTheCLocale() {
-        studyview::ResultTable table(QStringLiteral("t"));
+        study::ResultTable table(QStringLiteral("t"));
         table.setRows({"a", "b, c"}, {}, {{{"1,5", "1.5"}, {"x \"y\""}}});
         QCOMPARE(table.csv(), QStringLiteral("a,\"b, c\"\n1.5,\"x \"\"y\"\"\"\n"));
     }

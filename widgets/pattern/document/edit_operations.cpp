@@ -6,9 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -266,4 +264,4 @@ std::size_t firstFrom(const Track& track, double time_s) {
     return static_cast<std::size_t>(found - track.begin());
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

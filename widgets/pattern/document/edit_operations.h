@@ -10,7 +10,7 @@
 
 // Edits of single breakpoints and objects as pure functions from pattern to pattern. Edits of whole patterns
 // are in backend/pattern/edit.h.
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// One breakpoint of a pattern.
 struct PointRef {
@@ -25,57 +25,52 @@ using PointRefs = std::vector<PointRef>;
 
 /// A pattern after an edit, and the new references of the edited breakpoints.
 struct Edited {
-    pattern::Pattern pattern;
+    Pattern pattern;
     PointRefs points;
 };
 
 /// Copied breakpoints and objects at their original times.
 struct PointClip {
-    pattern::Tracks tracks;
-    std::vector<pattern::PatternObject> objects;
+    Tracks tracks;
+    std::vector<PatternObject> objects;
 
     [[nodiscard]] bool empty() const;
     /// From the begin of its first breakpoint or object to the end of its last one; zeros when empty.
-    [[nodiscard]] pattern::Span span() const;
+    [[nodiscard]] Span span() const;
 };
 
 /// Inserts a breakpoint after those at the same time. Time and intensity are clamped to the pattern.
-[[nodiscard]] Edited withPoint(const pattern::Pattern& pattern, std::size_t track,
-                               pattern::Breakpoint breakpoint);
-[[nodiscard]] pattern::Pattern withoutPoints(const pattern::Pattern& pattern, const PointRefs& points);
+[[nodiscard]] Edited withPoint(const Pattern& pattern, std::size_t track, Breakpoint breakpoint);
+[[nodiscard]] Pattern withoutPoints(const Pattern& pattern, const PointRefs& points);
 
 /// Moves breakpoints together. time_s is limited so that all of them stay in the pattern; each intensity is
 /// clamped to 0..1. Breakpoints that pass others are reordered.
-[[nodiscard]] Edited movedPoints(const pattern::Pattern& pattern, const PointRefs& points, double time_s,
+[[nodiscard]] Edited movedPoints(const Pattern& pattern, const PointRefs& points, double time_s,
                                  double intensity);
 /// Replaces a breakpoint by typed values, clamped to the pattern.
-[[nodiscard]] Edited replacedPoint(const pattern::Pattern& pattern, PointRef point,
-                                   pattern::Breakpoint breakpoint);
+[[nodiscard]] Edited replacedPoint(const Pattern& pattern, PointRef point, Breakpoint breakpoint);
 /// Multiplies intensities by a factor and clamps them to 0..1.
-[[nodiscard]] pattern::Pattern scaledPoints(const pattern::Pattern& pattern, const PointRefs& points,
-                                            double factor);
+[[nodiscard]] Pattern scaledPoints(const Pattern& pattern, const PointRefs& points, double factor);
 /// Multiplies the times relative to the first breakpoint by a factor > 0; extends the pattern if needed.
-[[nodiscard]] Edited stretchedPoints(const pattern::Pattern& pattern, const PointRefs& points, double factor);
-[[nodiscard]] pattern::Pattern easedPoints(const pattern::Pattern& pattern, const PointRefs& points,
-                                           pattern::Easing easing);
+[[nodiscard]] Edited stretchedPoints(const Pattern& pattern, const PointRefs& points, double factor);
+[[nodiscard]] Pattern easedPoints(const Pattern& pattern, const PointRefs& points, Easing easing);
 
-[[nodiscard]] PointClip copiedPoints(const pattern::Pattern& pattern, const PointRefs& points,
+[[nodiscard]] PointClip copiedPoints(const Pattern& pattern, const PointRefs& points,
                                      std::optional<std::size_t> object);
 /// Inserts a clip later_s after its original time. On each of its tracks it replaces what lies between its
 /// first and its last breakpoint. Extends the pattern if needed.
-[[nodiscard]] Edited pastedPoints(const pattern::Pattern& pattern, const PointClip& clip, double later_s);
+[[nodiscard]] Edited pastedPoints(const Pattern& pattern, const PointClip& clip, double later_s);
 
 /// Moves an object in time; its start stays within the pattern.
-[[nodiscard]] pattern::Pattern movedObject(const pattern::Pattern& pattern, std::size_t object,
-                                           double time_s);
-[[nodiscard]] pattern::Pattern withoutObject(const pattern::Pattern& pattern, std::size_t object);
+[[nodiscard]] Pattern movedObject(const Pattern& pattern, std::size_t object, double time_s);
+[[nodiscard]] Pattern withoutObject(const Pattern& pattern, std::size_t object);
 /// Appends an object; extends the pattern if needed.
-[[nodiscard]] pattern::Pattern withObject(const pattern::Pattern& pattern, pattern::PatternObject object);
+[[nodiscard]] Pattern withObject(const Pattern& pattern, PatternObject object);
 
 /// Breakpoints of a track in [begin_s, end_s] with an intensity in [low, high].
-[[nodiscard]] PointRefs pointsIn(const pattern::Pattern& pattern, std::size_t track, pattern::Span span,
-                                 double low, double high);
+[[nodiscard]] PointRefs pointsIn(const Pattern& pattern, std::size_t track, Span span, double low,
+                                 double high);
 /// Index of the first breakpoint of a track at or after a time.
-[[nodiscard]] std::size_t firstFrom(const pattern::Track& track, double time_s);
+[[nodiscard]] std::size_t firstFrom(const Track& track, double time_s);
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -16,9 +16,7 @@
 #include <cmath>
 #include <utility>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -446,4 +444,4 @@ void PatternDocument::setDuration(double duration_s) {
     apply(std::move(after), tr("Change duration"), m_selection, kindOf(QStringLiteral("duration")));
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

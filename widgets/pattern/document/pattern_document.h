@@ -14,7 +14,7 @@
 #include <memory>
 #include <optional>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// The selection: breakpoints, one object, or nothing.
 struct Selection {
@@ -39,9 +39,9 @@ public:
 
     /// Opens a pattern and clears the undo stack. path: empty if it has no file. unsaved: the file does not
     /// contain this state.
-    void setPattern(pattern::Pattern pattern, const QString& path = {}, bool unsaved = false);
-    [[nodiscard]] const pattern::Pattern& pattern() const { return m_pattern; }
-    [[nodiscard]] const pattern::CompiledPattern& compiled() const { return m_compiled; }
+    void setPattern(Pattern pattern, const QString& path = {}, bool unsaved = false);
+    [[nodiscard]] const Pattern& pattern() const { return m_pattern; }
+    [[nodiscard]] const CompiledPattern& compiled() const { return m_compiled; }
     /// Number of changes of the pattern, for caches.
     [[nodiscard]] quint64 revision() const { return m_revision; }
     [[nodiscard]] bool isBuiltIn() const;
@@ -57,8 +57,8 @@ public:
     void setAutosaveDelay(int delay_ms) { m_autosave.setInterval(delay_ms); }
 
     /// Sets the motors for predictions and laws; an invalid profile is ignored.
-    void setMotors(const pattern::MotorProfiles& motors);
-    [[nodiscard]] const pattern::MotorProfiles& motors() const { return m_motors; }
+    void setMotors(const MotorProfiles& motors);
+    [[nodiscard]] const MotorProfiles& motors() const { return m_motors; }
 
     [[nodiscard]] const Selection& selection() const { return m_selection; }
     void select(Selection selection);
@@ -76,13 +76,13 @@ public:
     void endDrag();
     [[nodiscard]] bool dragging() const { return m_dragBase != nullptr; }
     /// The pattern before the drag; the current one when there is none.
-    [[nodiscard]] const pattern::Pattern& dragBase() const;
+    [[nodiscard]] const Pattern& dragBase() const;
 
-    void addPoint(std::size_t track, const pattern::Breakpoint& point);
+    void addPoint(std::size_t track, const Breakpoint& point);
     /// Moves relative to the start of the drag or, without a drag, to the current place (a nudge).
     void moveSelection(double time_s, double intensity);
-    void replacePoint(PointRef point, const pattern::Breakpoint& breakpoint);
-    void setEasing(pattern::Easing easing);
+    void replacePoint(PointRef point, const Breakpoint& breakpoint);
+    void setEasing(Easing easing);
     void scaleIntensity(double factor);
     /// Stretches the selected breakpoints, or the whole pattern when none are selected.
     void stretch(double factor);
@@ -101,21 +101,21 @@ public:
     void mirror();
     void swapArms();
 
-    void addObject(const pattern::PatternObject& object);
+    void addObject(const PatternObject& object);
     /// Replaces an object. field: consecutive edits of one field are merged.
-    void replaceObject(std::size_t index, const pattern::PatternObject& object, const QString& field = {});
+    void replaceObject(std::size_t index, const PatternObject& object, const QString& field = {});
     /// Error text by refused().
     void bakeObject(std::size_t index);
-    /// Adds overdrive for motors() (pattern::overdriven()). Emits refused() on error, told() when no motor
+    /// Adds overdrive for motors() (overdriven()). Emits refused() on error, told() when no motor
     /// needs it.
     void overdrive();
-    void fix(const pattern::Finding& finding);
+    void fix(const Finding& finding);
 
     void setName(const QString& name);
     void setNotes(const QString& notes);
     void setTags(const QStringList& tags);
-    void setTask(pattern::Task task);
-    void setCondition(pattern::Condition condition);
+    void setTask(Task task);
+    void setCondition(Condition condition);
     void setDuration(double duration_s);
 
 signals:
@@ -138,23 +138,23 @@ private:
     class Edit;
     struct Snapshot;
 
-    void apply(pattern::Pattern after, const QString& text, Selection selection, int mergeKind = -1);
+    void apply(Pattern after, const QString& text, Selection selection, int mergeKind = -1);
     void take(const Snapshot& snapshot);
     void changed();
-    [[nodiscard]] Snapshot snapshotOf(const pattern::Pattern& pattern, const Selection& selection,
+    [[nodiscard]] Snapshot snapshotOf(const Pattern& pattern, const Selection& selection,
                                       const Snapshot* before) const;
     [[nodiscard]] static int kindOf(const QString& field);
 
-    pattern::Pattern m_pattern;
-    pattern::CompiledPattern m_compiled;
-    pattern::MotorProfiles m_motors;
+    Pattern m_pattern;
+    CompiledPattern m_compiled;
+    MotorProfiles m_motors;
     Selection m_selection;
     PointClip m_clip;
     QString m_path;
     QUndoStack* m_undo;
     QTimer m_autosave;
     std::unique_ptr<Snapshot> m_current;
-    std::unique_ptr<pattern::Pattern> m_dragBase;
+    std::unique_ptr<Pattern> m_dragBase;
     Selection m_dragSelection;
     quint64 m_revision = 0;
     quint64 m_gesture = 0;
@@ -162,4 +162,4 @@ private:
     bool m_snapping = true;
 };
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -5,7 +5,7 @@
 
 #include <QCoreApplication>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 namespace {
 
@@ -37,12 +37,12 @@ namespace {
 
 } // namespace
 
-QString displayName(const pattern::Pattern& pattern) {
+QString displayName(const Pattern& pattern) {
     // A copy may keep the id, and a file may contain any id, so the name has to match, too.
-    const pattern::Pattern* builtIn = pattern::findBuiltIn(pattern.id);
+    const Pattern* builtIn = findBuiltIn(pattern.id);
     return builtIn != nullptr && builtIn->name == pattern.name
                ? QCoreApplication::translate("PatternNames", pattern.name.c_str())
                : QString::fromStdString(pattern.name);
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -5,9 +5,9 @@
 
 #include <QString>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// Name to show: translated for a built-in pattern, otherwise the pattern's own. Thread: any (pure).
-[[nodiscard]] QString displayName(const pattern::Pattern& pattern);
+[[nodiscard]] QString displayName(const Pattern& pattern);
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

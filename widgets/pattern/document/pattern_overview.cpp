@@ -6,9 +6,7 @@
 
 #include <utility>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 std::shared_ptr<const TrackEnvelopes> envelopesOf(const Pattern& pattern) {
     core::Expected<Tracks> lines = linearised(pattern);
@@ -93,4 +91,4 @@ void PatternOverview::predict(const std::shared_ptr<const Pattern>& pattern, qui
                           });
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

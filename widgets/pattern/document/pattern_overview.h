@@ -12,11 +12,11 @@
 #include <memory>
 #include <optional>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// Envelopes of a pattern, one per tactor.
-using TrackEnvelopes = std::array<pattern::TrackEnvelope, core::kTactors>;
-[[nodiscard]] std::shared_ptr<const TrackEnvelopes> envelopesOf(const pattern::Pattern& pattern);
+using TrackEnvelopes = std::array<TrackEnvelope, core::kTactors>;
+[[nodiscard]] std::shared_ptr<const TrackEnvelopes> envelopesOf(const Pattern& pattern);
 
 /// Envelopes and predictions of a long pattern, for drawing when a pixel covers many breakpoints. Computed on
 /// a pool thread: first the commanded envelope, then the prediction; after an edit only the changed part is
@@ -33,9 +33,7 @@ public:
     /// Null: not yet computed, or the pattern is shorter than kShortest_s.
     [[nodiscard]] const std::shared_ptr<const TrackEnvelopes>& commanded() const { return m_commanded; }
     /// Also null when the pattern is longer than MotorPrediction::kLongest_s.
-    [[nodiscard]] const std::shared_ptr<const pattern::MotorPrediction>& predicted() const {
-        return m_predicted;
-    }
+    [[nodiscard]] const std::shared_ptr<const MotorPrediction>& predicted() const { return m_predicted; }
     /// Whether all results are up to date with the pattern.
     [[nodiscard]] bool isCurrent() const { return !m_cancelled && m_revision == m_document->revision(); }
 
@@ -44,16 +42,16 @@ signals:
 
 private:
     void look();
-    void predict(const std::shared_ptr<const pattern::Pattern>& pattern, quint64 revision);
+    void predict(const std::shared_ptr<const Pattern>& pattern, quint64 revision);
     /// Returns true when the pattern has changed meanwhile; the work then restarts.
     bool outdated(quint64 revision);
 
     PatternDocument* m_document;
     std::shared_ptr<const TrackEnvelopes> m_commanded;
-    std::shared_ptr<const pattern::MotorPrediction> m_predicted;
-    std::shared_ptr<const pattern::Pattern> m_predictedPattern;
+    std::shared_ptr<const MotorPrediction> m_predicted;
+    std::shared_ptr<const Pattern> m_predictedPattern;
     std::shared_ptr<std::atomic<bool>> m_cancelled; ///< cancels the running work; null: none is running
     quint64 m_revision = 0;
 };
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

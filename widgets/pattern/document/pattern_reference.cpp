@@ -5,9 +5,7 @@
 
 #include <utility>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -69,4 +67,4 @@ void PatternReference::compare() {
         });
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// The pattern with which a document is compared, and their difference; recomputed on a pool thread when the
 /// document has not changed for a moment. Thread: GUI.
@@ -20,12 +20,12 @@ public:
     explicit PatternReference(PatternDocument* document, QObject* parent = nullptr);
 
     /// Null ends the comparison.
-    void setPattern(std::shared_ptr<const pattern::Pattern> pattern);
-    [[nodiscard]] const std::shared_ptr<const pattern::Pattern>& pattern() const { return m_pattern; }
+    void setPattern(std::shared_ptr<const Pattern> pattern);
+    [[nodiscard]] const std::shared_ptr<const Pattern>& pattern() const { return m_pattern; }
     /// Envelopes of a long pattern; otherwise null.
     [[nodiscard]] const std::shared_ptr<const TrackEnvelopes>& envelopes() const { return m_envelopes; }
     /// Empty: not yet known, or the patterns have too many corners.
-    [[nodiscard]] const std::optional<pattern::Comparison>& comparison() const { return m_comparison; }
+    [[nodiscard]] const std::optional<Comparison>& comparison() const { return m_comparison; }
 
 signals:
     void changed();
@@ -35,10 +35,10 @@ private:
 
     PatternDocument* m_document;
     QTimer m_rest;
-    std::shared_ptr<const pattern::Pattern> m_pattern;
+    std::shared_ptr<const Pattern> m_pattern;
     std::shared_ptr<const TrackEnvelopes> m_envelopes;
-    std::optional<pattern::Comparison> m_comparison;
+    std::optional<Comparison> m_comparison;
     bool m_comparing = false;
 };
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

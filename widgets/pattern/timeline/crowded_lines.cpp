@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 namespace {
 
@@ -65,4 +65,4 @@ void strokeLine(QPainter& painter, const QPolygonF& line, const QPen& pen) {
                              static_cast<int>(std::min(kPieceCorners + 1, line.size() - k)));
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

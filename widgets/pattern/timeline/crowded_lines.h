@@ -5,7 +5,7 @@ class QPainter;
 class QPen;
 class QPolygonF;
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// Fills the area between two lines with rising x and common ends, also where they cross, with the painter's
 /// brush and without a pen. The time of Qt's rasteriser grows with the square of the edges that cross a row
@@ -18,4 +18,4 @@ void fillBetween(QPainter& painter, const QPolygonF& one, const QPolygonF& other
 /// painter.
 void strokeLine(QPainter& painter, const QPolygonF& line, const QPen& pen);
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

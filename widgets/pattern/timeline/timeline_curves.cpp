@@ -9,9 +9,7 @@
 #include <limits>
 #include <set>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -154,4 +152,4 @@ std::vector<std::size_t> tactorsOf(const ObjectForm& form) {
     return {tactors.begin(), tactors.end()};
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

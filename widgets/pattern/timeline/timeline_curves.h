@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// A motor whose predicted intensity differs more than this from the commanded one cannot follow.
 inline constexpr double kFollowTolerance = 0.1;
@@ -27,16 +27,15 @@ struct TimelineCurves {
 /// Samples a span at `samples` times or more, and on both sides of each breakpoint unless there are too many
 /// to distinguish. The prediction (if `predicts`) starts early enough before the span for the motors to have
 /// settled. The time depends on the visible part only, not on the length of the pattern. Thread: any (pure).
-[[nodiscard]] TimelineCurves sampleCurves(const pattern::Pattern& pattern,
-                                          const pattern::CompiledPattern& compiled,
-                                          const pattern::MotorProfiles& motors, pattern::Span span,
-                                          int samples, bool predicts = true);
+[[nodiscard]] TimelineCurves sampleCurves(const Pattern& pattern, const CompiledPattern& compiled,
+                                          const MotorProfiles& motors, Span span, int samples,
+                                          bool predicts = true);
 
 /// A span of a long pattern as one range per column of pixels.
 struct TimelineBands {
     struct Band {
-        std::vector<pattern::ValueRange> commanded;
-        std::vector<pattern::MotorPrediction::Bin> predicted; ///< empty: not predicted
+        std::vector<ValueRange> commanded;
+        std::vector<MotorPrediction::Bin> predicted; ///< empty: not predicted
     };
     double begin_s = 0.0;
     double column_s = 0.0;
@@ -47,15 +46,14 @@ struct TimelineBands {
 };
 
 /// predicted: may be null. columns: >= 1. Thread: any (pure).
-[[nodiscard]] TimelineBands bandsOf(const TrackEnvelopes& commanded,
-                                    const pattern::MotorPrediction* predicted, pattern::Span span,
-                                    int columns);
+[[nodiscard]] TimelineBands bandsOf(const TrackEnvelopes& commanded, const MotorPrediction* predicted,
+                                    Span span, int columns);
 
 /// Ranges from samples; a column without a sample has the value of the previous one. curves: sampled over
 /// span, not empty. columns: >= 1. Thread: any (pure).
-[[nodiscard]] TimelineBands bandsOf(const TimelineCurves& curves, pattern::Span span, int columns);
+[[nodiscard]] TimelineBands bandsOf(const TimelineCurves& curves, Span span, int columns);
 
 /// Tactors that an object can use, in ascending order.
-[[nodiscard]] std::vector<std::size_t> tactorsOf(const pattern::ObjectForm& form);
+[[nodiscard]] std::vector<std::size_t> tactorsOf(const ObjectForm& form);
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 namespace {
 
@@ -100,4 +100,4 @@ QString timeText(double time_s, double step_s) {
     return text;
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

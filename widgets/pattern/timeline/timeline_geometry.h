@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// Layout of the timeline and conversion between places, times and intensities. Thread: any (pure).
 struct TimelineGeometry {
@@ -45,4 +45,4 @@ private:
 /// Formats a time of the ruler with as many decimals as the step needs: "0.25", "1:05", "1:00:00".
 [[nodiscard]] QString timeText(double time_s, double step_s);
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -16,9 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -469,4 +467,4 @@ bool TimelineView::event(QEvent* event) {
     return QWidget::event(event);
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -10,9 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -123,4 +121,4 @@ std::vector<double> numbersIn(const QString& text) {
     return numbers;
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

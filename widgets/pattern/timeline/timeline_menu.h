@@ -9,22 +9,21 @@
 
 class QMenu;
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// Appends the actions for the selection of a document.
 void fillTimelineMenu(QMenu& menu, PatternDocument& document, double playhead_s);
 
 /// "linear", "hold", ...; translated.
-[[nodiscard]] QString easingName(pattern::Easing easing);
+[[nodiscard]] QString easingName(Easing easing);
 /// Tool tip with the commanded intensity of a motor at a time, and its speed.
 [[nodiscard]] QString valueText(std::size_t track, double time_s, double intensity,
-                                const pattern::MotorProfile& motor);
-[[nodiscard]] QString pointText(std::size_t track, const pattern::Breakpoint& point,
-                                const pattern::MotorProfile& motor);
+                                const MotorProfile& motor);
+[[nodiscard]] QString pointText(std::size_t track, const Breakpoint& point, const MotorProfile& motor);
 /// Title and span of an object.
-[[nodiscard]] QString objectText(const pattern::PatternObject& object);
+[[nodiscard]] QString objectText(const PatternObject& object);
 
 /// Parses numbers typed with their units and separated by semicolons; empty when one is not a number.
 [[nodiscard]] std::vector<double> numbersIn(const QString& text);
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -16,9 +16,7 @@
 #include <array>
 #include <cmath>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -559,4 +557,4 @@ QColor formColour(const ObjectForm& form, const QPalette& palette) {
     return base::identityColour(static_cast<int>(form.index()) + 3, base::isDark(palette));
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -11,19 +11,19 @@
 
 class QPainter;
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// Static content of the timeline; playhead and selection box are drawn on top of it.
 struct TimelineContent {
-    const pattern::Pattern* pattern = nullptr;
+    const Pattern* pattern = nullptr;
     const TimelineCurves* curves = nullptr;
     const TimelineBands* bands = nullptr;      ///< for a long span, instead of the curves; may be null
     const TimelineCurves* reference = nullptr; ///< pattern of the comparison; may be null
     const TimelineBands* referenceBands = nullptr;
     QString referenceName;
-    const pattern::Comparison* comparison = nullptr; ///< with the other pattern; may be null
+    const Comparison* comparison = nullptr; ///< with the other pattern; may be null
     const Selection* selection = nullptr;
-    std::optional<pattern::Span> loop;
+    std::optional<Span> loop;
     std::optional<std::size_t> currentLane; ///< lane with the keyboard focus
     bool assumedMotors = true;
     bool handles = true;
@@ -39,10 +39,10 @@ void paintPlayhead(QPainter& painter, const TimelineGeometry& geometry, double t
                    const QPalette& palette);
 
 /// The name of an object or, without a name, a description such as "Ring, 3 turns"; translated.
-[[nodiscard]] QString objectTitle(const pattern::PatternObject& object);
+[[nodiscard]] QString objectTitle(const PatternObject& object);
 /// "Ring", "Sweep" ...; translated.
-[[nodiscard]] QString formName(const pattern::ObjectForm& form);
+[[nodiscard]] QString formName(const ObjectForm& form);
 /// Colour of a kind of object.
-[[nodiscard]] QColor formColour(const pattern::ObjectForm& form, const QPalette& palette);
+[[nodiscard]] QColor formColour(const ObjectForm& form, const QPalette& palette);
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

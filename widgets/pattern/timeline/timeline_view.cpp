@@ -17,9 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace teleta::editor {
-
-using namespace pattern;
+namespace teleta::pattern {
 
 namespace {
 
@@ -343,4 +341,4 @@ QSize TimelineView::minimumSizeHint() const {
     return {base::em(this, 20), base::em(this, 13)};
 }
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -15,7 +15,7 @@
 class QMenu;
 class QScrollBar;
 
-namespace teleta::editor {
+namespace teleta::pattern {
 
 /// The six tracks of a document over time, with commanded and predicted curves in one lane each, breakpoints
 /// as handles and objects as blocks. Mouse and keys are described in its What's This. Thread: GUI.
@@ -38,8 +38,8 @@ public:
     /// Whether the view scrolls with a playhead that leaves it.
     void setFollowing(bool following) { m_following = following; }
 
-    void setLoop(std::optional<pattern::Span> loop);
-    [[nodiscard]] const std::optional<pattern::Span>& loop() const { return m_loop; }
+    void setLoop(std::optional<Span> loop);
+    [[nodiscard]] const std::optional<Span>& loop() const { return m_loop; }
     /// With the pen each click adds a breakpoint.
     void setPen(bool pen);
     [[nodiscard]] bool pen() const { return m_pen; }
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] PatternReference* reference() const { return m_reference; }
     [[nodiscard]] PatternOverview* overview() const { return m_overview; }
     /// Scrolls, and zooms out if necessary, to show a span.
-    void reveal(pattern::Span span);
+    void reveal(Span span);
 
     [[nodiscard]] TimelineGeometry geometryNow() const;
     /// Number of handles drawn by the last paint event.
@@ -112,7 +112,7 @@ private:
     PatternReference* m_reference;
     TimelineCurves m_curves;
     TimelineBands m_bands;
-    pattern::CompiledPattern m_compiledReference;
+    CompiledPattern m_compiledReference;
     TimelineCurves m_referenceCurves;
     TimelineBands m_referenceBands;
     QPixmap m_layer; ///< everything except the playhead and the selection box
@@ -122,7 +122,7 @@ private:
     double m_begin_s = 0.0;
     double m_span_s = 2.0;
     double m_playhead_s = 0.0;
-    std::optional<pattern::Span> m_loop;
+    std::optional<Span> m_loop;
     std::size_t m_lane = 0;
     bool m_pen = false;
     bool m_following = true;
@@ -135,4 +135,4 @@ private:
     Selection m_beforeBox;
 };
 
-} // namespace teleta::editor
+} // namespace teleta::pattern

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -149,4 +149,4 @@ void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
     }
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

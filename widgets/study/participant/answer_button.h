@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// One large answer: letter, name, its digit, and the picture of the pattern. It is only painted; the window
 /// handles the input. Thread: GUI.
@@ -46,4 +46,4 @@ private:
     Look m_look = Look::plain;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::optional<PhysicalKey> physicalKey(const QKeyEvent& event) {
                        static_cast<std::size_t>(event.key() - Qt::Key_1) + 1};
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -8,7 +8,7 @@
 
 class QKeyEvent;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// A physical key, whatever the keyboard layout and Num Lock.
 struct PhysicalKey {
@@ -30,4 +30,4 @@ struct PhysicalKey {
 /// Thread: GUI.
 [[nodiscard]] std::optional<PhysicalKey> physicalKey(const QKeyEvent& event);
 
-} // namespace teleta::studyview
+} // namespace teleta::study

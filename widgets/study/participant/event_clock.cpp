@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -43,4 +43,4 @@ std::int64_t EventClock::time_ns(std::uint64_t timestamp_ms, std::int64_t now_ns
     return isKnown ? now_ns - delay_ns : now_ns;
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

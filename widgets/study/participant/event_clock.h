@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <deque>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// Time of an input event on the steady clock, even if a busy event loop handles it late. The system stamps
 /// events in ms on its own clock:
@@ -25,4 +25,4 @@ private:
     std::deque<Seen> m_seen;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// One of the participant's answers.
 struct AnswerChoice {
@@ -37,8 +37,8 @@ struct ParticipantScene {
 
     State state = State::waiting;
     QString title = {}; ///< the task
-    study::Phase phase = study::Phase::practice;
-    study::Mode mode = study::Mode::run;
+    Phase phase = Phase::practice;
+    Mode mode = Mode::run;
     std::size_t trial = 0;  ///< from 1, of the phase
     std::size_t trials = 0; ///< of the phase
     bool answersOpen = false;
@@ -53,4 +53,4 @@ struct ParticipantScene {
     friend bool operator==(const ParticipantScene&, const ParticipantScene&) = default;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

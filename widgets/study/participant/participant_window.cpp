@@ -21,7 +21,7 @@
 
 #include <utility>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 using State = ParticipantScene::State;
 
@@ -87,8 +87,8 @@ void ParticipantWindow::arrange() {
     m_grid->setSpacing(base::grid(this, 2));
 }
 
-void ParticipantWindow::setQuestionnaire(const study::Questionnaire& questionnaire,
-                                         const std::vector<study::ItemAnswer>& answers) {
+void ParticipantWindow::setQuestionnaire(const Questionnaire& questionnaire,
+                                         const std::vector<ItemAnswer>& answers) {
     m_questionnaireTitle = QString::fromStdString(questionnaire.title);
     m_questionnaire->setQuestionnaire(questionnaire, answers);
     refresh();
@@ -168,7 +168,7 @@ void ParticipantWindow::refresh() {
     m_instruction->setFont(large);
     // Two lines are reserved, so that a long instruction does not move the answers.
     m_instruction->setMinimumHeight(2 * QFontMetrics(large).lineSpacing());
-    const QString phase = m_scene.phase == study::Phase::practice ? tr("Practice") : tr("Test");
+    const QString phase = m_scene.phase == Phase::practice ? tr("Practice") : tr("Test");
     QString title = m_scene.trials == 0 ? m_scene.title
                                         : tr("%1 \u2014 %2, trial %3 of %4", "task, phase, numbers")
                                               .arg(m_scene.title, phase)
@@ -274,7 +274,7 @@ void ParticipantWindow::keyPressEvent(QKeyEvent* event) {
             emit nextRequested(time_ns);
         return;
     }
-    study::KeyPress press;
+    KeyPress press;
     if (key->number <= m_choices.size())
         press.response = key->number - 1;
     press.device = key->device().toStdString();
@@ -321,7 +321,7 @@ void ParticipantWindow::pressAt(const QPointF& at, const QString& device, std::i
             continue;
         const QString button = QStringLiteral("button %1").arg(m_choices[i].letter);
         m_down.emplace(device, button);
-        study::KeyPress press;
+        KeyPress press;
         press.response = i;
         press.device = device.toStdString();
         press.key = button.toStdString();
@@ -368,4 +368,4 @@ void ParticipantWindow::changeEvent(QEvent* event) {
         releaseAll();
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -19,7 +19,7 @@ class QGridLayout;
 class QInputEvent;
 class QLabel;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 class AnswerButton;
 class QuestionnaireForm;
@@ -32,7 +32,7 @@ class ParticipantWindow : public QWidget {
     Q_OBJECT
 
 public:
-    static constexpr std::size_t kMostAnswers = study::kMostPatterns; ///< one digit each
+    static constexpr std::size_t kMostAnswers = kMostPatterns; ///< one digit each
 
     using Clock = std::function<std::int64_t()>;
 
@@ -41,8 +41,7 @@ public:
 
     void setChoices(std::vector<AnswerChoice> choices);
     /// For ParticipantScene::State::questionnaire. answers: given already.
-    void setQuestionnaire(const study::Questionnaire& questionnaire,
-                          const std::vector<study::ItemAnswer>& answers = {});
+    void setQuestionnaire(const Questionnaire& questionnaire, const std::vector<ItemAnswer>& answers = {});
     void setScene(const ParticipantScene& scene);
     /// Repaints changes at once, before anything else that waits to be painted.
     void paintNow();
@@ -95,4 +94,4 @@ private:
     std::set<std::pair<QString, QString>> m_down; ///< keys and buttons that were signalled, by device
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -151,4 +151,4 @@ void paintDiagram(QPainter& painter, const QRectF& rect, const PatternDiagram& d
     painter.restore();
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -12,7 +12,7 @@
 
 class QPainter;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// Contents of a pattern's picture, computed from the pattern.
 struct PatternDiagram {
@@ -35,4 +35,4 @@ struct PatternDiagram {
 void paintDiagram(QPainter& painter, const QRectF& rect, const PatternDiagram& diagram,
                   const QPalette& palette);
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -59,15 +59,15 @@ QuestionnaireForm::QuestionnaireForm(QWidget* parent)
     base::keepTranslated(this, &QuestionnaireForm::retranslate);
 }
 
-void QuestionnaireForm::setQuestionnaire(study::Questionnaire questionnaire,
-                                         const std::vector<study::ItemAnswer>& answers) {
+void QuestionnaireForm::setQuestionnaire(Questionnaire questionnaire,
+                                         const std::vector<ItemAnswer>& answers) {
     m_questionnaire = std::move(questionnaire);
     m_items.clear();
     auto* page = new QWidget;
     page->setFont(base::sized(font(), base::kLargeText));
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, base::grid(this, 2), 0);
-    for (const study::QuestionnaireItem& item : m_questionnaire.items) {
+    for (const QuestionnaireItem& item : m_questionnaire.items) {
         auto* view = new QuestionnaireItemView(item, page);
         const auto given = std::find_if(answers.begin(), answers.end(),
                                         [&](const auto& answer) { return answer.item == item.id; });
@@ -106,16 +106,16 @@ void QuestionnaireForm::takeKeyboard() {
     setFocus(Qt::OtherFocusReason);
 }
 
-std::vector<study::ItemAnswer> QuestionnaireForm::answers() const {
-    std::vector<study::ItemAnswer> answers;
+std::vector<ItemAnswer> QuestionnaireForm::answers() const {
+    std::vector<ItemAnswer> answers;
     for (const QuestionnaireItemView* item : m_items)
         answers.push_back({item->item().id, item->value()});
     return answers;
 }
 
 void QuestionnaireForm::submit() {
-    const std::vector<study::ItemAnswer> given = answers();
-    const core::Expected<void> fits = study::checkAnswers(m_questionnaire, given);
+    const std::vector<ItemAnswer> given = answers();
+    const core::Expected<void> fits = checkAnswers(m_questionnaire, given);
     if (fits) {
         emit submitted(given);
         return;
@@ -163,4 +163,4 @@ void QuestionnaireForm::retranslate() {
     showCount();
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -11,7 +11,7 @@ class QLabel;
 class QPushButton;
 class QScrollArea;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 class QuestionnaireItemView;
 
@@ -24,7 +24,7 @@ public:
     explicit QuestionnaireForm(QWidget* parent = nullptr);
 
     /// answers: filled in already; may be empty.
-    void setQuestionnaire(study::Questionnaire questionnaire, const std::vector<study::ItemAnswer>& answers);
+    void setQuestionnaire(Questionnaire questionnaire, const std::vector<ItemAnswer>& answers);
     /// Locked while the answers are being saved or come from somebody else.
     void setLocked(bool locked);
     /// Why the answers could not be saved.
@@ -33,7 +33,7 @@ public:
     /// Tab goes there. Keys still held down, and Space, the key of the trials, fill nothing in.
     void takeKeyboard();
     /// One per item, in order.
-    [[nodiscard]] std::vector<study::ItemAnswer> answers() const;
+    [[nodiscard]] std::vector<ItemAnswer> answers() const;
     [[nodiscard]] const std::vector<QuestionnaireItemView*>& items() const { return m_items; }
 
 signals:
@@ -49,7 +49,7 @@ private:
     void showCount();
     void retranslate();
 
-    study::Questionnaire m_questionnaire;
+    Questionnaire m_questionnaire;
     QWidget* m_column = nullptr; ///< all of it, no wider than is readable
     QScrollArea* m_area;
     QLabel* m_problem;
@@ -58,4 +58,4 @@ private:
     std::vector<QuestionnaireItemView*> m_items;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -46,7 +46,7 @@ QLabel* textLabel(const std::string& text, QWidget* parent) {
 
 } // namespace
 
-QuestionnaireItemView::QuestionnaireItemView(study::QuestionnaireItem item, QWidget* parent)
+QuestionnaireItemView::QuestionnaireItemView(QuestionnaireItem item, QWidget* parent)
     : QWidget(parent)
     , m_item(std::move(item))
     , m_question(textLabel(m_item.question, this))
@@ -60,17 +60,17 @@ QuestionnaireItemView::QuestionnaireItemView(study::QuestionnaireItem item, QWid
     m_question->setFont(bold);
     column->addWidget(m_question);
     switch (m_item.kind) {
-    case study::ItemKind::text:
+    case ItemKind::text:
         m_text = new QPlainTextEdit(this);
         m_text->setTabChangesFocus(true);
         m_text->setFixedHeight(base::em(this, 4.5));
         connect(m_text, &QPlainTextEdit::textChanged, this, &QuestionnaireItemView::changed);
         column->addWidget(m_text);
         break;
-    case study::ItemKind::likert:
+    case ItemKind::likert:
         buildScale(column);
         break;
-    case study::ItemKind::choice:
+    case ItemKind::choice:
         buildChoices(column);
         break;
     }
@@ -122,7 +122,7 @@ void QuestionnaireItemView::buildScale(QVBoxLayout* column) {
 
 void QuestionnaireItemView::buildChoices(QVBoxLayout* column) {
     std::size_t number = 0;
-    for (const study::ItemChoice& choice : m_item.choices) {
+    for (const ItemChoice& choice : m_item.choices) {
         auto* button = new ChoiceButton(
             QStringLiteral("%1   %2").arg(++number).arg(QString::fromStdString(choice.text)), this);
         button->setAccessibleName(QString::fromStdString(choice.text));
@@ -200,7 +200,7 @@ void QuestionnaireItemView::keyPressEvent(QKeyEvent* event) {
 /// The chosen number has to be visible from afar.
 void QuestionnaireItemView::colour() {
     for (QAbstractButton* button : m_buttons) {
-        if (m_item.kind != study::ItemKind::likert)
+        if (m_item.kind != ItemKind::likert)
             continue;
         QPalette colours = palette();
         if (button->isChecked()) {
@@ -219,11 +219,11 @@ void QuestionnaireItemView::retranslate() {
         m_text->setAccessibleName(question);
     if (!m_item.required && !m_buttons.empty())
         m_buttons.back()->setText(tr("No answer"));
-    if (m_item.kind != study::ItemKind::likert)
+    if (m_item.kind != ItemKind::likert)
         return;
     for (std::size_t i = 0; i < m_item.points; ++i)
         m_buttons[i]->setAccessibleName(
             tr("%1: %2 of %3", "question, point, points").arg(question).arg(i + 1).arg(m_item.points));
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -14,7 +14,7 @@ class QLabel;
 class QPlainTextEdit;
 class QVBoxLayout;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// One question with its input: a text field, large numbers for a scale, or choices. By mouse, touch and
 /// keyboard: Tab goes from question to question, arrows and digits choose. Thread: GUI.
@@ -22,9 +22,9 @@ class QuestionnaireItemView : public QWidget {
     Q_OBJECT
 
 public:
-    explicit QuestionnaireItemView(study::QuestionnaireItem item, QWidget* parent = nullptr);
+    explicit QuestionnaireItemView(QuestionnaireItem item, QWidget* parent = nullptr);
 
-    [[nodiscard]] const study::QuestionnaireItem& item() const { return m_item; }
+    [[nodiscard]] const QuestionnaireItem& item() const { return m_item; }
     /// Empty: left out.
     [[nodiscard]] std::optional<std::string> value() const;
     void setValue(const std::optional<std::string>& value);
@@ -51,7 +51,7 @@ private:
     void retranslate();
     void colour();
 
-    study::QuestionnaireItem m_item;
+    QuestionnaireItem m_item;
     QLabel* m_question;
     QLabel* m_problem;
     QPlainTextEdit* m_text = nullptr;
@@ -59,4 +59,4 @@ private:
     std::vector<std::string> m_values; ///< one per button; empty: left out
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

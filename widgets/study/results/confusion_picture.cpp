@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -78,7 +78,7 @@ void paintConfusion(QPainter& painter, const QRectF& rect, const ConfusionConten
     painter.setRenderHint(QPainter::Antialiasing);
     const QFont normal = painter.font();
     const double em = QFontMetricsF(normal).height();
-    const study::ConfusionMatrix& matrix = content.matrix;
+    const ConfusionMatrix& matrix = content.matrix;
     const ConfusionLayout layout(rect, em, matrix.patterns(), matrix.columns());
     const QColor ground = palette.color(QPalette::Base);
     const QColor text = palette.color(QPalette::Text);
@@ -168,4 +168,4 @@ QString confusionCsv(const ConfusionContent& content) {
     return csv;
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

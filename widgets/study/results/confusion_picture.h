@@ -14,14 +14,14 @@
 
 class QPainter;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// A confusion matrix with everything that its picture shows.
 struct ConfusionContent {
-    study::ConfusionMatrix matrix{1};
+    ConfusionMatrix matrix{1};
     QStringList letters; ///< one per pattern; empty: only the title is shown
     QString title;
-    study::Mode mode = study::Mode::run;
+    Mode mode = Mode::run;
     bool percent = false;                                    ///< shares of the rows instead of counts
     std::optional<std::pair<std::size_t, std::size_t>> last; ///< cell of the newest trial
     friend bool operator==(const ConfusionContent&, const ConfusionContent&) = default;
@@ -48,4 +48,4 @@ void paintConfusion(QPainter& painter, const QRectF& rect, const ConfusionConten
 /// stimulus,response,count,row_total; C locale.
 [[nodiscard]] QString confusionCsv(const ConfusionContent& content);
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -13,7 +13,7 @@
 
 #include <utility>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 ConfusionView::ConfusionView(QWidget* parent)
     : FigureView(parent) {
@@ -75,7 +75,7 @@ bool ConfusionView::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip)
         return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
-    const study::ConfusionMatrix& matrix = m_content.matrix;
+    const ConfusionMatrix& matrix = m_content.matrix;
     const ConfusionLayout layout(rect(), QFontMetricsF(font()).height(), matrix.patterns(), matrix.columns());
     const auto cell = layout.cellAt(help->pos());
     if (!cell) {
@@ -120,4 +120,4 @@ void ConfusionView::keyPressEvent(QKeyEvent* event) {
         FigureView::keyPressEvent(event);
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// A confusion matrix, live or final; Space or a double click switches between counts and percent. It can be
 /// copied and saved as a picture and as data. Thread: GUI.
@@ -41,4 +41,4 @@ private:
     ConfusionContent m_content;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <utility>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -253,4 +253,4 @@ void IntervalChart::contextMenuEvent(QContextMenuEvent* event) {
     menu->popup(event->globalPos());
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

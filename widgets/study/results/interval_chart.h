@@ -16,12 +16,12 @@
 
 class QPainter;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// A value with its interval, and the single values behind it.
 struct ChartPoint {
     std::optional<double> value;
-    std::optional<study::Interval> interval;
+    std::optional<Interval> interval;
     std::vector<double> single;
 };
 
@@ -41,7 +41,7 @@ struct IntervalChartContent {
     std::vector<ChartSeries> series;
     std::optional<double> reference; ///< a line across, for example chance
     QString referenceName;
-    study::Mode mode = study::Mode::run;
+    Mode mode = Mode::run;
 };
 
 void paintIntervalChart(QPainter& painter, const QRectF& rect, const IntervalChartContent& content,
@@ -74,4 +74,4 @@ private:
     base::FigureExport* m_export;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

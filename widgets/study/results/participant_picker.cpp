@@ -12,7 +12,7 @@
 
 #include <utility>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -101,4 +101,4 @@ QString ParticipantPicker::describe(const QStringList& participants) {
                : tr("%n participant(s)", nullptr, static_cast<int>(participants.size()));
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -8,7 +8,7 @@
 class QCheckBox;
 class QVBoxLayout;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// A button with a list of participants to tick. If none is ticked, a text says what that means, such as "All
 /// participants". Thread: GUI.
@@ -41,4 +41,4 @@ private:
     QString m_noneText;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -12,7 +12,7 @@
 
 #include <utility>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 ResultTable::ResultTable(QString name, QWidget* parent)
     : QTableWidget(parent)
@@ -101,4 +101,4 @@ void ResultTable::wheelEvent(QWheelEvent* event) {
     event->ignore();
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

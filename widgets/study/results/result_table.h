@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// A cell's text, and its value in files, in the C locale; data empty: the same.
 struct ResultCell {
@@ -40,4 +40,4 @@ private:
     base::FigureExport* m_export;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

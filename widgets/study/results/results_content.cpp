@@ -11,11 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace teleta::studyview {
-
-using study::Interval;
-using study::ParticipantSummary;
-using study::TaskResults;
+namespace teleta::study {
 
 namespace {
 
@@ -84,7 +80,7 @@ std::optional<Interval> percent(const std::optional<Interval>& share) {
 /// The point of a group from its participants' values.
 ChartPoint groupPoint(const std::vector<double>& values) {
     ChartPoint point;
-    if (const std::optional<study::GroupMean> mean = study::groupMean(values)) {
+    if (const std::optional<GroupMean> mean = groupMean(values)) {
         point.value = mean->mean;
         point.interval = mean->interval;
     }
@@ -96,7 +92,7 @@ ChartPoint sharePoint(std::int64_t correct, std::int64_t trials) {
     ChartPoint point;
     if (trials > 0) {
         point.value = kPercent * static_cast<double>(correct) / static_cast<double>(trials);
-        point.interval = percent(study::wilsonInterval(correct, trials));
+        point.interval = percent(wilsonInterval(correct, trials));
     }
     return point;
 }
@@ -130,9 +126,9 @@ QString ResultsContent::nameOf(const QStringList& group) {
     return group.isEmpty() ? tr("all participants") : ParticipantPicker::describe(group);
 }
 
-study::ConfusionMatrix ResultsContent::matrix(const TaskResults& task, const std::string& condition,
-                                              const QStringList& group) {
-    study::ConfusionMatrix sum(std::max<std::size_t>(task.patterns.size(), 1));
+ConfusionMatrix ResultsContent::matrix(const TaskResults& task, const std::string& condition,
+                                       const QStringList& group) {
+    ConfusionMatrix sum(std::max<std::size_t>(task.patterns.size(), 1));
     for (const ParticipantSummary* one : under(task, condition, group))
         sum.add(one->matrix);
     return sum;
@@ -188,7 +184,7 @@ IntervalChartContent ResultsContent::patterns(const TaskResults& task, const Sho
     for (const std::string& pattern : task.patterns) {
         chart.categories << text(pattern);
         QString note;
-        for (const study::AnovaLine& line : task.anova) {
+        for (const AnovaLine& line : task.anova) {
             if (line.stimulus == pattern && line.row)
                 note = tr("p %1%2").arg(line.row->p < kSmallP ? QString() : QStringLiteral("= "),
                                         pText(line.row->p));
@@ -270,9 +266,9 @@ TableContent ResultsContent::groups(const TaskResults& task, const ConditionName
                              tr("Average overestimate: (R-1)(C-1) / (2 n ln 2)"),
                              tr("Measured less bias"),
                              tr("Of the measured transfer, participants drawn with replacement")};
-    for (const study::GroupSummary& group : task.groups) {
-        const auto bits = study::informationTransfer(group.matrix);
-        const auto value = [&](double study::InformationTransfer::*member) {
+    for (const GroupSummary& group : task.groups) {
+        const auto bits = informationTransfer(group.matrix);
+        const auto value = [&](double InformationTransfer::*member) {
             return bits ? std::optional((*bits).*member) : std::nullopt;
         };
         table.rows.push_back(
@@ -280,9 +276,9 @@ TableContent ResultsContent::groups(const TaskResults& task, const ConditionName
              cell(percent(group.accuracy ? std::optional(group.accuracy->mean) : std::nullopt), 1),
              cell(percent(group.accuracy ? group.accuracy->standardDeviation : std::nullopt), 1),
              cell(group.accuracy ? group.accuracy->interval : std::nullopt, 1, kPercent),
-             count(group.matrix.total()), cell(value(&study::InformationTransfer::measured_bit), 2),
-             cell(value(&study::InformationTransfer::bias_bit), 2),
-             cell(value(&study::InformationTransfer::corrected_bit), 2), cell(group.transferInterval, 2)});
+             count(group.matrix.total()), cell(value(&InformationTransfer::measured_bit), 2),
+             cell(value(&InformationTransfer::bias_bit), 2),
+             cell(value(&InformationTransfer::corrected_bit), 2), cell(group.transferInterval, 2)});
     }
     return table;
 }
@@ -318,8 +314,8 @@ TableContent ResultsContent::people(const TaskResults& task, const ShownPeople& 
             continue;
         const std::int64_t n = one.matrix.total();
         const std::int64_t correct = one.matrix.correct();
-        const auto bits = study::informationTransfer(one.matrix);
-        const auto value = [&](double study::InformationTransfer::*member) {
+        const auto bits = informationTransfer(one.matrix);
+        const auto value = [&](double InformationTransfer::*member) {
             return bits ? std::optional((*bits).*member) : std::nullopt;
         };
         table.rows.push_back({{text(one.participant)},
@@ -328,12 +324,12 @@ TableContent ResultsContent::people(const TaskResults& task, const ShownPeople& 
                               count(correct),
                               count(one.matrix.unanswered()),
                               cell(percent(one.matrix.accuracy()), 1),
-                              cell(study::wilsonInterval(correct, n), 1, kPercent),
-                              cell(study::clopperPearsonInterval(correct, n), 1, kPercent),
-                              pCell(study::chanceProbability(correct, n, chance)),
-                              cell(value(&study::InformationTransfer::measured_bit), 2),
-                              cell(value(&study::InformationTransfer::bias_bit), 2),
-                              cell(value(&study::InformationTransfer::corrected_bit), 2),
+                              cell(wilsonInterval(correct, n), 1, kPercent),
+                              cell(clopperPearsonInterval(correct, n), 1, kPercent),
+                              pCell(chanceProbability(correct, n, chance)),
+                              cell(value(&InformationTransfer::measured_bit), 2),
+                              cell(value(&InformationTransfer::bias_bit), 2),
+                              cell(value(&InformationTransfer::corrected_bit), 2),
                               cell(one.medianTime_s, 2),
                               count(static_cast<std::int64_t>(one.times))});
     }
@@ -359,7 +355,7 @@ TableContent ResultsContent::anova(const TaskResults& task) {
                              tr("Generalised eta squared"),
                              tr("Participants with complete data"),
                              {}};
-    for (const study::AnovaLine& line : task.anova) {
+    for (const AnovaLine& line : task.anova) {
         QStringList notes;
         if (!line.note.empty())
             notes << text(line.note);
@@ -372,7 +368,7 @@ TableContent ResultsContent::anova(const TaskResults& task) {
         std::vector<ResultCell> row{{text(line.effect)},
                                     line.stimulus.empty() ? missing() : ResultCell{text(line.stimulus)}};
         if (line.row) {
-            const study::AnovaEffect& effect = *line.row;
+            const AnovaEffect& effect = *line.row;
             const QLocale locale;
             row.push_back(
                 {QStringLiteral("%1; %2").arg(locale.toString(effect.df1), locale.toString(effect.df2)),
@@ -400,21 +396,21 @@ QString ResultsContent::transferNote(const TaskResults& task) {
     const std::size_t k = task.alternatives();
     std::int64_t trials = 0;
     bool few = false;
-    for (const study::GroupSummary& group : task.groups) {
+    for (const GroupSummary& group : task.groups) {
         if (group.participants > 0)
             trials = std::max(trials, group.matrix.total() / static_cast<std::int64_t>(group.participants));
-        const auto bits = study::informationTransfer(group.matrix, k);
+        const auto bits = informationTransfer(group.matrix, k);
         few = few || (bits && bits->fewTrials);
     }
     if (trials == 0 || k < 2)
         return {};
-    study::ConfusionMatrix presented(k);
+    ConfusionMatrix presented(k);
     for (std::size_t pattern = 0; pattern < k; ++pattern)
         presented.add(pattern, pattern, std::max<std::int64_t>(1, trials / static_cast<std::int64_t>(k)));
     QString note = tr("Few trials give too high an information transfer: with %1 trials, guessing alone "
                       "shows %2 bit on average. Use the corrected value next to it.")
                        .arg(trials)
-                       .arg(QLocale().toString(study::guesserTransfer(presented).value_or(0.0), 'f', 2));
+                       .arg(QLocale().toString(guesserTransfer(presented).value_or(0.0), 'f', 2));
     if (few)
         note += QLatin1Char(' ') + tr("With fewer than 5 k\u00b2 trials even the corrected value is rough.");
     return note;
@@ -427,4 +423,4 @@ QString ResultsContent::anovaNote(const TaskResults& task) {
                                            "compared for each pattern.");
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 /// Names of conditions by id; others are called by their id.
 using ConditionNames = QMap<QString, QString>;
@@ -42,30 +42,27 @@ class ResultsContent {
 
 public:
     /// Share of right answers: a group's mean with its t interval, or a participant's share with Wilson's.
-    [[nodiscard]] static IntervalChartContent accuracy(const study::TaskResults& task,
-                                                       const ShownPeople& people = {},
-                                                       const ConditionNames& names = {});
-    /// The same per pattern, conditions side by side, with p of the comparison if all participants are shown.
-    [[nodiscard]] static IntervalChartContent patterns(const study::TaskResults& task,
-                                                       const ShownPeople& people = {},
-                                                       const ConditionNames& names = {});
-    /// Median response times of right answers.
     [[nodiscard]] static IntervalChartContent
-    times(const study::TaskResults& task, const ShownPeople& people = {}, const ConditionNames& names = {});
+    accuracy(const TaskResults& task, const ShownPeople& people = {}, const ConditionNames& names = {});
+    /// The same per pattern, conditions side by side, with p of the comparison if all participants are shown.
+    [[nodiscard]] static IntervalChartContent
+    patterns(const TaskResults& task, const ShownPeople& people = {}, const ConditionNames& names = {});
+    /// Median response times of right answers.
+    [[nodiscard]] static IntervalChartContent times(const TaskResults& task, const ShownPeople& people = {},
+                                                    const ConditionNames& names = {});
     /// Test trials of a group under a condition; empty group: all.
-    [[nodiscard]] static study::ConfusionMatrix
-    matrix(const study::TaskResults& task, const std::string& condition, const QStringList& group);
+    [[nodiscard]] static ConfusionMatrix matrix(const TaskResults& task, const std::string& condition,
+                                                const QStringList& group);
     /// "all participants", "P01, P02", "5 participants".
     [[nodiscard]] static QString nameOf(const QStringList& group);
 
-    [[nodiscard]] static TableContent groups(const study::TaskResults& task,
+    [[nodiscard]] static TableContent groups(const TaskResults& task, const ConditionNames& names = {});
+    [[nodiscard]] static TableContent people(const TaskResults& task, const ShownPeople& shown = {},
                                              const ConditionNames& names = {});
-    [[nodiscard]] static TableContent people(const study::TaskResults& task, const ShownPeople& shown = {},
-                                             const ConditionNames& names = {});
-    [[nodiscard]] static TableContent anova(const study::TaskResults& task);
+    [[nodiscard]] static TableContent anova(const TaskResults& task);
     /// What guessing would give, and how far the information transfer can be trusted.
-    [[nodiscard]] static QString transferNote(const study::TaskResults& task);
-    [[nodiscard]] static QString anovaNote(const study::TaskResults& task);
+    [[nodiscard]] static QString transferNote(const TaskResults& task);
+    [[nodiscard]] static QString anovaNote(const TaskResults& task);
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -24,7 +24,7 @@
 #include <set>
 #include <utility>
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 namespace {
 
@@ -161,7 +161,7 @@ ConditionNames ResultsView::conditionNames() const {
     return m_scene.conditionNames.value(task());
 }
 
-const study::TaskResults* ResultsView::chosen() const {
+const TaskResults* ResultsView::chosen() const {
     const auto found = std::find_if(m_scene.tasks.begin(), m_scene.tasks.end(), [this](const auto& one) {
         return QString::fromStdString(one.task) == task();
     });
@@ -176,10 +176,10 @@ void ResultsView::fillChoices() {
     const QSignalBlocker quietBeside(m_beside);
     m_task->clear();
     std::set<QString> people;
-    for (const study::TaskResults& one : m_scene.tasks) {
+    for (const TaskResults& one : m_scene.tasks) {
         const QString id = QString::fromStdString(one.task);
         m_task->addItem(m_scene.taskNames.value(id, id), id);
-        for (const study::ParticipantSummary& person : one.participants)
+        for (const ParticipantSummary& person : one.participants)
             people.insert(QString::fromStdString(person.participant));
     }
     const QStringList all(people.begin(), people.end());
@@ -189,7 +189,7 @@ void ResultsView::fillChoices() {
 }
 
 void ResultsView::refresh() {
-    const study::TaskResults* results = chosen();
+    const TaskResults* results = chosen();
     const bool any = results != nullptr && !results->participants.empty();
     m_content->setVisible(any);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_task, m_who, m_beside, m_counts, m_export})
@@ -201,7 +201,7 @@ void ResultsView::refresh() {
     showTables(*results);
 }
 
-void ResultsView::showMatrices(const study::TaskResults& results) {
+void ResultsView::showMatrices(const TaskResults& results) {
     const std::vector<QStringList> groups = shown().groups();
     const std::size_t columns = results.conditions.size();
     const ConditionNames names = conditionNames();
@@ -234,7 +234,7 @@ void ResultsView::showMatrices(const study::TaskResults& results) {
     }
 }
 
-void ResultsView::showCharts(const study::TaskResults& results) {
+void ResultsView::showCharts(const TaskResults& results) {
     const auto set = [this](IntervalChart* chart, IntervalChartContent content) {
         content.mode = m_scene.mode;
         chart->setContent(std::move(content));
@@ -245,7 +245,7 @@ void ResultsView::showCharts(const study::TaskResults& results) {
     set(m_times, ResultsContent::times(results, shown(), conditionNames()));
 }
 
-void ResultsView::showTables(const study::TaskResults& results) {
+void ResultsView::showTables(const TaskResults& results) {
     fill(m_groups, ResultsContent::groups(results, conditionNames()));
     fill(m_anova, ResultsContent::anova(results));
     fill(m_people, ResultsContent::people(results, shown(), conditionNames()));
@@ -282,4 +282,4 @@ void ResultsView::retranslate() {
     refresh();
 }
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -16,7 +16,7 @@ class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
-namespace teleta::studyview {
+namespace teleta::study {
 
 class ConfusionView;
 class ParticipantPicker;
@@ -27,10 +27,10 @@ using ConditionNames = QMap<QString, QString>;
 
 /// Results of a study, and names of its parts.
 struct ResultsScene {
-    std::vector<study::TaskResults> tasks;
+    std::vector<TaskResults> tasks;
     QMap<QString, QString> taskNames;             ///< by id
     QMap<QString, ConditionNames> conditionNames; ///< by id of the task
-    study::Mode mode = study::Mode::run;
+    Mode mode = Mode::run;
 };
 
 /// The results of a study: confusion matrices, accuracy with intervals, conditions compared for each pattern,
@@ -58,11 +58,11 @@ private:
     void retranslate();
     void fillChoices();
     void refresh();
-    void showMatrices(const study::TaskResults& task);
-    void showCharts(const study::TaskResults& task);
-    void showTables(const study::TaskResults& task);
+    void showMatrices(const TaskResults& task);
+    void showCharts(const TaskResults& task);
+    void showTables(const TaskResults& task);
     [[nodiscard]] ConditionNames conditionNames() const;
-    [[nodiscard]] const study::TaskResults* chosen() const;
+    [[nodiscard]] const TaskResults* chosen() const;
     [[nodiscard]] ShownPeople shown() const;
 
     ResultsScene m_scene;
@@ -88,4 +88,4 @@ private:
     ResultTable* m_people;
 };
 
-} // namespace teleta::studyview
+} // namespace teleta::study

@@ -42,7 +42,7 @@ class PatternPlaybackTest : public QObject {
     std::unique_ptr<PatternsPage> m_page;
     QTimer m_clock;
 
-    [[nodiscard]] editor::PatternEditor& editor() const { return m_page->editor(); }
+    [[nodiscard]] pattern::PatternEditor& editor() const { return m_page->editor(); }
     [[nodiscard]] double playhead_s() const { return editor().timeline()->playhead_s(); }
     [[nodiscard]] core::Intensities pictured() const {
         return m_page->findChild<bracelet::BraceletView*>()->intensities();

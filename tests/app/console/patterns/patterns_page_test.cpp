@@ -69,7 +69,7 @@ int keepEdits(const QString& folder) {
     return QCoreApplication::exec();
 }
 
-void draw(editor::StrokePad& pad, const QPointF& from, const QPointF& to) {
+void draw(pattern::StrokePad& pad, const QPointF& from, const QPointF& to) {
     constexpr int kSteps = 20;
     const auto send = [&pad](QEvent::Type type, const QPointF& at, quint64 time_ms) {
         QMouseEvent event(type, at, pad.mapToGlobal(at), Qt::LeftButton,
@@ -114,7 +114,7 @@ class PatternsPageTest : public QObject {
     std::unique_ptr<PatternsPage> m_page;
     QTimer m_clock;
 
-    [[nodiscard]] editor::PatternDocument& document() const { return *m_page->editor().document(); }
+    [[nodiscard]] pattern::PatternDocument& document() const { return *m_page->editor().document(); }
     [[nodiscard]] QString recovery() const { return m_folder->filePath("recovery"); }
     [[nodiscard]] QTreeWidgetItem* mine() const {
         return m_page->editor().library()->findChild<QTreeWidget*>()->topLevelItem(2);
@@ -149,14 +149,14 @@ private slots:
         for (const QLocale& language : app::availableLocales()) {
             app::installTranslator(application, language);
             for (const Pattern& pattern : pattern::builtInPatterns())
-                QCOMPARE(editor::displayName(pattern) == QString::fromStdString(pattern.name),
+                QCOMPARE(pattern::displayName(pattern) == QString::fromStdString(pattern.name),
                          language.language() == QLocale::English);
             Pattern own = pattern::builtInPatterns().front();
             own.name = "Edited";
-            QCOMPARE(editor::displayName(own), QStringLiteral("Edited"));
+            QCOMPARE(pattern::displayName(own), QStringLiteral("Edited"));
         }
         app::installTranslator(application, QLocale(QLocale::French));
-        QCOMPARE(editor::displayName(*pattern::findBuiltIn("stiffness.C.dynamic")),
+        QCOMPARE(pattern::displayName(*pattern::findBuiltIn("stiffness.C.dynamic")),
                  QStringLiteral("Caoutchouc, dynamique"));
     }
 
@@ -170,14 +170,14 @@ private slots:
     void aStrokeIsDrawnMendedFeltExportedToHjifAndReadBack() {
         m_station->choose(BraceletChoice::simulated);
         QTRY_VERIFY_WITH_TIMEOUT(m_station->isReady(), kPatience_ms);
-        editor::PatternEditor& editor = m_page->editor();
-        editor::StrokePad& pad = *editor.findChild<editor::StrokePad*>();
+        pattern::PatternEditor& editor = m_page->editor();
+        pattern::StrokePad& pad = *editor.findChild<pattern::StrokePad*>();
         m_page->openNew();
         // Two strokes at one time: both are points that are felt on the same motors.
         draw(pad, pad.placeOf(0.0, 0.0), pad.placeOf(2.0, 1.0));
         draw(pad, pad.placeOf(3.0, 1.0), pad.placeOf(0.5, 0.0));
         QCOMPARE(document().pattern().objects.size(), std::size_t(2));
-        editor::LawList& laws = *editor.findChild<editor::LawList*>();
+        pattern::LawList& laws = *editor.findChild<pattern::LawList*>();
         QTRY_VERIFY_WITH_TIMEOUT(laws.isChecked() && !laws.findings().empty(), kPatience_ms);
         QVERIFY(laws.findings()[0].law == pattern::Law::sharedPhantoms);
         QVERIFY(laws.findChild<QPushButton*>("fix")->isEnabled());
@@ -220,7 +220,7 @@ private slots:
         QTest::keyClick(editor.timeline(), Qt::Key_S, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!m_page->hasUnsaved(), kPatience_ms);
         QVERIFY(document().path().startsWith(m_folder->filePath("patterns")));
-        QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
+        QSignalSpy opened(&document(), &pattern::PatternDocument::patternOpened);
         m_page->open(path);
         QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience_ms);
         QVERIFY(document().path().isEmpty()); // edits do not go back into a format that holds less
@@ -280,7 +280,7 @@ private slots:
         m_page->open(path);
         QTRY_COMPARE_WITH_TIMEOUT(document().path(), path, kPatience_ms);
         QCOMPARE(selected(), builtIn);
-        editor::OwnPattern listed;
+        pattern::OwnPattern listed;
         listed.path = path;
         listed.name = "Late wave";
         m_page->editor().library()->setOwn({listed});
@@ -404,7 +404,7 @@ private slots:
         QCOMPARE(mkfifo(qPrintable(slow), 0600), 0);
         const auto text = pattern::patternToJson(edited());
         QVERIFY(text);
-        QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
+        QSignalSpy opened(&document(), &pattern::PatternDocument::patternOpened);
         m_page->open(slow);
         document().addPoint(0, {0.5, 0.7});
         document().setName("Mine");
@@ -432,7 +432,7 @@ private slots:
         document().setName("Mine");
         QVERIFY(m_page->hasUnsaved());
         QTRY_VERIFY_WITH_TIMEOUT(!QDir(recovery()).entryList({"*.json"}).isEmpty(), kPatience_ms);
-        QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
+        QSignalSpy opened(&document(), &pattern::PatternDocument::patternOpened);
         m_page->open(m_folder->filePath("missing.json"));
         auto* box = m_page->findChild<QMessageBox*>();
         QVERIFY(box);
@@ -456,7 +456,7 @@ private slots:
         m_page->open(slow);
         m_page->open(quick);
         QTRY_COMPARE_WITH_TIMEOUT(document().pattern().id, std::string("mine.other"), kPatience_ms);
-        QSignalSpy opened(&document(), &editor::PatternDocument::patternOpened);
+        QSignalSpy opened(&document(), &pattern::PatternDocument::patternOpened);
         writeTo(slow, *text);
         // On the same pool and from the same thread, so both arrive in order.
         base::backgroundPool().waitForDone();

@@ -21,9 +21,9 @@ using console::StimulusState;
 using console::StudyRunner;
 using study::Hold;
 using study::Outcome;
+using study::ParticipantWindow;
 using study::Phase;
 using study::Stage;
-using studyview::ParticipantWindow;
 
 inline constexpr std::int64_t kMs = 1'000'000;
 inline constexpr std::int64_t kS = 1'000'000'000;

@@ -129,16 +129,12 @@ protected:
     const study::PlannedTrial& current() { return trialOf(runner()); }
     [[nodiscard]] Stage stage() { return session().stage(); }
     [[nodiscard]] QPushButton* nextButton() { return m_page->findChild<QPushButton*>("nextStep"); }
-    [[nodiscard]] studyview::SessionPanel& sessionPanel() {
-        return *m_page->findChild<studyview::SessionPanel*>();
+    [[nodiscard]] study::SessionPanel& sessionPanel() { return *m_page->findChild<study::SessionPanel*>(); }
+    [[nodiscard]] study::ResultsView& resultsView() { return *m_page->findChild<study::ResultsView*>(); }
+    [[nodiscard]] study::ResultTable* resultTable(const QString& name) {
+        return m_page->findChild<study::ResultTable*>(name);
     }
-    [[nodiscard]] studyview::ResultsView& resultsView() {
-        return *m_page->findChild<studyview::ResultsView*>();
-    }
-    [[nodiscard]] studyview::ResultTable* resultTable(const QString& name) {
-        return m_page->findChild<studyview::ResultTable*>(name);
-    }
-    [[nodiscard]] studyview::ParticipantWindow* window() { return &m_page->participantWindow(); }
+    [[nodiscard]] study::ParticipantWindow* window() { return &m_page->participantWindow(); }
     [[nodiscard]] simulated::SimulatedBracelet& bracelet() {
         auto& tapped = dynamic_cast<console::TappedBracelet&>(
             const_cast<core::BraceletSource&>(m_station->session()->source()));

@@ -51,8 +51,8 @@ private slots:
         const std::size_t answered = runner().flow()->results().size();
         QVERIFY2(runner().reason().contains(studyFolder()), qPrintable(runner().reason()));
         QVERIFY(sessionPanel().scene().state.contains(runner().reason()));
-        QCOMPARE(sessionPanel().scene().tone, studyview::Tone::alarm);
-        QCOMPARE(window()->scene().state, studyview::ParticipantScene::State::paused);
+        QCOMPARE(sessionPanel().scene().tone, study::Tone::alarm);
+        QCOMPARE(window()->scene().state, study::ParticipantScene::State::paused);
         QTest::keyClick(window(), Qt::Key_Space);
         QCOMPARE(runner().hold(), Hold::notKept);
         // The disk is still full.

@@ -8,8 +8,8 @@
 #include <QTranslator>
 
 using namespace teleta;
-using studyview::displayCondition;
-using studyview::displayName;
+using study::displayCondition;
+using study::displayName;
 using test::kPatience_ms;
 
 namespace {

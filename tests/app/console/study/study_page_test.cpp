@@ -55,8 +55,8 @@ private slots:
             doTrial();
         QTRY_VERIFY_WITH_TIMEOUT(controller().chosenSession()->isFinished(), kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(!controller().savedText().isEmpty(), kPatience_ms);
-        QCOMPARE(m_page->findChild<studyview::ConfusionView*>("liveMatrix")->content().matrix.correct(), 4);
-        QCOMPARE(window()->scene().state, studyview::ParticipantScene::State::finished);
+        QCOMPARE(m_page->findChild<study::ConfusionView*>("liveMatrix")->content().matrix.correct(), 4);
+        QCOMPARE(window()->scene().state, study::ParticipantScene::State::finished);
 
         const auto trials = kept();
         QCOMPARE(trials.size(), std::size_t(6));
@@ -73,9 +73,9 @@ private slots:
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QVERIFY(!runner().isActive());
         QCOMPARE(controller().chosen(), std::optional(std::pair(0, 1)));
-        QCOMPARE(m_page->findChild<studyview::ConfusionView*>("liveMatrix")->content().matrix.total(), 0);
+        QCOMPARE(m_page->findChild<study::ConfusionView*>("liveMatrix")->content().matrix.total(), 0);
         controller().choose(0, 0);
-        QCOMPARE(m_page->findChild<studyview::ConfusionView*>("liveMatrix")->content().matrix.correct(), 4);
+        QCOMPARE(m_page->findChild<study::ConfusionView*>("liveMatrix")->content().matrix.correct(), 4);
         QCOMPARE(sessionPanel().findChild<QTableWidget*>()->rowCount(), 6);
         m_page->bringForward(QStringLiteral("results"));
         QTRY_COMPARE_WITH_TIMEOUT(resultsView().matrices().size(), std::size_t(1), kPatience_ms);
@@ -128,7 +128,7 @@ private slots:
         const std::size_t lost = current().trial;
         bracelet().setFaults({.unplugged = true});
         QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::deviceLost, kPatience_ms);
-        QCOMPARE(window()->scene().state, studyview::ParticipantScene::State::stopped);
+        QCOMPARE(window()->scene().state, study::ParticipantScene::State::stopped);
         QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(3), kPatience_ms);
         QCOMPARE(kept().back().result.outcome, Outcome::deviceError);
         QTRY_VERIFY_WITH_TIMEOUT(!nextButton()->isEnabled(), kPatience_ms);
@@ -242,7 +242,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::stopped, kPatience_ms);
         QVERIFY(window()->instruction().contains(QStringLiteral("Stopped")));
         QVERIFY(sessionPanel().scene().state.contains(QStringLiteral("STOPPED")));
-        QCOMPARE(sessionPanel().scene().tone, studyview::Tone::alarm);
+        QCOMPARE(sessionPanel().scene().tone, study::Tone::alarm);
         QVERIFY(!nextButton()->isEnabled());
         QTest::keyClick(window(), Qt::Key_Space);
         QCOMPARE(runner().hold(), Hold::stopped);
@@ -323,7 +323,7 @@ private slots:
         };
         QTRY_VERIFY_WITH_TIMEOUT(onlyFifth(), kPatience_ms);
         QCOMPARE(console::StudyScenes::choices(controller()).front().diagram.strongest,
-                 studyview::diagramOf(own, 2.0).strongest);
+                 study::diagramOf(own, 2.0).strongest);
         answer(current().stimulus);
         QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(1), kPatience_ms);
         QCOMPARE(kept().front().result.outcome, Outcome::correct);
@@ -524,7 +524,7 @@ private slots:
             QVERIFY(!person.nextSession());
         QTRY_VERIFY_WITH_TIMEOUT(resultTable("anovaTable")->rowCount() >= 3, kPatience_ms);
         QCOMPARE(resultsView().matrices().size(), std::size_t(2));
-        for (const studyview::ConfusionView* view : resultsView().matrices()) {
+        for (const study::ConfusionView* view : resultsView().matrices()) {
             QCOMPARE(view->content().matrix.total(), 8);
             QCOMPARE(view->content().mode, Mode::simulated);
         }

@@ -11,7 +11,7 @@
 using namespace teleta;
 using study::Mode;
 using test::kPatience_ms;
-using State = studyview::ParticipantScene::State;
+using State = study::ParticipantScene::State;
 
 namespace {
 
@@ -62,7 +62,7 @@ points = 5
 class StudyQuestionnairesTest : public QObject, protected test::StudyBench {
     Q_OBJECT
 
-    [[nodiscard]] studyview::QuestionnaireForm& form() { return window()->questionnaire(); }
+    [[nodiscard]] study::QuestionnaireForm& form() { return window()->questionnaire(); }
     [[nodiscard]] std::vector<study::StoredAnswer> answers(std::size_t participant = 0) {
         const auto store = study::StudyStore::open(studyFolder().toStdString());
         return *store->answers(store->participants()->at(participant));

@@ -56,7 +56,7 @@ private slots:
         QVERIFY2(m_device->m_stops > 0, "an answer ends the stimulus");
         startTrial();
         endStimulus();
-        const studyview::AnswerButton* button = m_window->buttons()[1];
+        const study::AnswerButton* button = m_window->buttons()[1];
         QTest::mouseClick(m_window.get(), Qt::LeftButton, {}, button->geometry().center());
         QCOMPARE(m_kept.size(), std::size_t(2));
         QCOMPARE(m_kept[1].responseDevice, std::string("mouse"));
@@ -109,7 +109,7 @@ private slots:
 
     void feelsAStimulusAgainWhereTheProtocolAllowsIt() {
         make("replays = 1");
-        m_window->setScene({.state = studyview::ParticipantScene::State::answering, .canReplay = true});
+        m_window->setScene({.state = study::ParticipantScene::State::answering, .canReplay = true});
         startTrial();
         endStimulus();
         QTest::keyClick(m_window.get(), Qt::Key_R);

@@ -86,7 +86,7 @@ private slots:
         doTrial();
         QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::notKept, kPatience_ms);
         QVERIFY(sessionPanel().scene().state.contains(QStringLiteral("sent when the server is back")));
-        QCOMPARE(sessionPanel().scene().tone, studyview::Tone::alarm);
+        QCOMPARE(sessionPanel().scene().tone, study::Tone::alarm);
         {
             // Whoever leaves now loses nothing: it is asked about the session, not about the trial.
             console::StudyLeaving leaving(controller(), *m_page);
