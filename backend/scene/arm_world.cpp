@@ -18,25 +18,25 @@ struct ArmText {
 constexpr std::array<std::string_view, ArmBody::kJoints> kArmJointNames{"roll", "pitch", "yaw", "elbow"};
 constexpr double kHighestSkinRate_Hz = 10'000.0;
 
-void tellWaypoint(Keys& keys, std::vector<Waypoint>& waypoints, std::size_t i) {
-    tellTime(keys, waypoints, i);
+void describeWaypoint(Keys& keys, std::vector<Waypoint>& waypoints, std::size_t i) {
+    describeTime(keys, waypoints, i);
     keys.numbers("reference_rad", kArmJointNames, waypoints[i].reference_rad, kAny,
                  "Where the references of the joints are");
 }
 
 } // namespace
 
-void PositionControl::tell(Keys& keys) {
+void PositionControl::describeKeys(Keys& keys) {
     keys.number("bandwidth_rad_per_s", bandwidth_radPerS, kPositive, "How fast the motors follow");
 }
 
-void AdmittanceControl::tell(Keys& keys) {
+void AdmittanceControl::describeKeys(Keys& keys) {
     keys.number("inertia_kgm2", inertia_kgm2, kNotNegative, "Inertia that a push feels");
     keys.number("damping_Nms_per_rad", damping_NmsPerRad, kNotNegative, "Damping that a push feels");
     keys.number("stiffness_Nm_per_rad", stiffness_NmPerRad, kPositive, "Stiffness that a push feels");
 }
 
-void ArmBody::tell(Keys& keys) {
+void ArmBody::describeKeys(Keys& keys) {
     keys.number("upper_arm_m", upperArmLength_m, kPositive, "Length of the upper arm", Need::optional);
     keys.number("forearm_m", forearmLength_m, kPositive, "Length of the forearm", Need::optional);
     keys.number("half_thickness_m", halfThickness_m, kPositive, "Half the thickness of the links",
@@ -68,30 +68,30 @@ void ArmBody::tell(Keys& keys) {
     }
 }
 
-void ArmSkin::tell(Keys& keys) {
-    tellLayout(keys, layout);
+void ArmSkin::describeKeys(Keys& keys) {
+    describeLayout(keys, layout);
     keys.number("rate_Hz", rate_Hz, NumberRange::positiveUpTo(kHighestSkinRate_Hz), "Frames a second");
     keys.number("centre_distance_m", centreDistance_m, kAny,
                 "Distance of the middle of the skin from the elbow, along the forearm");
     keys.number("centre_side_rad", centreSide_rad, kAny, "Side of the forearm on which the middle lies",
                 Need::optional);
-    tellReadings(keys, fullScale_N, firingThreshold_N);
+    describeReadings(keys, fullScale_N, firingThreshold_N);
 }
 
-void RoundOutline::tell(Keys& keys) {
+void RoundOutline::describeKeys(Keys& keys) {
     keys.number("radius_m", radius_m, kPositive, "Radius");
 }
 
-void RectangleOutline::tell(Keys& keys) {
+void RectangleOutline::describeKeys(Keys& keys) {
     keys.number("length_m", length_m, kPositive, "Length, along x at angle 0");
     keys.number("width_m", width_m, kPositive, "Width");
 }
 
-void TriangleOutline::tell(Keys& keys) {
+void TriangleOutline::describeKeys(Keys& keys) {
     keys.number("side_m", side_m, kPositive, "Length of a side");
 }
 
-void ArmObject::tell(Keys& keys) {
+void ArmObject::describeKeys(Keys& keys) {
     keys.text("name", name, "Name in tables and files");
     keys.variant("shape", outline,
                  {{"round", "A round object"},
@@ -106,7 +106,7 @@ void ArmObject::tell(Keys& keys) {
     keys.number("stiffness_N_per_m", stiffness_NPerM, kPositive, "Stiffness, normal to the surface");
 }
 
-void TouchProgram::tell(Keys& keys) {
+void TouchProgram::describeKeys(Keys& keys) {
     keys.number("approach_rad_per_s", approach_radPerS, kPositive, "Speed of the elbow toward the object");
     keys.number("travel_rad_per_s", travel_radPerS, kPositive, "Speed of the elbow elsewhere");
     keys.number("clearance_rad", clearance_rad, kPositive,
@@ -117,7 +117,7 @@ void TouchProgram::tell(Keys& keys) {
     keys.number("hold_s", hold_s, kNotNegative, "How long the press is held");
 }
 
-void ContourProgram::tell(Keys& keys) {
+void ContourProgram::describeKeys(Keys& keys) {
     keys.whole("directions", directions, {3, 360},
                "Directions from which the object is touched, evenly spaced");
     keys.number("start_angle_rad", startAngle_rad, kAny, "Direction of the first touch, about z",
@@ -131,7 +131,7 @@ void ContourProgram::tell(Keys& keys) {
     keys.number("hold_s", hold_s, kNotNegative, "How long the press is held");
 }
 
-void Push::tell(Keys& keys) {
+void Push::describeKeys(Keys& keys) {
     keys.number("time_s", time_s, kNotNegative, "When the push begins");
     keys.number("duration_s", duration_s, kPositive, "How long it lasts");
     keys.number("distance_m", distance_m, kNotNegative, "Where it acts: from the elbow along the forearm");
@@ -140,13 +140,14 @@ void Push::tell(Keys& keys) {
     keys.number("force_z_N", forceZ_N, kAny, "The same along z", Need::optional);
 }
 
-void YieldProgram::tell(Keys& keys) {
+void YieldProgram::describeKeys(Keys& keys) {
     keys.tables("waypoints", waypoints, 0,
-                "Where the arm is to be at given times; without any, it stays at its start", tellWaypoint);
+                "Where the arm is to be at given times; without any, it stays at its start",
+                describeWaypoint);
     keys.tables("pushes", pushes, 0, "Forces on the forearm, each half a sine over its duration");
 }
 
-void Exploration::tell(Keys& keys) {
+void Exploration::describeKeys(Keys& keys) {
     keys.number("x_m", x_m, kAny, "The place, in the arm's base");
     keys.number("y_m", y_m, kAny, "The same along y");
     keys.number("radius_m", radius_m, kPositive,
@@ -156,7 +157,7 @@ void Exploration::tell(Keys& keys) {
                 Need::optional);
 }
 
-void OperatorProgram::tell(Keys& keys) {
+void OperatorProgram::describeKeys(Keys& keys) {
     keys.number("travel_m_per_s", travel_mPerS, kPositive, "Speed of the elbow between touches");
     keys.number("approach_m_per_s", approach_mPerS, kPositive, "Speed toward the object");
     keys.number("clearance_m", clearance_m, kPositive,
@@ -168,16 +169,16 @@ void OperatorProgram::tell(Keys& keys) {
     keys.tables("explore", explorations, 1, "Places around which the operator feels his way");
 }
 
-void UnknownPlaces::tell(Keys& keys) {
+void UnknownPlaces::describeKeys(Keys& keys) {
     keys.flag("swap", swap, "Any object may stand at the place of any other");
     keys.number("spread_m", spread_m, kNotNegative, "Each object is displaced by up to so much in x and in y",
                 Need::optional);
     keys.number("turn_rad", turn_rad, kNotNegative, "Each object is turned by up to so much", Need::optional);
 }
 
-void ArmWorld::tell(Keys& keys) {
+void ArmWorld::describeKeys(Keys& keys) {
     keys.table("arm", "The arm", Need::required, [this](Keys& arm) {
-        body.tell(arm);
+        body.describeKeys(arm);
         arm.table("control", "The controllers of the joints", Need::required, [this](Keys& table) {
             table.variant("kind", control,
                           {{"position", "The motors follow the reference, whatever the load"},

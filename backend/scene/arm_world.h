@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/core/device/arm_device.h"
-#include "backend/scene/told_keys.h"
+#include "backend/scene/shared_keys.h"
 
 #include <string>
 #include <variant>
@@ -14,7 +14,7 @@ namespace teleta::scene {
 /// the measured torque to the motor's (torque feedback).
 struct PositionControl {
     double bandwidth_radPerS = 60.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// The motors yield to the joint torque like a mass on a damped spring, see arm::JointAdmittance.
@@ -22,7 +22,7 @@ struct AdmittanceControl {
     double inertia_kgm2 = 0.1;
     double damping_NmsPerRad = 2.0;
     double stiffness_NmPerRad = 10.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 using JointControl = std::variant<PositionControl, AdmittanceControl>;
@@ -45,7 +45,7 @@ struct ArmBody {
     core::JointVector highest_rad{2.0, 1.6, 2.0, 2.6};
     core::JointVector fastest_radPerS{1.0, 1.0, 1.0, 1.0};
     double highestTorque_Nm = 10.0; ///< at which the controller lets no joint go on against its load
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// The tactile skin around the forearm. A sheet that is longer than the forearm's circumference overlaps;
@@ -57,31 +57,31 @@ struct ArmSkin {
     double centreSide_rad = 0.0;
     double fullScale_N = 2.0;       ///< load at which a taxel saturates, when the scene lists that effect
     double firingThreshold_N = 0.0; ///< a taxel whose load is below this reads 0
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A round object.
 struct RoundOutline {
     double radius_m = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A box; its length is along x at angle 0.
 struct RectangleOutline {
     double length_m = 0.0;
     double width_m = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// An equilateral triangle; one corner is on the x axis at angle 0.
 struct TriangleOutline {
     double side_m = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A wall without end; its surface faces x at angle 0.
 struct WallOutline {
-    void tell(Keys&) {}
+    void describeKeys(Keys&) {}
 };
 
 using Outline = std::variant<RoundOutline, RectangleOutline, TriangleOutline, WallOutline>;
@@ -96,7 +96,7 @@ struct ArmObject {
     double z_m = 0.0;
     double angle_rad = 0.0; ///< about z
     double stiffness_NPerM = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// One object after the other is touched with the elbow, from below; only the object whose turn it is exists.
@@ -108,7 +108,7 @@ struct TouchProgram {
     double retract_rad = 0.1;     ///< before the first contact, where the next object takes its place
     double torqueLimit_Nm = 0.08;
     double hold_s = 0.2;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// The forearm hangs down beside the first object and touches it from directions all around.
@@ -121,7 +121,7 @@ struct ContourProgram {
     double retract_m = 0.01;    ///< of the surface, on the way around
     double torqueLimit_Nm = 0.08;
     double hold_s = 0.1;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// Somebody pushes the forearm: half a sine of force over the duration.
@@ -132,7 +132,7 @@ struct Push {
     double forceX_N = 0.0;   ///< in the base
     double forceY_N = 0.0;
     double forceZ_N = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// Where the references are at a time; between two waypoints they move smoothly and rest at both.
@@ -145,7 +145,7 @@ struct Waypoint {
 struct YieldProgram {
     std::vector<Waypoint> waypoints{}; ///< times strictly increasing; empty: the arm stays
     std::vector<Push> pushes{};
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// Somebody feels his way around something that he sees roughly: touches towards a place, evenly spaced
@@ -156,7 +156,7 @@ struct Exploration {
     double radius_m = 0.0;       ///< distance of the elbow from the place before and after each touch
     int touches = 0;             ///< 1 .. 360
     double startAngle_rad = 0.0; ///< of the first touch, about z
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// An operator at another place drives the arm by velocity, his forearm hanging down, from what comes back to
@@ -169,7 +169,7 @@ struct OperatorProgram {
     double reaction_s = 0.15;    ///< from feeling it until he stops
     double hold_s = 0.1;
     std::vector<Exploration> explorations; ///< at least one
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 using ArmProgram = std::variant<TouchProgram, ContourProgram, YieldProgram, OperatorProgram>;
@@ -179,7 +179,7 @@ struct UnknownPlaces {
     bool swap = false;     ///< any object may stand at any of their places
     double spread_m = 0.0; ///< each object is displaced by up to so much in x and in y, evenly
     double turn_rad = 0.0; ///< and turned by up to so much
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A remote arm among objects.
@@ -190,7 +190,7 @@ struct ArmWorld {
     std::vector<ArmObject> objects;
     UnknownPlaces unknown;
     ArmProgram program;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 } // namespace teleta::scene

@@ -16,8 +16,8 @@ struct ArrayText {
 
 constexpr std::string_view kLength = "Length, along x at angle 0";
 
-void tellKeyframe(Keys& keys, std::vector<Keyframe>& frames, std::size_t i) {
-    tellTime(keys, frames, i);
+void describeKeyframe(Keys& keys, std::vector<Keyframe>& frames, std::size_t i) {
+    describeTime(keys, frames, i);
     keys.number("x_m", frames[i].x_m, kAny, "Place along the columns", Need::optional);
     keys.number("y_m", frames[i].y_m, kAny, "Place along the rows", Need::optional);
     keys.number("depth_m", frames[i].depth_m, kAny,
@@ -27,14 +27,14 @@ void tellKeyframe(Keys& keys, std::vector<Keyframe>& frames, std::size_t i) {
 
 } // namespace
 
-void tellLayout(Keys& keys, core::ArrayLayout& layout) {
+void describeLayout(Keys& keys, core::ArrayLayout& layout) {
     const core::WholeRange side{1, core::ArrayLayout::kMaximumSide};
     keys.whole("rows", layout.rows, side, "Rows of taxels");
     keys.whole("columns", layout.columns, side, "Taxels in a row");
     keys.number("pitch_m", layout.pitch_m, kPositive, "Distance between neighbouring taxels");
 }
 
-void tellReadings(Keys& keys, double& fullScale_N, double& firingThreshold_N) {
+void describeReadings(Keys& keys, double& fullScale_N, double& firingThreshold_N) {
     keys.number("full_scale_N", fullScale_N, kPositive,
                 "Load at which a taxel saturates, if the scene lists that effect");
     keys.number("firing_threshold_N", firingThreshold_N, kNotNegative, "A taxel with less load reads 0",
@@ -46,31 +46,31 @@ void refuseUnordered(Keys& keys, double before_s) {
                 ArrayText::tr("a time after %1 s").arg(before_s).toStdString());
 }
 
-void ArraySensor::tell(Keys& keys) {
-    tellLayout(keys, layout);
+void ArraySensor::describeKeys(Keys& keys) {
+    describeLayout(keys, layout);
     keys.number("stiffness_N_per_m", stiffness_NPerM, kPositive, "Stiffness of one taxel");
-    tellReadings(keys, fullScale_N, firingThreshold_N);
+    describeReadings(keys, fullScale_N, firingThreshold_N);
 }
 
-void Sphere::tell(Keys& keys) {
+void Sphere::describeKeys(Keys& keys) {
     keys.number("radius_m", radius_m, kPositive, "Radius");
 }
 
-void Cylinder::tell(Keys& keys) {
+void Cylinder::describeKeys(Keys& keys) {
     keys.number("radius_m", radius_m, kPositive, "Radius");
     keys.number("length_m", length_m, kPositive, kLength);
 }
 
-void BoxEdge::tell(Keys& keys) {
+void BoxEdge::describeKeys(Keys& keys) {
     keys.number("length_m", length_m, kPositive, kLength);
 }
 
-void FlatPunch::tell(Keys& keys) {
+void FlatPunch::describeKeys(Keys& keys) {
     keys.number("length_m", length_m, kPositive, kLength);
     keys.number("width_m", width_m, kPositive, "Width");
 }
 
-void Indenter::tell(Keys& keys) {
+void Indenter::describeKeys(Keys& keys) {
     keys.text("name", name, "Name in tables and files");
     keys.variant("shape", shape,
                  {{"sphere", "A rigid ball"},
@@ -80,7 +80,7 @@ void Indenter::tell(Keys& keys) {
                  "Shape of the body");
     keys.flag("loop", loop, "The motion repeats; it must end where it starts");
     keys.tables("keyframes", keyframes, 1, "Where the body is at given times; it moves smoothly in between",
-                tellKeyframe);
+                describeKeyframe);
     if (!loop || keyframes.empty())
         return;
     const Keyframe& first = keyframes.front();
@@ -93,10 +93,10 @@ void Indenter::tell(Keys& keys) {
                     ArrayText::tr("a last keyframe like the first one").toStdString());
 }
 
-void ArrayWorld::tell(Keys& keys) {
+void ArrayWorld::describeKeys(Keys& keys) {
     keys.table("sensor", "The tactile array", Need::required, [this](Keys& table) {
         table.word("kind", "array", "What the sensor is");
-        sensor.tell(table);
+        sensor.describeKeys(table);
     });
     keys.tables("indenter", indenters, 1, "Rigid bodies that press on the array");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/scene/told_keys.h"
+#include "backend/scene/shared_keys.h"
 
 #include <string>
 #include <variant>
@@ -15,33 +15,33 @@ struct ArraySensor {
     double stiffness_NPerM = 1200.0; ///< of one taxel
     double fullScale_N = 2.89;       ///< load at which a taxel saturates, when the scene lists that effect
     double firingThreshold_N = 0.0;  ///< a taxel whose load is below this reads 0
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A rigid ball.
 struct Sphere {
     double radius_m = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A rigid round bar that lies on the surface; its axis is along x at angle 0.
 struct Cylinder {
     double radius_m = 0.0;
     double length_m = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// The sharp edge of a rigid box, its two faces at 45 degrees to the surface; the edge is along x at angle 0.
 struct BoxEdge {
     double length_m = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A rigid rectangular face that is parallel to the surface; its length is along x at angle 0.
 struct FlatPunch {
     double length_m = 0.0;
     double width_m = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 using IndenterShape = std::variant<Sphere, Cylinder, BoxEdge, FlatPunch>;
@@ -63,14 +63,14 @@ struct Indenter {
     IndenterShape shape;
     std::vector<Keyframe> keyframes; ///< at least one, times strictly increasing
     bool loop = false;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A tactile array that lies still while bodies press on it.
 struct ArrayWorld {
     ArraySensor sensor;
     std::vector<Indenter> indenters;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 } // namespace teleta::scene

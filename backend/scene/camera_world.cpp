@@ -15,8 +15,8 @@ struct CameraWorldText {
     Q_DECLARE_TR_FUNCTIONS(SceneReader)
 };
 
-void tellDepth(Keys& keys, double& depth_m, const NumberRange& range, const CameraSkin& skin,
-               std::string_view about) {
+void describeDepth(Keys& keys, double& depth_m, const NumberRange& range, const CameraSkin& skin,
+                   std::string_view about) {
     keys.number("depth_m", depth_m, range, about);
     const double deepest_m = 0.5 * skin.radius_m;
     if (depth_m >= deepest_m)
@@ -26,7 +26,7 @@ void tellDepth(Keys& keys, double& depth_m, const NumberRange& range, const Came
 
 } // namespace
 
-void CameraSkin::tell(Keys& keys) {
+void CameraSkin::describeKeys(Keys& keys) {
     keys.number("radius_m", radius_m, kPositive, "Radius of the tube", Need::optional);
     keys.number("begin_m", begin_m, kAny, "Where the skin begins, along the axis", Need::optional);
     keys.number("length_m", length_m, kPositive, "Length of the skin", Need::optional);
@@ -48,7 +48,7 @@ void CameraSkin::tell(Keys& keys) {
                         .toStdString());
 }
 
-void TubeCamera::tell(Keys& keys, const CameraSkin& skin) {
+void TubeCamera::describeKeys(Keys& keys, const CameraSkin& skin) {
     keys.whole("width_px", width_px, {1, kLargestImageSide_px}, "Width of the image", Need::optional);
     keys.whole("height_px", height_px, {1, kLargestImageSide_px}, "Height of the image", Need::optional);
     keys.number("focal_length_px", focalLength_px, kPositive, "Focal length in the middle of the image",
@@ -64,28 +64,28 @@ void TubeCamera::tell(Keys& keys, const CameraSkin& skin) {
                     CameraWorldText::tr("less than %1 m").arg(farthest_m).toStdString());
 }
 
-void Finger::tell(Keys& keys, const CameraSkin& skin) {
+void Finger::describeKeys(Keys& keys, const CameraSkin& skin) {
     keys.text("name", name, "Name in tables and files");
     keys.number("radius_m", radius_m, kPositive, "Radius of the ball that the fingertip is");
     keys.tables("keyframes", keyframes, 1, "Where the finger is at given times; it moves smoothly in between",
                 [&skin](Keys& table, std::vector<FingerKeyframe>& frames, std::size_t i) {
-                    tellTime(table, frames, i);
+                    describeTime(table, frames, i);
                     table.number("angle_rad", frames[i].angle_rad, kAny, "Angle about the axis of the tube");
                     table.number("z_m", frames[i].z_m, kAny, "Place along the axis");
-                    tellDepth(table, frames[i].depth_m, kAny, skin,
-                              "Depth of its tip under the free skin, less than half the tube's radius; "
-                              "negative: away from it");
+                    describeDepth(table, frames[i].depth_m, kAny, skin,
+                                  "Depth of its tip under the free skin, less than half the tube's radius; "
+                                  "negative: away from it");
                 });
 }
 
-void Probing::tell(Keys& keys, const CameraSkin& skin) {
+void Probing::describeKeys(Keys& keys, const CameraSkin& skin) {
     keys.whole("holes_around", around, {1, kMostHoles}, "Holes in a ring of the shell", Need::optional);
     keys.whole("holes_along", along, {1, kMostHoles / std::max(1, around), "10000 / holes_around"},
                "Rings of holes", Need::optional);
     keys.number("first_z_m", first_z_m, kAny, "Place of the first ring, along the axis");
     keys.number("last_z_m", last_z_m, kAny, "Place of the last ring");
     keys.number("stick_radius_m", stickRadius_m, kPositive, "Radius of the stick", Need::optional);
-    tellDepth(keys, depth_m, kPositive, skin, "Depth of the presses, less than half the tube's radius");
+    describeDepth(keys, depth_m, kPositive, skin, "Depth of the presses, less than half the tube's radius");
     keys.number("hole_s", hole_s, kPositive, "Time from hole to hole", Need::optional);
     keys.number("play_m", play_m, kNotNegative, "Play of the stick in its hole, as a standard deviation",
                 Need::optional);
@@ -93,19 +93,19 @@ void Probing::tell(Keys& keys, const CameraSkin& skin) {
                 "Share of the holes that are mistaken for another one", Need::optional);
 }
 
-void BumpReaction::tell(Keys& keys) {
+void BumpReaction::describeKeys(Keys& keys) {
     keys.number("speed_m_per_s", speed_mPerS, kPositive, "A contact that deepens faster is a bump",
                 Need::optional);
     keys.number("depth_m", depth_m, kPositive, "A deeper contact is a bump, too", Need::optional);
     keys.number("retreat_m", retreat_m, kPositive, "How far the arm draws back", Need::optional);
 }
 
-void FollowReaction::tell(Keys& keys) {
+void FollowReaction::describeKeys(Keys& keys) {
     keys.number("gain_per_s", gain_perS, kPositive, "Speed over the distance that the contact has moved",
                 Need::optional);
 }
 
-void CarrierLimits::tell(Keys& keys) {
+void CarrierLimits::describeKeys(Keys& keys) {
     keys.number("speed_m_per_s", speed_mPerS, kPositive, "Highest speed", Need::optional);
     keys.number("acceleration_m_per_s2", acceleration_mPerS2, kPositive, "Highest acceleration",
                 Need::optional);
@@ -114,14 +114,15 @@ void CarrierLimits::tell(Keys& keys) {
                 "Highest acceleration of turning", Need::optional);
 }
 
-void CameraWorld::tell(Keys& keys) {
+void CameraWorld::describeKeys(Keys& keys) {
     keys.table("skin", skin, "The soft tube and the dots that are printed on it");
     keys.table("camera", "The camera inside the tube, which looks along its axis", Need::required,
-               [this](Keys& table) { camera.tell(table, skin); });
-    keys.tables("finger", fingers, 0, "Balls that touch the skin",
-                [this](Keys& table, std::vector<Finger>& all, std::size_t i) { all[i].tell(table, skin); });
+               [this](Keys& table) { camera.describeKeys(table, skin); });
+    keys.tables(
+        "finger", fingers, 0, "Balls that touch the skin",
+        [this](Keys& table, std::vector<Finger>& all, std::size_t i) { all[i].describeKeys(table, skin); });
     keys.table("probing", probing, "A person who probes the skin with a stick, hole by hole",
-               [this](Keys& table, Probing& known) { known.tell(table, skin); });
+               [this](Keys& table, Probing& known) { known.describeKeys(table, skin); });
     keys.table("reaction", "What the arm that carries the tube does when it is touched", Need::optional,
                [this](Keys& table) {
                    table.variant("kind", reaction,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/scene/told_keys.h"
+#include "backend/scene/shared_keys.h"
 
 #include <optional>
 #include <string>
@@ -22,7 +22,7 @@ struct CameraSkin {
     double dotDiameter_m = 0.0015;
     double reach_m = 0.0015;   ///< how far the skin yields beside a contact
     double dragPerDepth = 0.0; ///< a finger that slides drags the skin by up to so much of its depth
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// The camera that looks along the axis of the tube; its optical axis is z, its lens lies before z = 0.
@@ -33,7 +33,7 @@ struct TubeCamera {
     double behind_m = 0.020;       ///< of the sensor frame's origin, where its lens is
     double offsetX_m = 0.0;        ///< of the lens from the axis
     double offsetY_m = 0.0;
-    void tell(Keys& keys, const CameraSkin& skin);
+    void describeKeys(Keys& keys, const CameraSkin& skin);
 };
 
 /// Where a finger is at a time, in the base: the sensor's frame as it was at the start.
@@ -49,7 +49,7 @@ struct Finger {
     std::string name;
     double radius_m = 0.010;
     std::vector<FingerKeyframe> keyframes;
-    void tell(Keys& keys, const CameraSkin& skin);
+    void describeKeys(Keys& keys, const CameraSkin& skin);
 };
 
 /// A person who probes the skin with a stick, through the holes of a shell one after the other: a grid, ring
@@ -64,13 +64,13 @@ struct Probing {
     double hole_s = 1.0;     ///< from hole to hole
     double play_m = 0.0;     ///< of the stick in its hole: standard deviation in either direction
     double wrongShare = 0.0; ///< of the holes that are mistaken for another one, 0 .. 1
-    void tell(Keys& keys, const CameraSkin& skin);
+    void describeKeys(Keys& keys, const CameraSkin& skin);
 };
 inline constexpr int kMostHoles = 10000;
 
 /// The arm stays where it is, whatever touches it.
 struct NoReaction {
-    void tell(Keys&) {}
+    void describeKeys(Keys&) {}
 };
 
 /// The arm stops and draws back when it is bumped.
@@ -78,13 +78,13 @@ struct BumpReaction {
     double speed_mPerS = 0.02; ///< a contact that deepens faster is a bump
     double depth_m = 0.0015;   ///< or one that is deeper
     double retreat_m = 0.03;   ///< how far it draws back
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// The arm follows what touches it: turns about the tube's axis and moves along it.
 struct FollowReaction {
     double gain_perS = 8.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 using Reaction = std::variant<NoReaction, BumpReaction, FollowReaction>;
@@ -95,7 +95,7 @@ struct CarrierLimits {
     double acceleration_mPerS2 = 5.0;
     double turn_radPerS = 2.0;
     double turnAcceleration_radPerS2 = 40.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A soft tube that is watched from inside by a camera.
@@ -106,7 +106,7 @@ struct CameraWorld {
     std::optional<Probing> probing; ///< a stick that comes besides the fingers
     Reaction reaction;
     CarrierLimits limits;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 } // namespace teleta::scene

@@ -32,7 +32,7 @@ EffectParameters makeParameters(std::size_t kind, std::index_sequence<I...>) {
 
 } // namespace
 
-void DeadTaxelsSpec::tell(Keys& keys, const core::ArrayLayout& layout) {
+void DeadTaxelsSpec::describeKeys(Keys& keys, const core::ArrayLayout& layout) {
     keys.number("reading_N", reading_N, NumberRange::anyOrNan(), "What they read", Need::optional);
     keys.oneOf("count", "taxels", EffectText::tr("which taxels are dead is not clear").toStdString(),
                EffectText::tr("either \"count\" or \"taxels\"").toStdString());
@@ -48,7 +48,7 @@ void DeadTaxelsSpec::tell(Keys& keys, const core::ArrayLayout& layout) {
         });
 }
 
-void HousingRimSpec::tell(Keys& keys, const core::ArrayLayout& layout) {
+void HousingRimSpec::describeKeys(Keys& keys, const core::ArrayLayout& layout) {
     keys.number("stiffness_N_per_m", stiffness_NPerM, kPositive,
                 "Stiffness of a piece of the rim that is as long as a pitch");
     keys.number("recess_m", recess_m, kNotNegative, "How far the rim lies below the surface of the array");
@@ -58,7 +58,7 @@ void HousingRimSpec::tell(Keys& keys, const core::ArrayLayout& layout) {
                 "Width of the housing, along y");
 }
 
-void LensDistortionSpec::tell(Keys& keys) {
+void LensDistortionSpec::describeKeys(Keys& keys) {
     constexpr std::array<std::string_view, 6> kRadial{"k1", "k2", "k3", "k4", "k5", "k6"};
     for (std::size_t i = 0; i < kRadial.size(); ++i)
         keys.number(kRadial[i], radial[i], kAny, "Radial coefficient of the rational model", Need::optional);
@@ -72,8 +72,8 @@ const EffectRow& rowOf(const Effect& effect) {
     return kRows[effect.parameters.index()];
 }
 
-void tellEffect(Keys& keys, Effect& effect, const std::vector<ActsOn>& canHave,
-                const core::ArrayLayout& layout, std::span<const Effect> earlier) {
+void describeEffect(Keys& keys, Effect& effect, const std::vector<ActsOn>& canHave,
+                    const core::ArrayLayout& layout, std::span<const Effect> earlier) {
     std::vector<std::size_t> kinds;
     core::KeyNames names;
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
@@ -103,10 +103,10 @@ void tellEffect(Keys& keys, Effect& effect, const std::vector<ActsOn>& canHave,
             same.text("why", effect.why, "What the scene would lose without the effect");
             std::visit(
                 [&](auto& spec) {
-                    if constexpr (requires { spec.tell(same, layout); })
-                        spec.tell(same, layout);
+                    if constexpr (requires { spec.describeKeys(same, layout); })
+                        spec.describeKeys(same, layout);
                     else
-                        spec.tell(same);
+                        spec.describeKeys(same);
                 },
                 effect.parameters);
         });

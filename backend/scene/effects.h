@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/scene/told_keys.h"
+#include "backend/scene/shared_keys.h"
 
 #include <array>
 #include <cstddef>
@@ -25,7 +25,7 @@ enum class ActsOn {
 
 /// The row of the table of effects that each of the types below is: its name in files, in summaries and of
 /// its random stream; what it acts on; what it stands for in the real world. Its keys with their ranges are
-/// what tell() tells. Its maker, where one is needed, is
+/// what describeKeys() describes. Its maker, where one is needed, is
 ///   makeEffect(const simulation::Listed<Spec>&)
 /// in backend/simulation.
 struct EffectRow {
@@ -39,7 +39,7 @@ struct CrosstalkSpec {
     static constexpr EffectRow kRow{"crosstalk", ActsOn::taxels,
                                     "The elastic cover spreads a load to the neighbouring taxels"};
     double share = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("share", share, NumberRange::between(0.0, 1.0),
                     "Share of its load that a taxel hands to its four neighbours in equal parts");
     }
@@ -50,7 +50,7 @@ struct HysteresisSpec {
     static constexpr EffectRow kRow{"hysteresis", ActsOn::taxels,
                                     "The reading lags behind while the load falls"};
     double share = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("share", share, NumberRange::between(0.0, 10.0),
                     "How far the reading lags behind, as a share of the load");
     }
@@ -63,7 +63,7 @@ struct NonlinearResponseSpec {
         "nonlinear_response", ActsOn::taxels,
         "The reading is not proportional to the load, as with piezoresistive cells"};
     double bow = 0.0; ///< within these limits the reading rises with the load
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("bow", bow, NumberRange::between(-0.25, 0.25),
                     "Error half way to full scale, as a share of full scale");
     }
@@ -73,7 +73,7 @@ struct NonlinearResponseSpec {
 struct GainSpreadSpec {
     static constexpr EffectRow kRow{"gain_spread", ActsOn::taxels, "No two taxels are made alike"};
     double sd = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("sd", sd, NumberRange::between(0.0, 1.0),
                     "Standard deviation of the logarithm of the taxels' gains");
     }
@@ -85,7 +85,7 @@ struct DriftSpec {
     static constexpr EffectRow kRow{"drift", ActsOn::taxels, "The rest values of the taxels wander"};
     double sd_N = 0.0; ///< after a time much longer than timeConstant_s
     double timeConstant_s = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("sd_N", sd_N, kNotNegative,
                     "Standard deviation after a time much longer than the time constant");
         keys.number("time_constant_s", timeConstant_s, kPositive,
@@ -98,21 +98,23 @@ struct NoiseSpec {
     static constexpr EffectRow kRow{"noise", ActsOn::taxels,
                                     "Gaussian noise on each taxel, independent from frame to frame"};
     double sd_N = 0.0;
-    void tell(Keys& keys) { keys.number("sd_N", sd_N, kNotNegative, "Standard deviation of the noise"); }
+    void describeKeys(Keys& keys) {
+        keys.number("sd_N", sd_N, kNotNegative, "Standard deviation of the noise");
+    }
 };
 
 /// Readings are limited to 0 .. ArraySensor::fullScale_N.
 struct SaturationSpec {
     static constexpr EffectRow kRow{"saturation", ActsOn::taxels,
                                     "Readings are limited to the range from 0 to full scale"};
-    void tell(Keys&) {}
+    void describeKeys(Keys&) {}
 };
 
 /// Readings are multiples of a step.
 struct QuantizationSpec {
     static constexpr EffectRow kRow{"quantization", ActsOn::taxels, "Readings are multiples of a step"};
     double step_N = 0.0;
-    void tell(Keys& keys) { keys.number("step_N", step_N, kPositive, "The step"); }
+    void describeKeys(Keys& keys) { keys.number("step_N", step_N, kPositive, "The step"); }
 };
 
 struct TaxelIndex {
@@ -127,7 +129,7 @@ struct DeadTaxelsSpec {
     std::vector<TaxelIndex> taxels; ///< which ones; empty: count of them, drawn at random
     std::size_t count = 0;
     double reading_N = 0.0; ///< may be NaN
-    void tell(Keys& keys, const core::ArrayLayout& layout);
+    void describeKeys(Keys& keys, const core::ArrayLayout& layout);
 };
 
 /// Readings come late, as over a bus or through a filter: so many whole frames as are nearest to the delay.
@@ -135,7 +137,7 @@ struct LatencySpec {
     static constexpr EffectRow kRow{"latency", ActsOn::taxels,
                                     "Readings come late, as over a bus or through a filter"};
     double delay_s = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("delay_s", delay_s, NumberRange::between(0.0, 1.0), "The delay, rounded to whole frames");
     }
 };
@@ -145,7 +147,7 @@ struct GravityErrorSpec {
     static constexpr EffectRow kRow{"gravity_error", ActsOn::joints,
                                     "The model of the arm's weight is a little wrong"};
     double share = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("share", share, NumberRange::between(-1.0, 1.0),
                     "Error of the weight compensation, as a share of the links' weight");
     }
@@ -157,7 +159,7 @@ struct GearRippleSpec {
                                     "The torque sensors sit at harmonic drives, whose ripple they feel"};
     double amplitude_Nm = 0.0;
     double wavesPerTurn = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("amplitude_Nm", amplitude_Nm, kNotNegative, "Amplitude of the ripple");
         keys.number("waves_per_turn", wavesPerTurn, kPositive, "Ripples in a turn of the motor");
     }
@@ -168,7 +170,9 @@ struct TorqueNoiseSpec {
     static constexpr EffectRow kRow{"torque_noise", ActsOn::joints,
                                     "Gaussian noise on each joint torque, independent from sample to sample"};
     double sd_Nm = 0.0;
-    void tell(Keys& keys) { keys.number("sd_Nm", sd_Nm, kNotNegative, "Standard deviation of the noise"); }
+    void describeKeys(Keys& keys) {
+        keys.number("sd_Nm", sd_Nm, kNotNegative, "Standard deviation of the noise");
+    }
 };
 
 /// Joint angles are multiples of a step.
@@ -176,7 +180,7 @@ struct EncoderQuantizationSpec {
     static constexpr EffectRow kRow{"encoder_quantization", ActsOn::joints,
                                     "Joint angles are multiples of a step"};
     double step_rad = 0.0;
-    void tell(Keys& keys) { keys.number("step_rad", step_rad, kPositive, "The step"); }
+    void describeKeys(Keys& keys) { keys.number("step_rad", step_rad, kPositive, "The step"); }
 };
 
 /// Objects that grow stiffer while they are pressed, as foams do.
@@ -185,7 +189,7 @@ struct NonlinearObjectSpec {
     static constexpr EffectRow kRow{"nonlinear_object", ActsOn::armObjects,
                                     "Objects grow stiffer while they are pressed, as foams do"};
     double doublingDepth_m = 0.0; ///< depth at which the secant stiffness is twice k
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("doubling_depth_m", doublingDepth_m, kPositive,
                     "Depth at which the force is twice that of a linear object");
     }
@@ -203,7 +207,7 @@ struct LinkDelaySpec {
     double lossShare = 0.0; ///< of the messages, independent of each other
     double outageAt_s = 0.0;
     double outage_s = 0.0; ///< everything sent from outageAt_s on is lost for so long; 0: never
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         const NumberRange time = NumberRange::between(0.0, 10.0);
         keys.number("delay_s", delay_s, time, "Shortest time that a message takes, each way");
         keys.number("jitter_s", jitter_s, time, "Mean of the random time that is added to it",
@@ -222,7 +226,7 @@ struct BorderStiffeningSpec {
     static constexpr EffectRow kRow{"border_stiffening", ActsOn::carriedArray,
                                     "The cover is held from the sides, so taxels at the border are stiffer"};
     double share = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("share", share, NumberRange::between(0.0, 10.0),
                     "By how much the taxels of a border are stiffer; corners by twice that");
     }
@@ -236,7 +240,7 @@ struct HousingRimSpec {
     double recess_m = 0.0005;
     double length_m = 0.050; ///< along x
     double width_m = 0.025;  ///< along y
-    void tell(Keys& keys, const core::ArrayLayout& layout);
+    void describeKeys(Keys& keys, const core::ArrayLayout& layout);
 };
 
 /// The cover gives back less than it takes: beside each pressed spring k acts a damper k time_s.
@@ -244,7 +248,7 @@ struct ContactDampingSpec {
     static constexpr EffectRow kRow{"damping", ActsOn::carriedArray,
                                     "The cover gives back less than it takes"};
     double time_s = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("time_s", time_s, NumberRange::between(0.0, 1.0),
                     "Damping of the pressed cover over its stiffness");
     }
@@ -255,7 +259,7 @@ struct FrictionSpec {
     static constexpr EffectRow kRow{"friction", ActsOn::carriedArray,
                                     "The object rubs on the cover of the array"};
     double coefficient = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("coefficient", coefficient, NumberRange::between(0.0, 10.0),
                     "Coefficient of dry friction");
     }
@@ -267,7 +271,7 @@ struct LensDistortionSpec {
     static constexpr EffectRow kRow{"lens_distortion", ActsOn::camera, "The lens is no pinhole"};
     std::array<double, 6> radial{};
     std::array<double, 2> tangential{};
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// Dots are printed beside their places and with other sizes.
@@ -276,7 +280,7 @@ struct MarkerPrintErrorSpec {
                                     "Dots are printed beside their places and in other sizes"};
     double sd_m = 0.0;
     double sizeShare = 0.0; ///< standard deviation of the diameter as a share of it
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("sd_m", sd_m, kNotNegative, "Standard deviation of a dot's place");
         keys.number("size_share", sizeShare, kNotNegative,
                     "Standard deviation of its diameter, as a share of it");
@@ -289,7 +293,7 @@ struct UnevenLightSpec {
     int lamps = 8;
     double ripple = 0.0;
     double fallPerMetre = 0.0; ///< share that is lost a metre
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.whole("lamps", lamps, {1, 100}, "Lamps around the tube");
         keys.number("ripple", ripple, NumberRange::between(0.0, 1.0),
                     "Share of the brightness that is lost between two lamps");
@@ -302,7 +306,7 @@ struct UnevenLightSpec {
 struct VignettingSpec {
     static constexpr EffectRow kRow{"vignetting", ActsOn::camera, "The image is darker toward its corners"};
     double share = 0.0;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("share", share, NumberRange::between(0.0, 1.0),
                     "Share of the brightness that is lost in the corners");
     }
@@ -313,7 +317,7 @@ struct MotionBlurSpec {
     static constexpr EffectRow kRow{"motion_blur", ActsOn::camera, "The shutter is open while things move"};
     double exposure_s = 0.0;
     int samples = 4; ///< moments that are averaged
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("exposure_s", exposure_s, kPositive, "How long the shutter is open");
         keys.whole("samples", samples, {2, 32}, "Moments that a frame averages", Need::optional);
     }
@@ -324,7 +328,7 @@ struct SensorNoiseSpec {
     static constexpr EffectRow kRow{"sensor_noise", ActsOn::camera, "The image sensor is noisy"};
     double read = 0.0;
     double shot = 0.0; ///< standard deviation at full brightness
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("read", read, kNotNegative, "Standard deviation in the dark, in grey levels of 255");
         keys.number("shot", shot, kNotNegative,
                     "Standard deviation that is added at full brightness, in grey levels of 255");
@@ -352,9 +356,9 @@ struct Effect {
     return rowOf(effect).name;
 }
 
-/// Tells the keys of one effect; effect: one of a scene that can have those that act on these.
+/// Describes the keys of one effect; effect: one of a scene that can have those that act on these.
 /// layout: of the scene's taxels; earlier: the effects that the scene lists before it.
-void tellEffect(Keys& keys, Effect& effect, const std::vector<ActsOn>& canHave,
-                const core::ArrayLayout& layout, std::span<const Effect> earlier);
+void describeEffect(Keys& keys, Effect& effect, const std::vector<ActsOn>& canHave,
+                    const core::ArrayLayout& layout, std::span<const Effect> earlier);
 
 } // namespace teleta::scene

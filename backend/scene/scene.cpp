@@ -18,7 +18,7 @@ struct SceneCheck {
 
 constexpr double kHighestRate_Hz = 100'000.0;
 
-void tellRate(Keys& keys, double& rate_Hz) {
+void describeRate(Keys& keys, double& rate_Hz) {
     keys.number("rate_Hz", rate_Hz, NumberRange::positiveUpTo(kHighestRate_Hz),
                 "Frames of the array or the camera, samples of the arm or cycles of the servo a second");
 }
@@ -31,21 +31,21 @@ core::Expected<void> checkKind(const Scene& scene, bool fits, const QString& oth
 
 } // namespace
 
-void Scene::tellHead(Keys& keys) {
+void Scene::describeHead(Keys& keys) {
     keys.text("name", name, "Name of the scene");
     keys.text("description", description, "What happens in it");
     keys.number("duration_s", duration_s, NumberRange::positive(), "How long a run takes, in simulated time");
-    tellRate(keys, rate_Hz);
+    describeRate(keys, rate_Hz);
 }
 
-void Scene::tellWorld(Keys& keys) {
-    std::visit([&keys](auto& known) { known.tell(keys); }, world);
+void Scene::describeWorld(Keys& keys) {
+    std::visit([&keys](auto& known) { known.describeKeys(keys); }, world);
 }
 
-void Scene::tellEffects(Keys& keys) {
+void Scene::describeEffects(Keys& keys) {
     keys.tables("effects", effects, 0, "Imperfections; what is not listed is not simulated",
                 [this](Keys& table, std::vector<Effect>& all, std::size_t i) {
-                    tellEffect(table, all[i], canHave(), taxels(), std::span(all).first(i));
+                    describeEffect(table, all[i], canHave(), taxels(), std::span(all).first(i));
                 });
 }
 
@@ -64,9 +64,9 @@ std::vector<ActsOn> Scene::canHave() const {
 core::Expected<void> checkScene(const Scene& scene) {
     Scene copy = scene;
     core::KeyCheck check;
-    tellRate(check, copy.rate_Hz);
-    copy.tellWorld(check);
-    copy.tellEffects(check);
+    describeRate(check, copy.rate_Hz);
+    copy.describeWorld(check);
+    copy.describeEffects(check);
     if (check.firstError())
         return core::Unexpected(*check.firstError());
     return {};

@@ -24,12 +24,12 @@ struct Scene {
     std::variant<ArrayWorld, ArmWorld, CameraWorld, ServoWorld> world;
     std::vector<Effect> effects; ///< each kind at most once
 
-    /// Tells name, description, duration_s and rate_Hz.
-    void tellHead(Keys& keys);
-    /// Tells the tables of its kind of world.
-    void tellWorld(Keys& keys);
-    /// Tells the effects that this can have.
-    void tellEffects(Keys& keys);
+    /// Describes name, description, duration_s and rate_Hz.
+    void describeHead(Keys& keys);
+    /// Describes the tables of its kind of world.
+    void describeWorld(Keys& keys);
+    /// Describes the effects that this can have.
+    void describeEffects(Keys& keys);
 
     [[nodiscard]] bool isArm() const { return std::holds_alternative<ArmWorld>(world); }
     /// An operator at another place drives the arm.

@@ -11,15 +11,15 @@ core::Expected<Scene> readDocument(const core::TomlDocument& document) {
     core::TomlTable root = document.root();
     core::TomlKeys keys(root, core::TomlKeys::Nested::afterwards);
     Scene scene;
-    scene.tellHead(keys);
+    scene.describeHead(keys);
     if (root.has("arm"))
         scene.world = ArmWorld();
     else if (root.has("robot"))
         scene.world = ServoWorld();
     else if (root.has("camera"))
         scene.world = CameraWorld();
-    scene.tellWorld(keys);
-    scene.tellEffects(keys);
+    scene.describeWorld(keys);
+    scene.describeEffects(keys);
     keys.finish();
     if (document.firstError())
         return core::Unexpected(*document.firstError());

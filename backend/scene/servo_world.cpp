@@ -28,14 +28,14 @@ constexpr std::array<double, kServoJoints> kFarthest_deg{170.0, 120.0, 170.0, 12
 
 constexpr NumberRange kSteepness = NumberRange::between(-kSteepest_rad, kSteepest_rad);
 
-void tellMotion(Keys& keys, std::vector<MassKeyframe>& frames, std::size_t i) {
-    tellTime(keys, frames, i);
+void describeMotion(Keys& keys, std::vector<MassKeyframe>& frames, std::size_t i) {
+    describeTime(keys, frames, i);
     keys.number("x_m", frames[i].x_m, kAny, "Place along the tray, from the hinge");
 }
 
 } // namespace
 
-void ServoArm::tell(Keys& keys) {
+void ServoArm::describeKeys(Keys& keys) {
     keys.table("start_rad", "Joint angles at the start", Need::required, [this](Keys& table) {
         for (std::size_t j = 0; j < kServoJoints; ++j) {
             const double farthest_rad = kFarthest_deg[j] * std::numbers::pi / 180.0;
@@ -52,15 +52,15 @@ void ServoArm::tell(Keys& keys) {
                 Need::optional);
 }
 
-void ServoSensor::tell(Keys& keys) {
+void ServoSensor::describeKeys(Keys& keys) {
     const NumberRange rate = NumberRange::positiveUpTo(kHighestSensorRate_Hz);
-    array.tell(keys);
+    array.describeKeys(keys);
     keys.number("acquisition_Hz", acquisition_Hz, rate, "How often the array is read", Need::optional);
     keys.number("images_Hz", images_Hz, rate, "How often features are computed", Need::optional);
     keys.number("servo_Hz", servo_Hz, rate, "How often the servo corrects the arm", Need::optional);
 }
 
-void BarShape::tell(Keys& keys) {
+void BarShape::describeKeys(Keys& keys) {
     keys.number("radius_m", radius_m, kPositive, "Radius");
     keys.number("behind_m", behind_m, kNotNegative, "How far the bar reaches to -x");
     keys.number("ahead_m", ahead_m, kPositive, "How far it reaches to +x");
@@ -73,28 +73,28 @@ void BarShape::tell(Keys& keys) {
     keys.number("turn_rad", turn_rad, kSteepness, "Slope behind the bend, to the side", Need::optional);
 }
 
-void BallShape::tell(Keys& keys) {
+void BallShape::describeKeys(Keys& keys) {
     keys.number("radius_m", radius_m, kPositive, "Radius");
 }
 
-void TrayHinge::tell(Keys& keys) {
+void TrayHinge::describeKeys(Keys& keys) {
     keys.number("height_m", height_m, kAny, "Distance of the hinge behind the line of contact");
     keys.number("inertia_kgm2", inertia_kgm2, kPositive, "Inertia about the hinge, without the mass");
     keys.number("damping_Nms_per_rad", damping_NmsPerRad, kNotNegative, "Damping of the hinge",
                 Need::optional);
     keys.number("mass_kg", mass_kg, kNotNegative, "Mass that is moved on the tray");
     keys.tables("motion", motion, 1, "Where the mass is at given times; it moves smoothly in between",
-                tellMotion);
+                describeMotion);
 }
 
-void PoseSpread::tell(Keys& keys) {
+void PoseSpread::describeKeys(Keys& keys) {
     keys.number("y_m", y_m, kNotNegative, "Largest displacement along y", Need::optional);
     keys.number("gap_m", gap_m, kNotNegative, "Largest change of the gap", Need::optional);
     keys.number("yaw_rad", yaw_rad, kNotNegative, "Largest turn about z", Need::optional);
     keys.number("pitch_rad", pitch_rad, kNotNegative, "Largest turn about y", Need::optional);
 }
 
-void ServoObject::tell(Keys& keys) {
+void ServoObject::describeKeys(Keys& keys) {
     keys.text("name", name, "Name in tables and files");
     keys.variant("shape", shape,
                  {{"bar", "A round bar, straight or bent"},
@@ -113,7 +113,7 @@ void ServoObject::tell(Keys& keys) {
     keys.table("hinge", hinge, "The object turns about a hinge across its line of contact");
 }
 
-void ServoTaskSettings::tell(Keys& keys) {
+void ServoTaskSettings::describeKeys(Keys& keys) {
     keys.choose("kind", static_cast<std::size_t>(kind),
                 {{"explore_edge", "Approaches an edge, aligns with it and slides along it"},
                  {"point", "Keeps the force and the place of a point contact"},
@@ -139,12 +139,12 @@ void ServoTaskSettings::tell(Keys& keys) {
                 "Speed toward the object");
 }
 
-void ServoWorld::tell(Keys& keys) {
+void ServoWorld::describeKeys(Keys& keys) {
     keys.table("robot", arm, "The arm, under Cartesian impedance control");
     keys.table("sensor", sensor, "The tactile array in its hand");
     keys.table("object", object, "What the array touches");
     keys.table("task", "What the servo does", Need::required, [this](Keys& table) {
-        task.tell(table);
+        task.describeKeys(table);
         if (task.kind == ServoTaskKind::comanipulate && !object.hinge)
             table.refuse("kind", ServoText::tr("there is no tray to keep level").toStdString(),
                          ServoText::tr("an [object.hinge]").toStdString());

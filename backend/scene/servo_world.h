@@ -22,7 +22,7 @@ struct ServoArm {
     double rotationalStiffness_NmPerRad = 200.0; ///< of its orientation
     double dampingRatio = 0.7;                   ///< of every mode of the free arm
     double mountLength_m = 0.03;                 ///< flange to the array's surface
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// The tactile array in the arm's hand and the rates of what happens to its frames (paper, Table 2).
@@ -31,7 +31,7 @@ struct ServoSensor {
     double acquisition_Hz = 200.0; ///< > 0; what is faster than the scene's rate happens at that rate
     double images_Hz = 140.0;
     double servo_Hz = 100.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A round bar. Its line of contact runs along x; from straight_m on its slope grows evenly over bend_m to
@@ -46,23 +46,23 @@ struct BarShape {
     double bendBehind_m = 0.0;
     double fall_rad = 0.0; ///< (-1.2, 1.2)
     double turn_rad = 0.0; ///< (-1.2, 1.2)
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// The sharp edge of a box between two faces at 45 degrees to the array, along x and without end.
 struct EdgeShape {
-    void tell(Keys&) {}
+    void describeKeys(Keys&) {}
 };
 
 /// A ball; its topmost point is the object's origin.
 struct BallShape {
     double radius_m = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// A flat face without end.
 struct WallShape {
-    void tell(Keys&) {}
+    void describeKeys(Keys&) {}
 };
 
 using ServoShape = std::variant<BarShape, EdgeShape, BallShape, WallShape>;
@@ -80,7 +80,7 @@ struct TrayHinge {
     double damping_NmsPerRad = 0.0;
     double mass_kg = 0.0;
     std::vector<MassKeyframe> motion{}; ///< at least one, times strictly increasing
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// How far the object may lie from where the scene says: every value is drawn evenly from within its bounds,
@@ -90,10 +90,10 @@ struct PoseSpread {
     double gap_m = 0.0;
     double yaw_rad = 0.0;
     double pitch_rad = 0.0;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
-/// What the array touches. Its pose is told in the frame {s} of the array at the start: x_m and y_m of its
+/// What the array touches. Its pose is given in the frame {s} of the array at the start: x_m and y_m of its
 /// origin, gap_m between the surfaces (negative: pressed in), pitch about y and then yaw about z.
 struct ServoObject {
     std::string name;
@@ -106,7 +106,7 @@ struct ServoObject {
     double pitch_rad = 0.0;
     PoseSpread spread;
     std::optional<TrayHinge> hinge;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// What the servo is to do; each is built from the tasks of servo/servo_task.h.
@@ -126,7 +126,7 @@ struct ServoTaskSettings {
     double rollAngle_rad = 0.0; ///< amplitude of rolling
     double rollPeriod_s = 0.0;
     bool moment = true; ///< false: without the DZMP, as the baseline
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 /// An arm that servoes on what its tactile array feels.
@@ -135,7 +135,7 @@ struct ServoWorld {
     ServoSensor sensor;
     ServoObject object;
     ServoTaskSettings task;
-    void tell(Keys& keys);
+    void describeKeys(Keys& keys);
 };
 
 } // namespace teleta::scene

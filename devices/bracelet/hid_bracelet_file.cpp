@@ -5,7 +5,7 @@
 
 namespace teleta::bracelet {
 
-void HidBraceletFile::tell(core::Keys& keys) {
+void HidBraceletFile::describeKeys(core::Keys& keys) {
     const core::WholeRange ids{1, 0xFFFF};
     keys.word("kind", "hid_bracelet", "A bracelet over USB");
     keys.text("name", name, "Name on the screen");

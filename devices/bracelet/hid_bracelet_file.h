@@ -15,7 +15,7 @@ struct HidBraceletFile {
     std::string name;
     HidBraceletConfig config;
 
-    void tell(core::Keys& keys);
+    void describeKeys(core::Keys& keys);
 };
 
 /// Error: notFound, ioFailed, badInput with file, line and column. Thread: any.

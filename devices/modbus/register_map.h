@@ -96,7 +96,7 @@ struct RegisterMap {
     std::optional<std::size_t> temperature; ///< input in degC
     std::vector<JointRegisters> joints;     ///< from the base to the tip; empty: none
 
-    void tell(core::Keys& keys);
+    void describeKeys(core::Keys& keys);
 };
 
 /// The link as people write it: "tcp://host:port" or the path of the serial port.

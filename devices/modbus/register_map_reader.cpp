@@ -31,11 +31,11 @@ void refuse(Keys& keys, std::string_view key, const QString& message, const QStr
     keys.refuse(key, message.toStdString(), expected.toStdString());
 }
 
-void tellAddress(Keys& keys, std::uint16_t& address, std::string_view about) {
+void describeAddress(Keys& keys, std::uint16_t& address, std::string_view about) {
     keys.whole("address", address, {0, kRegisters - 1}, about);
 }
 
-void tellFormat(Keys& keys, RegisterFormat& format) {
+void describeFormat(Keys& keys, RegisterFormat& format) {
     keys.choice("type", format.type, {"int16", "uint16", "int32", "float32"}, "How the value is stored");
     keys.choice("word_order", format.order, {"high_first", "low_first"}, "Which of two registers comes first",
                 Need::optional);
@@ -53,15 +53,15 @@ void checkEnd(Keys& keys, int address, std::size_t count) {
                RegisterMapReader::tr("an address of at most %1").arg(kRegisters - static_cast<int>(count)));
 }
 
-void tellInput(Keys& keys, InputRegister& input) {
+void describeInput(Keys& keys, InputRegister& input) {
     keys.choice("table", input.table, {"holding", "input"}, "Which table of registers it is in",
                 Need::optional);
-    tellAddress(keys, input.address, "The register, counted from 0");
-    tellFormat(keys, input.format);
+    describeAddress(keys, input.address, "The register, counted from 0");
+    describeFormat(keys, input.format);
     checkEnd(keys, input.address, registersOf(input.format.type));
 }
 
-void tellTcp(Keys& keys, RegisterMap& map) {
+void describeTcp(Keys& keys, RegisterMap& map) {
     TcpLink tcp;
     keys.text("host", tcp.host, "Name or address of the device");
     keys.whole("port", tcp.port, {1, 65535}, "Its port", Need::optional);
@@ -69,7 +69,7 @@ void tellTcp(Keys& keys, RegisterMap& map) {
     map.link = tcp;
 }
 
-void tellRtu(Keys& keys, RegisterMap& map) {
+void describeRtu(Keys& keys, RegisterMap& map) {
     constexpr std::string_view kParities = "NEO";
     RtuLink rtu;
     keys.text("path", rtu.path, "The serial port, as `/dev/ttyUSB0`");
@@ -81,18 +81,19 @@ void tellRtu(Keys& keys, RegisterMap& map) {
     map.link = rtu;
 }
 
-void tellLink(Keys& keys, RegisterMap& map) {
-    keys.choose(
-        "kind", map.link.index(), {{"tcp", "Modbus over a network"}, {"rtu", "Modbus over a serial line"}},
-        "How the device is connected", Need::required,
-        [&map](Keys& same, std::size_t chosen) { chosen == 0 ? tellTcp(same, map) : tellRtu(same, map); });
+void describeLink(Keys& keys, RegisterMap& map) {
+    keys.choose("kind", map.link.index(),
+                {{"tcp", "Modbus over a network"}, {"rtu", "Modbus over a serial line"}},
+                "How the device is connected", Need::required, [&map](Keys& same, std::size_t chosen) {
+                    chosen == 0 ? describeTcp(same, map) : describeRtu(same, map);
+                });
     keys.number("answer_timeout_s", map.answerTimeout_s, NumberRange::between(0.001, 10.0),
                 "How long an answer may take; at most 0.2 s for a device with motors", Need::optional);
 }
 
-void tellTactors(Keys& keys, TactorRegisters& tactors) {
-    tellAddress(keys, tactors.address, "Register of the first motor; the others follow");
-    tellFormat(keys, tactors.format);
+void describeTactors(Keys& keys, TactorRegisters& tactors) {
+    describeAddress(keys, tactors.address, "Register of the first motor; the others follow");
+    describeFormat(keys, tactors.format);
     checkEnd(keys, tactors.address, tactors.registers());
     keys.text("unit", tactors.unit, "Unit of off, start and full");
     keys.number("off", tactors.off, kAny, "Value at which a motor stands", Need::optional);
@@ -118,8 +119,8 @@ void tellTactors(Keys& keys, TactorRegisters& tactors) {
                RegisterMapReader::tr("the value of the weakest intensity"));
 }
 
-void tellStatus(Keys& keys, StatusRegister& status) {
-    tellInput(keys, status.input);
+void describeStatus(Keys& keys, StatusRegister& status) {
+    describeInput(keys, status.input);
     status.input.name = "status";
     const core::WholeRange bits{0, 16 * static_cast<long long>(registersOf(status.input.format.type)) - 1,
                                 "bits of the type - 1"};
@@ -152,7 +153,7 @@ std::size_t inputNamed(Keys& keys, std::string_view key, const std::string& name
     return static_cast<std::size_t>(found - inputs.begin());
 }
 
-void tellJoints(Keys& keys, RegisterMap& map) {
+void describeJoints(Keys& keys, RegisterMap& map) {
     keys.tables("joint", map.joints, 0, "The joints of an arm, from the base to the tip",
                 [&map](Keys& table, std::vector<JointRegisters>& all, std::size_t i) {
                     const auto input = [&](std::string_view key, const char* unit, std::string_view about) {
@@ -169,7 +170,7 @@ void tellJoints(Keys& keys, RegisterMap& map) {
             RegisterMapReader::tr("at most %1, from the base to the tip").arg(core::JointVector::kCapacity));
 }
 
-void tellWatchdog(Keys& keys, RegisterMap& map) {
+void describeWatchdog(Keys& keys, RegisterMap& map) {
     constexpr std::string_view kAbout = "Register that counts up with every cycle: the driver turns its "
                                         "motors off when it stands still; not needed "
                                         "with by_traffic";
@@ -186,10 +187,10 @@ void tellWatchdog(Keys& keys, RegisterMap& map) {
                RegisterMapReader::tr("a register of its own"));
 }
 
-void tellOneInput(Keys& keys, std::vector<InputRegister>& inputs, std::size_t i) {
+void describeOneInput(Keys& keys, std::vector<InputRegister>& inputs, std::size_t i) {
     InputRegister& input = inputs[i];
     keys.text("name", input.name, "Name of the quantity");
-    tellInput(keys, input);
+    describeInput(keys, input);
     keys.text("unit", input.unit, "Its unit, `1` for none");
     const auto before = inputs.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find_if(inputs.begin(), before,
@@ -199,9 +200,9 @@ void tellOneInput(Keys& keys, std::vector<InputRegister>& inputs, std::size_t i)
                RegisterMapReader::tr("a name of its own for each input"));
 }
 
-void tellNamedInput(Keys& keys, std::string_view key, std::optional<std::size_t>& input,
-                    const std::string& unit, const std::vector<InputRegister>& inputs,
-                    std::string_view about) {
+void describeNamedInput(Keys& keys, std::string_view key, std::optional<std::size_t>& input,
+                        const std::string& unit, const std::vector<InputRegister>& inputs,
+                        std::string_view about) {
     std::string name;
     keys.text(key, name, about, Need::optional);
     if (!name.empty())
@@ -210,28 +211,28 @@ void tellNamedInput(Keys& keys, std::string_view key, std::optional<std::size_t>
 
 } // namespace
 
-void RegisterMap::tell(Keys& keys) {
+void RegisterMap::describeKeys(Keys& keys) {
     keys.word("kind", "modbus", "A device with Modbus registers");
     keys.text("name", name, "Name on the screen");
     keys.number("input_rate_Hz", inputRate_Hz, NumberRange::positiveUpTo(kFastestInputs_Hz),
                 "How often the inputs are read", Need::optional);
     keys.table("link", "How the device is reached", Need::required,
-               [this](Keys& table) { tellLink(table, *this); });
+               [this](Keys& table) { describeLink(table, *this); });
     keys.table("tactors", tactors, "The six motors, in neighbouring registers",
-               [](Keys& table, TactorRegisters& known) { tellTactors(table, known); });
+               [](Keys& table, TactorRegisters& known) { describeTactors(table, known); });
     bool watched = false;
     keys.table("watchdog", "What turns the motors off when the program is killed; required with [tactors]",
                Need::optional, [&](Keys& table) {
                    watched = true;
-                   tellWatchdog(table, *this);
+                   describeWatchdog(table, *this);
                });
     keys.table("status", status, "Register with bits that tell what is wrong",
-               [](Keys& table, StatusRegister& known) { tellStatus(table, known); });
-    keys.tables("input", inputs, 0, "Quantities that are read", tellOneInput);
-    tellJoints(keys, *this);
-    tellNamedInput(keys, "supply", supply, "V", inputs, "Name of the input with the supply voltage");
-    tellNamedInput(keys, "temperature", temperature, "degC", inputs,
-                   "Name of the input with the temperature");
+               [](Keys& table, StatusRegister& known) { describeStatus(table, known); });
+    keys.tables("input", inputs, 0, "Quantities that are read", describeOneInput);
+    describeJoints(keys, *this);
+    describeNamedInput(keys, "supply", supply, "V", inputs, "Name of the input with the supply voltage");
+    describeNamedInput(keys, "temperature", temperature, "degC", inputs,
+                       "Name of the input with the temperature");
     if (watched && !tactors)
         refuse(keys, "watchdog", RegisterMapReader::tr("there is no motor to watch"),
                RegisterMapReader::tr("a table [tactors]"));

@@ -29,9 +29,9 @@ std::string besideList(const std::string& listPath, const std::string& path) {
         .toStdString();
 }
 
-/// Tells a path; one that is not given leaves it as it is.
-void tellPath(Keys& keys, std::string_view key, const std::string& listPath, std::string& path,
-              std::string_view about, Need need = Need::required) {
+/// Describes the key of a path; one that is not given leaves it as it is.
+void describePath(Keys& keys, std::string_view key, const std::string& listPath, std::string& path,
+                  std::string_view about, Need need = Need::required) {
     std::string given;
     keys.text(key, given, about, need);
     if (!given.empty())
@@ -42,15 +42,15 @@ void refuse(Keys& keys, std::string_view key, const core::Error& error) {
     keys.refuse(key, error.message, error.expected);
 }
 
-void tellScene(Keys& keys, const std::string& listPath, SceneRequest& request) {
-    tellPath(keys, "scene", listPath, request.path,
-             "Scene file, or `:/scenes/NAME.toml` for one that comes with the program");
+void describeScene(Keys& keys, const std::string& listPath, SceneRequest& request) {
+    describePath(keys, "scene", listPath, request.path,
+                 "Scene file, or `:/scenes/NAME.toml` for one that comes with the program");
     keys.whole("seed", request.seed, {0}, "Seed of its random numbers", Need::optional);
 }
 
-void tellRecording(Keys& keys, const std::string& listPath, CsvRequest& request) {
+void describeRecording(Keys& keys, const std::string& listPath, CsvRequest& request) {
     std::string path;
-    tellPath(keys, "recording", listPath, path, "CSV file of the frames of an array");
+    describePath(keys, "recording", listPath, path, "CSV file of the frames of an array");
     if (auto guessed = guessCsv(path))
         request = std::move(*guessed);
     else
@@ -63,10 +63,10 @@ void tellRecording(Keys& keys, const std::string& listPath, CsvRequest& request)
                Need::optional);
     keys.number("pitch_m", request.layout.pitch_m, positive,
                 "Distance between neighbouring taxels; otherwise that of the guessed array", Need::optional);
-    tellPath(keys, "tare", listPath, request.tarePath,
-             "Recording of the unloaded array; otherwise a file beside it whose name says empty",
-             Need::optional);
-    tellPath(keys, "gains", listPath, request.gainsPath, "Gains of the taxels", Need::optional);
+    describePath(keys, "tare", listPath, request.tarePath,
+                 "Recording of the unloaded array; otherwise a file beside it whose name says empty",
+                 Need::optional);
+    describePath(keys, "gains", listPath, request.gainsPath, "Gains of the taxels", Need::optional);
     keys.flag("inverted", request.inverted, "Readings fall under load");
     keys.number("gain", request.gain, positive, "Load units in a count of the file", Need::optional);
     keys.number("threshold", request.threshold_N, positive, "Load above which a taxel counts as touched",
@@ -80,10 +80,10 @@ void tellRecording(Keys& keys, const std::string& listPath, CsvRequest& request)
 }
 
 /// All sources of a recording of this program.
-void tellPlaybacks(Keys& keys, const std::string& listPath, std::vector<SourceRequest>& requests) {
+void describePlaybacks(Keys& keys, const std::string& listPath, std::vector<SourceRequest>& requests) {
     std::string path;
-    tellPath(keys, "recording", listPath, path,
-             "Recording of this program (.teleta), with all of its sources");
+    describePath(keys, "recording", listPath, path,
+                 "Recording of this program (.teleta), with all of its sources");
     auto playbacks = recordingRequestsOf(path);
     if (!playbacks)
         refuse(keys, "recording", playbacks.error());
@@ -95,7 +95,7 @@ void tellPlaybacks(Keys& keys, const std::string& listPath, std::vector<SourceRe
     }
 }
 
-void tellWts(Keys& keys, const std::string& listPath, WtsRequest& request) {
+void describeWts(Keys& keys, const std::string& listPath, WtsRequest& request) {
     std::string text;
     keys.text("wts", text, "Weiss array: the path of its serial port, or `tcp://HOST:PORT`");
     if (auto address = wts::parseWtsAddress(text))
@@ -113,26 +113,26 @@ void tellWts(Keys& keys, const std::string& listPath, WtsRequest& request) {
     keys.flag("tare", request.config.tare, "The array tares itself at the start");
     keys.number("gain", request.gain, NumberRange::positive(), "Load units in a count of the array",
                 Need::optional);
-    tellPath(keys, "gains", listPath, request.gainsPath, "Gains of the taxels", Need::optional);
+    describePath(keys, "gains", listPath, request.gainsPath, "Gains of the taxels", Need::optional);
     keys.number("threshold", request.threshold, NumberRange::positive(),
                 "Load above which a taxel counts as touched; otherwise 1 % of full scale");
     keys.text("unit", request.loadUnit, "Unit that is shown with every load", Need::optional);
 }
 
-void tellCamera(Keys& keys, const std::string& listPath, CameraRequest& request) {
+void describeCamera(Keys& keys, const std::string& listPath, CameraRequest& request) {
     keys.text("camera", request.source,
               "Number of a camera, a video, or a pattern of numbered pictures, as `frames/%04d.png`");
     if (!camera::isCameraNumber(request.source))
         request.source = besideList(listPath, request.source);
-    tellPath(keys, "camera_model", listPath, request.modelPath, "Camera file of its calibration");
+    describePath(keys, "camera_model", listPath, request.modelPath, "Camera file of its calibration");
     keys.flag("loop", request.loop, "A file starts again at its end");
 }
 
 template <typename Request>
 void add(Keys& keys, const std::string& listPath, std::vector<SourceRequest>& requests,
-         void (*tell)(Keys&, const std::string&, Request&)) {
+         void (*describe)(Keys&, const std::string&, Request&)) {
     Request request;
-    tell(keys, listPath, request);
+    describe(keys, listPath, request);
     requests.emplace_back(std::move(request));
 }
 
@@ -149,19 +149,19 @@ SourceKind kindOf(core::TomlTable& table) {
 
 } // namespace
 
-void tellSource(core::Keys& keys, SourceKind kind, const std::string& listPath,
-                std::vector<SourceRequest>& requests) {
+void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPath,
+                    std::vector<SourceRequest>& requests) {
     switch (kind) {
     case SourceKind::scene:
-        return add(keys, listPath, requests, tellScene);
+        return add(keys, listPath, requests, describeScene);
     case SourceKind::recording:
-        return add(keys, listPath, requests, tellRecording);
+        return add(keys, listPath, requests, describeRecording);
     case SourceKind::playback:
-        return tellPlaybacks(keys, listPath, requests);
+        return describePlaybacks(keys, listPath, requests);
     case SourceKind::wts:
-        return add(keys, listPath, requests, tellWts);
+        return add(keys, listPath, requests, describeWts);
     case SourceKind::camera:
-        return add(keys, listPath, requests, tellCamera);
+        return add(keys, listPath, requests, describeCamera);
     }
 }
 
@@ -176,7 +176,7 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
     std::vector<SourceRequest> requests;
     for (core::TomlTable& table : root.tables("source", 1)) {
         core::TomlKeys keys(table);
-        tellSource(keys, kindOf(table), path, requests);
+        describeSource(keys, kindOf(table), path, requests);
         keys.finish();
     }
     root.finish();

@@ -19,9 +19,9 @@ enum class SourceKind {
     camera,    ///< a camera in a soft tube, or a video of one
 };
 
-/// Tells the keys of a source and adds what it opens. Relative paths start at the list's folder.
-void tellSource(core::Keys& keys, SourceKind kind, const std::string& listPath,
-                std::vector<SourceRequest>& requests);
+/// Describes the keys of a source and adds what it opens. Relative paths start at the list's folder.
+void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPath,
+                    std::vector<SourceRequest>& requests);
 
 /// Reads a source list (TOML): one [[source]] a tactile array or a camera, in the order in which they open.
 /// Errors carry file, line and column. Reads the header of each recording: not on the GUI's thread.

@@ -50,24 +50,24 @@ void KeyCheck::wholeNumber(std::string_view key, long long& value, const WholeRa
 }
 
 void KeyCheck::choose(std::string_view, std::size_t value, const KeyNames&, std::string_view, Need,
-                      const std::function<void(Keys&, std::size_t)>& tell) {
-    tell(*this, value);
+                      const std::function<void(Keys&, std::size_t)>& describe) {
+    describe(*this, value);
 }
 
-void KeyCheck::inTable(const std::string& path, const Tell& tell) {
+void KeyCheck::inTable(const std::string& path, const Describe& describe) {
     KeyCheck nested(path);
-    tell(nested);
+    describe(nested);
     if (!m_error)
         m_error = nested.m_error;
 }
 
-void KeyCheck::table(std::string_view key, std::string_view, Need, const Tell& tell) {
-    inTable(pathOf(key), tell);
+void KeyCheck::table(std::string_view key, std::string_view, Need, const Describe& describe) {
+    inTable(pathOf(key), describe);
 }
 
 void KeyCheck::tableList(std::string_view key, std::size_t minimum, std::string_view, std::size_t count,
                          const std::function<void(std::size_t)>&,
-                         const std::function<void(Keys&, std::size_t)>& tell) {
+                         const std::function<void(Keys&, std::size_t)>& describe) {
     if (count < minimum && !m_path.empty())
         refuse(key,
                CheckText::tr("\"%1\" has too few entries")
@@ -75,7 +75,7 @@ void KeyCheck::tableList(std::string_view key, std::size_t minimum, std::string_
                    .toStdString(),
                CheckText::tr("at least %1").arg(minimum).toStdString());
     for (std::size_t i = 0; i < count; ++i)
-        inTable(pathOf(key) + '[' + std::to_string(i) + ']', [&](Keys& keys) { tell(keys, i); });
+        inTable(pathOf(key) + '[' + std::to_string(i) + ']', [&](Keys& keys) { describe(keys, i); });
 }
 
 } // namespace teleta::core

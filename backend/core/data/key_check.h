@@ -6,7 +6,7 @@
 
 namespace teleta::core {
 
-/// Checks the values that are told against what their keys accept. A program's own value may leave out what
+/// Checks values against what their keys accept. A program's own value may leave out what
 /// only a file has to give: texts, and the tables of its top.
 class KeyCheck : public Keys {
 public:
@@ -23,9 +23,9 @@ public:
     void flag(std::string_view, bool&, std::string_view) override {}
     void text(std::string_view, std::string&, std::string_view, Need) override {}
     void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,
-                Need need, const std::function<void(Keys&, std::size_t)>& tell) override;
+                Need need, const std::function<void(Keys&, std::size_t)>& describe) override;
     using Keys::table;
-    void table(std::string_view key, std::string_view about, Need need, const Tell& tell) override;
+    void table(std::string_view key, std::string_view about, Need need, const Describe& describe) override;
     void oneOf(std::string_view, std::string_view, const std::string&, const std::string&) override {}
     void refuse(std::string_view key, const std::string& message, const std::string& expected) override;
 
@@ -34,13 +34,13 @@ protected:
                      Need need) override;
     void tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t count,
                    const std::function<void(std::size_t)>& resize,
-                   const std::function<void(Keys&, std::size_t)>& tell) override;
+                   const std::function<void(Keys&, std::size_t)>& describe) override;
     bool isThere(std::string_view, bool known) override { return known; }
 
 private:
     [[nodiscard]] std::string pathOf(std::string_view key) const;
     void outOfRange(std::string_view key, double value, const std::string& expected);
-    void inTable(const std::string& path, const Tell& tell);
+    void inTable(const std::string& path, const Describe& describe);
 
     std::string m_path;
     std::optional<Error> m_error;
@@ -51,7 +51,7 @@ private:
 template <typename T>
 [[nodiscard]] Expected<void> checkKeys(T value) {
     KeyCheck check;
-    value.tell(check);
+    value.describeKeys(check);
     if (check.firstError())
         return Unexpected(*check.firstError());
     return {};

@@ -129,7 +129,7 @@ void KeyReference::wholeNumber(std::string_view key, long long& value, const Who
 
 void KeyReference::choose(std::string_view key, std::size_t value, const KeyNames& names,
                           std::string_view about, Need need,
-                          const std::function<void(Keys&, std::size_t)>& tell) {
+                          const std::function<void(Keys&, std::size_t)>& describe) {
     std::string accepts;
     for (const KeyName& name : names)
         accepts += (accepts.empty() ? "" : ", ") + code(name.name);
@@ -142,7 +142,7 @@ void KeyReference::choose(std::string_view key, std::size_t value, const KeyName
                 names[i].about);
         m_when = code(names[i].name);
         always += (always.empty() ? "" : ", ") + m_when;
-        tell(*this, i);
+        describe(*this, i);
         m_when.clear();
     }
     // What all of them have needs no condition.
@@ -153,25 +153,25 @@ void KeyReference::choose(std::string_view key, std::size_t value, const KeyName
 }
 
 void KeyReference::addTable(std::string_view key, const std::string& accepts, Need need,
-                            std::string_view about, bool list, const Tell& tell) {
+                            std::string_view about, bool list, const Describe& describe) {
     // What a page says in a heading of its own needs no row.
     if (!about.empty())
         add(key, accepts, need, "—", about);
     KeyReference nested(*this, m_path.empty() ? std::string(key) : m_path + '.' + std::string(key), list);
-    tell(nested);
+    describe(nested);
 }
 
-void KeyReference::table(std::string_view key, std::string_view about, Need need, const Tell& tell) {
-    addTable(key, m_words.table, need, about, false, tell);
+void KeyReference::table(std::string_view key, std::string_view about, Need need, const Describe& describe) {
+    addTable(key, m_words.table, need, about, false, describe);
 }
 
 void KeyReference::tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t,
                              const std::function<void(std::size_t)>& resize,
-                             const std::function<void(Keys&, std::size_t)>& tell) {
+                             const std::function<void(Keys&, std::size_t)>& describe) {
     resize(1);
     addTable(key, m_words.tables + (minimum > 1 ? ", ≥ " + std::to_string(minimum) : std::string()),
              minimum > 0 ? Need::required : Need::optional, about, true,
-             [&tell](Keys& keys) { tell(keys, 0); });
+             [&describe](Keys& keys) { describe(keys, 0); });
 }
 
 } // namespace teleta::core

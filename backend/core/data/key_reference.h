@@ -36,7 +36,7 @@ struct ReferenceTable {
     std::vector<Row> rows;
 };
 
-/// Collects the keys that are told of values as they are by default: each table with its rows, the tables in
+/// Collects the keys of values as they are by default: each table with its rows, the tables in
 /// it behind it.
 class KeyReference : public Keys {
 public:
@@ -54,9 +54,9 @@ public:
     void flag(std::string_view key, bool& value, std::string_view about) override;
     void text(std::string_view key, std::string& value, std::string_view about, Need need) override;
     void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,
-                Need need, const std::function<void(Keys&, std::size_t)>& tell) override;
+                Need need, const std::function<void(Keys&, std::size_t)>& describe) override;
     using Keys::table;
-    void table(std::string_view key, std::string_view about, Need need, const Tell& tell) override;
+    void table(std::string_view key, std::string_view about, Need need, const Describe& describe) override;
     void oneOf(std::string_view, std::string_view, const std::string&, const std::string&) override {}
     void refuse(std::string_view, const std::string&, const std::string&) override {}
 
@@ -65,7 +65,7 @@ protected:
                      Need need) override;
     void tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t count,
                    const std::function<void(std::size_t)>& resize,
-                   const std::function<void(Keys&, std::size_t)>& tell) override;
+                   const std::function<void(Keys&, std::size_t)>& describe) override;
     bool isThere(std::string_view, bool) override { return m_unset = true; }
 
 private:
@@ -74,7 +74,7 @@ private:
              std::string_view about);
 
     void addTable(std::string_view key, const std::string& accepts, Need need, std::string_view about,
-                  bool list, const Tell& tell);
+                  bool list, const Describe& describe);
 
     std::shared_ptr<std::vector<ReferenceTable>> m_tables;
     ReferenceWords m_words;

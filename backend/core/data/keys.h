@@ -67,10 +67,10 @@ struct KeyName {
 };
 using KeyNames = std::vector<KeyName>;
 
-/// The keys of a table in a file, told one after the other: name, where the value lies, what it accepts, what
-/// it means. A type tells its keys once, in its member
-///   void tell(core::Keys& keys);
-/// and whoever listens does with them what it is for: TomlKeys reads a file, KeyCheck checks a value that a
+/// The keys of a table in a file, described one after the other: name, where the value lies, what it accepts,
+/// what it means. A type describes its keys once, in its member
+///   void describeKeys(core::Keys& keys);
+/// and each kind of Keys uses the descriptions: TomlKeys reads a file, KeyCheck checks a value that a
 /// program made, KeyReference writes the handbook's page. So no range stands twice.
 /// about: one English sentence without a full stop at its end. Thread: one.
 class Keys {
@@ -122,53 +122,54 @@ public:
     void word(std::string_view key, const char* text, std::string_view about) {
         choose(key, 0, {text}, about, Need::required, [](Keys&, std::size_t) {});
     }
-    /// One of the names, on which the keys that follow depend: tell(keys, index) tells those of one name.
+    /// One of the names, on which the keys that follow depend: describe(keys, index) describes
+    /// those of one name.
     virtual void choose(std::string_view key, std::size_t value, const KeyNames& names,
                         std::string_view about, Need need,
-                        const std::function<void(Keys&, std::size_t)>& tell) = 0;
+                        const std::function<void(Keys&, std::size_t)>& describe) = 0;
     /// One of the alternatives, whose names stand in their order, and the keys that it has.
     template <typename... Alternatives>
     void variant(std::string_view key, std::variant<Alternatives...>& value, const KeyNames& names,
                  std::string_view about) {
         choose(key, value.index(), names, about, Need::required, [&value](Keys& keys, std::size_t chosen) {
             select(value, chosen, std::index_sequence_for<Alternatives...>());
-            std::visit([&keys](auto& alternative) { alternative.tell(keys); }, value);
+            std::visit([&keys](auto& alternative) { alternative.describeKeys(keys); }, value);
         });
     }
 
-    using Tell = std::function<void(Keys&)>;
+    using Describe = std::function<void(Keys&)>;
     /// A table in the table.
-    virtual void table(std::string_view key, std::string_view about, Need need, const Tell& tell) = 0;
+    virtual void table(std::string_view key, std::string_view about, Need need, const Describe& describe) = 0;
     template <typename T>
     void table(std::string_view key, T& value, std::string_view about, Need need = Need::required) {
-        table(key, about, need, [&value](Keys& keys) { value.tell(keys); });
+        table(key, about, need, [&value](Keys& keys) { value.describeKeys(keys); });
     }
-    /// One that need not be there: tell(keys, value) tells the keys of its value.
-    template <typename T, typename TellOne>
-    void table(std::string_view key, std::optional<T>& value, std::string_view about, TellOne tell) {
+    /// One that need not be there: describe(keys, value) describes the keys of its value.
+    template <typename T, typename DescribeOne>
+    void table(std::string_view key, std::optional<T>& value, std::string_view about, DescribeOne describe) {
         if (!isThere(key, value.has_value()))
             return;
         if (!value)
             value.emplace();
-        table(key, about, Need::optional, [&value, tell](Keys& keys) { tell(keys, *value); });
+        table(key, about, Need::optional, [&value, describe](Keys& keys) { describe(keys, *value); });
     }
     template <typename T>
     void table(std::string_view key, std::optional<T>& value, std::string_view about) {
-        table(key, value, about, [](Keys& keys, T& known) { known.tell(keys); });
+        table(key, value, about, [](Keys& keys, T& known) { known.describeKeys(keys); });
     }
 
-    /// Tables, at least so many: tell(keys, values, index) tells one.
-    template <typename T, typename TellOne>
+    /// Tables, at least so many: describe(keys, values, index) describes one.
+    template <typename T, typename DescribeOne>
     void tables(std::string_view key, std::vector<T>& values, std::size_t minimum, std::string_view about,
-                TellOne tell) {
+                DescribeOne describe) {
         tableList(
             key, minimum, about, values.size(), [&values](std::size_t count) { values.resize(count); },
-            [&values, tell](Keys& keys, std::size_t i) { tell(keys, values, i); });
+            [&values, describe](Keys& keys, std::size_t i) { describe(keys, values, i); });
     }
     template <typename T>
     void tables(std::string_view key, std::vector<T>& values, std::size_t minimum, std::string_view about) {
         tables(key, values, minimum, about,
-               [](Keys& keys, std::vector<T>& known, std::size_t i) { known[i].tell(keys); });
+               [](Keys& keys, std::vector<T>& known, std::size_t i) { known[i].describeKeys(keys); });
     }
 
     /// Exactly one of two keys may be given.
@@ -182,8 +183,8 @@ protected:
                              std::string_view about, Need need) = 0;
     virtual void tableList(std::string_view key, std::size_t minimum, std::string_view about,
                            std::size_t count, const std::function<void(std::size_t)>& resize,
-                           const std::function<void(Keys&, std::size_t)>& tell) = 0;
-    /// Whether a table that need not be there is told; known: the value has it.
+                           const std::function<void(Keys&, std::size_t)>& describe) = 0;
+    /// Whether to describe a table that need not be there; known: the value has it.
     [[nodiscard]] virtual bool isThere(std::string_view key, bool known) = 0;
 
 private:

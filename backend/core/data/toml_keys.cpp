@@ -41,33 +41,33 @@ void TomlKeys::text(std::string_view key, std::string& value, std::string_view, 
 }
 
 void TomlKeys::choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view,
-                      Need need, const std::function<void(Keys&, std::size_t)>& tell) {
+                      Need need, const std::function<void(Keys&, std::size_t)>& describe) {
     if (need == Need::optional && !m_table.has(key))
-        return tell(*this, value);
+        return describe(*this, value);
     std::vector<std::string_view> allowed;
     std::ranges::transform(names, std::back_inserter(allowed), &KeyName::name);
-    tell(*this, m_table.choice(key, allowed));
+    describe(*this, m_table.choice(key, allowed));
 }
 
-void TomlKeys::table(std::string_view key, std::string_view, Need need, const Tell& tell) {
+void TomlKeys::table(std::string_view key, std::string_view, Need need, const Describe& describe) {
     if (need == Need::optional && !m_table.has(key))
         return;
-    readNow([table = m_table.table(key), tell] {
+    readNow([table = m_table.table(key), describe] {
         TomlKeys keys(table);
-        tell(keys);
+        describe(keys);
         keys.finish();
     });
 }
 
 void TomlKeys::tableList(std::string_view key, std::size_t minimum, std::string_view, std::size_t,
                          const std::function<void(std::size_t)>& resize,
-                         const std::function<void(Keys&, std::size_t)>& tell) {
+                         const std::function<void(Keys&, std::size_t)>& describe) {
     const std::vector<TomlTable> tables = m_table.tables(key, minimum);
     resize(tables.size());
-    readNow([tables, tell] {
+    readNow([tables, describe] {
         for (std::size_t i = 0; i < tables.size(); ++i) {
             TomlKeys keys(tables[i]);
-            tell(keys, i);
+            describe(keys, i);
             keys.finish();
         }
     });

@@ -6,7 +6,7 @@
 
 namespace teleta::core {
 
-/// Reads the keys that are told from a table of a TOML document, which keeps the first error.
+/// Reads the keys that are described from a table of a TOML document, which keeps the first error.
 class TomlKeys : public Keys {
 public:
     /// When the tables in the table are read.
@@ -18,7 +18,7 @@ public:
     };
     explicit TomlKeys(TomlTable table, Nested nested = Nested::atOnce);
 
-    /// Reports unknown and missing keys. Call it after the last key was told.
+    /// Reports unknown and missing keys. Call it after the last key was described.
     void finish();
 
     using Keys::number;
@@ -29,9 +29,9 @@ public:
     void flag(std::string_view key, bool& value, std::string_view about) override;
     void text(std::string_view key, std::string& value, std::string_view about, Need need) override;
     void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,
-                Need need, const std::function<void(Keys&, std::size_t)>& tell) override;
+                Need need, const std::function<void(Keys&, std::size_t)>& describe) override;
     using Keys::table;
-    void table(std::string_view key, std::string_view about, Need need, const Tell& tell) override;
+    void table(std::string_view key, std::string_view about, Need need, const Describe& describe) override;
     void oneOf(std::string_view first, std::string_view second, const std::string& message,
                const std::string& expected) override;
     void refuse(std::string_view key, const std::string& message, const std::string& expected) override;
@@ -41,7 +41,7 @@ protected:
                      Need need) override;
     void tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t count,
                    const std::function<void(std::size_t)>& resize,
-                   const std::function<void(Keys&, std::size_t)>& tell) override;
+                   const std::function<void(Keys&, std::size_t)>& describe) override;
     bool isThere(std::string_view key, bool known) override;
 
 private:
@@ -54,13 +54,13 @@ private:
     std::vector<std::function<void()>> m_atEnd;
 };
 
-/// Reads a value from the root of a document by the keys that it tells.
+/// Reads a value from the root of a document by the keys that it describes.
 /// Error: badInput, the first one in the file's order of reading.
 template <typename T>
 [[nodiscard]] Expected<T> readKeys(const TomlDocument& document) {
     T value;
     TomlKeys keys(document.root());
-    value.tell(keys);
+    value.describeKeys(keys);
     keys.finish();
     if (document.firstError())
         return Unexpected(*document.firstError());

@@ -23,8 +23,8 @@ bool isIdentifier(const std::string& text) {
 
 } // namespace
 
-void tellIdentifier(core::Keys& keys, std::string_view key, std::string& value, std::set<std::string>& used,
-                    std::string_view about) {
+void describeIdentifier(core::Keys& keys, std::string_view key, std::string& value,
+                        std::set<std::string>& used, std::string_view about) {
     keys.text(key, value, about);
     if (!isIdentifier(value))
         keys.refuse(

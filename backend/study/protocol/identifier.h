@@ -9,9 +9,9 @@
 
 namespace teleta::study {
 
-/// Tells a name that may stand in file names and in identifiers of every export: letters, digits, - and _,
-/// not among `used`, to which it is added. Anything else is refused.
-void tellIdentifier(core::Keys& keys, std::string_view key, std::string& value, std::set<std::string>& used,
-                    std::string_view about);
+/// Describes the key of a name that may stand in file names and in identifiers of every export: letters,
+/// digits, - and _, not among `used`, to which it is added. Anything else is refused.
+void describeIdentifier(core::Keys& keys, std::string_view key, std::string& value,
+                        std::set<std::string>& used, std::string_view about);
 
 } // namespace teleta::study

@@ -33,23 +33,23 @@ constexpr double kLongest_s = 3600.0;
 constexpr char kBuiltIn[] = ":/studies";
 constexpr char kPaper[] = "teleta.toml";
 
-void tellPhase(Keys& keys, PhaseSettings& phase) {
+void describePhase(Keys& keys, PhaseSettings& phase) {
     keys.whole("repetitions", phase.repetitions, {0, kMostRepetitions},
                "Trials of each pattern; 0 leaves the phase out");
     keys.flag("feedback", phase.feedback, "Show the right answer after each trial");
     keys.flag("diagram", phase.diagram, "Show the pictures of the patterns during the trials");
 }
 
-void tellRest(Keys& keys, RestSettings& rest) {
+void describeRest(Keys& keys, RestSettings& rest) {
     keys.whole("every_trials", rest.everyTrials, {1, kMostTrials}, "Completed trials between two rests");
     keys.number("at_least_s", rest.atLeast_s, NumberRange::between(0.0, kLongest_s), "Shortest rest",
                 Need::optional);
 }
 
-void tellPattern(Keys& keys, StudyPattern& pattern, std::set<std::string>& letters,
-                 const std::vector<std::string>& conditions) {
-    tellIdentifier(keys, "letter", pattern.letter, letters,
-                   "The pattern's letter in results; not `NA` or `NONE`");
+void describePattern(Keys& keys, StudyPattern& pattern, std::set<std::string>& letters,
+                     const std::vector<std::string>& conditions) {
+    describeIdentifier(keys, "letter", pattern.letter, letters,
+                       "The pattern's letter in results; not `NA` or `NONE`");
     // These words stand for something else in the columns stimulus and response.
     if (pattern.letter == "NA" || pattern.letter == "NONE")
         keys.refuse("letter",
@@ -69,14 +69,14 @@ void tellPattern(Keys& keys, StudyPattern& pattern, std::set<std::string>& lette
                });
 }
 
-void tellTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds) {
-    tellIdentifier(keys, "id", task.id, usedIds, "The task's name in results");
+void describeTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds) {
+    describeIdentifier(keys, "id", task.id, usedIds, "The task's name in results");
     task.name = task.id;
     keys.text("name", task.name, "What the participant reads; otherwise the id", Need::optional);
     std::set<std::string> conditions;
     keys.tables("condition", task.conditions, 1, "Conditions, whose order is balanced between participants",
                 [&conditions](Keys& entry, std::vector<std::string>& ids, std::size_t i) {
-                    tellIdentifier(entry, "id", ids[i], conditions, "The condition's name in results");
+                    describeIdentifier(entry, "id", ids[i], conditions, "The condition's name in results");
                 });
     std::set<std::string> letters;
     keys.tables("pattern", task.patterns, 2, "Patterns to be told apart, at most 9",
@@ -85,13 +85,13 @@ void tellTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds) {
                         entry.refuse(
                             "letter", ProtocolText::tr("there are too many patterns").toStdString(),
                             ProtocolText::tr("at most %1, one digit each").arg(kMostPatterns).toStdString());
-                    tellPattern(entry, patterns[i], letters, task.conditions);
+                    describePattern(entry, patterns[i], letters, task.conditions);
                 });
 }
 
 } // namespace
 
-void Protocol::tell(Keys& keys) {
+void Protocol::describeKeys(Keys& keys) {
     const NumberRange time = NumberRange::positiveUpTo(kLongest_s);
     keys.text("name", name, "Name of the protocol");
     description = "-";
@@ -105,10 +105,11 @@ void Protocol::tell(Keys& keys) {
     keys.choice("order", order, {"full_random", "blocked_random"},
                 "Whether all trials are shuffled together or repetition by repetition");
     keys.table("practice", "Trials before the test", Need::required,
-               [this](Keys& table) { tellPhase(table, practice); });
-    keys.table("test", "Trials that count", Need::required, [this](Keys& table) { tellPhase(table, test); });
+               [this](Keys& table) { describePhase(table, practice); });
+    keys.table("test", "Trials that count", Need::required,
+               [this](Keys& table) { describePhase(table, test); });
     keys.table("pause", "Rests within a session; without it there are none", Need::optional,
-               [this](Keys& table) { tellRest(table, rest); });
+               [this](Keys& table) { describeRest(table, rest); });
     keys.table("masking_noise", "Noise in the participant's headphones", Need::required, [this](Keys& table) {
         table.choose("colour", noiseColour == "none" ? 1 : 0, {"pink", "none"}, "Kind of noise",
                      Need::required,
@@ -117,10 +118,11 @@ void Protocol::tell(Keys& keys) {
                      "Level, as noted in the results", Need::optional);
     });
     std::set<std::string> ids;
-    keys.tables(
-        "task", tasks, 1, "What participants have to tell apart",
-        [&ids](Keys& table, std::vector<StudyTask>& all, std::size_t i) { tellTask(table, all[i], ids); });
-    tellQuestionnaires(keys, questionnaires);
+    keys.tables("task", tasks, 1, "What participants have to tell apart",
+                [&ids](Keys& table, std::vector<StudyTask>& all, std::size_t i) {
+                    describeTask(table, all[i], ids);
+                });
+    describeQuestionnaires(keys, questionnaires);
 }
 
 std::size_t Protocol::testTrials() const {

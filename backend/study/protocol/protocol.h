@@ -71,7 +71,7 @@ struct Protocol {
     std::vector<Questionnaire> questionnaires;
     std::string source; ///< text of the file, kept with the study
 
-    void tell(core::Keys& keys);
+    void describeKeys(core::Keys& keys);
 
     /// Test trials of one participant.
     [[nodiscard]] std::size_t testTrials() const;

@@ -30,8 +30,8 @@ core::Unexpected misfit(const std::string& item, const QString& message, const Q
         core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {item}});
 }
 
-void tellItem(Keys& keys, QuestionnaireItem& item, std::set<std::string>& used) {
-    tellIdentifier(keys, "id", item.id, used, "The question's name in results");
+void describeItem(Keys& keys, QuestionnaireItem& item, std::set<std::string>& used) {
+    describeIdentifier(keys, "id", item.id, used, "The question's name in results");
     keys.choose(
         "kind", static_cast<std::size_t>(item.kind),
         {{"text", "Answered in the participant's own words"},
@@ -47,8 +47,8 @@ void tellItem(Keys& keys, QuestionnaireItem& item, std::set<std::string>& used) 
                 std::set<std::string> ids;
                 same.tables("choice", item.choices, 2, "The choices",
                             [&ids](Keys& entry, std::vector<ItemChoice>& choices, std::size_t i) {
-                                tellIdentifier(entry, "id", choices[i].id, ids,
-                                               "The choice's name in results");
+                                describeIdentifier(entry, "id", choices[i].id, ids,
+                                                   "The choice's name in results");
                                 choices[i].text = choices[i].id;
                                 entry.text("text", choices[i].text,
                                            "What the participant reads; otherwise the id", Need::optional);
@@ -127,12 +127,13 @@ const char* toString(ItemKind kind) {
     return "choice";
 }
 
-void tellQuestionnaires(Keys& keys, std::vector<Questionnaire>& questionnaires) {
+void describeQuestionnaires(Keys& keys, std::vector<Questionnaire>& questionnaires) {
     std::set<std::string> ids;
     keys.tables("questionnaire", questionnaires, 0, "Questions to the participants",
                 [&ids](Keys& table, std::vector<Questionnaire>& all, std::size_t q) {
                     Questionnaire& questionnaire = all[q];
-                    tellIdentifier(table, "id", questionnaire.id, ids, "The questionnaire's name in results");
+                    describeIdentifier(table, "id", questionnaire.id, ids,
+                                       "The questionnaire's name in results");
                     questionnaire.title = questionnaire.id;
                     table.text("title", questionnaire.title, "Its heading; otherwise the id", Need::optional);
                     table.choice("when", questionnaire.when,
@@ -141,7 +142,7 @@ void tellQuestionnaires(Keys& keys, std::vector<Questionnaire>& questionnaires) 
                     std::set<std::string> used;
                     table.tables("item", questionnaire.items, 1, "Its questions",
                                  [&used](Keys& item, std::vector<QuestionnaireItem>& items, std::size_t i) {
-                                     tellItem(item, items[i], used);
+                                     describeItem(item, items[i], used);
                                  });
                 });
 }

@@ -58,8 +58,8 @@ struct ItemAnswer {
     std::optional<std::string> value;
 };
 
-/// Tells [[questionnaire]]. Ids: as in the protocol.
-void tellQuestionnaires(core::Keys& keys, std::vector<Questionnaire>& questionnaires);
+/// Describes [[questionnaire]]. Ids: as in the protocol.
+void describeQuestionnaires(core::Keys& keys, std::vector<Questionnaire>& questionnaires);
 
 /// Checks answers: one per item in the items' order, required items answered, valid values, texts of at most
 /// 10000 characters. Error: refused, naming the item in Error::where.file.

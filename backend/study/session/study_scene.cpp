@@ -31,11 +31,11 @@ constexpr double kHighestRate_Hz = 1000.0;
 struct EffectRow {
     std::string_view name;
     std::string_view why;
-    void (*tell)(Keys& keys, StudyScene& scene);
+    void (*describe)(Keys& keys, StudyScene& scene);
     void (*leaveOut)(StudyScene& scene);
 };
 
-void tellShare(Keys& keys, std::string_view key, std::optional<double>& share, std::string_view about) {
+void describeShare(Keys& keys, std::string_view key, std::optional<double>& share, std::string_view about) {
     keys.number(key, share.emplace(0.0), NumberRange::between(0.0, 1.0), about);
 }
 
@@ -48,7 +48,7 @@ constexpr std::array kEffects{
               [](StudyScene& scene) { scene.confusion = false; }},
     EffectRow{"lapses", "Participants do not always answer",
               [](Keys& keys, StudyScene& scene) {
-                  tellShare(keys, "probability", scene.lapses, "Probability of no answer");
+                  describeShare(keys, "probability", scene.lapses, "Probability of no answer");
               },
               [](StudyScene& scene) { scene.lapses.reset(); }},
     EffectRow{"reaction_time", "Answers take time",
@@ -68,18 +68,18 @@ constexpr std::array kEffects{
               [](StudyScene& scene) { scene.motorLag.reset(); }},
     EffectRow{"dead_zone", "A motor stands at a weak drive",
               [](Keys& keys, StudyScene& scene) {
-                  tellShare(keys, "start_share", scene.deadZone,
-                            "Share of the full drive at which a motor starts");
+                  describeShare(keys, "start_share", scene.deadZone,
+                                "Share of the full drive at which a motor starts");
               },
               [](StudyScene& scene) { scene.deadZone.reset(); }},
     EffectRow{"dropped_frames", "Not all commands reach the bracelet",
               [](Keys& keys, StudyScene& scene) {
-                  tellShare(keys, "share", scene.droppedFrames, "Share of the frames that are lost");
+                  describeShare(keys, "share", scene.droppedFrames, "Share of the frames that are lost");
               },
               [](StudyScene& scene) { scene.droppedFrames.reset(); }},
 };
 
-void tellEffect(Keys& keys, StudyScene& scene, std::size_t i) {
+void describeEffect(Keys& keys, StudyScene& scene, std::size_t i) {
     core::KeyNames names;
     for (const EffectRow& row : kEffects)
         names.push_back({row.name, row.why});
@@ -94,13 +94,13 @@ void tellEffect(Keys& keys, StudyScene& scene, std::size_t i) {
                         same.refuse("name", StudySceneText::tr("the effect is listed twice").toStdString(),
                                     StudySceneText::tr("each effect at most once").toStdString());
                     same.text("why", effect.why, "What the scene would lose without the effect");
-                    kEffects[chosen].tell(same, scene);
+                    kEffects[chosen].describe(same, scene);
                 });
 }
 
 } // namespace
 
-void StudyScene::tell(Keys& keys) {
+void StudyScene::describeKeys(Keys& keys) {
     keys.text("name", name, "Name of the scene");
     keys.text("description", description, "What happens in it");
     keys.number("duration_s", duration_s, NumberRange::positive(),
@@ -111,8 +111,9 @@ void StudyScene::tell(Keys& keys) {
         table.text("protocol", protocolPath, "Protocol file, relative to the scene; `paper` for the paper's");
         table.whole("participants", participants, {1, kMostParticipants}, "Simulated participants");
     });
-    keys.tables("effects", effects, 0, "Imperfections; what is not listed is not simulated",
-                [this](Keys& table, std::vector<Effect>&, std::size_t i) { tellEffect(table, *this, i); });
+    keys.tables(
+        "effects", effects, 0, "Imperfections; what is not listed is not simulated",
+        [this](Keys& table, std::vector<Effect>&, std::size_t i) { describeEffect(table, *this, i); });
 }
 
 bool isStudyScene(std::string_view text) {

@@ -46,7 +46,7 @@ struct StudyScene {
     };
     std::vector<Effect> effects; ///< in the order of the file
 
-    void tell(core::Keys& keys);
+    void describeKeys(core::Keys& keys);
 
     /// The same scene without one of its effects; unlisted effects change nothing.
     [[nodiscard]] StudyScene without(const std::string& effect) const;

@@ -12,13 +12,13 @@ namespace {
 
 struct Ball {
     double radius_m = 0.0;
-    void tell(Keys& keys) { keys.number("radius_m", radius_m, NumberRange::positive(), "Radius"); }
+    void describeKeys(Keys& keys) { keys.number("radius_m", radius_m, NumberRange::positive(), "Radius"); }
 };
 
 struct Box {
     double side_m = 0.0;
     int corners = 8;
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.number("side_m", side_m, NumberRange::between(0.1, 1.0), "Length of a side");
         keys.whole("corners", corners, {4, 8}, "Corners", Need::optional);
     }
@@ -34,7 +34,7 @@ struct Thing {
     std::optional<Box> hidden;
     std::optional<int> bit;
 
-    void tell(Keys& keys) {
+    void describeKeys(Keys& keys) {
         keys.text("name", name, "Its name");
         keys.variant("shape", shape, {{"ball", "It rolls"}, "box"}, "Its shape");
         keys.choice("colour", colour, {"red", "blue"}, "Its colour", Need::optional);
@@ -123,7 +123,7 @@ TEST(Keys, areCheckedInWhatAProgramMade) {
 TEST(Keys, areTheRowsOfAReference) {
     Thing thing;
     KeyReference reference;
-    thing.tell(reference);
+    thing.describeKeys(reference);
     ASSERT_EQ(reference.tables().size(), 3U);
     const auto& top = reference.tables()[0];
     EXPECT_EQ(top.path, "");

@@ -8,7 +8,7 @@ namespace teleta::cli {
 
 using core::Need;
 
-void ArrayFile::tell(core::Keys& keys) {
+void ArrayFile::describeKeys(core::Keys& keys) {
     keys.word("kind", "wts", "A Weiss array");
     keys.text("name", name, "Name on the screen");
     keys.text("address", address, "The path of its serial port, or `tcp://HOST:PORT`");
@@ -17,7 +17,7 @@ void ArrayFile::tell(core::Keys& keys) {
         keys.refuse("address", parsed.error().message, parsed.error().expected);
 }
 
-void CameraFile::tell(core::Keys& keys) {
+void CameraFile::describeKeys(core::Keys& keys) {
     const core::WholeRange side{0, vision::kLargestSide_px};
     keys.word("kind", "camera", "A camera in a soft tube");
     keys.text("name", name, "Name on the screen");

@@ -13,7 +13,7 @@ struct ArrayFile {
     std::string address; ///< as wts::parseWtsAddress takes it
     int baud = 115200;
 
-    void tell(core::Keys& keys);
+    void describeKeys(core::Keys& keys);
 };
 
 /// A camera as a TOML file describes it; 0: what the camera has.
@@ -24,7 +24,7 @@ struct CameraFile {
     int height_px = 0;
     double rate_Hz = 0.0;
 
-    void tell(core::Keys& keys);
+    void describeKeys(core::Keys& keys);
 };
 
 } // namespace teleta::cli

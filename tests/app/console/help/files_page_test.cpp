@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page "Files" of the handbook is made from the keys that the readers tell. This test fails when a page
-// that is kept in resources/handbook differs from them; run with TELETA_WRITE_PAGES=1, it writes the pages
-// anew.
+// The page "Files" of the handbook is made from the keys that the readers describe. This test fails when a
+// page that is kept in resources/handbook differs from them; run with TELETA_WRITE_PAGES=1, it writes the
+// pages anew.
 #include "app/cli/commands/devices/device_files.h"
 #include "app/console/sources/source_list.h"
 #include "backend/core/data/key_reference.h"
@@ -234,10 +234,10 @@ public:
         m_text +=
             std::string(static_cast<std::size_t>(level), '#') + ' ' + m_words.headings[section] + "\n\n";
     }
-    void part(int level, Section section, const std::function<void(core::Keys&)>& tell) {
+    void part(int level, Section section, const std::function<void(core::Keys&)>& describe) {
         head(level, section);
         core::KeyReference reference(m_words.columns);
-        tell(reference);
+        describe(reference);
         m_text += reference.markdown(level + 1);
     }
     [[nodiscard]] QByteArray text() const { return QByteArray::fromStdString(m_text).trimmed() + '\n'; }
@@ -252,7 +252,7 @@ std::function<void(core::Keys&)> effectsOn(scene::ActsOn what) {
         std::vector<scene::Effect> effects;
         keys.tables("effects", effects, 0, {},
                     [what](core::Keys& table, std::vector<scene::Effect>& all, std::size_t i) {
-                        scene::tellEffect(table, all[i], {what}, {}, {});
+                        scene::describeEffect(table, all[i], {what}, {}, {});
                     });
     };
 }
@@ -262,25 +262,25 @@ std::function<void(core::Keys&)> sourceOf(console::SourceKind kind) {
         std::vector<int> tables;
         keys.tables("source", tables, 1, {}, [kind](core::Keys& table, std::vector<int>&, std::size_t) {
             std::vector<console::SourceRequest> requests;
-            console::tellSource(table, kind, {}, requests);
+            console::describeSource(table, kind, {}, requests);
         });
     };
 }
 
 template <typename File>
-void tellFile(core::Keys& keys) {
+void describeFile(core::Keys& keys) {
     File file;
-    file.tell(keys);
+    file.describeKeys(keys);
 }
 
 QByteArray pageOf(const PageWords& words) {
     FilesPage page(words);
-    page.part(2, scenes, [](core::Keys& keys) { scene::Scene().tellHead(keys); });
-    page.part(3, arrayScene, tellFile<scene::ArrayWorld>);
-    page.part(3, armScene, tellFile<scene::ArmWorld>);
-    page.part(3, cameraScene, tellFile<scene::CameraWorld>);
-    page.part(3, servoScene, tellFile<scene::ServoWorld>);
-    page.part(3, studyScene, tellFile<study::StudyScene>);
+    page.part(2, scenes, [](core::Keys& keys) { scene::Scene().describeHead(keys); });
+    page.part(3, arrayScene, describeFile<scene::ArrayWorld>);
+    page.part(3, armScene, describeFile<scene::ArmWorld>);
+    page.part(3, cameraScene, describeFile<scene::CameraWorld>);
+    page.part(3, servoScene, describeFile<scene::ServoWorld>);
+    page.part(3, studyScene, describeFile<study::StudyScene>);
     page.head(2, effects);
     page.part(3, taxelEffects, effectsOn(scene::ActsOn::taxels));
     page.part(3, jointEffects, effectsOn(scene::ActsOn::joints));
@@ -288,12 +288,12 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, linkEffects, effectsOn(scene::ActsOn::link));
     page.part(3, contactEffects, effectsOn(scene::ActsOn::carriedArray));
     page.part(3, cameraEffects, effectsOn(scene::ActsOn::camera));
-    page.part(2, protocols, tellFile<study::Protocol>);
+    page.part(2, protocols, describeFile<study::Protocol>);
     page.head(2, devices);
-    page.part(3, modbusDevice, tellFile<modbus::RegisterMap>);
-    page.part(3, braceletDevice, tellFile<bracelet::HidBraceletFile>);
-    page.part(3, arrayDevice, tellFile<cli::ArrayFile>);
-    page.part(3, cameraDevice, tellFile<cli::CameraFile>);
+    page.part(3, modbusDevice, describeFile<modbus::RegisterMap>);
+    page.part(3, braceletDevice, describeFile<bracelet::HidBraceletFile>);
+    page.part(3, arrayDevice, describeFile<cli::ArrayFile>);
+    page.part(3, cameraDevice, describeFile<cli::CameraFile>);
     page.head(2, sources);
     page.part(3, sceneSource, sourceOf(console::SourceKind::scene));
     page.part(3, recordingSource, sourceOf(console::SourceKind::recording));
@@ -309,7 +309,7 @@ class FilesPageTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void isWhatTheReadersTell() {
+    void isWhatTheReadersDescribe() {
         for (const PageWords& words : pages()) {
             QFile file(QStringLiteral(TELETA_SOURCE_DIR "/resources/handbook/%1/files.md")
                            .arg(QLatin1String(words.language)));
@@ -319,9 +319,10 @@ private slots:
                 continue;
             }
             QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
-            QVERIFY2(file.readAll() == pageOf(words),
-                     qPrintable(file.fileName() +
-                                " is not what the readers tell: run this test with TELETA_WRITE_PAGES=1"));
+            QVERIFY2(
+                file.readAll() == pageOf(words),
+                qPrintable(file.fileName() +
+                           " is not what the readers describe: run this test with TELETA_WRITE_PAGES=1"));
         }
     }
 

@@ -19,16 +19,16 @@ inline constexpr NumberRange kPositive = NumberRange::positive();
 inline constexpr NumberRange kNotNegative = NumberRange::notNegative();
 
 /// rows, columns and pitch_m.
-void tellLayout(Keys& keys, core::ArrayLayout& layout);
+void describeLayout(Keys& keys, core::ArrayLayout& layout);
 /// full_scale_N and firing_threshold_N.
-void tellReadings(Keys& keys, double& fullScale_N, double& firingThreshold_N);
+void describeReadings(Keys& keys, double& fullScale_N, double& firingThreshold_N);
 
 /// Refuses time_s when it is not after the time before.
 void refuseUnordered(Keys& keys, double before_s);
 
 /// time_s of the i-th of some frames, which must be after that of the one before.
 template <typename Frame>
-void tellTime(Keys& keys, std::vector<Frame>& frames, std::size_t i) {
+void describeTime(Keys& keys, std::vector<Frame>& frames, std::size_t i) {
     keys.number("time_s", frames[i].time_s, NumberRange::notNegative(), "When, since the start");
     if (i > 0 && frames[i].time_s <= frames[i - 1].time_s)
         refuseUnordered(keys, frames[i - 1].time_s);
