@@ -59,15 +59,11 @@ QString powerOfTen(int exponent) {
 }
 
 QString timeTick(int exponent) {
-    constexpr std::array<const char*, 4> kUnits{"s", "ms", "us", "ns"};
-    for (int unit = 0; unit < 4; ++unit) {
-        const int left = exponent + 3 * unit;
+    int left = exponent;
+    for (const char* unit : {"s", "ms", "us", "ns"}) {
         if (left >= 0 && left < 3)
-            return QStringLiteral("%1 %2")
-                .arg(left == 0   ? 1
-                     : left == 1 ? 10
-                                 : 100)
-                .arg(QLatin1String(kUnits[static_cast<std::size_t>(unit)]));
+            return QStringLiteral("%1 %2").arg(std::lround(std::pow(10.0, left))).arg(QLatin1String(unit));
+        left += 3;
     }
     return powerOfTen(exponent) + QStringLiteral(" s");
 }
@@ -84,6 +80,10 @@ struct PlottedRung {
     double x;
     double y;
 };
+
+bool isPlotted(const RungCost& rung) {
+    return rung.timeMedian_s > 0.0 && !std::isnan(rung.errorMean);
+}
 
 void drawAxes(SvgCanvas& canvas, const LogAxis& time, const LogAxis& error, const QString& unit,
               bool hasZero) {
@@ -152,7 +152,7 @@ std::string costSvg(const LadderCost& ladder, const std::string& title) {
     QStringList left;
     bool hasZero = false;
     for (const RungCost& rung : ladder.rungs) {
-        if (!rung.isTimed() || !(rung.timeMedian_s > 0.0) || std::isnan(rung.errorMean)) {
+        if (!isPlotted(rung)) {
             left << QString::fromStdString(rung.name);
             continue;
         }
@@ -168,7 +168,7 @@ std::string costSvg(const LadderCost& ladder, const std::string& title) {
 
     std::vector<PlottedRung> points;
     for (const RungCost& rung : ladder.rungs)
-        if (rung.isTimed() && rung.timeMedian_s > 0.0 && !std::isnan(rung.errorMean))
+        if (isPlotted(rung))
             points.push_back({&rung, time.at(rung.timeMedian_s),
                               rung.errorMean > 0.0 ? error.at(rung.errorMean) : kPlotBottom});
 

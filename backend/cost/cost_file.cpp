@@ -3,6 +3,7 @@
 
 #include "backend/core/data/csv_number.h"
 #include "backend/core/data/csv_reader.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 
@@ -19,14 +20,12 @@ struct CostFileText {
     Q_DECLARE_TR_FUNCTIONS(CostFileText)
 };
 
-core::Error badField(const core::CsvReader& reader, std::size_t column, std::string_view text,
-                     const QString& expected) {
-    return {core::ErrorKind::badInput,
-            CostFileText::tr("\"%1\" is no value of the column %2")
-                .arg(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())),
-                     QString::fromStdString(reader.header()[column]))
-                .toStdString(),
-            expected.toStdString(), reader.place(column)};
+core::Unexpected badField(const core::CsvReader& reader, std::size_t column, std::string_view text,
+                          const QString& expected) {
+    return core::failed(core::ErrorKind::badInput,
+                        CostFileText::tr("\"%1\" is no value of the column %2")
+                            .arg(QString::fromUtf8(text), QString::fromStdString(reader.header()[column])),
+                        expected, reader.place(column));
 }
 
 } // namespace
@@ -68,16 +67,15 @@ core::Expected<std::vector<LadderCost>> readCostFile(const std::string& path) {
         for (const std::size_t i : {3U, 4U, 5U, 7U, 8U, 9U}) {
             const std::optional<double> number = core::numberOrNA(field(i));
             if (!number || (!std::isnan(*number) && *number < 0.0))
-                return core::Unexpected(badField(reader, columns[i], field(i),
-                                                 CostFileText::tr("a number that is not negative, or NA")));
+                return badField(reader, columns[i], field(i),
+                                CostFileText::tr("a number that is not negative, or NA"));
             numbers[i] = *number;
         }
         if (field(10) != "yes" && field(10) != "no")
-            return core::Unexpected(badField(reader, columns[10], field(10), CostFileText::tr("yes or no")));
+            return badField(reader, columns[10], field(10), CostFileText::tr("yes or no"));
         constexpr double kMostSamples = 1e9;
         if (std::isnan(numbers[9]) || numbers[9] > kMostSamples)
-            return core::Unexpected(
-                badField(reader, columns[9], field(9), CostFileText::tr("a number of samples")));
+            return badField(reader, columns[9], field(9), CostFileText::tr("a number of samples"));
         auto ladder = std::ranges::find(ladders, field(0), &LadderCost::ladder);
         if (ladder == ladders.end()) {
             ladders.push_back({std::string(field(0)), std::string(field(6)), {}});

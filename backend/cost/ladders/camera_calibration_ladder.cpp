@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/cost/ladders/exact_camera.h"
-#include "backend/cost/ladders/ladder_text.h"
+#include "backend/cost/ladders/ladder_camera.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/cost/ladders/random_camera.h"
 #include "backend/vision/calibration/camera_calibration.h"
 #include "backend/vision/camera/nominal_camera.h"
 
@@ -68,7 +66,7 @@ Ladder cameraCalibrationLadder() {
         LadderText::tr("distance of located points of the tube from the true ones; where the calibration "
                        "is refused the camera of the data sheet stands in")
             .toStdString();
-    ladder.errorUnit = std::string("m");
+    ladder.errorUnit = "m";
     ladder.trials = kCalibrated;
     ladder.makeRungs = []() -> core::Expected<std::vector<Rung>> {
         auto cases = std::make_shared<std::vector<CalibrationCase>>();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/random_stream.h"
-#include "backend/cost/ladders/exact_camera.h"
-#include "backend/cost/ladders/ladder_text.h"
+#include "backend/cost/ladders/ladder_camera.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/camera/nominal_camera.h"
@@ -95,7 +94,7 @@ Ladder contactFlowLadder() {
         LadderText::tr("distance from the true contact on the tube; a contact that is missed counts with "
                        "its distance from the tube's middle")
             .toStdString();
-    ladder.errorUnit = std::string("m");
+    ladder.errorUnit = "m";
     ladder.trials = kFewestTrials;
     ladder.makeRungs = []() -> core::Expected<std::vector<Rung>> {
         TELETA_TRY(const auto frames, renderFrames(kFewestTrials));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/cubic_spline.h"
 #include "backend/core/random_stream.h"
-#include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
 
 #include <algorithm>
@@ -93,11 +92,7 @@ double distanceFromCurve_m(const Point& point, const std::vector<Point>& curve) 
 
 Rung contourRung(contour::SplineKind kind, std::size_t points,
                  const std::shared_ptr<const std::vector<TrueOutline>>& outlines) {
-    Rung rung;
-    rung.name = (kind == contour::SplineKind::approximating ? "approximating-" : "interpolating-") +
-                std::to_string(points);
-    rung.parameter = std::to_string(points) + " points";
-    rung.run = [=](Trial& trial) {
+    const auto run = [=](Trial& trial) {
         const TrueOutline& outline = (*outlines)[trial.index() % outlines->size()];
         const std::vector<Point> touched = touchOutline(outline, points, trial.index());
         std::vector<Point> curve(kCurvePoints + 1);
@@ -118,7 +113,9 @@ Rung contourRung(contour::SplineKind kind, std::size_t points,
                                                        static_cast<double>(kComparedPoints)),
                                             curve));
     };
-    return rung;
+    const std::string count = std::to_string(points);
+    return {(kind == contour::SplineKind::approximating ? "approximating-" : "interpolating-") + count,
+            count + " points", run};
 }
 
 } // namespace

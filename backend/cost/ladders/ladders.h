@@ -3,9 +3,15 @@
 
 #include "backend/cost/ladder.h"
 
+#include <QCoreApplication>
+
 #include <vector>
 
 namespace teleta::cost {
+
+struct LadderText {
+    Q_DECLARE_TR_FUNCTIONS(CostLadder)
+};
 
 /// Contacts in frames of the camera in the soft tube: all rungs of vision::contactLadder(). Frames are
 /// rendered, the contacts are where the ball was put.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/cost/ladders/ladder_text.h"
+#include "backend/core/failure.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/scene/scene_reader.h"
 #include "backend/simulation/array/simulated_array.h"
@@ -23,8 +23,7 @@ core::Expected<scene::Scene> indenterScene() {
     const QString path = QStringLiteral(":/scenes/tactile-indenter.toml");
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return core::Unexpected(core::Error{
-            core::ErrorKind::notFound, file.errorString().toStdString(), {}, {path.toStdString(), 0, 0}});
+        return core::failed(core::ErrorKind::notFound, file.errorString(), {}, {path.toStdString()});
     return scene::parseScene(file.readAll().toStdString(), path.toStdString());
 }
 
@@ -36,8 +35,7 @@ core::Expected<Rung> effectRung(const std::string& name, const std::string& para
     TELETA_TRY(auto made, simulation::SimulatedArray::make(scene, kSceneSeed));
     // A restart lets noise go on, so a run from the start needs an array of its own.
     auto array = std::make_shared<std::unique_ptr<simulation::SimulatedArray>>(std::move(made));
-    Rung rung{name, parameter, {}};
-    rung.run = [=](Trial& trial) {
+    const auto run = [=](Trial& trial) {
         const std::size_t part = trial.index() % kParts;
         if (part == 0)
             *array = simulation::SimulatedArray::make(scene, kSceneSeed).value();
@@ -57,7 +55,7 @@ core::Expected<Rung> effectRung(const std::string& name, const std::string& para
             trial.error(std::sqrt(squares / static_cast<double>(with.size())));
         }
     };
-    return rung;
+    return Rung{name, parameter, run};
 }
 
 } // namespace
@@ -70,7 +68,7 @@ Ladder sceneEffectsLadder() {
     ladder.truth =
         LadderText::tr("difference of a taxel from the scene with all effects, root mean square of a frame")
             .toStdString();
-    ladder.errorUnit = std::string("N");
+    ladder.errorUnit = "N";
     ladder.trials = kParts;
     ladder.makeRungs = []() -> core::Expected<std::vector<Rung>> {
         TELETA_TRY(const scene::Scene scene, indenterScene());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/cost/ladders/ladder_text.h"
+#include "backend/core/number_text.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/simulation/arm/flexible_arm.h"
 
@@ -87,25 +87,16 @@ TorqueTruth fineSolution() {
     return truth;
 }
 
-Rung stepRung(double step_s, bool implicit, const std::shared_ptr<const TorqueTruth>& truth) {
-    const int step_us = static_cast<int>(std::lround(1e6 * step_s));
-    std::string step = std::to_string(step_us / 1000);
-    if (step_us % 1000 != 0) {
-        step += "." + std::to_string(1000 + step_us % 1000).substr(1);
-        while (step.back() == '0')
-            step.pop_back();
-    }
-    Rung rung;
-    rung.name = std::string(implicit ? "implicit-" : "explicit-") + step + "ms";
-    rung.parameter = "step " + step + " ms";
-    rung.run = [=, arm = touchingArm()](Trial& trial) mutable {
+Rung stepRung(double step_ms, bool implicit, const std::shared_ptr<const TorqueTruth>& truth) {
+    auto run = [=, arm = touchingArm()](Trial& trial) mutable {
         const std::size_t segment = trial.index() % kSegments;
         if (segment == 0)
             arm = touchingArm();
-        trial.timed(1, [&] { advance(arm, segment, step_s, implicit); });
+        trial.timed(1, [&] { advance(arm, segment, 1e-3 * step_ms, implicit); });
         trial.error((arm.torque_Nm() - (*truth)[segment]).lpNorm<Eigen::Infinity>());
     };
-    return rung;
+    const std::string step(core::NumberText(step_ms).view());
+    return {(implicit ? "implicit-" : "explicit-") + step + "ms", "step " + step + " ms", std::move(run)};
 }
 
 } // namespace
@@ -122,10 +113,10 @@ Ladder simulationStepLadder() {
         const auto truth = std::make_shared<const TorqueTruth>(fineSolution());
         std::vector<Rung> rungs;
         // Longer explicit steps are not stable: a joint's damping over its inertia is 1/33 us.
-        for (const double step_s : {1e-5, 2e-5, 5e-5})
-            rungs.push_back(stepRung(step_s, false, truth));
-        for (const double step_s : {1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2})
-            rungs.push_back(stepRung(step_s, true, truth));
+        for (const double step_ms : {0.01, 0.02, 0.05})
+            rungs.push_back(stepRung(step_ms, false, truth));
+        for (const double step_ms : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0})
+            rungs.push_back(stepRung(step_ms, true, truth));
         return rungs;
     };
     return ladder;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/study/analysis/transfer_interval.h"
 #include "backend/study/session/simulated_participant.h"
@@ -116,20 +115,21 @@ Ladder statisticsLadder() {
             asymptotic("asymptotic", "bias left in", study::TransferBias::none),
             asymptotic("asymptotic-miller", "Miller's bias", study::TransferBias::miller),
             asymptotic("asymptotic-jackknife", "jackknife", study::TransferBias::jackknife)};
-        constexpr std::uint64_t kBootstrapSeed = 1;
+        const auto bootstrap = [&](const char* name, std::size_t resamples, const char* remark,
+                                   const auto& transferOf) {
+            constexpr std::uint64_t kSeed = 1;
+            constexpr double kConfidence = 0.95;
+            const std::string count = std::to_string(resamples);
+            return intervalRung(name + count, count + " resamples" + remark, 1, input,
+                                [=](const SimulatedStudy& one) {
+                                    return transferOf(one.people, resamples, kSeed, kConfidence);
+                                });
+        };
         for (const std::size_t resamples : {100U, 1000U, 10'000U, 100'000U})
-            rungs.push_back(intervalRung(
-                "bootstrap-" + std::to_string(resamples), std::to_string(resamples) + " resamples", 1, input,
-                [=](const SimulatedStudy& one) {
-                    return study::bootstrapTransfer(one.people, resamples, kBootstrapSeed);
-                }));
+            rungs.push_back(bootstrap("bootstrap-", resamples, "", study::bootstrapTransfer));
         for (const std::size_t resamples : {100U, 1000U, 10'000U})
-            rungs.push_back(intervalRung("bootstrap-miller-" + std::to_string(resamples),
-                                         std::to_string(resamples) + " resamples, Miller's bias", 1, input,
-                                         [=](const SimulatedStudy& one) {
-                                             return study::correctedBootstrapTransfer(one.people, resamples,
-                                                                                      kBootstrapSeed);
-                                         }));
+            rungs.push_back(bootstrap("bootstrap-miller-", resamples, ", Miller's bias",
+                                      study::correctedBootstrapTransfer));
         return rungs;
     };
     return ladder;

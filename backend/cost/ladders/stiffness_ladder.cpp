@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/random_stream.h"
-#include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/stiffness/stiffness_estimator.h"
 
@@ -55,10 +54,8 @@ double relativeError(const tl::expected<stiffness::TouchStiffness, stiffness::Re
 }
 
 Rung stiffnessRung(stiffness::Method method, std::size_t samples) {
-    Rung rung;
-    rung.name = std::string(stiffness::toString(method)) + "-" + std::to_string(samples);
-    rung.parameter = std::to_string(samples) + " samples";
-    rung.run = [method, samples](Trial& trial) {
+    const std::string count = std::to_string(samples);
+    const auto run = [method, samples](Trial& trial) {
         const Touch touch = simulateTouch(trial.index(), samples);
         stiffness::TouchSettings settings;
         settings.contactDistance_m = kTouchDistance_m;
@@ -73,7 +70,7 @@ Rung stiffnessRung(stiffness::Method method, std::size_t samples) {
         });
         trial.error(relativeError(answer, touch.object_NPerM));
     };
-    return rung;
+    return {std::string(stiffness::toString(method)) + "-" + count, count + " samples", run};
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 #include "backend/contact/summit.h"
 #include "backend/contact/tactile_features.h"
 #include "backend/core/random_stream.h"
-#include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/simulation/array/foundation_contact.h"
 
@@ -62,10 +61,7 @@ Rung featureRung(
     const char* name, const char* parameter, const std::shared_ptr<const FeatureInput>& input,
     const contact::FeatureSettings& settings,
     const std::function<Centre(const contact::TactileFeatures&, std::span<const float>)>& centreOf) {
-    Rung rung;
-    rung.name = name;
-    rung.parameter = parameter;
-    rung.run = [=, extractor = contact::FeatureExtractor(input->layout, settings)](Trial& trial) mutable {
+    auto run = [=, extractor = contact::FeatureExtractor(input->layout, settings)](Trial& trial) mutable {
         std::array<Centre, kFramesPerTrial> centres;
         const std::size_t first = trial.index() * kFramesPerTrial;
         const auto frameAt = [&](std::size_t i) -> const PressedFrame& {
@@ -80,7 +76,7 @@ Rung featureRung(
         for (std::size_t i = 0; i < kFramesPerTrial; ++i)
             trial.error((centres[i] - frameAt(i).centre_m).norm());
     };
-    return rung;
+    return {name, parameter, std::move(run)};
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/random_stream.h"
-#include "backend/cost/ladders/ladder_text.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/equilibration/taxel_gains.h"
 
@@ -83,16 +82,14 @@ double relativeError(const std::vector<double>& gains, const std::vector<double>
 
 template <typename Find>
 Rung gainsRung(const std::string& method, std::size_t frames, const Find& find) {
-    Rung rung;
-    rung.name = method + "-" + std::to_string(frames);
-    rung.parameter = std::to_string(frames) + " frames";
-    rung.run = [frames, find](Trial& trial) {
+    const std::string count = std::to_string(frames);
+    const auto run = [frames, find](Trial& trial) {
         const Pressed press = simulatePress(trial.index(), frames);
         std::vector<double> gains;
         trial.timed(1, [&] { gains = find(press.frames); });
         trial.error(relativeError(gains, press.response));
     };
-    return rung;
+    return {method + "-" + count, count + " frames", run};
 }
 
 std::vector<double> robustGains(const std::vector<float>& frames) {

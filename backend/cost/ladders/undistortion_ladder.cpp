@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/cost/ladders/exact_camera.h"
-#include "backend/cost/ladders/ladder_text.h"
+#include "backend/cost/ladders/ladder_camera.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/cost/ladders/random_camera.h"
 #include "backend/vision/camera/undistortion.h"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/cost/ladders/exact_camera.h"
+#include "backend/cost/ladders/ladder_camera.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/camera/nominal_camera.h"
