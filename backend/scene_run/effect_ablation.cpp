@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/effect_ablation.h"
 
-#include "backend/core/quantile.h"
+#include "backend/core/failure.h"
 #include "backend/scene_run/scene_run.h"
 #include "backend/scene_run/study/study_run.h"
 
@@ -11,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace teleta::scene_run {
@@ -57,27 +56,12 @@ struct Runs {
     std::map<std::string, double> own_s; ///< mean of each effect
 };
 
-double mean(const std::vector<double>& values) {
-    if (values.empty())
-        return std::numeric_limits<double>::quiet_NaN();
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 double standardDeviation(const std::vector<double>& values) {
-    if (values.size() < 2)
-        return 0.0;
     const double middle = mean(values);
     double squares = 0.0;
     for (const double value : values)
         squares += (value - middle) * (value - middle);
     return std::sqrt(squares / static_cast<double>(values.size() - 1));
-}
-
-core::Error cancelled() {
-    core::Error error;
-    error.kind = core::ErrorKind::cancelled;
-    error.message = AblationText::tr("interrupted before all runs were done").toStdString();
-    return error;
 }
 
 using Run = std::function<core::Expected<SceneSummary>(const RunOptions&)>;
@@ -96,7 +80,8 @@ core::Expected<Runs> runSeeds(const Run& runOne, const AblationOptions& options,
         };
         TELETA_TRY(const SceneSummary summary, runOne(run));
         if (summary.interrupted)
-            return core::Unexpected(cancelled());
+            return core::failed(core::ErrorKind::cancelled,
+                                AblationText::tr("interrupted before all runs were done"));
         FlatMeasures flat;
         for (const auto& [name, value] : summary.measures.items())
             flatten(value, name, flat);
@@ -175,12 +160,9 @@ MeasureChange textChange(const std::string& name, const Runs& with, const Runs& 
 core::Expected<Ablation> ablate(const std::vector<std::string>& effects,
                                 const std::function<Run(std::optional<std::size_t>)>& runWithout,
                                 const AblationOptions& options) {
-    if (options.seeds < 2) {
-        core::Error error;
-        error.kind = core::ErrorKind::badInput;
-        error.message = AblationText::tr("the spread of a measure needs at least two seeds").toStdString();
-        return core::Unexpected(error);
-    }
+    if (options.seeds < 2)
+        return core::failed(core::ErrorKind::badInput,
+                            AblationText::tr("the spread of a measure needs at least two seeds"));
     const auto perVariant = static_cast<double>(options.seeds);
     const double allRuns = perVariant * static_cast<double>(effects.size() + 1);
     TELETA_TRY(const Runs with, runSeeds(runWithout({}), options, 0.0, allRuns));

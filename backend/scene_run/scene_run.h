@@ -15,7 +15,7 @@ namespace teleta::scene_run {
 ///   that is probed, whose pairs are its data
 ///   frames.csv     time_s,t0,t1,...: the frames of the tactile array, as `teleta features` reads them
 ///   of an arm: joints.csv, touches.csv, contour.csv (arm_run.h)
-///   of an arm with an operator: joints.csv, touches.csv, objects.csv, bracelet.csv (teleoperation_run.h)
+///   of an arm with an operator: joints.csv, touches.csv, objects.csv, bracelet.csv (arm_run.h)
 ///   of a servo: servo.csv, points.csv (servo_run.h)
 ///   of a camera, which has no frames.csv: contacts.csv, arm.csv, reference.png (camera_run.h)
 /// Same scene and seed: same bytes, but for the computing times and the recording, which has a date. Thread:

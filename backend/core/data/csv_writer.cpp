@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/csv_writer.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
+#include <vector>
 
 namespace teleta::core {
 
@@ -17,6 +19,15 @@ CsvWriter::CsvWriter(OutputFile output, std::span<const std::string_view> column
 Expected<CsvWriter> CsvWriter::create(const std::string& path, std::span<const std::string_view> columns) {
     TELETA_TRY(OutputFile output, OutputFile::create(path));
     return CsvWriter(std::move(output), columns);
+}
+
+Expected<CsvWriter> CsvWriter::create(const std::string& path, std::string_view header) {
+    std::vector<std::string_view> columns;
+    for (std::size_t begin = 0, end = 0; begin <= header.size(); begin = end + 1) {
+        end = std::min(header.find(',', begin), header.size());
+        columns.push_back(header.substr(begin, end - begin));
+    }
+    return create(path, columns);
 }
 
 void CsvWriter::text(std::string_view value) {

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace teleta::core {
 
@@ -26,6 +27,8 @@ public:
     /// Creates the file and writes its header line.
     [[nodiscard]] static Expected<CsvWriter> create(const std::string& path,
                                                     std::span<const std::string_view> columns);
+    /// header: the names of the columns with commas between them.
+    [[nodiscard]] static Expected<CsvWriter> create(const std::string& path, std::string_view header);
 
     void number(double value) {
         if (std::isnan(value))
@@ -52,11 +55,36 @@ public:
     /// Ends the row, which must have one value a column.
     void endRow();
 
+    /// Writes a whole row: texts, whole numbers, numbers as above, ranges of these, and NA for what is empty.
+    template <typename... Values>
+    void row(const Values&... values) {
+        (put(values), ...);
+        endRow();
+    }
+
     void flush() { m_output.flush(); }
     [[nodiscard]] bool failed() const { return m_output.failed(); }
     [[nodiscard]] Expected<void> finish() { return m_output.finish(); }
 
 private:
+    template <typename Value>
+    void put(const Value& value) {
+        if constexpr (std::is_convertible_v<const Value&, std::string_view>) {
+            text(value);
+        } else if constexpr (std::is_integral_v<Value>) {
+            integer(static_cast<long long>(value));
+        } else if constexpr (requires { value.has_value(); }) {
+            if (value)
+                put(*value);
+            else
+                raw("NA");
+        } else if constexpr (requires { value.begin(); }) {
+            for (const auto& each : value)
+                put(each);
+        } else {
+            number(value);
+        }
+    }
     void raw(std::string_view value) {
         if (m_field++ > 0)
             m_row += ',';

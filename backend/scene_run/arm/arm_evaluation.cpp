@@ -1,12 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/arm/arm_evaluation.h"
 
+#include "backend/scene_run/base/run_csv.h"
 #include "backend/scene_run/base/scene_settings.h"
 #include "backend/scene_run/base/scene_summary.h"
 
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
 #include <variant>
 
 namespace teleta::scene_run {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::string_view kTouchColumns =
+    "touch,start_s,ready_s,contact_distance_m,side_rad,x_m,y_m,z_m,force_x_n,force_y_n,force_z_n,"
+    "condition_number,method,samples,delta_theta_rad,delta_torque_nm,total_stiffness_n_per_m,"
+    "object_stiffness_n_per_m,object_stiffness_lower_95,object_stiffness_upper_95,material,level,true_object,"
+    "true_stiffness_n_per_m,true_x_m,true_y_m,true_z_m";
+
+/// The observed components and the condition number; an infinite one, too, is not available.
+std::array<double, 4> forceColumns(const std::optional<arm::ContactForce>& force) {
+    std::array<double, 4> columns{kUnknown, kUnknown, kUnknown, kUnknown};
+    if (!force)
+        return columns;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (force->observable[i])
+            columns[i] = force->force_N[static_cast<Eigen::Index>(i)];
+    if (std::isfinite(force->conditionNumber))
+        columns[3] = force->conditionNumber;
+    return columns;
+}
+
+} // namespace
 
 SkinReader::SkinReader(const scene::Scene& scene)
     : m_conditioner(scene.arm().skin.layout.taxels(), {})
@@ -48,16 +81,53 @@ ComparedTouch compared(const pipeline::TouchRecord& record, const simulation::Si
     return touch;
 }
 
-void reportContacts(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures) {
+core::Expected<void> writeTouches(const std::string& outFolder, const std::vector<ComparedTouch>& touches) {
+    TELETA_TRY(RunCsv csv, RunCsv::open(outFolder, "touches.csv", kTouchColumns));
+    for (const ComparedTouch& touch : touches) {
+        const pipeline::TouchRecord& record = touch.record;
+        const bool located = record.located;
+        const bool estimated = record.stiffness.has_value();
+        const stiffness::TouchStiffness found = record.stiffness.value_or(stiffness::TouchStiffness{});
+        const bool known = !touch.object.empty();
+        const Eigen::Vector3d unknown_m = Eigen::Vector3d::Constant(kUnknown);
+        csv.row(record.number, record.start_s, record.ready_s, valueIf(located, record.contactDistance_m),
+                valueIf(located, record.side_rad), located ? record.p_Base_Contact_m : unknown_m,
+                forceColumns(record.force), valueIf(estimated, stiffness::toString(found.method)),
+                valueIf(estimated, found.samples), valueIf(estimated, found.deltaTheta_rad),
+                valueIf(estimated, found.deltaTorque_Nm), found.total.value_NPerM, found.object.value_NPerM,
+                found.object.lower95_NPerM, found.object.upper95_NPerM,
+                valueIf(estimated, stiffness::toString(found.material)),
+                valueIf(estimated, stiffness::level(found.material)), valueIf(known, touch.object),
+                valueIf(known, touch.trueStiffness_NPerM), known ? touch.p_Base_Truth_m : unknown_m);
+    }
+    return csv.finish();
+}
+
+ordered_json touchEvent(const ComparedTouch& touch) {
+    ordered_json event{{"time_s", touch.record.ready_s},
+                       {"event", "touch"},
+                       {"touch", touch.record.number},
+                       {"object", touch.object.empty() ? ordered_json() : ordered_json(touch.object)}};
+    if (!touch.record.stiffness)
+        return event;
+    const stiffness::TouchStiffness& estimate = *touch.record.stiffness;
+    event["object_stiffness_n_per_m"] = orNull(estimate.object.value_NPerM);
+    event["object_stiffness_lower_95"] = orNull(estimate.object.lower95_NPerM);
+    event["object_stiffness_upper_95"] = orNull(estimate.object.upper95_NPerM);
+    event["material"] = stiffness::toString(estimate.material);
+    event["safe"] = stiffness::isSafe(estimate.material);
+    event["level"] = stiffness::level(estimate.material);
+    return event;
+}
+
+void reportContacts(const std::vector<ComparedTouch>& touches, ordered_json& measures) {
     std::vector<double> errors_m;
     for (const ComparedTouch& touch : touches)
         if (touch.record.located && !touch.object.empty())
             errors_m.push_back((touch.record.p_Base_Contact_m - touch.p_Base_Truth_m).norm());
-    const ErrorStatistics errors = errorStatistics(errors_m);
-    measures["contact_error_mean_m"] = errors.mean;
-    measures["contact_error_p95_m"] = errors.p95;
+    reportContactErrors(errors_m, measures);
     measures["first_contact_s"] =
-        touches.empty() ? nlohmann::ordered_json(nullptr) : jsonNumber(touches.front().record.start_s);
+        touches.empty() ? ordered_json() : jsonNumber(touches.front().record.start_s);
 }
 
 const char* trueShape(const scene::Outline& outline) {
@@ -70,8 +140,8 @@ const char* trueShape(const scene::Outline& outline) {
     return std::visit(Name(), outline);
 }
 
-nlohmann::ordered_json oneOrList(const std::vector<nlohmann::ordered_json>& values) {
-    return values.size() == 1 ? values.front() : nlohmann::ordered_json(values);
+ordered_json oneOrList(const std::vector<ordered_json>& values) {
+    return values.size() == 1 ? values.front() : ordered_json(values);
 }
 
 } // namespace teleta::scene_run

@@ -4,15 +4,16 @@
 #include "backend/contact/contact_segmenter.h"
 #include "backend/contact/frame_conditioner.h"
 #include "backend/contact/tactile_features.h"
+#include "backend/core/error.h"
 #include "backend/pipeline/touch/touch_record.h"
 #include "backend/scene/scene.h"
-#include "backend/scene_run/arm/touch_log.h"
 #include "backend/simulation/arm/simulated_arm.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace teleta::scene_run {
@@ -36,9 +37,24 @@ private:
     std::vector<std::uint8_t> m_dead;
 };
 
+/// One touch as it was estimated, and what the world knows of it.
+struct ComparedTouch {
+    pipeline::TouchRecord record;
+    std::string object; ///< its name in the scene; empty: no object was touched
+    double trueStiffness_NPerM = 0.0;
+    Eigen::Vector3d p_Base_Truth_m = Eigen::Vector3d::Zero();
+};
+
 /// A touch beside what the world knows of it: the newest touch that had begun when it was evaluated.
 [[nodiscard]] ComparedTouch compared(const pipeline::TouchRecord& record,
                                      const simulation::SimulatedArm& arm);
+
+/// Writes touches.csv; NA where nothing is known or observed. Without a folder nothing is written.
+[[nodiscard]] core::Expected<void> writeTouches(const std::string& outFolder,
+                                                const std::vector<ComparedTouch>& touches);
+
+/// One touch as an event of the summary.
+[[nodiscard]] nlohmann::ordered_json touchEvent(const ComparedTouch& touch);
 
 /// The measures of where the contacts were located, beside where they truly were, and of the first one.
 void reportContacts(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures);

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/csv_writer.h"
 #include "backend/core/device/arm_device.h"
 #include "backend/core/error.h"
 #include "backend/pipeline/touch/touch_record.h"
 #include "backend/scene/scene.h"
-#include "backend/scene_run/base/frame_log.h"
+#include "backend/scene_run/base/run_csv.h"
 #include "backend/scene_run/base/run_options.h"
 #include "backend/scene_run/base/scene_recording.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 
 namespace teleta::scene_run {
@@ -27,7 +25,7 @@ public:
     void addFrame(double time_s, std::span<const float> values);
     void addTouch(const pipeline::TouchRecord& touch) { m_recording.addTouch(touch); }
 
-    [[nodiscard]] bool failed() const { return (m_joints && m_joints->failed()) || m_skin.failed(); }
+    [[nodiscard]] bool failed() const { return m_joints.failed() || m_skin.failed(); }
     /// Of the skin, so far.
     [[nodiscard]] std::uint64_t frames() const { return m_frames; }
     /// Error: of the first file that could not be written.
@@ -36,8 +34,8 @@ public:
 private:
     ArmLogs() = default;
 
-    std::optional<core::CsvWriter> m_joints;
-    FrameLog m_skin;
+    RunCsv m_joints;
+    RunCsv m_skin;
     SceneRecording m_recording;
     std::uint64_t m_frames = 0;
 };

@@ -5,15 +5,12 @@
 #include "backend/pipeline/touch/touch_estimator.h"
 #include "backend/scene_run/arm/arm_evaluation.h"
 #include "backend/scene_run/arm/arm_logs.h"
-#include "backend/scene_run/arm/touch_log.h"
 #include "backend/simulation/arm/simulated_arm.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -31,8 +28,7 @@ void reportStiffness(const std::vector<ComparedTouch>& touches, ordered_json& me
         const auto& stiffness = touch.record.stiffness;
         estimated.push_back(stiffness ? orNull(stiffness->object.value_NPerM) : nullptr);
         truth.push_back(jsonNumber(touch.trueStiffness_NPerM));
-        material.push_back(stiffness ? ordered_json(stiffness::toString(stiffness->material))
-                                     : ordered_json(nullptr));
+        material.push_back(stiffness ? ordered_json(stiffness::toString(stiffness->material)) : nullptr);
     }
     if (touches.empty())
         return;
@@ -43,27 +39,19 @@ void reportStiffness(const std::vector<ComparedTouch>& touches, ordered_json& me
 
 void reportContour(const pipeline::ExploredContour& contour, const simulation::SimulatedArm& arm,
                    ordered_json& measures) {
-    measures["shape"] = contour.recognition ? ordered_json(contour::toString(contour.recognition->shape))
-                                            : ordered_json(nullptr);
+    measures["shape"] =
+        contour.recognition ? ordered_json(contour::toString(contour.recognition->shape)) : nullptr;
     measures["true_shape"] = trueShape(arm.objects().front().shape);
-    if (contour.curve_m.empty()) {
-        measures["contour_rms_m"] = nullptr;
-        return;
-    }
-    double sum_m2 = 0.0;
+    std::vector<double> squares_m2;
     for (const contour::Point& point : contour.curve_m)
-        sum_m2 += std::pow(arm.outlineDistance_m(0, point), 2);
-    measures["contour_rms_m"] = jsonNumber(std::sqrt(sum_m2 / static_cast<double>(contour.curve_m.size())));
+        squares_m2.push_back(std::pow(arm.outlineDistance_m(0, point), 2));
+    measures["contour_rms_m"] = jsonNumber(std::sqrt(mean(squares_m2)));
 }
 
-core::Expected<void> writePoints(const std::string& path, const std::vector<contour::Point>& points_m) {
-    constexpr std::array<std::string_view, 2> kColumns{"x_m", "y_m"};
-    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kColumns));
-    for (const contour::Point& point : points_m) {
-        csv.number(point.x());
-        csv.number(point.y());
-        csv.endRow();
-    }
+core::Expected<void> writeContour(const std::string& outFolder, const std::vector<contour::Point>& points_m) {
+    TELETA_TRY(RunCsv csv, RunCsv::open(outFolder, "contour.csv", "x_m,y_m"));
+    for (const contour::Point& point : points_m)
+        csv.row(point);
     return csv.finish();
 }
 
@@ -108,12 +96,8 @@ core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOpt
         take(estimator.update(reader.read(values, sample)));
     }
     TELETA_CHECK(logs.finish());
-    if (!options.outFolder.empty()) {
-        for (const core::Expected<void>& written :
-             {writeTouches(options.outFolder + "/touches.csv", touches),
-              writePoints(options.outFolder + "/contour.csv", explorer.contour().points_m)})
-            TELETA_CHECK(written);
-    }
+    TELETA_CHECK(writeTouches(options.outFolder, touches));
+    TELETA_CHECK(writeContour(options.outFolder, explorer.contour().points_m));
 
     summary.takeTimes(arm);
     if (std::holds_alternative<scene::TouchProgram>(scene.arm().program))

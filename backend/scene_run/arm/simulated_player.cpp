@@ -2,8 +2,6 @@
 #include "backend/scene_run/arm/simulated_player.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
 
 namespace teleta::scene_run {
@@ -13,14 +11,8 @@ SimulatedPlayer::SimulatedPlayer()
 }
 
 core::Expected<SimulatedPlayer> SimulatedPlayer::open(const std::string& outFolder) {
-    constexpr std::array<std::string_view, 7> kColumns{"time_s", "t1", "t2", "t3", "t4", "t5", "t6"};
     SimulatedPlayer player;
-    if (outFolder.empty())
-        return player;
-    auto csv = core::CsvWriter::create(outFolder + "/bracelet.csv", kColumns);
-    if (!csv)
-        return core::Unexpected(csv.error());
-    player.m_csv = std::move(*csv);
+    TELETA_TRY(player.m_csv, RunCsv::open(outFolder, "bracelet.csv", "time_s,t1,t2,t3,t4,t5,t6"));
     return player;
 }
 
@@ -58,13 +50,10 @@ void SimulatedPlayer::writeFrame(double now_s, bool heard) {
     const bool isOn = std::ranges::any_of(given, [](double intensity) { return intensity > 0.0; });
     if (isOn && m_program && !m_onset_s)
         m_onset_s = now_s;
-    if (!m_csv || (given == m_written && m_frames > 0))
+    if (given == m_written && m_frames > 0)
         return;
     m_written = given;
-    m_csv->number(now_s);
-    for (const double intensity : given)
-        m_csv->number(intensity);
-    m_csv->endRow();
+    m_csv.row(now_s, given);
 }
 
 } // namespace teleta::scene_run

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/csv_writer.h"
 #include "backend/core/error.h"
 #include "backend/playback/player_types.h"
 #include "backend/playback/safety_limiter.h"
+#include "backend/scene_run/base/run_csv.h"
 
 #include <cstdint>
 #include <optional>
@@ -31,14 +31,14 @@ public:
 
     /// When the first nonzero frame of the current program was written; empty: not yet.
     [[nodiscard]] std::optional<double> onset_s() const { return m_onset_s; }
-    [[nodiscard]] core::Expected<void> finish() { return m_csv ? m_csv->finish() : core::Expected<void>(); }
+    [[nodiscard]] core::Expected<void> finish() { return m_csv.finish(); }
 
 private:
     SimulatedPlayer();
     void writeFrame(double now_s, bool heard);
 
     playback::SafetyLimiter m_limiter;
-    std::optional<core::CsvWriter> m_csv;
+    RunCsv m_csv;
     std::optional<playback::Program> m_program;
     std::optional<double> m_begun_s; ///< first frame of the program
     std::optional<double> m_onset_s;

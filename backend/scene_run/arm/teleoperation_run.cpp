@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/scene_run/arm/teleoperation_run.h"
-
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/pipeline/touch/found_objects.h"
 #include "backend/pipeline/touch/tactile_feedback.h"
@@ -8,14 +6,13 @@
 #include "backend/playback/pattern_program.h"
 #include "backend/scene_run/arm/arm_evaluation.h"
 #include "backend/scene_run/arm/arm_logs.h"
+#include "backend/scene_run/arm/arm_run.h"
 #include "backend/scene_run/arm/simulated_player.h"
 #include "backend/simulation/arm/teleoperated_arm.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <string_view>
 #include <utility>
 
 namespace teleta::scene_run {
@@ -65,7 +62,7 @@ public:
 
     void report();
     [[nodiscard]] const std::vector<ComparedTouch>& touches() const { return m_touches; }
-    [[nodiscard]] core::Expected<void> writeObjects(const std::string& path) const;
+    [[nodiscard]] core::Expected<void> writeObjects(const std::string& outFolder) const;
 
 private:
     void take(const std::optional<pipeline::TouchRecord>& record) {
@@ -162,33 +159,25 @@ void OperatorSide::report() {
     measures["patterns_sent"] = m_patternsSent;
 }
 
-core::Expected<void> OperatorSide::writeObjects(const std::string& path) const {
-    constexpr std::array<std::string_view, 16> kColumns{
-        "object",    "first_s", "touches",           "contact_type",       "x_m",
-        "y_m",       "force_n", "stiffness_n_per_m", "stiffness_lower_95", "stiffness_upper_95",
-        "material",  "shape",   "confidence",        "true_object",        "true_stiffness_n_per_m",
-        "true_shape"};
-    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kColumns));
+core::Expected<void> OperatorSide::writeObjects(const std::string& outFolder) const {
+    TELETA_TRY(RunCsv csv,
+               RunCsv::open(outFolder, "objects.csv",
+                            "object,first_s,touches,contact_type,x_m,y_m,force_n,stiffness_n_per_m,"
+                            "stiffness_lower_95,stiffness_upper_95,material,shape,confidence,true_object,"
+                            "true_stiffness_n_per_m,true_shape"));
     for (const pipeline::FoundObject& object : m_found.objects()) {
         const simulation::ArmObjectTruth* known = truthOf(object);
         const stiffness::Stiffness stiffness = object.stiffness.value_or(stiffness::Stiffness{});
-        csv.integer(static_cast<long long>(object.number));
-        csv.number(object.first_s);
-        csv.integer(static_cast<long long>(object.touches));
-        csv.text(contact::toString(object.contact));
-        csv.number(object.p_Base_Centre_m.x());
-        csv.number(object.p_Base_Centre_m.y());
-        csv.number(object.highestForce_N);
-        csv.number(stiffness.value_NPerM);
-        csv.number(stiffness.lower95_NPerM);
-        csv.number(stiffness.upper95_NPerM);
-        csv.text(object.material ? stiffness::toString(*object.material) : "NA");
-        csv.text(object.recognition ? contour::toString(object.recognition->shape) : "NA");
-        csv.number(object.recognition ? std::optional(object.recognition->confidence) : std::nullopt);
-        csv.text(known != nullptr ? known->name : "NA");
-        csv.number(known != nullptr ? std::optional(known->stiffness_NPerM) : std::nullopt);
-        csv.text(known != nullptr ? trueShape(known->shape) : "NA");
-        csv.endRow();
+        const auto& shape = object.recognition;
+        csv.row(object.number, object.first_s, object.touches, contact::toString(object.contact),
+                object.p_Base_Centre_m.x(), object.p_Base_Centre_m.y(), object.highestForce_N,
+                stiffness.value_NPerM, stiffness.lower95_NPerM, stiffness.upper95_NPerM,
+                object.material ? stiffness::toString(*object.material) : "NA",
+                shape ? contour::toString(shape->shape) : "NA",
+                shape ? std::optional(shape->confidence) : std::nullopt,
+                known != nullptr ? known->name : "NA",
+                known != nullptr ? std::optional(known->stiffness_NPerM) : std::nullopt,
+                known != nullptr ? trueShape(known->shape) : "NA");
     }
     return csv.finish();
 }
@@ -225,12 +214,8 @@ core::Expected<SceneSummary> runTeleoperation(const scene::Scene& scene, const R
     }
     for (const core::Expected<void>& written : {logs.finish(), player.finish()})
         TELETA_CHECK(written);
-    if (!options.outFolder.empty()) {
-        for (const core::Expected<void>& written :
-             {writeTouches(options.outFolder + "/touches.csv", side.touches()),
-              side.writeObjects(options.outFolder + "/objects.csv")})
-            TELETA_CHECK(written);
-    }
+    TELETA_CHECK(writeTouches(options.outFolder, side.touches()));
+    TELETA_CHECK(side.writeObjects(options.outFolder));
 
     summary.takeTimes(arm);
     side.report();

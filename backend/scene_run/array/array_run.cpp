@@ -5,7 +5,7 @@
 #include "backend/contact/frame_conditioner.h"
 #include "backend/equilibration/taxel_gains.h"
 #include "backend/scene_run/array/contact_errors.h"
-#include "backend/scene_run/base/frame_log.h"
+#include "backend/scene_run/base/run_csv.h"
 #include "backend/scene_run/base/scene_recording.h"
 #include "backend/scene_run/base/scene_settings.h"
 #include "backend/simulation/array/simulated_array.h"
@@ -54,7 +54,7 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
     TELETA_TRY(auto array, simulation::SimulatedArray::make(scene, options.seed));
     const core::SourceDescription description = array->description();
     const core::ArrayLayout& layout = description.layout;
-    TELETA_TRY(FrameLog log, FrameLog::open(options.outFolder, layout.taxels()));
+    TELETA_TRY(RunCsv log, RunCsv::openFrames(options.outFolder, layout.taxels()));
     TELETA_TRY(SceneRecording recording, SceneRecording::open(options, scene));
     recording.beginArray(description, scene);
 
@@ -79,7 +79,7 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
         if (summary.interrupted)
             break;
         array->next(values, false);
-        log.add(array->time_s(), values);
+        log.row(array->time_s(), values);
         recording.addFrame(array->time_s(), values);
         if (spread != nullptr && frame < kMostGainFrames)
             press.insert(press.end(), values.begin(), values.end());

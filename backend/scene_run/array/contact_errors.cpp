@@ -21,9 +21,7 @@ void ContactErrors::add(double x_m, double y_m, std::span<const contact::Contact
 }
 
 void ContactErrors::report(nlohmann::ordered_json& measures) {
-    const ErrorStatistics statistics = errorStatistics(m_errors_m);
-    measures["contact_error_mean_m"] = statistics.mean;
-    measures["contact_error_p95_m"] = statistics.p95;
+    reportContactErrors(m_errors_m, measures);
 }
 
 } // namespace teleta::scene_run

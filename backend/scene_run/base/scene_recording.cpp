@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/base/scene_recording.h"
 
+#include "backend/core/failure.h"
 #include "backend/pipeline/recorded/recorded_camera.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/stream_columns.h"
@@ -73,16 +74,14 @@ core::Expected<SceneRecording> SceneRecording::open(const RunOptions& options, c
     removeLog(part);
     const nlohmann::ordered_json configuration{{"seed", options.seed},
                                                {"duration_s", options.duration_s.value_or(scene.duration_s)}};
-    auto recorder =
-        recording::Recorder::start(part,
-                                   {.appVersion = QCoreApplication::applicationVersion().toStdString(),
-                                    .scene = options.name,
-                                    .sceneText = options.sceneText,
-                                    .configuration = configuration.dump(),
-                                    .start_ns = 0},
-                                   {.simulatedTime = true, .queueBlocks = kBlocksAtMost});
-    TELETA_CHECK(recorder);
-    log.m_recorder = std::move(*recorder);
+    TELETA_TRY(log.m_recorder,
+               recording::Recorder::start(part,
+                                          {.appVersion = QCoreApplication::applicationVersion().toStdString(),
+                                           .scene = options.name,
+                                           .sceneText = options.sceneText,
+                                           .configuration = configuration.dump(),
+                                           .start_ns = 0},
+                                          {.simulatedTime = true, .queueBlocks = kBlocksAtMost}));
     return log;
 }
 
@@ -125,8 +124,7 @@ void SceneRecording::addPicture(double time_s, const core::GreyImage& picture) {
 }
 
 void SceneRecording::addContact(double time_s, const vision::FollowedContact& followed) {
-    const auto values = pipeline::contactValues(followed);
-    m_contacts.add(time_s, std::span<const double>(values));
+    m_contacts.add(time_s, pipeline::contactValues(followed));
 }
 
 void SceneRecording::addFrame(double time_s, std::span<const float> values) {
@@ -134,13 +132,11 @@ void SceneRecording::addFrame(double time_s, std::span<const float> values) {
 }
 
 void SceneRecording::addJoints(const core::JointSample& sample) {
-    const auto values = recording::jointValues(sample, sample.angle_rad.size());
-    m_joints.add(sample.sourceTime_s, std::span<const double>(values));
+    m_joints.add(sample.sourceTime_s, recording::jointValues(sample, sample.angle_rad.size()));
 }
 
 void SceneRecording::addTouch(const pipeline::TouchRecord& touch) {
-    const auto values = pipeline::touchValues(touch);
-    m_touches.add(touch.ready_s, std::span<const double>(values));
+    m_touches.add(touch.ready_s, pipeline::touchValues(touch));
 }
 
 core::Expected<void> SceneRecording::finish() {
@@ -150,23 +146,19 @@ core::Expected<void> SceneRecording::finish() {
     m_joints.flush();
     m_touches.flush();
     m_contacts.flush();
-    if (const core::Expected<void> stopped = m_recorder->stop(); !stopped)
-        return stopped;
+    TELETA_CHECK(m_recorder->stop());
     const std::string& part = m_recorder->path();
     // With a log it is whole under the name that the log has, too.
     std::error_code error;
     if (std::filesystem::exists(part + "-wal", error))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed,
-                        SceneRecordingText::tr("another program reads the recording, which keeps this name")
-                            .toStdString(),
-                        {},
-                        {part}});
+        return core::failed(
+            core::ErrorKind::ioFailed,
+            SceneRecordingText::tr("another program reads the recording, which keeps this name"), {}, {part});
     // Another one's log would be read as its own.
     removeLog(m_path);
     std::filesystem::rename(part, m_path, error);
     if (error)
-        return core::Unexpected(core::Error{core::ErrorKind::ioFailed, error.message(), {}, {m_path}});
+        return core::failed(core::ErrorKind::ioFailed, QString::fromStdString(error.message()), {}, {m_path});
     return {};
 }
 

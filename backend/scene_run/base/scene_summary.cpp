@@ -40,12 +40,10 @@ ordered_json orNull(const std::optional<double>& value) {
     return value ? jsonNumber(*value) : ordered_json(nullptr);
 }
 
-ErrorStatistics errorStatistics(const std::vector<double>& errors) {
-    if (errors.empty())
-        return {nullptr, nullptr};
-    const double mean =
-        std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
-    return {jsonNumber(mean), jsonNumber(quantile(errors, 0.95))};
+double mean(const std::vector<double>& values) {
+    if (values.empty())
+        return std::numeric_limits<double>::quiet_NaN();
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 double quantile(std::vector<double> values, double probability) {
@@ -53,6 +51,11 @@ double quantile(std::vector<double> values, double probability) {
         return std::numeric_limits<double>::quiet_NaN();
     std::ranges::sort(values);
     return core::quantileOf(values, probability);
+}
+
+void reportContactErrors(const std::vector<double>& errors_m, ordered_json& measures) {
+    measures["contact_error_mean_m"] = jsonNumber(mean(errors_m));
+    measures["contact_error_p95_m"] = jsonNumber(quantile(errors_m, 0.95));
 }
 
 core::Expected<void> writeJson(const std::string& path, const ordered_json& document) {

@@ -52,16 +52,13 @@ struct SceneSummary {
 /// The same for a number that may not be known: null.
 [[nodiscard]] nlohmann::ordered_json orNull(const std::optional<double>& value);
 
-/// Mean and 95 % quantile (linear between order statistics, type 7 of Hyndman and Fan) of errors; both null
-/// without any.
-struct ErrorStatistics {
-    nlohmann::ordered_json mean;
-    nlohmann::ordered_json p95;
-};
-[[nodiscard]] ErrorStatistics errorStatistics(const std::vector<double>& errors);
-
-/// The quantile of that probability, 0 .. 1, of the same kind; NaN without values.
+/// Mean of values; NaN without any.
+[[nodiscard]] double mean(const std::vector<double>& values);
+/// Their quantile of that probability, 0 .. 1: linear between order statistics (type 7 of Hyndman and Fan);
+/// NaN without any.
 [[nodiscard]] double quantile(std::vector<double> values, double probability);
+/// The measures contact_error_mean_m and contact_error_p95_m, the 95 % quantile; null without errors.
+void reportContactErrors(const std::vector<double>& errors_m, nlohmann::ordered_json& measures);
 
 /// Writes a JSON document as a file that appears when it is complete.
 [[nodiscard]] core::Expected<void> writeJson(const std::string& path, const nlohmann::ordered_json& document);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/camera/camera_image.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
-#include <QString>
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -16,19 +17,18 @@ struct CameraImageText {
 
 } // namespace
 
-core::Expected<void> writeImage(const std::string& path, const cv::Mat1b& image) {
-    bool written = false;
-    try {
-        written = cv::imwrite(path, image);
-    } catch (const cv::Exception&) {
-        written = false;
-    }
-    if (written)
+core::Expected<void> writeReference(const std::string& outFolder, const cv::Mat1b& image) {
+    if (outFolder.empty())
         return {};
-    return core::Unexpected(core::Error{core::ErrorKind::ioFailed,
-                                        CameraImageText::tr("the image cannot be written").toStdString(),
-                                        {},
-                                        {path, 0, 0}});
+    const std::string path = outFolder + "/reference.png";
+    try {
+        if (cv::imwrite(path, image))
+            return {};
+    } catch (const cv::Exception&) {
+        // The same error as of an image that is not written.
+    }
+    return core::failed(core::ErrorKind::ioFailed, CameraImageText::tr("the image cannot be written"), {},
+                        {path});
 }
 
 } // namespace teleta::scene_run

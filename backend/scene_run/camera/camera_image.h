@@ -9,7 +9,8 @@
 
 namespace teleta::scene_run {
 
-/// Writes an image in the format that its name ends with. Error: ioFailed.
-[[nodiscard]] core::Expected<void> writeImage(const std::string& path, const cv::Mat1b& image);
+/// Writes reference.png, the tube with nothing touching it. Without a folder nothing is written. Error:
+/// ioFailed.
+[[nodiscard]] core::Expected<void> writeReference(const std::string& outFolder, const cv::Mat1b& image);
 
 } // namespace teleta::scene_run

@@ -2,9 +2,9 @@
 #include "backend/scene_run/camera/camera_run.h"
 
 #include "backend/core/data/csv_writer.h"
+#include "backend/scene_run/base/run_csv.h"
 #include "backend/scene_run/base/scene_recording.h"
 #include "backend/scene_run/camera/camera_image.h"
-#include "backend/scene_run/camera/probing_run.h"
 #include "backend/scene_run/camera/reacting_arm.h"
 #include "backend/scene_run/camera/scene_reaction.h"
 #include "backend/simulation/camera/simulated_tube.h"
@@ -13,10 +13,9 @@
 #include "backend/vision/finders/contact_ladder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <optional>
 
 namespace teleta::scene_run {
 
@@ -30,43 +29,37 @@ class CameraLog {
 public:
     [[nodiscard]] static core::Expected<CameraLog> open(const std::string& folder) {
         CameraLog log;
-        if (folder.empty())
-            return log;
-        constexpr std::array<std::string_view, 5> kArmColumns{"time_s", "turn_rad", "along_m", "aside_x_m",
-                                                              "aside_y_m"};
-        TELETA_TRY(auto contacts, core::CsvWriter::create(folder + "/contacts.csv", vision::kContactColumns));
-        TELETA_TRY(auto arm, core::CsvWriter::create(folder + "/arm.csv", kArmColumns));
-        log.m_contacts = std::move(contacts);
-        log.m_arm = std::move(arm);
+        if (!folder.empty()) {
+            TELETA_TRY(log.m_contacts,
+                       core::CsvWriter::create(folder + "/contacts.csv", vision::kContactColumns));
+        }
+        TELETA_TRY(log.m_arm, RunCsv::open(folder, "arm.csv", "time_s,turn_rad,along_m,aside_x_m,aside_y_m"));
         return log;
     }
 
     void add(std::uint64_t frame, double time_s, const std::vector<vision::FollowedContact>& contacts,
              int bumped, const simulation::TubePose& pose) {
-        if (!m_contacts)
-            return;
+        m_arm.row(time_s, pose.turn_rad, pose.along_m, pose.aside_m);
         for (const vision::FollowedContact& followed : contacts) {
+            if (!m_contacts)
+                return;
             if (followed.seen || followed.event == vision::ContactEvent::ends)
                 vision::writeContact(*m_contacts, static_cast<long long>(frame), time_s, followed, bumped);
         }
-        for (const double value : {time_s, pose.turn_rad, pose.along_m, pose.aside_m.x(), pose.aside_m.y()})
-            m_arm->number(value);
-        m_arm->endRow();
     }
 
     /// A disk that is full is told at once, not at the end of a long run.
-    [[nodiscard]] bool failed() const { return m_contacts && (m_contacts->failed() || m_arm->failed()); }
+    [[nodiscard]] bool failed() const { return (m_contacts && m_contacts->failed()) || m_arm.failed(); }
 
     [[nodiscard]] core::Expected<void> finish() {
-        if (!m_contacts)
-            return {};
-        if (auto written = m_contacts->finish(); !written)
-            return written;
-        return m_arm->finish();
+        if (m_contacts)
+            TELETA_CHECK(m_contacts->finish());
+        return m_arm.finish();
     }
 
 private:
-    std::optional<core::CsvWriter> m_contacts, m_arm;
+    std::optional<core::CsvWriter> m_contacts;
+    RunCsv m_arm;
 };
 
 /// Compares what was found with what is true, frame by frame.
@@ -111,21 +104,17 @@ public:
     }
 
     void report(nlohmann::ordered_json& measures) {
-        const ErrorStatistics errors = errorStatistics(m_errors_m);
-        measures["contact_error_mean_m"] = errors.mean;
-        measures["contact_error_p95_m"] = errors.p95;
+        reportContactErrors(m_errors_m, measures);
         measures["contacts_missed"] = m_missed;
         if (std::holds_alternative<scene::BumpReaction>(m_world.reaction)) {
             const bool early = m_stop_s && (!m_bump_s || *m_stop_s <= *m_bump_s);
-            measures["bump_to_stop_s"] = m_bump_s && m_stop_s && !early ? jsonNumber(*m_stop_s - *m_bump_s)
-                                                                        : nlohmann::ordered_json(nullptr);
+            measures["bump_to_stop_s"] =
+                m_bump_s && m_stop_s && !early ? jsonNumber(*m_stop_s - *m_bump_s) : nullptr;
             measures["stopped_without_bump"] = early ? 1 : 0;
         }
         if (std::holds_alternative<scene::FollowReaction>(m_world.reaction)) {
-            measures["follow_angle_error_rad"] =
-                m_touched ? jsonNumber(std::abs(m_angleError_rad)) : nlohmann::ordered_json(nullptr);
-            measures["follow_axial_error_m"] =
-                m_touched ? jsonNumber(std::abs(m_axialError_m)) : nlohmann::ordered_json(nullptr);
+            measures["follow_angle_error_rad"] = jsonNumber(std::abs(m_angleError_rad));
+            measures["follow_axial_error_m"] = jsonNumber(std::abs(m_axialError_m));
         }
     }
 
@@ -152,8 +141,8 @@ private:
     bool m_touched = false;
     simulation::SkinPlace m_fingerStart;
     simulation::TubePose m_armStart;
-    double m_angleError_rad = 0.0;
-    double m_axialError_m = 0.0;
+    double m_angleError_rad = std::numeric_limits<double>::quiet_NaN(); ///< until it touches
+    double m_axialError_m = std::numeric_limits<double>::quiet_NaN();
 };
 
 } // namespace
@@ -166,9 +155,7 @@ core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const Run
     const scene::CameraWorld& world = scene.camera();
     cv::Mat1b frame;
     tube.untouched(frame);
-    if (!options.outFolder.empty()) {
-        TELETA_CHECK(writeImage(options.outFolder + "/reference.png", frame));
-    }
+    TELETA_CHECK(writeReference(options.outFolder, frame));
     SceneSummary summary;
     TELETA_TRY(auto finder, vision::makeContactFinder(vision::contactLadder().front(), tube.camera()));
     vision::CameraTracker tracker(std::move(finder), trackerSettings(world));
@@ -222,9 +209,8 @@ core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene, const Run
         if (log.failed())
             break;
     }
-    for (const core::Expected<void>& written : {log.finish(), recording.finish()}) {
+    for (const core::Expected<void>& written : {log.finish(), recording.finish()})
         TELETA_CHECK(written);
-    }
     summary.takeTimes(tube);
     measures.report(summary.measures);
     summary.measures["first_contact_s"] = orNull(firstContact_s);

@@ -22,4 +22,17 @@ namespace teleta::scene_run {
 [[nodiscard]] core::Expected<SceneSummary> runCameraScene(const scene::Scene& scene,
                                                           const RunOptions& options);
 
+/// Runs a scene in which a person probes the tube: contacts are found with the camera as it is designed, a
+/// pair is taken from each steady touch, the camera is calibrated from the pairs and compared with the true
+/// one. Files in outFolder, beside summary.json:
+///   pairs.csv, camera.json, residuals.csv   as `teleta calibrate` reads and writes them
+///   reference.png                           the tube with nothing touching it
+/// Measures: contact_error_mean_m and contact_error_p95_m, distance from true points all over the skin to
+/// where the calibrated camera locates their pixels; not_located, those of them for which it has no place;
+/// holes; pairs; pairs_mistaken, taken in another hole than the noted one; mistaken_kept and right_dropped by
+/// the calibration; pixel_error_mean_px of the right pairs; uncertainty_m, what the calibration itself
+/// expects. Without a calibration its measures are null and `refusal` says why.
+[[nodiscard]] core::Expected<SceneSummary> runProbingScene(const scene::Scene& scene,
+                                                           const RunOptions& options);
+
 } // namespace teleta::scene_run

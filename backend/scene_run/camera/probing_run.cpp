@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/scene_run/camera/probing_run.h"
-
 #include "backend/scene_run/camera/camera_image.h"
+#include "backend/scene_run/camera/camera_run.h"
 #include "backend/scene_run/camera/simulated_probing.h"
 #include "backend/vision/calibration/camera_file.h"
 
@@ -62,10 +61,8 @@ void report(const std::vector<TakenPair>& taken, const vision::CylinderCamera& t
         mistakenKept += mistaken && calibration.residuals[i].kept ? 1 : 0;
         rightDropped += !mistaken && !calibration.residuals[i].kept ? 1 : 0;
     }
-    SurfaceErrors surface = surfaceErrors(truth, calibration.camera);
-    const ErrorStatistics errors = errorStatistics(surface.errors_m);
-    measures["contact_error_mean_m"] = errors.mean;
-    measures["contact_error_p95_m"] = errors.p95;
+    const SurfaceErrors surface = surfaceErrors(truth, calibration.camera);
+    reportContactErrors(surface.errors_m, measures);
     measures["not_located"] = surface.notLocated;
     measures["uncertainty_m"] = jsonNumber(calibration.uncertainty_m);
     measures["pairs_kept"] = calibration.kept;
@@ -91,10 +88,10 @@ core::Expected<void> writeFiles(const std::string& folder, const std::vector<vis
                                 const vision::Calibration* calibration) {
     if (folder.empty())
         return {};
-    if (auto written = vision::writePairs(pairs, folder + "/pairs.csv"); !written || calibration == nullptr)
-        return written;
-    if (auto written = vision::writeResiduals(pairs, *calibration, folder + "/residuals.csv"); !written)
-        return written;
+    TELETA_CHECK(vision::writePairs(pairs, folder + "/pairs.csv"));
+    if (calibration == nullptr)
+        return {};
+    TELETA_CHECK(vision::writeResiduals(pairs, *calibration, folder + "/residuals.csv"));
     return vision::writeCamera({calibration->camera, vision::summaryOf(*calibration)},
                                folder + "/camera.json");
 }
@@ -107,9 +104,7 @@ core::Expected<SceneSummary> runProbingScene(const scene::Scene& scene, const Ru
     simulation::SimulatedTube& tube = probing.tube();
     const simulation::ProbingPlan& plan = probing.plan();
     const vision::CylinderCamera& truth = tube.camera();
-    if (!options.outFolder.empty()) {
-        TELETA_CHECK(writeImage(options.outFolder + "/reference.png", probing.reference()));
-    }
+    TELETA_CHECK(writeReference(options.outFolder, probing.reference()));
 
     SceneSummary summary;
     std::vector<TakenPair> taken;

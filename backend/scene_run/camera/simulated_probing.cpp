@@ -14,8 +14,7 @@ core::Expected<std::unique_ptr<SimulatedProbing>> SimulatedProbing::make(const s
     std::unique_ptr<SimulatedProbing> probing(new SimulatedProbing);
     probing->m_tube = std::move(tube);
     probing->m_tube->untouched(probing->m_reference);
-    TELETA_TRY(auto watcher, vision::ProbeWatcher::make(probing->settings()));
-    probing->m_watcher = std::move(watcher);
+    TELETA_TRY(probing->m_watcher, vision::ProbeWatcher::make(probing->settings()));
     TELETA_CHECK(probing->m_watcher->setReference(probing->m_reference));
     return probing;
 }

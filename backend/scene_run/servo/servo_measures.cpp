@@ -29,7 +29,11 @@ void ServoMeasures::Errors::add(double error) {
 }
 
 ordered_json ServoMeasures::Errors::rms() const {
-    return count > 0 ? jsonNumber(std::sqrt(squares / static_cast<double>(count))) : ordered_json(nullptr);
+    return count > 0 ? jsonNumber(std::sqrt(squares / static_cast<double>(count))) : ordered_json();
+}
+
+ordered_json ServoMeasures::Errors::largest() const {
+    return count > 0 ? jsonNumber(most) : ordered_json();
 }
 
 ServoMeasures::ServoMeasures(const scene::Scene& scene)
@@ -155,7 +159,7 @@ void ServoMeasures::report(ordered_json& measures) const {
     measures["phases"] = phases;
     measures["force_desired_n"] = jsonNumber(m_task.force_N);
     measures["force_rms_error_n"] = m_force_N.rms();
-    measures["force_max_error_n"] = m_force_N.count > 0 ? jsonNumber(m_force_N.most) : ordered_json(nullptr);
+    measures["force_max_error_n"] = m_force_N.largest();
     measures["contact_lost_s"] = jsonNumber(m_lost_s);
     if (m_massMoves_s) {
         const double settled_s = m_unsettled_s ? *m_unsettled_s + m_frame_s : *m_massMoves_s;
@@ -163,10 +167,7 @@ void ServoMeasures::report(ordered_json& measures) const {
             settled_s < m_now_s - m_frame_s ? jsonNumber(settled_s - *m_massMoves_s) : ordered_json(nullptr);
         const auto last = std::min(m_dzmpY_m.size(), static_cast<std::size_t>(std::round(1.0 / m_frame_s)));
         measures["dzmp_y_final_m"] =
-            last > 0 ? jsonNumber(std::accumulate(m_dzmpY_m.end() - static_cast<std::ptrdiff_t>(last),
-                                                  m_dzmpY_m.end(), 0.0) /
-                                  static_cast<double>(last))
-                     : ordered_json(nullptr);
+            jsonNumber(mean({m_dzmpY_m.end() - static_cast<std::ptrdiff_t>(last), m_dzmpY_m.end()}));
         measures["alpha_z_rms_rad"] = m_alpha_rad.rms();
         measures["tray_tilt_max_rad"] = jsonNumber(m_tilt_rad);
     }
@@ -177,9 +178,8 @@ void ServoMeasures::report(ordered_json& measures) const {
     }
     if (m_cop_m.count > 0) {
         measures["cop_rms_error_m"] = m_cop_m.rms();
-        measures["cop_max_error_m"] = jsonNumber(m_cop_m.most);
-        measures["force_settled_max_error_n"] =
-            m_settledForce_N.count > 0 ? jsonNumber(m_settledForce_N.most) : ordered_json(nullptr);
+        measures["cop_max_error_m"] = m_cop_m.largest();
+        measures["force_settled_max_error_n"] = m_settledForce_N.largest();
         measures["force_overshoot_n"] = jsonNumber(std::max(0.0, m_highestForce_N - m_task.force_N));
     }
 }

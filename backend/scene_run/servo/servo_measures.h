@@ -54,7 +54,8 @@ private:
         std::size_t count = 0;
 
         void add(double error);
-        [[nodiscard]] nlohmann::ordered_json rms() const;
+        [[nodiscard]] nlohmann::ordered_json rms() const; ///< null without any
+        [[nodiscard]] nlohmann::ordered_json largest() const;
     };
 
     void addFrame(const simulation::ServoLoop& loop);

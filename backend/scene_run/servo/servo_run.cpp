@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/servo/servo_run.h"
 
-#include "backend/core/data/csv_writer.h"
-#include "backend/scene_run/base/frame_log.h"
+#include "backend/scene_run/base/run_csv.h"
 #include "backend/scene_run/base/scene_recording.h"
-#include "backend/scene_run/servo/servo_log.h"
 #include "backend/scene_run/servo/servo_measures.h"
 #include "backend/simulation/servo/servo_loop.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
-#include <array>
 #include <bitset>
 #include <cmath>
 #include <cstdint>
@@ -22,14 +21,40 @@ namespace {
 
 constexpr std::uint64_t kCyclesBetweenReports = 1024;
 
-core::Expected<void> writePoints(const std::string& path, const std::vector<Eigen::Vector3d>& points_m) {
-    constexpr std::array<std::string_view, 3> kPointColumns{"x_m", "y_m", "z_m"};
-    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kPointColumns));
-    for (const Eigen::Vector3d& point_m : points_m) {
-        for (const double value : point_m)
-            csv.number(value);
-        csv.endRow();
-    }
+constexpr std::string_view kServoColumns =
+    "time_s,phase,contact,type,force_N,force_desired_N,force_true_N,rim_true_N,peak_N,cop_x_m,cop_y_m,"
+    "coc_x_m,coc_y_m,dzmp_x_m,dzmp_y_m,alpha_z_rad,cop_x_desired_m,cop_y_desired_m,alpha_z_desired_rad,"
+    "cop_x_true_m,cop_y_true_m,dzmp_y_true_m,alpha_z_true_rad,x_m,y_m,z_m,qw,qx,qy,qz,x_commanded_m,"
+    "y_commanded_m,z_commanded_m,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,wy_rad_per_s,wz_rad_per_s,"
+    "tray_rad,energy_J,limits,coc_x_desired_m,dzmp_y_desired_m,mass_x_true_m,qw_commanded,qx_commanded,"
+    "qy_commanded,qz_commanded";
+
+void addCycle(const simulation::ServoLoop& loop, const ServoMeasures& measures, RunCsv& csv) {
+    const contact::TactileFeatures& felt = loop.features();
+    const servo::ServoOutput& output = loop.output();
+    const simulation::ServoTruth& truth = loop.world().truth();
+    const simulation::ServoFrameTruth& frame = loop.world().frameTruth();
+    const simulation::ImpedanceArm& arm = loop.world().arm();
+    const bool loaded = frame.loads.force_N > 0.0;
+    const Eigen::Quaterniond turn(arm.X_Base_Sensor().linear());
+    const Eigen::Quaterniond commanded(arm.X_Base_Reference().linear());
+    csv.row(truth.time_s, measures.phase(), servo::toString(output.contact), contact::toString(felt.type),
+            felt.force_N, measures.desiredForce_N(), truth.force_N, frame.loads.rim_N, felt.peak_N,
+            felt.copX_m, felt.copY_m, felt.cocX_m, felt.cocY_m, felt.dzmpX_m, felt.dzmpY_m, felt.alphaZ_rad,
+            output.desired[servo::kX], output.desired[servo::kY], output.desired[servo::kWz],
+            valueIf(loaded, frame.loads.copX_m), valueIf(loaded, frame.loads.copY_m),
+            valueIf(loaded, frame.loads.copX_m - frame.loads.cocX_m), valueIf(loaded, frame.alphaZ_rad),
+            arm.X_Base_Sensor().translation(), turn.w(), turn.x(), turn.y(), turn.z(),
+            arm.X_Base_Reference().translation(), output.twist_Sensor, truth.hinge_rad, arm.energy_J(),
+            output.limits.names(), output.desiredCocX_m(), output.desiredDzmpY_m(),
+            valueIf(arm.object().turns, truth.massPlace_m), commanded.w(), commanded.x(), commanded.y(),
+            commanded.z());
+}
+
+core::Expected<void> writePoints(const std::string& outFolder, const std::vector<Eigen::Vector3d>& points_m) {
+    TELETA_TRY(RunCsv csv, RunCsv::open(outFolder, "points.csv", "x_m,y_m,z_m"));
+    for (const Eigen::Vector3d& point_m : points_m)
+        csv.row(point_m);
     return csv.finish();
 }
 
@@ -71,8 +96,8 @@ private:
 core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunOptions& options) {
     TELETA_TRY(auto made, simulation::ServoLoop::make(scene, options.seed));
     simulation::ServoLoop& loop = *made;
-    TELETA_TRY(FrameLog frameLog, FrameLog::open(options.outFolder, scene.taxels().taxels()));
-    TELETA_TRY(ServoLog servoLog, ServoLog::open(options.outFolder));
+    TELETA_TRY(RunCsv frameLog, RunCsv::openFrames(options.outFolder, scene.taxels().taxels()));
+    TELETA_TRY(RunCsv servoLog, RunCsv::open(options.outFolder, "servo.csv", kServoColumns));
     TELETA_TRY(SceneRecording recording, SceneRecording::open(options, scene));
     recording.beginArray(
         {.name = scene.name,
@@ -97,19 +122,15 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
         events.add(loop, newPhase, measures.phase());
         if (loop.frameCame()) {
             ++frames;
-            frameLog.add(loop.world().time_s(), loop.frame());
+            frameLog.row(loop.world().time_s(), loop.frame());
             recording.addFrame(loop.world().time_s(), loop.frame());
         }
         if (loop.servoed())
-            servoLog.add(loop, measures.phase(), measures.desiredForce_N());
+            addCycle(loop, measures, servoLog);
     }
     for (const core::Expected<void>& written : {frameLog.finish(), servoLog.finish(), recording.finish()})
         TELETA_CHECK(written);
-    if (!options.outFolder.empty()) {
-        const core::Expected<void> written =
-            writePoints(options.outFolder + "/points.csv", measures.points_m());
-        TELETA_CHECK(written);
-    }
+    TELETA_CHECK(writePoints(options.outFolder, measures.points_m()));
 
     summary.takeTimes(loop.world());
     const double cyclesPerTimed =

@@ -44,8 +44,9 @@ private:
 
 } // namespace
 
-StimulusBracelet::StimulusBracelet(const study::StudyScene& scene)
-    : m_scene(scene) {
+StimulusBracelet::StimulusBracelet(const study::StudyScene& scene, EffectTimes& times_ns)
+    : m_scene(scene)
+    , m_times_ns(times_ns) {
     if (scene.motorLag)
         m_motor = motorOf(*scene.motorLag);
 }
@@ -106,11 +107,6 @@ StimulusBracelet::Shown StimulusBracelet::show(const pattern::Pattern& pattern, 
 
 std::optional<double> StimulusBracelet::rmsError() const {
     return m_values == 0 ? std::nullopt : std::optional(std::sqrt(m_squares / static_cast<double>(m_values)));
-}
-
-double StimulusBracelet::time_s(const std::string& effect) const {
-    const auto found = m_times_ns.find(effect);
-    return found == m_times_ns.end() ? 0.0 : static_cast<double>(found->second) * 1e-9;
 }
 
 } // namespace teleta::scene_run

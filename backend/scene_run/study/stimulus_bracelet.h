@@ -16,11 +16,15 @@
 
 namespace teleta::scene_run {
 
+/// Computing time of effects, by their names; ns.
+using EffectTimes = std::map<std::string, std::int64_t>;
+
 /// The bracelet of a study's scene: computes, frame by frame, how the motors follow a stimulus. Without
 /// effects they follow at once. Thread: one.
 class StimulusBracelet {
 public:
-    explicit StimulusBracelet(const study::StudyScene& scene);
+    /// times_ns: to which the computing time of its effects is added.
+    StimulusBracelet(const study::StudyScene& scene, EffectTimes& times_ns);
 
     struct Shown {
         std::size_t frames = 0;
@@ -34,16 +38,14 @@ public:
     [[nodiscard]] const std::vector<double>& onsets_s() const { return m_onsets_s; }
     /// Between commanded and felt intensities; empty before the first frame.
     [[nodiscard]] std::optional<double> rmsError() const;
-    /// Computing time of an effect.
-    [[nodiscard]] double time_s(const std::string& effect) const;
 
 private:
     const study::StudyScene& m_scene;
+    EffectTimes& m_times_ns;
     pattern::MotorProfile m_motor;
     std::vector<double> m_onsets_s;
     double m_squares = 0.0;
     std::size_t m_values = 0;
-    std::map<std::string, std::int64_t> m_times_ns;
 };
 
 } // namespace teleta::scene_run

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/study/study_run.h"
 
-#include "backend/core/quantile.h"
+#include "backend/core/elapsed.h"
+#include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "backend/scene_run/study/stimulus_bracelet.h"
 #include "backend/study/analysis/proportion.h"
@@ -33,11 +34,6 @@ QDateTime beginning() {
     return {QDate(2026, 1, 1), QTime(8, 0), Qt::UTC};
 }
 
-ordered_json median(const std::vector<double>& values) {
-    const std::optional<double> middle = study::median(values);
-    return middle ? ordered_json(*middle) : ordered_json();
-}
-
 /// Measures of the stored trials.
 core::Expected<ordered_json> measuresOf(const study::StudyStore& store) {
     TELETA_TRY(const auto participants, store.participants());
@@ -64,14 +60,15 @@ core::Expected<ordered_json> measuresOf(const study::StudyStore& store) {
     return ordered_json{{"trials", trials},
                         {"accuracy", trials == 0 ? ordered_json() : ordered_json(double(right) / trials)},
                         {"timeouts", timeouts},
-                        {"response_time_median_s", median(times_s)}};
+                        {"response_time_median_s", orNull(study::median(times_s))}};
 }
 
 /// The simulated participants, with the computing time of each effect.
 class TimedParticipants {
 public:
-    explicit TimedParticipants(const study::StudyScene& scene)
-        : m_scene(scene) {}
+    TimedParticipants(const study::StudyScene& scene, EffectTimes& times_ns)
+        : m_scene(scene)
+        , m_times_ns(times_ns) {}
 
     study::SimulatedParticipant::Answer answer(const study::StudyTask& task, const std::string& condition,
                                                std::size_t stimulus, std::uint64_t seed) {
@@ -93,15 +90,11 @@ public:
         m_times_ns["confusion"] += core::steadyNow_ns() - lapsed_ns;
         return answer;
     }
-    [[nodiscard]] double time_s(const std::string& effect) const {
-        const auto found = m_times_ns.find(effect);
-        return found == m_times_ns.end() ? 0.0 : static_cast<double>(found->second) * 1e-9;
-    }
 
 private:
     const study::StudyScene& m_scene;
+    EffectTimes& m_times_ns;
     std::map<std::pair<std::string, std::string>, study::SimulatedParticipant> m_participants;
-    std::map<std::string, std::int64_t> m_times_ns;
 };
 
 } // namespace
@@ -121,8 +114,9 @@ core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const
                study::StudyStore::create(
                    options.outFolder.empty() ? nowhere.path().toStdString() : options.outFolder, head));
 
-    TimedParticipants participants(scene);
-    StimulusBracelet bracelet(scene);
+    EffectTimes times_ns;
+    TimedParticipants participants(scene, times_ns);
+    StimulusBracelet bracelet(scene, times_ns);
     std::size_t stimuli = 0;
     std::size_t frames = 0;
     std::size_t lost = 0;
@@ -152,11 +146,9 @@ core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const
     };
     TELETA_TRY(const auto progress, study::rehearse(store, cast));
     if (unknown)
-        return core::Unexpected(core::Error{
-            core::ErrorKind::badInput,
-            StudyRunText::tr("the protocol has a stimulus that is not built in").toStdString(),
-            StudyRunText::tr("tasks, letters and conditions whose patterns are built in").toStdString(),
-            {}});
+        return core::failed(core::ErrorKind::badInput,
+                            StudyRunText::tr("the protocol has a stimulus that is not built in"),
+                            StudyRunText::tr("tasks, letters and conditions whose patterns are built in"));
     TELETA_TRY(ordered_json measures, measuresOf(store));
     SceneSummary summary;
     summary.scene = options.name;
@@ -164,19 +156,16 @@ core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const
     summary.simulated_s = progress.simulated_s;
     summary.interrupted = stopped;
     for (const study::StudyScene::Effect& effect : scene.effects)
-        summary.effects.push_back(
-            {effect.name, participants.time_s(effect.name) + bracelet.time_s(effect.name)});
+        summary.effects.push_back({effect.name, core::elapsed_s(0, times_ns[effect.name])});
     summary.measures = std::move(measures);
     summary.measures["patterns_sent"] = stimuli;
     summary.measures["frames"] = frames;
     summary.measures["frames_lost"] = lost;
-    summary.measures["felt_onset_p50_s"] = median(bracelet.onsets_s());
-    const std::optional<double> rms = bracelet.rmsError();
-    summary.measures["felt_rms_error"] = rms ? ordered_json(*rms) : ordered_json();
-    summary.wall_s = static_cast<double>(core::steadyNow_ns() - start_ns) * 1e-9;
-    if (!options.outFolder.empty()) {
+    summary.measures["felt_onset_p50_s"] = orNull(study::median(bracelet.onsets_s()));
+    summary.measures["felt_rms_error"] = orNull(bracelet.rmsError());
+    summary.wall_s = core::elapsed_s(start_ns, core::steadyNow_ns());
+    if (!options.outFolder.empty())
         TELETA_CHECK(writeJson(options.outFolder + "/summary.json", summary.toJson()));
-    }
     return summary;
 }
 

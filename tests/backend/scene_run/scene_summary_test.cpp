@@ -9,8 +9,17 @@
 #include <numeric>
 
 using nlohmann::ordered_json;
-using teleta::scene_run::errorStatistics;
 using teleta::scene_run::SceneSummary;
+
+namespace {
+
+ordered_json reported(const std::vector<double>& errors_m) {
+    ordered_json measures;
+    teleta::scene_run::reportContactErrors(errors_m, measures);
+    return measures;
+}
+
+} // namespace
 
 TEST(SceneSummary, hasTheKeysOfTheFormatInTheirOrder) {
     SceneSummary summary;
@@ -40,30 +49,29 @@ TEST(SceneSummary, saysWhereAFileCannotBeWritten) {
     EXPECT_EQ(written.error().where.file, "/nowhere/summary.json");
 }
 
-TEST(ErrorStatistics, ofNoErrorsAreNull) {
-    std::vector<double> none;
-    EXPECT_TRUE(errorStatistics(none).mean.is_null());
-    EXPECT_TRUE(errorStatistics(none).p95.is_null());
+TEST(ContactErrorMeasures, ofNoErrorsAreNull) {
+    const ordered_json measures = reported({});
+    EXPECT_TRUE(measures["contact_error_mean_m"].is_null());
+    EXPECT_TRUE(measures["contact_error_p95_m"].is_null());
 }
 
-TEST(ErrorStatistics, ofOneErrorAreThatError) {
-    std::vector<double> one{0.25};
-    EXPECT_EQ(errorStatistics(one).mean, ordered_json(0.25));
-    EXPECT_EQ(errorStatistics(one).p95, ordered_json(0.25));
+TEST(ContactErrorMeasures, ofOneErrorAreThatError) {
+    const ordered_json measures = reported({0.25});
+    EXPECT_EQ(measures["contact_error_mean_m"], ordered_json(0.25));
+    EXPECT_EQ(measures["contact_error_p95_m"], ordered_json(0.25));
 }
 
-TEST(ErrorStatistics, haveTheQuantileOfR) {
+TEST(ContactErrorMeasures, haveTheQuantileOfR) {
     // R: x <- c(1:7)^2; mean(x); quantile(x, 0.95, type = 7)
-    std::vector<double> squares{25, 1, 49, 9, 4, 36, 16};
-    const auto statistics = errorStatistics(squares);
-    EXPECT_DOUBLE_EQ(statistics.mean.get<double>(), 20.0);
-    EXPECT_NEAR(statistics.p95.get<double>(), 45.1, 1e-12);
+    const ordered_json measures = reported({25, 1, 49, 9, 4, 36, 16});
+    EXPECT_DOUBLE_EQ(measures["contact_error_mean_m"].get<double>(), 20.0);
+    EXPECT_NEAR(measures["contact_error_p95_m"].get<double>(), 45.1, 1e-12);
 }
 
-TEST(ErrorStatistics, doNotDependOnTheOrder) {
+TEST(ContactErrorMeasures, doNotDependOnTheOrder) {
     std::vector<double> rising(101);
     std::iota(rising.begin(), rising.end(), 0.0);
-    std::vector<double> falling(rising.rbegin(), rising.rend());
-    EXPECT_EQ(errorStatistics(rising).p95, ordered_json(95.0));
-    EXPECT_EQ(errorStatistics(falling).p95, ordered_json(95.0));
+    const std::vector<double> falling(rising.rbegin(), rising.rend());
+    EXPECT_EQ(reported(rising)["contact_error_p95_m"], ordered_json(95.0));
+    EXPECT_EQ(reported(falling)["contact_error_p95_m"], ordered_json(95.0));
 }

@@ -83,7 +83,8 @@ TEST(StimulusBracelet, withoutEffectsItFeelsWhatIsTold) {
     study::StudyScene scene = shipped();
     for (const char* effect : {"motor_lag", "dead_zone", "dropped_frames"})
         scene = scene.without(effect);
-    StimulusBracelet bracelet(scene);
+    EffectTimes times_ns;
+    StimulusBracelet bracelet(scene, times_ns);
     const auto shown = bracelet.show(*pattern::findBuiltIn("shape.A.static"), 2.0, 1);
     EXPECT_EQ(shown.frames, 400U);
     EXPECT_EQ(shown.lost, 0U);
@@ -96,7 +97,8 @@ TEST(StimulusBracelet, withoutEffectsItFeelsWhatIsTold) {
 TEST(StimulusBracelet, aMotorThatLagsIsFeltAfterItsRise) {
     study::StudyScene scene = shipped().without("dropped_frames").without("dead_zone");
     scene.motorLag = study::StudyScene::MotorLag{0.200, 0.200};
-    StimulusBracelet bracelet(scene);
+    EffectTimes times_ns;
+    StimulusBracelet bracelet(scene, times_ns);
     (void)bracelet.show(*pattern::findBuiltIn("shape.A.static"), 2.0, 1);
     ASSERT_EQ(bracelet.onsets_s().size(), 1U);
     EXPECT_NEAR(bracelet.onsets_s()[0], 0.200 * std::log10(2.0), 1.0 / scene.frameRate_Hz + 1e-12);
@@ -105,7 +107,8 @@ TEST(StimulusBracelet, aMotorThatLagsIsFeltAfterItsRise) {
 TEST(StimulusBracelet, losesTheShareOfFramesThatItIsTold) {
     study::StudyScene scene = shipped();
     scene.droppedFrames = 0.1;
-    StimulusBracelet bracelet(scene);
+    EffectTimes times_ns;
+    StimulusBracelet bracelet(scene, times_ns);
     std::size_t lost = 0;
     std::size_t frames = 0;
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
