@@ -3,7 +3,7 @@
 
 #include "backend/core/data/keys.h"
 #include "backend/core/error.h"
-#include "devices/bracelet/hid_bracelet_config.h"
+#include "devices/bracelet/hid_bracelet.h"
 
 #include <string>
 #include <string_view>

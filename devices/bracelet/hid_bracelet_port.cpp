@@ -12,13 +12,13 @@
 namespace teleta::bracelet {
 
 bool HidBraceletPort::write(std::uint16_t sequence, const core::Drive& drive, std::uint16_t timeout_ms) {
-    return m_transport->write(encodeFrame(sequence, drive, timeout_ms));
+    return m_device->write(encodeFrame(sequence, drive, timeout_ms));
 }
 
 core::BraceletPort::Read HidBraceletPort::read(core::BoardReport& report) {
     // Longer than any report of the bracelet, so that a wrong report can be told by its length.
     std::array<std::uint8_t, 64> bytes{};
-    const int size = m_transport->read(bytes);
+    const int size = m_device->read(bytes, 0);
     if (size < 0)
         return Read::lost;
     if (size == 0)
@@ -30,10 +30,10 @@ core::BraceletPort::Read HidBraceletPort::read(core::BoardReport& report) {
     return Read::report;
 }
 
-core::Expected<core::OpenedBracelet> openHidBraceletPort(std::unique_ptr<HidTransport> transport) {
+core::Expected<core::OpenedBracelet> openHidBraceletPort(std::unique_ptr<hid::HidDevice> device) {
     std::array<std::uint8_t, 64> bytes{};
     bytes[0] = kIdentityId;
-    const int size = transport->getFeature(bytes);
+    const int size = device->getFeature(bytes);
     const auto identity =
         size > 0 ? decodeIdentity(std::span(bytes).first(static_cast<std::size_t>(size))) : std::nullopt;
     if (!identity)
@@ -53,8 +53,7 @@ core::Expected<core::OpenedBracelet> openHidBraceletPort(std::unique_ptr<HidTran
     description.maximumRate_Hz = identity->maximumRate_Hz;
     description.highestDrive = identity->highestDrive;
     description.longestTimeout_ms = identity->longestTimeout_ms;
-    return core::OpenedBracelet{std::make_unique<HidBraceletPort>(std::move(transport)),
-                                std::move(description)};
+    return core::OpenedBracelet{std::make_unique<HidBraceletPort>(std::move(device)), std::move(description)};
 }
 
 } // namespace teleta::bracelet

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every byte string here is worked out by hand from the tables of devices/bracelet/README.md.
 #include "devices/bracelet/bracelet_reports.h"
-#include "devices/bracelet/hid_bracelet_config.h"
+#include "devices/bracelet/hid_bracelet.h"
 
 #include <gtest/gtest.h>
 

@@ -26,7 +26,7 @@ struct Script {
     bool gone = false;
 };
 
-class ScriptedTransport : public HidTransport {
+class ScriptedTransport : public teleta::hid::HidDevice {
 public:
     explicit ScriptedTransport(Script& script)
         : m_script(script) {}
@@ -34,7 +34,7 @@ public:
         m_script.outputs.emplace_back(report.begin(), report.end());
         return !m_script.gone;
     }
-    int read(std::span<std::uint8_t> report) override {
+    int read(std::span<std::uint8_t> report, int /*timeout_ms*/) override {
         if (m_script.gone)
             return -1;
         if (m_script.inputs.empty())
@@ -132,7 +132,7 @@ TEST(HidBracelet, saysWhatIsMissingWhenNoneIsPluggedIn) {
 }
 
 TEST(HidBracelet, saysThatADeviceCannotBeOpened) {
-    const auto missing = openHidTransport("/dev/hidraw-that-is-not-there");
+    const auto missing = openBraceletNode("/dev/hidraw-that-is-not-there");
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().kind, teleta::core::ErrorKind::unavailable);
     EXPECT_NE(missing.error().message.find("/dev/hidraw-that-is-not-there"), std::string::npos);
@@ -143,7 +143,7 @@ TEST(HidBracelet, ofAnotherProgramIsNotOpenedAndSaysSo) {
     const std::string node = folder.write("hidraw", "");
     const auto other = teleta::core::NodeClaim::take(node);
     ASSERT_TRUE(other && *other);
-    const auto taken = openHidTransport(node);
+    const auto taken = openBraceletNode(node);
     ASSERT_FALSE(taken);
     EXPECT_EQ(taken.error().kind, teleta::core::ErrorKind::unavailable);
     EXPECT_NE(taken.error().message.find("Another program uses the bracelet at " + node), std::string::npos)

@@ -44,7 +44,7 @@ public:
     }
     /// The mouse must outlive what it opens.
     HidInputOpener opener() {
-        return [this]() -> core::Expected<std::unique_ptr<HidInput>> {
+        return [this]() -> core::Expected<std::unique_ptr<hid::HidDevice>> {
             const std::scoped_lock lock(m_mutex);
             if (!m_plugged)
                 return core::Unexpected(core::Error{core::ErrorKind::unavailable, "none", {}, {}});
@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    class Input : public HidInput {
+    class Input : public hid::HidDevice {
     public:
         explicit Input(PlayedMouse& mouse)
             : m_mouse(mouse) {}

@@ -45,7 +45,7 @@ void open(FoundDevice& found, const bracelet::HidBraceletConfig& config) {
     }
 }
 
-FoundDevice describeBracelet(const bracelet::HidDeviceInfo& info) {
+FoundDevice describeBracelet(const hid::HidDeviceInfo& info) {
     FoundDevice found{.kind = "hid_bracelet", .name = info.product, .where = info.path};
     bracelet::HidBraceletConfig config;
     config.serial = info.serial;
@@ -55,9 +55,9 @@ FoundDevice describeBracelet(const bracelet::HidDeviceInfo& info) {
 
 std::vector<FoundDevice> listDevices() {
     std::vector<FoundDevice> devices;
-    for (const bracelet::HidDeviceInfo& info : bracelet::listHidBracelets())
+    for (const hid::HidDeviceInfo& info : bracelet::listHidBracelets())
         devices.push_back(describeBracelet(info));
-    for (const mouse3d::Mouse3dInfo& info : mouse3d::listMice())
+    for (const hid::HidDeviceInfo& info : mouse3d::listMice())
         devices.push_back({.kind = "mouse3d",
                            .name = info.product,
                            .where = info.path,
@@ -88,7 +88,7 @@ core::Expected<FoundDevice> probeRegisters(const std::string& path) {
 core::Expected<FoundDevice> probeBracelet(const std::string& path) {
     TELETA_TRY(const auto file, bracelet::readHidBracelet(path));
     FoundDevice found{.kind = "hid_bracelet", .name = file.name, .where = "USB"};
-    for (const bracelet::HidDeviceInfo& info : bracelet::listHidBracelets(file.config)) {
+    for (const hid::HidDeviceInfo& info : bracelet::listHidBracelets(file.config)) {
         if (file.config.serial.empty() || info.serial == file.config.serial) {
             found.where = info.path;
             break;

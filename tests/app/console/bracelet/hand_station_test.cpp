@@ -12,7 +12,7 @@
 
 using namespace teleta;
 using console::HandStation;
-using mouse3d::HidInput;
+using hid::HidDevice;
 
 namespace {
 
@@ -40,7 +40,7 @@ struct PlayedMouse {
         changed.notify_all();
     }
 
-    class Input : public HidInput {
+    class Input : public HidDevice {
     public:
         explicit Input(PlayedMouse& mouse)
             : m_mouse(mouse) {}
@@ -64,7 +64,7 @@ struct PlayedMouse {
     };
 
     mouse3d::HidInputOpener opener() {
-        return [this]() -> core::Expected<std::unique_ptr<HidInput>> {
+        return [this]() -> core::Expected<std::unique_ptr<HidDevice>> {
             const std::scoped_lock lock(mutex);
             if (!plugged)
                 return core::Unexpected(core::Error{core::ErrorKind::unavailable, "none", {}, {}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/mouse3d/mouse3d_worker.h"
+#include "devices/mouse3d/mouse3d.h"
 
 #include "backend/core/device/backoff.h"
 
@@ -10,18 +10,18 @@
 
 namespace teleta::mouse3d {
 
-Mouse3dWorker::Mouse3dWorker(HidInputOpener opener, Mouse3dConfig config)
+Mouse3d::Mouse3d(Mouse3dConfig config, HidInputOpener opener)
     : m_opener(std::move(opener))
     , m_config(std::move(config))
     , m_wait(m_config.clock) {
 }
 
-void Mouse3dWorker::open(core::Wakeup& consumer) {
+void Mouse3d::open(core::Wakeup& consumer) {
     forget();
     m_status.open(consumer, now_ns());
 }
 
-void Mouse3dWorker::run(const std::stop_token& stop) {
+void Mouse3d::run(const std::stop_token& stop) {
     while (connect(stop)) {
         readReports(stop);
         m_input.reset();
@@ -30,12 +30,12 @@ void Mouse3dWorker::run(const std::stop_token& stop) {
     m_status.setState(core::DeviceState::closed, now_ns());
 }
 
-SixAxes Mouse3dWorker::motion() const {
+SixAxes Mouse3d::motion() const {
     const Mouse3dReading now = reading();
     return now.deadManHeld ? now.axes : SixAxes{};
 }
 
-Mouse3dReading Mouse3dWorker::reading() const {
+Mouse3dReading Mouse3d::reading() const {
     Mouse3dReading reading = m_reading.get();
     // The worker looks only after a read.
     if (isSilent(reading)) {
@@ -46,7 +46,7 @@ Mouse3dReading Mouse3dWorker::reading() const {
 }
 
 /// While the dead-man button is held: nothing came for longer than such a mouse is silent.
-bool Mouse3dWorker::isSilent(const Mouse3dReading& reading) const {
+bool Mouse3d::isSilent(const Mouse3dReading& reading) const {
     if (!reading.deadManHeld)
         return false;
     const bool atRest = reading.axes == SixAxes{};
@@ -58,7 +58,7 @@ bool Mouse3dWorker::isSilent(const Mouse3dReading& reading) const {
 }
 
 /// The release of the button may be among the missing reports: it has to be released and pressed again.
-void Mouse3dWorker::letGoIfSilent() {
+void Mouse3d::letGoIfSilent() {
     if (!isSilent(m_now))
         return;
     m_deadManSeenReleased = false;
@@ -69,7 +69,7 @@ void Mouse3dWorker::letGoIfSilent() {
 }
 
 /// Tries until there is a mouse, less and less often. False: stopped.
-bool Mouse3dWorker::connect(const std::stop_token& stop) {
+bool Mouse3d::connect(const std::stop_token& stop) {
     core::Backoff retry(m_config.firstRetry_ns, m_config.longestRetry_ns);
     while (!stop.stop_requested()) {
         if (m_status.state() == core::DeviceState::lost) {
@@ -90,7 +90,7 @@ bool Mouse3dWorker::connect(const std::stop_token& stop) {
     return false;
 }
 
-void Mouse3dWorker::readReports(const std::stop_token& stop) {
+void Mouse3d::readReports(const std::stop_token& stop) {
     std::array<std::uint8_t, 64> report{};
     while (!stop.stop_requested()) {
         const int size = m_input->read(report, m_config.readTimeout_ms);
@@ -107,7 +107,7 @@ void Mouse3dWorker::readReports(const std::stop_token& stop) {
     }
 }
 
-void Mouse3dWorker::take(std::span<const std::uint8_t> report) {
+void Mouse3d::take(std::span<const std::uint8_t> report) {
     const std::int64_t time_ns = now_ns();
     switch (decodeReport(report, m_raw)) {
     case ReportKind::axes:
@@ -137,7 +137,7 @@ void Mouse3dWorker::take(std::span<const std::uint8_t> report) {
 }
 
 /// Nothing carries over from an earlier connection: the dead-man button must be pressed again.
-void Mouse3dWorker::forget() {
+void Mouse3d::forget() {
     m_raw = {};
     m_now = {};
     m_deadManSeenReleased = false;
