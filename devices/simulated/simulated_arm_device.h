@@ -4,7 +4,6 @@
 #include "backend/core/device/arm_device.h"
 #include "backend/core/threads/device_thread.h"
 #include "backend/core/threads/stop_switch.h"
-#include "devices/simulated/simulated_arm_config.h"
 #include "devices/simulated/simulated_arm_worker.h"
 
 #include <memory>

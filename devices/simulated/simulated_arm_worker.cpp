@@ -2,7 +2,6 @@
 #include "devices/simulated/simulated_arm_worker.h"
 
 #include "backend/core/device/device_state.h"
-#include "devices/simulated/simulated_times.h"
 
 #include <QCoreApplication>
 

@@ -6,9 +6,9 @@
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/threads/stop_switch.h"
 #include "devices/simulated/arm_drive_control.h"
-#include "devices/simulated/simulated_arm_config.h"
 #include "devices/simulated/simulated_worker.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -16,6 +16,22 @@
 #include <vector>
 
 namespace teleta::simulated {
+
+struct SimulatedArmConfig {
+    std::size_t queueSamples = 8192; ///< of the joints
+    std::size_t queueBlocks = 512;   ///< of the skin
+    /// The consumer is woken when so much time of samples has come together.
+    double batch_s = 0.005;
+    /// Age of the newest sample from which joints and skin are stale; by default core::staleAfter_ns of the
+    /// rate of each.
+    std::optional<double> staleAfter_s = std::nullopt;
+    /// A worker that is later than this does not catch up: the simulated world then stood still meanwhile.
+    double longestCatchUp_s = 1.0;
+    bool startProgram = true;    ///< the program runs from the start, if there is one
+    SimulatedFaults faults{};    ///< of the link, for joints and skin alike
+    std::uint64_t faultSeed = 1; ///< which samples and frames are dropped
+    std::shared_ptr<core::PacingClock> clock = std::make_shared<core::PacingClock>();
+};
 
 /// Moves a simulated arm in real time, one step per joint period; each step looks at STOP first. Samples of
 /// an arm at another site are stamped with the time at which they were read there. Thread: as

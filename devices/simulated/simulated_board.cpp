@@ -38,7 +38,7 @@ bool SimulatedBoard::take(std::uint16_t sequence, const core::Drive& drive, std:
     }
     if (m_faults.unplugged || m_faults.failWrites)
         return false;
-    if (static_cast<double>(m_dropRandom() >> 11) * 0x1.0p-53 < m_faults.dropShare)
+    if (m_dropRandom.uniform() < m_faults.dropShare)
         return true;
     const std::int64_t now_ns = m_clock->now_ns();
     advance(now_ns);

@@ -4,7 +4,6 @@
 #include "backend/core/bracelet/bracelet_link.h"
 #include "backend/core/threads/stop_switch.h"
 #include "devices/simulated/simulated_board.h"
-#include "devices/simulated/simulated_bracelet_config.h"
 
 #include <memory>
 

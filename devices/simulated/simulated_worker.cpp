@@ -2,7 +2,6 @@
 #include "devices/simulated/simulated_worker.h"
 
 #include "backend/core/device/backoff.h"
-#include "devices/simulated/simulated_times.h"
 
 #include <algorithm>
 #include <utility>
@@ -98,10 +97,6 @@ void SimulatedWorker::waitForPlug(std::unique_lock<std::mutex>& lock, const std:
 std::int64_t SimulatedWorker::due_ns(double lag_s) const {
     const double since_s = static_cast<double>(m_sinceEpoch + 1) / m_rate_Hz;
     return m_epoch_ns + toNs(since_s + (lag_s > 0.0 ? std::min(lag_s, kLongestLag_s) : 0.0));
-}
-
-bool SimulatedWorker::happens(double share) {
-    return static_cast<double>(m_random() >> 11) * 0x1.0p-53 < share;
 }
 
 } // namespace teleta::simulated

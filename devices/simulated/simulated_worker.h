@@ -3,18 +3,32 @@
 
 #include "backend/core/device/device.h"
 #include "backend/core/interface.h"
+#include "backend/core/random_stream.h"
 #include "backend/core/threads/pacing_clock.h"
-#include "devices/simulated/simulated_array_config.h"
 
+#include <cmath>
 #include <condition_variable>
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <random>
 #include <stop_token>
 #include <string>
 
 namespace teleta::simulated {
+
+/// What goes wrong with a simulated device and its link, for tests and demonstrations.
+struct SimulatedFaults {
+    double lag_s = 0.0;     ///< frames come so much later; 0 .. 3600
+    double dropShare = 0.0; ///< share of the frames that the link loses, 0 .. 1; each is counted
+    bool silent = false;    ///< connected, but no frame comes
+    bool unplugged = false; ///< lost, with attempts to connect again until it is plugged in
+
+    bool operator==(const SimulatedFaults&) const = default;
+};
+
+[[nodiscard]] inline std::int64_t toNs(double time_s) {
+    return static_cast<std::int64_t>(std::llround(time_s * 1e9));
+}
 
 /// The worker of a simulated device and the faults of its link: makes the k-th sample since the epoch when it
 /// is due,
@@ -53,7 +67,7 @@ protected:
     /// The world stood still for this long.
     void standStill(std::int64_t late_ns) { m_epoch_ns += late_ns; }
     /// True with this probability, 0 .. 1.
-    [[nodiscard]] bool happens(double share);
+    [[nodiscard]] bool happens(double share) { return m_random.uniform() < share; }
 
 private:
     void connect();
@@ -64,7 +78,7 @@ private:
     mutable std::mutex m_mutex;
     std::condition_variable m_condition;
     SimulatedFaults m_faults; ///< guarded by m_mutex
-    std::mt19937_64 m_random;
+    core::RandomStream m_random;
     std::int64_t m_epoch_ns = 0;
     std::uint64_t m_sinceEpoch = 0; ///< samples
 };

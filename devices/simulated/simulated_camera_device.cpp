@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/simulated/simulated_camera_worker.h"
+#include "devices/simulated/simulated_camera_device.h"
 
 #include <QCoreApplication>
 
@@ -7,7 +7,7 @@
 
 namespace teleta::simulated {
 
-SimulatedCameraWorker::SimulatedCameraWorker(std::unique_ptr<core::CameraGenerator> generator,
+SimulatedCameraDevice::SimulatedCameraDevice(std::unique_ptr<core::CameraGenerator> generator,
                                              const core::StopSwitch& stopSwitch, SimulatedCameraConfig config)
     : SimulatedWorker(config.clock, generator->description().nominalRate_Hz, config.faults, config.faultSeed)
     , m_generator(std::move(generator))
@@ -17,26 +17,22 @@ SimulatedCameraWorker::SimulatedCameraWorker(std::unique_ptr<core::CameraGenerat
     , m_outlet(m_config.queueFrames) {
 }
 
-void SimulatedCameraWorker::open(core::Wakeup& consumer) {
+void SimulatedCameraDevice::open(core::Wakeup& consumer) {
     m_number = 0;
     m_outlet.open(consumer, now_ns());
 }
 
-void SimulatedCameraWorker::setState(core::DeviceState state, const std::string& message) {
-    m_outlet.setState(state, now_ns(), message);
-}
-
-std::string SimulatedCameraWorker::unpluggedMessage() const {
+std::string SimulatedCameraDevice::unpluggedMessage() const {
     return QCoreApplication::translate("SimulatedCameraDevice", "The camera was unplugged.").toStdString();
 }
 
-void SimulatedCameraWorker::makeDue(const SimulatedFaults& faults, std::int64_t /*now_ns*/) {
+void SimulatedCameraDevice::makeDue(const SimulatedFaults& faults, std::int64_t /*now_ns*/) {
     makeFrame(faults);
     if (const std::int64_t late_ns = now_ns() - due_ns(faults.lag_s); late_ns > 0)
         standStill(late_ns);
 }
 
-void SimulatedCameraWorker::makeFrame(const SimulatedFaults& faults) {
+void SimulatedCameraDevice::makeFrame(const SimulatedFaults& faults) {
     core::CameraFrame frame;
     if (m_generator->next(frame.image, m_stopSwitch.engaged()))
         m_discontinuity = true;

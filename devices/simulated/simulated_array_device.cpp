@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/simulated/simulated_array_worker.h"
+#include "devices/simulated/simulated_array_device.h"
 
 #include "backend/core/device/device_state.h"
-#include "devices/simulated/simulated_times.h"
 
 #include <QCoreApplication>
 
@@ -18,7 +17,7 @@ constexpr std::size_t kFramesPerBlock = 64;
 
 } // namespace
 
-SimulatedArrayWorker::SimulatedArrayWorker(std::unique_ptr<core::FrameGenerator> generator,
+SimulatedArrayDevice::SimulatedArrayDevice(std::unique_ptr<core::FrameGenerator> generator,
                                            const core::StopSwitch& stopSwitch, SimulatedArrayConfig config)
     : SimulatedWorker(config.clock, generator->description().nominalRate_Hz, config.faults, config.faultSeed)
     , m_generator(std::move(generator))
@@ -34,23 +33,11 @@ SimulatedArrayWorker::SimulatedArrayWorker(std::unique_ptr<core::FrameGenerator>
     (void)lookAtStop();
 }
 
-void SimulatedArrayWorker::open(core::Wakeup& consumer) {
-    m_outlet.open(consumer, now_ns());
-}
-
-void SimulatedArrayWorker::setState(core::DeviceState state, const std::string& message) {
-    m_outlet.setState(state, now_ns(), message);
-}
-
-std::string SimulatedArrayWorker::unpluggedMessage() const {
+std::string SimulatedArrayDevice::unpluggedMessage() const {
     return QCoreApplication::translate("SimulatedArrayDevice", "The device was unplugged.").toStdString();
 }
 
-std::int64_t SimulatedArrayWorker::idle(const SimulatedFaults& /*faults*/, std::int64_t now_ns) {
-    return watchAge(m_outlet, m_staleAfter_ns, now_ns);
-}
-
-void SimulatedArrayWorker::makeDue(const SimulatedFaults& faults, std::int64_t now_ns) {
+void SimulatedArrayDevice::makeDue(const SimulatedFaults& faults, std::int64_t now_ns) {
     const std::int64_t late_ns = now_ns - due_ns(faults.lag_s);
     if (late_ns > toNs(m_config.longestCatchUp_s))
         standStill(late_ns);
@@ -78,7 +65,7 @@ void SimulatedArrayWorker::makeDue(const SimulatedFaults& faults, std::int64_t n
 }
 
 /// Whether STOP is engaged. A scene that it held, even if only between two frames, does not resume by itself.
-bool SimulatedArrayWorker::lookAtStop() {
+bool SimulatedArrayDevice::lookAtStop() {
     const bool stopped = m_stopSwitch.engaged();
     const std::uint64_t stops = m_stopSwitch.engagements();
     if (m_config.scene && (stopped || stops != m_stops))
@@ -87,7 +74,7 @@ bool SimulatedArrayWorker::lookAtStop() {
     return stopped;
 }
 
-void SimulatedArrayWorker::deliver(core::SampleBlock& block) {
+void SimulatedArrayDevice::deliver(core::SampleBlock& block) {
     if (block.frames() == 0)
         return;
     block.channels = m_values.size();
