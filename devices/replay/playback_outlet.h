@@ -4,7 +4,7 @@
 #include "backend/core/device/camera_outlet.h"
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/interface.h"
-#include "devices/replay/playback_track.h"
+#include "devices/replay/playback_recording.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,52 +40,55 @@ public:
     [[nodiscard]] virtual core::DeviceStatus status() const = 0;
 };
 
-/// For an array: blocks of frames.
-class ArrayPlaybackOutlet : public PlaybackOutlet {
+/// On a SourceOutlet or a CameraOutlet, of which it has the state.
+template <typename Outlet>
+class PlaybackOutletOn : public PlaybackOutlet {
 public:
-    explicit ArrayPlaybackOutlet(std::size_t queueBlocks)
-        : m_outlet(queueBlocks) {}
+    explicit PlaybackOutletOn(std::size_t queueSize)
+        : m_outlet(queueSize) {}
+
+    void setState(core::DeviceState state, std::int64_t now_ns, std::string message) override {
+        m_outlet.setState(state, now_ns, std::move(message));
+    }
+    [[nodiscard]] core::DeviceState state() const override { return m_outlet.state(); }
+    [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
+
+protected:
+    Outlet m_outlet;
+};
+
+/// For an array: blocks of frames.
+class ArrayPlaybackOutlet : public PlaybackOutletOn<core::SourceOutlet> {
+public:
+    using PlaybackOutletOn::PlaybackOutletOn;
 
     void open(core::Wakeup& consumer, std::int64_t now_ns) override;
     void take(const PlaybackTrack& track, const PlayedFrame& frame) override;
     [[nodiscard]] std::size_t taken() const override { return m_block.frames(); }
     [[nodiscard]] bool isFull() const override;
     [[nodiscard]] bool deliver(core::DeviceState state, bool canWait) override;
-    void setState(core::DeviceState state, std::int64_t now_ns, std::string message) override {
-        m_outlet.setState(state, now_ns, std::move(message));
-    }
-    [[nodiscard]] core::DeviceState state() const override { return m_outlet.state(); }
-    [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
 
     [[nodiscard]] core::BoundedQueue<core::SampleBlock>& blocks() { return m_outlet.blocks(); }
 
 private:
-    core::SourceOutlet m_outlet;
     core::SampleBlock m_block;
 };
 
 /// For a camera: one picture at a time.
-class CameraPlaybackOutlet : public PlaybackOutlet {
+class CameraPlaybackOutlet : public PlaybackOutletOn<core::CameraOutlet> {
 public:
-    explicit CameraPlaybackOutlet(std::size_t queueFrames)
-        : m_outlet(queueFrames) {}
+    using PlaybackOutletOn::PlaybackOutletOn;
 
     void open(core::Wakeup& consumer, std::int64_t now_ns) override;
     void take(const PlaybackTrack& track, const PlayedFrame& frame) override;
     [[nodiscard]] std::size_t taken() const override { return m_picture.image.isEmpty() ? 0 : 1; }
     [[nodiscard]] bool isFull() const override { return taken() > 0; }
     [[nodiscard]] bool deliver(core::DeviceState state, bool canWait) override;
-    void setState(core::DeviceState state, std::int64_t now_ns, std::string message) override {
-        m_outlet.setState(state, now_ns, std::move(message));
-    }
-    [[nodiscard]] core::DeviceState state() const override { return m_outlet.state(); }
-    [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
 
     /// Drained by one consumer.
     [[nodiscard]] core::CameraFrameQueue& frames() { return m_outlet.frames(); }
 
 private:
-    core::CameraOutlet m_outlet;
     core::CameraFrame m_picture;
 };
 

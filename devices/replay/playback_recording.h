@@ -1,19 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/camera_source.h"
 #include "backend/core/error.h"
 #include "backend/core/interface.h"
 #include "backend/recording/recording.h"
-#include "devices/replay/playback_track.h"
-#include "devices/replay/recorded_references.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace teleta::replay {
+
+/// One stream of a recording, read frame by frame. It stands at a frame or, at its end, behind the last one.
+/// Thread: one.
+class PlaybackTrack : public core::Interface {
+public:
+    /// Goes to the first frame at or after a time, or to the end if there is none.
+    [[nodiscard]] virtual core::Expected<void> seek(std::int64_t time_ns) = 0;
+    /// Goes to the next frame.
+    [[nodiscard]] virtual core::Expected<void> advance() = 0;
+    /// Goes back by this many frames, at most to the first one. Returns by how many.
+    [[nodiscard]] virtual core::Expected<std::uint64_t> back(std::uint64_t frames) = 0;
+    [[nodiscard]] virtual bool atEnd() const = 0;
+
+    // Of the frame at which it stands.
+    [[nodiscard]] virtual std::int64_t time_ns() const = 0;
+    [[nodiscard]] virtual double sourceTime_s() const = 0;
+    /// Number in the recording; empty when the format does not number its frames.
+    [[nodiscard]] virtual std::optional<std::uint64_t> frame() const { return std::nullopt; }
+    /// The stream jumped before this frame when it was recorded, or frames before it are damaged.
+    [[nodiscard]] virtual bool jumps() const { return false; }
+    /// Values of the stream's type. Valid until the track moves.
+    template <typename Number>
+    [[nodiscard]] std::span<const Number> values() const {
+        const std::span<const std::byte> all = bytes();
+        return {reinterpret_cast<const Number*>(all.data()), all.size() / sizeof(Number)};
+    }
+    /// The picture, if it is a stream of pictures.
+    [[nodiscard]] virtual core::GreyImage image() const { return {}; }
+
+    /// Damaged blocks that were skipped since the track was opened.
+    [[nodiscard]] virtual std::uint64_t damagedBlocks() const { return 0; }
+
+protected:
+    [[nodiscard]] virtual std::span<const std::byte> bytes() const = 0;
+};
 
 /// How long a recording is.
 struct PlaybackExtent {
@@ -28,11 +65,15 @@ struct PlaybackExtent {
 struct PlaybackTracks {
     std::unique_ptr<recording::Recording> recording; ///< in which the tracks read, for a .teleta file
     std::unique_ptr<PlaybackTrack> frames;
-    std::unique_ptr<PlaybackTrack> joints;          ///< of the arm that wears the array; null: none
-    std::unique_ptr<RecordedReferences> references; ///< of the camera; null: none
+    std::unique_ptr<PlaybackTrack> joints; ///< of the arm that wears the array; null: none
+    /// The reference of a camera's picture of this time if it differs from that of the last call (initially:
+    /// from the first one); otherwise empty.
+    std::function<core::GreyImage(std::int64_t time_ns)> referenceAt = [](std::int64_t) {
+        return core::GreyImage{};
+    };
 };
 
-/// A recording that a PlaybackWorker plays, in one of the formats.
+/// A recording that a RecordedPlayer plays, in one of the formats.
 class PlaybackRecording : public core::Interface {
 public:
     struct Mark {

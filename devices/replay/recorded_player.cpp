@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/replay/playback_worker.h"
+#include "devices/replay/recorded_player.h"
 
 #include "backend/recording/stream_columns.h"
+#include "devices/replay/csv_recording.h"
+#include "devices/replay/teleta_recording.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +32,17 @@ std::unique_ptr<PlaybackOutlet> makeOutlet(const PlaybackConfig& config) {
 
 } // namespace
 
-PlaybackWorker::PlaybackWorker(PlaybackConfig config, std::unique_ptr<PlaybackRecording> recording)
+core::Expected<std::shared_ptr<RecordedPlayer>> RecordedPlayer::open(RecordedConfig config) {
+    TELETA_TRY(auto recording, openTeletaRecording(config));
+    return std::make_shared<RecordedPlayer>(std::move(config), std::move(recording));
+}
+
+core::Expected<std::shared_ptr<RecordedPlayer>> RecordedPlayer::open(CsvConfig config) {
+    TELETA_TRY(auto recording, openCsvRecording(config));
+    return std::make_shared<RecordedPlayer>(std::move(config), std::move(recording));
+}
+
+RecordedPlayer::RecordedPlayer(PlaybackConfig config, std::unique_ptr<PlaybackRecording> recording)
     : m_config(std::move(config))
     , m_recording(std::move(recording))
     , m_outlet(makeOutlet(m_config))
@@ -40,7 +52,17 @@ PlaybackWorker::PlaybackWorker(PlaybackConfig config, std::unique_ptr<PlaybackRe
     m_shown.set({spanOf(m_recording->extent()).first_ns});
 }
 
-void PlaybackWorker::open(core::Wakeup& consumer) {
+void RecordedPlayer::start(core::Wakeup& consumer) {
+    m_thread.start(consumer);
+    m_recording->startIndexing();
+}
+
+void RecordedPlayer::stop() {
+    m_thread.stop();
+    m_recording->stopIndexing();
+}
+
+void RecordedPlayer::open(core::Wakeup& consumer) {
     m_consumer = &consumer;
     m_outlet->open(consumer, now_ns());
     m_jointsRead.store(0);
@@ -48,11 +70,11 @@ void PlaybackWorker::open(core::Wakeup& consumer) {
     m_box.begin(m_config.autoplay);
 }
 
-PlaybackConfig::Span PlaybackWorker::spanOf(const PlaybackExtent& extent) const {
+PlaybackConfig::Span RecordedPlayer::spanOf(const PlaybackExtent& extent) const {
     return m_config.span.value_or(PlaybackConfig::Span{extent.first_ns, extent.last_ns});
 }
 
-core::PlaybackPosition PlaybackWorker::position() const {
+core::PlaybackPosition RecordedPlayer::position() const {
     core::PlaybackPosition position;
     const std::optional<double> sought_s = m_box.describe(position);
     const Shown shown = m_shown.get();
@@ -73,7 +95,7 @@ core::PlaybackPosition PlaybackWorker::position() const {
     return position;
 }
 
-std::vector<core::PlaybackMark> PlaybackWorker::marks() const {
+std::vector<core::PlaybackMark> RecordedPlayer::marks() const {
     const std::int64_t first_ns = spanOf(m_recording->extent()).first_ns;
     std::vector<core::PlaybackMark> marks;
     for (const PlaybackRecording::Mark& mark : m_recording->marks())
@@ -81,7 +103,7 @@ std::vector<core::PlaybackMark> PlaybackWorker::marks() const {
     return marks;
 }
 
-core::DeviceStatus PlaybackWorker::jointStatus() const {
+core::DeviceStatus RecordedPlayer::jointStatus() const {
     core::DeviceStatus status = m_outlet->status();
     status.framesRead = m_jointsRead.load();
     status.framesLost = m_joints.overflow() - m_jointOverflowAtOpen;
@@ -91,7 +113,7 @@ core::DeviceStatus PlaybackWorker::jointStatus() const {
     return status;
 }
 
-void PlaybackWorker::run(const std::stop_token& stop) {
+void RecordedPlayer::run(const std::stop_token& stop) {
     m_stop = stop;
     // A database belongs to the thread that opened it.
     core::Expected<PlaybackTracks> tracks =
@@ -110,7 +132,7 @@ void PlaybackWorker::run(const std::stop_token& stop) {
     m_outlet->setState(core::DeviceState::closed, now_ns());
 }
 
-void PlaybackWorker::play() {
+void RecordedPlayer::play() {
     while (!m_stop.stop_requested()) {
         const PlaybackCommands previous = std::exchange(m_active, m_box.take());
         const core::DeviceState state = m_outlet->state();
@@ -135,7 +157,7 @@ void PlaybackWorker::play() {
     }
 }
 
-core::Expected<void> PlaybackWorker::obey(const PlaybackCommands& previous, bool ended) {
+core::Expected<void> RecordedPlayer::obey(const PlaybackCommands& previous, bool ended) {
     if (m_active.seek_s || (ended && m_active.playing)) {
         TELETA_CHECK(seekTo(m_active.seek_s.value_or(0.0), commanded_ns()));
     } else if (previous.playing != m_active.playing || previous.speed != m_active.speed) {
@@ -152,12 +174,12 @@ core::Expected<void> PlaybackWorker::obey(const PlaybackCommands& previous, bool
     return m_active.steps != 0 ? stepBy(m_active.steps) : core::Expected<void>();
 }
 
-void PlaybackWorker::countDamage() {
+void RecordedPlayer::countDamage() {
     m_damagedBlocks.store(m_tracks.frames->damagedBlocks() +
                           (m_tracks.joints ? m_tracks.joints->damagedBlocks() : 0));
 }
 
-core::Expected<void> PlaybackWorker::seekTo(double time_s, std::int64_t at_ns) {
+core::Expected<void> RecordedPlayer::seekTo(double time_s, std::int64_t at_ns) {
     PlaybackTrack& frames = *m_tracks.frames;
     const PlaybackExtent extent = m_recording->extent();
     const PlaybackConfig::Span span = spanOf(extent);
@@ -183,14 +205,14 @@ core::Expected<void> PlaybackWorker::seekTo(double time_s, std::int64_t at_ns) {
     return shown;
 }
 
-core::Expected<void> PlaybackWorker::waitFrom(std::int64_t time_ns, std::int64_t at_ns) {
+core::Expected<void> RecordedPlayer::waitFrom(std::int64_t time_ns, std::int64_t at_ns) {
     m_jointsJumped = true;
     anchorAt(time_ns, at_ns);
     m_shown.set({time_ns});
     return m_tracks.joints ? m_tracks.joints->seek(time_ns) : core::Expected<void>();
 }
 
-core::Expected<void> PlaybackWorker::stepBy(long long by) {
+core::Expected<void> RecordedPlayer::stepBy(long long by) {
     // The track stands at the frame behind the one that is shown.
     PlaybackTrack& frames = *m_tracks.frames;
     if (by < 0) {
@@ -210,7 +232,7 @@ core::Expected<void> PlaybackWorker::stepBy(long long by) {
 }
 
 /// Delivers the current frame now, as that of this time, also when paused.
-core::Expected<void> PlaybackWorker::show(std::int64_t time_ns, std::int64_t at_ns) {
+core::Expected<void> RecordedPlayer::show(std::int64_t time_ns, std::int64_t at_ns) {
     if (m_tracks.joints) {
         TELETA_CHECK(m_tracks.joints->seek(time_ns));
         m_jointsJumped = true;
@@ -222,7 +244,7 @@ core::Expected<void> PlaybackWorker::show(std::int64_t time_ns, std::int64_t at_
     return m_tracks.frames->advance();
 }
 
-core::Expected<void> PlaybackWorker::playEnd() {
+core::Expected<void> RecordedPlayer::playEnd() {
     const bool unpaced = std::isinf(m_active.speed);
     const Shown shown = m_shown.get();
     const PlaybackExtent extent = m_recording->extent();
@@ -249,7 +271,7 @@ core::Expected<void> PlaybackWorker::playEnd() {
     return {};
 }
 
-core::Expected<void> PlaybackWorker::playDue() {
+core::Expected<void> RecordedPlayer::playDue() {
     PlaybackTrack& frames = *m_tracks.frames;
     PlaybackTrack* joints = m_tracks.joints.get();
     const bool unpaced = std::isinf(m_active.speed);
@@ -297,18 +319,17 @@ core::Expected<void> PlaybackWorker::playDue() {
     return {};
 }
 
-void PlaybackWorker::take() {
+void RecordedPlayer::take() {
     const PlaybackTrack& frames = *m_tracks.frames;
     const std::int64_t time_ns = frames.time_ns();
     const bool jumped = std::exchange(m_jumped, false) || frames.jumps();
     m_outlet->take(frames, {.time_ns = std::max(due_ns(time_ns), m_anchor_ns),
                             .jumped = jumped,
-                            .reference = m_tracks.references ? m_tracks.references->changeAt(time_ns)
-                                                             : core::GreyImage{}});
+                            .reference = m_tracks.referenceAt(time_ns)});
     m_shown.set({time_ns, frames.frame()});
 }
 
-void PlaybackWorker::deliver() {
+void RecordedPlayer::deliver() {
     const core::DeviceState state = m_active.playing ? core::DeviceState::live : core::DeviceState::paused;
     while (!m_outlet->deliver(state, std::isinf(m_active.speed))) {
         if (!m_box.waitForRoom(m_stop))
@@ -316,7 +337,7 @@ void PlaybackWorker::deliver() {
     }
 }
 
-void PlaybackWorker::deliverJoints() {
+void RecordedPlayer::deliverJoints() {
     const PlaybackTrack& joints = *m_tracks.joints;
     core::JointSample sample = recording::jointSample(joints.values<double>());
     sample.time_ns = due_ns(joints.time_ns());
@@ -334,35 +355,35 @@ void PlaybackWorker::deliverJoints() {
     }
 }
 
-void PlaybackWorker::endAs(core::DeviceState state, std::string message) {
+void RecordedPlayer::endAs(core::DeviceState state, std::string message) {
     m_active.playing = false;
     m_box.end();
     m_outlet->setState(state, now_ns(), std::move(message));
 }
 
-void PlaybackWorker::loseBy(core::Error error) {
+void RecordedPlayer::loseBy(core::Error error) {
     std::string message = describe(error);
     m_error.set(std::move(error));
     endAs(core::DeviceState::lost, std::move(message));
 }
 
-void PlaybackWorker::anchorAt(std::int64_t time_ns, std::int64_t at_ns) {
+void RecordedPlayer::anchorAt(std::int64_t time_ns, std::int64_t at_ns) {
     m_anchor_ns = at_ns;
     m_anchorTime_ns = time_ns;
 }
 
-std::int64_t PlaybackWorker::due_ns(std::int64_t time_ns) const {
+std::int64_t RecordedPlayer::due_ns(std::int64_t time_ns) const {
     const double speed = std::isinf(m_active.speed) ? 1.0 : m_active.speed;
     const double wait_ns = static_cast<double>(time_ns - m_anchorTime_ns) / speed;
     return m_anchor_ns + static_cast<std::int64_t>(std::clamp(wait_ns, -kLongest_ns, kLongest_ns));
 }
 
-std::int64_t PlaybackWorker::commanded_ns() const {
+std::int64_t RecordedPlayer::commanded_ns() const {
     const std::int64_t now = now_ns();
     return now - m_active.at_ns > kLongestLag_ns ? now : m_active.at_ns;
 }
 
-std::int64_t PlaybackWorker::reached_ns(const PlaybackCommands& previous, std::int64_t now_ns) const {
+std::int64_t RecordedPlayer::reached_ns(const PlaybackCommands& previous, std::int64_t now_ns) const {
     const std::int64_t shown_ns = m_shown.get().time_ns;
     if (!previous.playing || std::isinf(previous.speed))
         return shown_ns;

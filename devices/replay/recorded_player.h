@@ -4,6 +4,7 @@
 #include "backend/core/device/device.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/bounded_queue.h"
+#include "backend/core/threads/device_thread.h"
 #include "backend/core/threads/latest_copy.h"
 #include "devices/replay/playback_command_box.h"
 #include "devices/replay/playback_config.h"
@@ -24,14 +25,25 @@ namespace teleta::replay {
 ///   due = anchor + (time of the frame - time at the anchor) / speed
 /// The anchor is set anew by play, seek, step, a change of speed and at the seam of a loop. A frame's time_ns
 /// is when it was due, so that frames keep their order and distance.
-/// Thread: run() is the worker's, open() before it; the rest from any.
-class PlaybackWorker {
+/// States:
+///   connecting -> live <-> paused -> finished; unreadable: lost, with the place; stop(): closed
+/// At a finite speed a full queue loses frames, as it would with a device; at infinity playing waits for the
+/// consumer. A playback that is finished or lost starts over with play(), and can still be searched.
+/// Thread: start and stop from one controlling thread; the rest from any.
+class RecordedPlayer {
 public:
-    PlaybackWorker(PlaybackConfig config, std::unique_ptr<PlaybackRecording> recording);
+    /// Error: as openTeletaRecording.
+    [[nodiscard]] static core::Expected<std::shared_ptr<RecordedPlayer>> open(RecordedConfig config);
+    /// The array is described by the file. Error: as openCsvRecording.
+    [[nodiscard]] static core::Expected<std::shared_ptr<RecordedPlayer>> open(CsvConfig config);
 
-    void open(core::Wakeup& consumer);
-    void run(const std::stop_token& stop);
-    void wake() { m_box.wake(); }
+    RecordedPlayer(PlaybackConfig config, std::unique_ptr<PlaybackRecording> recording);
+    ~RecordedPlayer() { stop(); }
+    RecordedPlayer(const RecordedPlayer&) = delete;
+    RecordedPlayer& operator=(const RecordedPlayer&) = delete;
+
+    void start(core::Wakeup& consumer);
+    void stop();
 
     [[nodiscard]] PlaybackCommandBox& commands() { return m_box; }
     [[nodiscard]] core::PlaybackPosition position() const;
@@ -42,13 +54,17 @@ public:
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() { return m_joints; }
     [[nodiscard]] core::DeviceStatus jointStatus() const;
     [[nodiscard]] const PlaybackConfig& config() const { return m_config; }
-    [[nodiscard]] PlaybackRecording& recording() { return *m_recording; }
     /// Blocks of the array and the joints that were skipped because they are damaged.
     [[nodiscard]] std::uint64_t damagedBlocks() const { return m_damagedBlocks.load(); }
     /// Why it is lost.
     [[nodiscard]] core::Error error() const { return m_error.get(); }
 
 private:
+    friend core::DeviceThread<RecordedPlayer>;
+    void open(core::Wakeup& consumer);
+    void run(const std::stop_token& stop);
+    void wake() { m_box.wake(); }
+
     struct Shown {
         std::int64_t time_ns = 0;
         std::optional<std::uint64_t> frame = std::nullopt; ///< where the format numbers its frames
@@ -102,6 +118,8 @@ private:
     std::int64_t m_anchor_ns = 0;
     std::int64_t m_anchorTime_ns = 0;
     std::uint64_t m_jointOverflowAtOpen = 0;
+
+    core::DeviceThread<RecordedPlayer> m_thread{*this};
 };
 
 } // namespace teleta::replay
