@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/camera/camera_list.h"
 
+#include "backend/core/device/file_descriptor.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "devices/camera/video_stream.h"
@@ -17,7 +18,6 @@
 #include <linux/videodev2.h>
 #include <sys/ioctl.h>
 #include <system_error>
-#include <unistd.h>
 
 namespace teleta::camera {
 
@@ -44,16 +44,14 @@ std::optional<int> nodeNumber(const std::string& name) {
 std::optional<CameraInfo> ask(int number) {
     CameraInfo info{.number = number, .name = {}};
     const std::string path = "/dev/video" + std::to_string(number);
-    const int node = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
-    if (node < 0) {
+    const core::FileDescriptor node(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK));
+    if (!node.isOpen()) {
         info.error = core::Error{
             core::ErrorKind::unavailable, std::generic_category().message(errno), {}, {path, 0, 0}};
         return info;
     }
     v4l2_capability capability{};
-    const bool answered = ::ioctl(node, VIDIOC_QUERYCAP, &capability) == 0;
-    ::close(node);
-    if (!answered)
+    if (::ioctl(node.get(), VIDIOC_QUERYCAP, &capability) != 0)
         return std::nullopt;
     const std::uint32_t can = (capability.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? capability.device_caps
                                                                                     : capability.capabilities;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/camera/video_stream.h"
 
+#include "backend/core/device/file_descriptor.h"
 #include "backend/core/device/node_claim.h"
 #include "backend/core/elapsed.h"
 #include "backend/core/failure.h"
@@ -22,7 +23,6 @@
 #include <linux/videodev2.h>
 #include <optional>
 #include <sys/ioctl.h>
-#include <unistd.h>
 #include <vector>
 
 namespace teleta::camera {
@@ -59,23 +59,25 @@ std::optional<int> cameraNumber(const std::string& source) {
     return number;
 }
 
-/// Frame rate of a camera with its present settings; empty: unknown.
+core::FileDescriptor openNode(int number, int flags) {
+    return core::FileDescriptor(
+        ::open(("/dev/video" + std::to_string(number)).c_str(), O_RDWR | O_CLOEXEC | flags));
+}
+
+/// Size of a camera's pictures with its present settings; empty: unknown.
 cv::Size ownSize(int number) {
-    const int node = ::open(("/dev/video" + std::to_string(number)).c_str(), O_RDWR | O_CLOEXEC);
-    if (node < 0)
-        return {};
+    const core::FileDescriptor node = openNode(number, 0);
     v4l2_format format{};
     format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-    const bool known = ::ioctl(node, VIDIOC_G_FMT, &format) == 0;
-    ::close(node);
-    return known ? cv::Size(static_cast<int>(format.fmt.pix.width), static_cast<int>(format.fmt.pix.height))
-                 : cv::Size();
+    if (!node.isOpen() || ::ioctl(node.get(), VIDIOC_G_FMT, &format) != 0)
+        return {};
+    return {static_cast<int>(format.fmt.pix.width), static_cast<int>(format.fmt.pix.height)};
 }
 
 /// Why a camera does not open: while one program reads it, no other can change its format.
 bool isTaken(int number) {
-    const int node = ::open(("/dev/video" + std::to_string(number)).c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
-    if (node < 0)
+    const core::FileDescriptor node = openNode(number, O_NONBLOCK);
+    if (!node.isOpen())
         return errno == EBUSY;
     v4l2_format format{};
     format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -83,13 +85,11 @@ bool isTaken(int number) {
     buffers.count = 1;
     buffers.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     buffers.memory = V4L2_MEMORY_MMAP;
-    const auto refused = [node](unsigned long request, void* argument) {
-        return ::ioctl(node, request, argument) != 0 && errno == EBUSY;
+    const auto refused = [&node](unsigned long request, void* argument) {
+        return ::ioctl(node.get(), request, argument) != 0 && errno == EBUSY;
     };
-    const bool taken = (::ioctl(node, VIDIOC_G_FMT, &format) == 0 && refused(VIDIOC_S_FMT, &format)) ||
-                       refused(VIDIOC_REQBUFS, &buffers);
-    ::close(node);
-    return taken;
+    return (::ioctl(node.get(), VIDIOC_G_FMT, &format) == 0 && refused(VIDIOC_S_FMT, &format)) ||
+           refused(VIDIOC_REQBUFS, &buffers);
 }
 
 core::Unexpected failed(core::ErrorKind kind, const QString& message, const QString& expected,

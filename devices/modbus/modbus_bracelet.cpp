@@ -46,10 +46,8 @@ core::BraceletOpener modbusBraceletOpener(RegisterMap map, LinkOpener link,
                 core::ErrorKind::refused,
                 QCoreApplication::translate("Modbus", "The device has no motors.").toStdString(),
                 QCoreApplication::translate("Modbus", "a table [tactors] in its file").toStdString());
-        auto opened = link();
-        if (!opened)
-            return core::Unexpected(std::move(opened.error()));
-        auto port = std::make_unique<ModbusBraceletPort>(map, std::move(*opened), clock);
+        TELETA_TRY(auto opened, link());
+        auto port = std::make_unique<ModbusBraceletPort>(map, std::move(opened), clock);
         core::BraceletDescription description;
         // The first frame also connects caches and wakes the line: it is not measured.
         if (port->write(0, {}, 1))
@@ -69,10 +67,8 @@ core::Expected<std::unique_ptr<core::BraceletLink>> openModbusBracelet(const Reg
                                                                        const core::StopSwitch& stopSwitch,
                                                                        core::BraceletLinkConfig config) {
     core::BraceletOpener opener = modbusBraceletOpener(map, libmodbusOpener(map), config.clock);
-    auto opened = opener();
-    if (!opened)
-        return core::Unexpected(std::move(opened.error()));
-    return std::make_unique<core::BraceletLink>(std::move(*opened), std::move(opener), stopSwitch,
+    TELETA_TRY(auto opened, opener());
+    return std::make_unique<core::BraceletLink>(std::move(opened), std::move(opener), stopSwitch,
                                                 std::move(config));
 }
 

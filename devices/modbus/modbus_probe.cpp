@@ -41,18 +41,13 @@ core::Expected<ModbusProbe> probeModbus(const RegisterMap& map, const LinkOpener
                                         const std::shared_ptr<const core::PacingClock>& clock) {
     ModbusProbe probe;
     if (map.tactors) {
-        auto opened = modbusBraceletOpener(map, opener, clock)();
-        if (!opened)
-            return core::Unexpected(std::move(opened.error()));
-        probe.frameRate_Hz = opened->description.maximumRate_Hz;
+        TELETA_TRY(const auto opened, modbusBraceletOpener(map, opener, clock)());
+        probe.frameRate_Hz = opened.description.maximumRate_Hz;
     }
     if (map.inputs.empty())
         return probe;
-    auto link = opener();
-    if (!link)
-        return core::Unexpected(std::move(link.error()));
-    if (auto read = probeInputs(map, **link, *clock, probe); !read)
-        return core::Unexpected(std::move(read.error()));
+    TELETA_TRY(const auto link, opener());
+    TELETA_CHECK(probeInputs(map, *link, *clock, probe));
     return probe;
 }
 

@@ -4,6 +4,10 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace teleta::modbus {
 
 namespace {
@@ -12,31 +16,23 @@ struct Modbus {
     Q_DECLARE_TR_FUNCTIONS(Modbus)
 };
 
+/// By the codes of the protocol.
+constexpr std::pair<int, const char*> kExceptions[] = {
+    {1, QT_TRANSLATE_NOOP("Modbus", "illegal function")},
+    {2, QT_TRANSLATE_NOOP("Modbus", "illegal data address")},
+    {3, QT_TRANSLATE_NOOP("Modbus", "illegal data value")},
+    {4, QT_TRANSLATE_NOOP("Modbus", "device failure")},
+    {5, QT_TRANSLATE_NOOP("Modbus", "acknowledge")},
+    {6, QT_TRANSLATE_NOOP("Modbus", "device busy")},
+    {7, QT_TRANSLATE_NOOP("Modbus", "negative acknowledge")},
+    {8, QT_TRANSLATE_NOOP("Modbus", "memory parity error")},
+    {10, QT_TRANSLATE_NOOP("Modbus", "gateway path unavailable")},
+    {11, QT_TRANSLATE_NOOP("Modbus", "the device behind the gateway does not answer")},
+};
+
 QString exceptionName(int code) {
-    switch (code) {
-    case 1:
-        return Modbus::tr("illegal function");
-    case 2:
-        return Modbus::tr("illegal data address");
-    case 3:
-        return Modbus::tr("illegal data value");
-    case 4:
-        return Modbus::tr("device failure");
-    case 5:
-        return Modbus::tr("acknowledge");
-    case 6:
-        return Modbus::tr("device busy");
-    case 7:
-        return Modbus::tr("negative acknowledge");
-    case 8:
-        return Modbus::tr("memory parity error");
-    case 10:
-        return Modbus::tr("gateway path unavailable");
-    case 11:
-        return Modbus::tr("the device behind the gateway does not answer");
-    default:
-        return Modbus::tr("not in the standard");
-    }
+    const auto* const known = std::ranges::find(kExceptions, code, &std::pair<int, const char*>::first);
+    return known != std::end(kExceptions) ? Modbus::tr(known->second) : Modbus::tr("not in the standard");
 }
 
 } // namespace

@@ -6,43 +6,43 @@
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
-#include <poll.h>
 #include <unistd.h>
 
 namespace teleta::wts {
 
-WakePipe::WakePipe() {
-    if (::pipe2(m_ends, O_CLOEXEC | O_NONBLOCK) != 0)
-        m_ends[0] = m_ends[1] = -1;
+int pollUntil(std::span<pollfd> polled, std::int64_t deadline_ns) {
+    int ready = -1;
+    do {
+        const std::int64_t left_ns = std::max<std::int64_t>(0, deadline_ns - core::steadyNow_ns());
+        const timespec left{static_cast<time_t>(left_ns / 1'000'000'000), left_ns % 1'000'000'000};
+        ready = ::ppoll(polled.data(), polled.size(), &left, nullptr);
+    } while (ready < 0 && errno == EINTR);
+    return ready;
 }
 
-WakePipe::~WakePipe() {
-    for (const int end : m_ends) {
-        if (end >= 0)
-            ::close(end);
-    }
+WakePipe::WakePipe() {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0)
+        return;
+    m_read = core::FileDescriptor(ends[0]);
+    m_write = core::FileDescriptor(ends[1]);
 }
 
 void WakePipe::wake() {
     const char byte = 1;
     // A full pipe is readable already.
-    [[maybe_unused]] const ssize_t written = ::write(m_ends[1], &byte, 1);
+    [[maybe_unused]] const ssize_t written = ::write(m_write.get(), &byte, 1);
 }
 
 void WakePipe::clear() {
     char bytes[64];
-    while (::read(m_ends[0], bytes, sizeof bytes) > 0) {
+    while (::read(m_read.get(), bytes, sizeof bytes) > 0) {
     }
 }
 
 void WakePipe::waitUntil(std::int64_t deadline_ns) const {
-    pollfd polled{m_ends[0], POLLIN, 0};
-    int ready = -1;
-    do {
-        const std::int64_t left_ns = std::max<std::int64_t>(0, deadline_ns - core::steadyNow_ns());
-        const timespec left{static_cast<time_t>(left_ns / 1'000'000'000), left_ns % 1'000'000'000};
-        ready = ::ppoll(&polled, 1, &left, nullptr);
-    } while (ready < 0 && errno == EINTR);
+    pollfd polled{m_read.get(), POLLIN, 0};
+    pollUntil({&polled, 1}, deadline_ns);
 }
 
 } // namespace teleta::wts

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/file_descriptor.h"
+
 #include <cstdint>
+#include <poll.h>
+#include <span>
 
 namespace teleta::wts {
+
+/// Waits for events until the deadline (steady time), also when a signal interrupts it. Returns as ppoll().
+int pollUntil(std::span<pollfd> polled, std::int64_t deadline_ns);
 
 /// Ends a wait in poll() from another thread.
 /// Thread: wake() from any, the others from one that owns the wait.
 class WakePipe {
 public:
     WakePipe();
-    ~WakePipe();
-    WakePipe(const WakePipe&) = delete;
-    WakePipe& operator=(const WakePipe&) = delete;
 
     /// Ends the current wait and, until clear(), all further ones.
     void wake();
@@ -20,10 +24,11 @@ public:
     /// Waits until awake or until the deadline (steady time).
     void waitUntil(std::int64_t deadline_ns) const;
     /// Readable while awake; -1 when the system had no descriptor left.
-    [[nodiscard]] int descriptor() const { return m_ends[0]; }
+    [[nodiscard]] int descriptor() const { return m_read.get(); }
 
 private:
-    int m_ends[2] = {-1, -1};
+    core::FileDescriptor m_read{-1};
+    core::FileDescriptor m_write{-1};
 };
 
 } // namespace teleta::wts

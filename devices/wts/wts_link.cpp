@@ -3,7 +3,6 @@
 
 #include "backend/core/device/node_claim.h"
 #include "backend/core/failure.h"
-#include "backend/core/steady_time.h"
 #include "devices/wts/wts_text.h"
 
 #include <QString>
@@ -17,7 +16,6 @@
 #include <netdb.h>
 #include <netinet/tcp.h>
 #include <optional>
-#include <poll.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
@@ -62,43 +60,16 @@ core::ErrorKind kindOf(int error) {
 /// Waits until the descriptor is ready for these events, or has an error that the next call on it will
 /// report.
 Outcome waitFor(int descriptor, short events, std::int64_t deadline_ns, const WakePipe* wake, int& error) {
-    for (;;) {
-        std::array<pollfd, 2> polled{pollfd{descriptor, events, 0},
-                                     pollfd{wake != nullptr ? wake->descriptor() : -1, POLLIN, 0}};
-        const std::int64_t left_ns = std::max<std::int64_t>(0, deadline_ns - core::steadyNow_ns());
-        const timespec left{static_cast<time_t>(left_ns / 1'000'000'000), left_ns % 1'000'000'000};
-        const int ready = ::ppoll(polled.data(), polled.size(), &left, nullptr);
-        if (ready < 0) {
-            if (errno == EINTR)
-                continue;
-            error = errno;
-            return Outcome::gone;
-        }
-        if ((polled[1].revents & POLLIN) != 0)
-            return Outcome::woken;
-        if (polled[0].revents != 0)
-            return Outcome::done;
-        if (left_ns == 0)
-            return Outcome::timedOut;
+    std::array polled{pollfd{descriptor, events, 0},
+                      pollfd{wake != nullptr ? wake->descriptor() : -1, POLLIN, 0}};
+    if (pollUntil(polled, deadline_ns) < 0) {
+        error = errno;
+        return Outcome::gone;
     }
+    if ((polled[1].revents & POLLIN) != 0)
+        return Outcome::woken;
+    return polled[0].revents != 0 ? Outcome::done : Outcome::timedOut;
 }
-
-class Descriptor {
-public:
-    explicit Descriptor(int descriptor)
-        : m_descriptor(descriptor) {}
-    ~Descriptor() {
-        if (m_descriptor >= 0)
-            ::close(m_descriptor);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int get() const { return m_descriptor; }
-    [[nodiscard]] int release() { return std::exchange(m_descriptor, -1); }
-
-private:
-    int m_descriptor;
-};
 
 } // namespace
 
@@ -120,11 +91,11 @@ core::Expected<WtsLink> WtsLink::openSerial(const SerialAddress& address) {
                             WtsText::tr("a serial port cannot run at %1 baud").arg(address.baud),
                             WtsText::tr("one of %1").arg(known.join(QStringLiteral(", "))));
     }
-    Descriptor port(::open(address.path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    core::FileDescriptor port(::open(address.path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     const auto cannotOpen = [&](int error) {
         return core::failed(kindOf(error), WtsText::tr("cannot open %1: %2").arg(path, systemText(error)));
     };
-    if (port.get() < 0)
+    if (!port.isOpen())
         return errno == EBUSY ? core::usedByAnother(address.path) : cannotOpen(errno);
     if (::isatty(port.get()) == 0)
         return core::failed(core::ErrorKind::refused, WtsText::tr("%1 is not a serial port").arg(path));
@@ -146,7 +117,7 @@ core::Expected<WtsLink> WtsLink::openSerial(const SerialAddress& address) {
     if (::cfsetspeed(&settings, *speed) != 0 || ::tcsetattr(port.get(), TCSANOW, &settings) != 0)
         return cannotOpen(errno);
     ::tcflush(port.get(), TCIOFLUSH);
-    return WtsLink(port.release(), false);
+    return WtsLink(std::move(port), false);
 }
 
 core::Expected<WtsLink> WtsLink::openTcp(const TcpAddress& address, std::int64_t deadline_ns,
@@ -167,10 +138,10 @@ core::Expected<WtsLink> WtsLink::openTcp(const TcpAddress& address, std::int64_t
 
     int error = EHOSTUNREACH;
     for (const addrinfo* candidate = found; candidate != nullptr; candidate = candidate->ai_next) {
-        Descriptor socket(::socket(candidate->ai_family,
-                                   candidate->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
-                                   candidate->ai_protocol));
-        if (socket.get() < 0) {
+        core::FileDescriptor socket(::socket(candidate->ai_family,
+                                             candidate->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
+                                             candidate->ai_protocol));
+        if (!socket.isOpen()) {
             error = errno;
             continue;
         }
@@ -193,28 +164,10 @@ core::Expected<WtsLink> WtsLink::openTcp(const TcpAddress& address, std::int64_t
         }
         const int on = 1;
         ::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-        return WtsLink(socket.release(), true);
+        return WtsLink(std::move(socket), true);
     }
     return core::failed(core::ErrorKind::unavailable,
                         WtsText::tr("cannot connect to %1: %2").arg(name, systemText(error)));
-}
-
-WtsLink::WtsLink(WtsLink&& other) noexcept
-    : m_descriptor(std::exchange(other.m_descriptor, -1))
-    , m_socket(other.m_socket)
-    , m_goneReason(std::move(other.m_goneReason)) {
-}
-
-WtsLink& WtsLink::operator=(WtsLink&& other) noexcept {
-    std::swap(m_descriptor, other.m_descriptor);
-    std::swap(m_socket, other.m_socket);
-    std::swap(m_goneReason, other.m_goneReason);
-    return *this;
-}
-
-WtsLink::~WtsLink() {
-    if (m_descriptor >= 0)
-        ::close(m_descriptor);
 }
 
 Outcome WtsLink::read(std::span<std::uint8_t> buffer, std::size_t& count, std::int64_t deadline_ns,
@@ -222,10 +175,10 @@ Outcome WtsLink::read(std::span<std::uint8_t> buffer, std::size_t& count, std::i
     count = 0;
     for (;;) {
         int error = 0;
-        const Outcome outcome = waitFor(m_descriptor, POLLIN, deadline_ns, wake, error);
+        const Outcome outcome = waitFor(m_descriptor.get(), POLLIN, deadline_ns, wake, error);
         if (outcome != Outcome::done)
             return outcome == Outcome::gone ? gone(error) : outcome;
-        const ssize_t bytes = ::read(m_descriptor, buffer.data(), buffer.size());
+        const ssize_t bytes = ::read(m_descriptor.get(), buffer.data(), buffer.size());
         if (bytes > 0) {
             count = static_cast<std::size_t>(bytes);
             return Outcome::done;
@@ -240,11 +193,12 @@ Outcome WtsLink::read(std::span<std::uint8_t> buffer, std::size_t& count, std::i
 Outcome WtsLink::write(std::span<const std::uint8_t> bytes, std::int64_t deadline_ns, const WakePipe* wake) {
     while (!bytes.empty()) {
         int error = 0;
-        const Outcome outcome = waitFor(m_descriptor, POLLOUT, deadline_ns, wake, error);
+        const Outcome outcome = waitFor(m_descriptor.get(), POLLOUT, deadline_ns, wake, error);
         if (outcome != Outcome::done)
             return outcome == Outcome::gone ? gone(error) : outcome;
-        const ssize_t written = m_socket ? ::send(m_descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL)
-                                         : ::write(m_descriptor, bytes.data(), bytes.size());
+        const ssize_t written = m_socket
+                                    ? ::send(m_descriptor.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL)
+                                    : ::write(m_descriptor.get(), bytes.data(), bytes.size());
         if (written >= 0)
             bytes = bytes.subspan(static_cast<std::size_t>(written));
         else if (errno != EAGAIN && errno != EINTR)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/file_descriptor.h"
 #include "backend/core/error.h"
 #include "devices/wts/wake_pipe.h"
 #include "devices/wts/wts_config.h"
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace teleta::wts {
 
@@ -31,10 +33,6 @@ public:
     [[nodiscard]] static core::Expected<WtsLink> open(const WtsAddress& address, std::int64_t deadline_ns,
                                                       const WakePipe* wake);
 
-    WtsLink(WtsLink&& other) noexcept;
-    WtsLink& operator=(WtsLink&& other) noexcept;
-    ~WtsLink();
-
     /// Waits for bytes and reads those that are there; count: how many.
     [[nodiscard]] Outcome read(std::span<std::uint8_t> buffer, std::size_t& count, std::int64_t deadline_ns,
                                const WakePipe* wake);
@@ -45,8 +43,8 @@ public:
     [[nodiscard]] const std::string& goneReason() const { return m_goneReason; }
 
 private:
-    WtsLink(int descriptor, bool socket)
-        : m_descriptor(descriptor)
+    WtsLink(core::FileDescriptor descriptor, bool socket)
+        : m_descriptor(std::move(descriptor))
         , m_socket(socket) {}
 
     [[nodiscard]] static core::Expected<WtsLink> openSerial(const SerialAddress& address);
@@ -54,7 +52,7 @@ private:
                                                          const WakePipe* wake);
     [[nodiscard]] Outcome gone(int error);
 
-    int m_descriptor = -1;
+    core::FileDescriptor m_descriptor;
     bool m_socket = false;
     std::string m_goneReason;
 };

@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace teleta::wts {
@@ -46,65 +47,46 @@ core::Expected<void> checkMatrix(const MatrixInfo& matrix) {
 } // namespace
 
 std::string describe(Status status) {
-    const auto text = [status] {
-        switch (status) {
-        case Status::success:
-            return WtsText::tr("success");
-        case Status::notAvailable:
-            return WtsText::tr("not available");
-        case Status::noSensor:
-            return WtsText::tr("no sensor connected");
-        case Status::notInitialised:
-            return WtsText::tr("not initialised");
-        case Status::alreadyRunning:
-            return WtsText::tr("already running");
-        case Status::notSupported:
-            return WtsText::tr("not supported");
-        case Status::inconsistentData:
-            return WtsText::tr("inconsistent data");
-        case Status::timeOut:
-            return WtsText::tr("timeout in the sensor");
-        case Status::readError:
-            return WtsText::tr("read error in the sensor");
-        case Status::writeError:
-            return WtsText::tr("write error in the sensor");
-        case Status::checksumError:
-            return WtsText::tr("wrong checksum");
-        case Status::unknownCommand:
-            return WtsText::tr("unknown command");
-        case Status::formatError:
-            return WtsText::tr("wrong format");
-        case Status::accessDenied:
-            return WtsText::tr("access denied");
-        }
-        return WtsText::tr("status %1").arg(static_cast<int>(status));
+    constexpr std::pair<Status, const char*> kTexts[] = {
+        {Status::success, QT_TRANSLATE_NOOP("WtsText", "success")},
+        {Status::notAvailable, QT_TRANSLATE_NOOP("WtsText", "not available")},
+        {Status::noSensor, QT_TRANSLATE_NOOP("WtsText", "no sensor connected")},
+        {Status::notInitialised, QT_TRANSLATE_NOOP("WtsText", "not initialised")},
+        {Status::alreadyRunning, QT_TRANSLATE_NOOP("WtsText", "already running")},
+        {Status::notSupported, QT_TRANSLATE_NOOP("WtsText", "not supported")},
+        {Status::inconsistentData, QT_TRANSLATE_NOOP("WtsText", "inconsistent data")},
+        {Status::timeOut, QT_TRANSLATE_NOOP("WtsText", "timeout in the sensor")},
+        {Status::readError, QT_TRANSLATE_NOOP("WtsText", "read error in the sensor")},
+        {Status::writeError, QT_TRANSLATE_NOOP("WtsText", "write error in the sensor")},
+        {Status::checksumError, QT_TRANSLATE_NOOP("WtsText", "wrong checksum")},
+        {Status::unknownCommand, QT_TRANSLATE_NOOP("WtsText", "unknown command")},
+        {Status::formatError, QT_TRANSLATE_NOOP("WtsText", "wrong format")},
+        {Status::accessDenied, QT_TRANSLATE_NOOP("WtsText", "access denied")},
     };
-    return text().toStdString();
+    const auto* const known = std::ranges::find(kTexts, status, &std::pair<Status, const char*>::first);
+    const QString text = known != std::end(kTexts) ? WtsText::tr(known->second)
+                                                   : WtsText::tr("status %1").arg(static_cast<int>(status));
+    return text.toStdString();
 }
 
 core::Expected<WtsSession> WtsSession::open(const WtsConfig& config, const WakePipe* wake) {
     TELETA_TRY(auto link, WtsLink::open(config.address, deadlineIn(config.times.connect_ms), wake));
     WtsSession session(std::move(link), config);
     // It does not matter whether frames were running, only that the sensor answers.
-    if (auto stopped =
-            session.request(encodeRequest(Command::stopFrames), config.times.answer_ms, kAttempts, wake);
-        !stopped)
-        return core::Unexpected(stopped.error());
+    TELETA_CHECK(
+        session.request(encodeRequest(Command::stopFrames), config.times.answer_ms, kAttempts, wake));
     TELETA_CHECK(session.readMatrix(wake));
     return session;
 }
 
 core::Expected<void> WtsSession::readMatrix(const WakePipe* wake) {
-    if (auto done = demand(encodeRequest(Command::matrixInfo), m_config.times.answer_ms, kAttempts, wake);
-        !done)
-        return done;
+    TELETA_CHECK(demand(encodeRequest(Command::matrixInfo), m_config.times.answer_ms, kAttempts, wake));
     const std::optional<MatrixInfo> matrix = readMatrixInfo(m_answer);
     if (!matrix)
         return core::failed(core::ErrorKind::refused,
                             WtsText::tr("the sensor describes its array in %1 bytes").arg(m_answer.size()),
                             WtsText::tr("the 10 bytes of a WTS array"));
-    if (auto fits = checkMatrix(*matrix); !fits)
-        return fits;
+    TELETA_CHECK(checkMatrix(*matrix));
     m_matrix = *matrix;
     m_decoder.setMaximumPayload(std::max(kLargestAnswer, kFrameHeaderBytes + 2 * m_matrix.cells()));
     return {};

@@ -10,25 +10,16 @@
 #include <cstring>
 #include <fcntl.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 namespace teleta::core {
 
 Expected<std::optional<NodeClaim>> NodeClaim::take(const std::string& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (descriptor < 0)
-        return Unexpected(Error{ErrorKind::ioFailed, std::strerror(errno), {}, {path}});
-    std::optional<NodeClaim> claim{NodeClaim(descriptor)};
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
-        return claim;
-    if (errno == EWOULDBLOCK)
-        return std::optional<NodeClaim>();
+    FileDescriptor node(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    if (node.isOpen() && ::flock(node.get(), LOCK_EX | LOCK_NB) == 0)
+        return NodeClaim(std::move(node));
+    if (node.isOpen() && errno == EWOULDBLOCK)
+        return std::nullopt;
     return Unexpected(Error{ErrorKind::ioFailed, std::strerror(errno), {}, {path}});
-}
-
-NodeClaim::~NodeClaim() {
-    if (m_descriptor >= 0)
-        ::close(m_descriptor);
 }
 
 Unexpected usedByAnother(const std::string& what) {

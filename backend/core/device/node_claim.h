@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/file_descriptor.h"
 #include "backend/core/error.h"
 
 #include <optional>
@@ -18,18 +19,10 @@ public:
     /// node or it may not be read.
     [[nodiscard]] static Expected<std::optional<NodeClaim>> take(const std::string& path);
 
-    NodeClaim(NodeClaim&& other) noexcept
-        : m_descriptor(std::exchange(other.m_descriptor, -1)) {}
-    NodeClaim& operator=(NodeClaim&& other) noexcept {
-        std::swap(m_descriptor, other.m_descriptor);
-        return *this;
-    }
-    ~NodeClaim();
-
 private:
-    explicit NodeClaim(int descriptor)
-        : m_descriptor(descriptor) {}
-    int m_descriptor;
+    explicit NodeClaim(FileDescriptor node)
+        : m_node(std::move(node)) {}
+    FileDescriptor m_node;
 };
 
 /// The error for a device that another program uses; a later attempt may succeed. what: as the user knows it
