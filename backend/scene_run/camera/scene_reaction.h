@@ -4,7 +4,7 @@
 #include "backend/pipeline/camera_snapshot.h"
 #include "backend/scene/camera_world.h"
 #include "backend/scene_run/camera/reacting_arm.h"
-#include "backend/simulation/camera/carrier_link.h"
+#include "backend/simulation/camera/carrier_arm.h"
 
 #include <memory>
 #include <optional>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/arm/arm4_kinematics.h"
+#include "backend/core/interface.h"
 #include "backend/scene/arm_world.h"
 #include "backend/simulation/arm/flexible_arm.h"
 
@@ -12,13 +13,8 @@
 namespace teleta::simulation {
 
 /// Moves the references of a simulated arm from step to step, as its scene says. Thread: one.
-class ArmProgram {
+class ArmProgram : public core::Interface {
 public:
-    virtual ~ArmProgram() = default;
-    ArmProgram() = default;
-    ArmProgram(const ArmProgram&) = delete;
-    ArmProgram& operator=(const ArmProgram&) = delete;
-
     /// Moves on by one step. torque_Nm: what the joint torque sensors read last. reference_rad: changed in
     /// place.
     virtual void advance(double step_s, const arm::JointVector& torque_Nm,

@@ -26,35 +26,39 @@ JointVector ProbingProgram::travelAt(const JointVector& from_rad, double share) 
     return from_rad + share * (referenceAt(-m_settings.retract) - from_rad);
 }
 
-void ProbingProgram::begin(Phase phase, const JointVector& reference_rad) {
+void ProbingProgram::begin(Phase phase) {
     m_phase = phase;
     m_phaseTime_s = 0.0;
+}
+
+void ProbingProgram::beginTravel(const JointVector& reference_rad) {
+    begin(Phase::travel);
+    m_from_rad = reference_rad;
+    // Long enough for the fastest joint on any way between the ends.
+    double way_rad = 0.0;
+    constexpr int kSamples = 16;
+    JointVector before_rad = reference_rad;
+    for (int i = 1; i <= kSamples; ++i) {
+        const JointVector at_rad = travelAt(m_from_rad, static_cast<double>(i) / kSamples);
+        way_rad = std::max(way_rad, kSamples * (at_rad - before_rad).lpNorm<Eigen::Infinity>());
+        before_rad = at_rad;
+    }
+    m_position = -m_settings.retract;
+    m_move = SmoothMove::at(way_rad, m_settings.travel_radPerS);
+}
+
+void ProbingProgram::beginMove(Phase phase, double to) {
+    begin(phase);
     m_from = m_position;
-    switch (phase) {
-    case Phase::travel: {
-        m_from_rad = reference_rad;
-        // Long enough for the fastest joint on any way between the ends.
-        double way_rad = 0.0;
-        constexpr int kSamples = 16;
-        JointVector before_rad = reference_rad;
-        for (int i = 1; i <= kSamples; ++i) {
-            const JointVector at_rad = travelAt(m_from_rad, static_cast<double>(i) / kSamples);
-            way_rad = std::max(way_rad, kSamples * (at_rad - before_rad).lpNorm<Eigen::Infinity>());
-            before_rad = at_rad;
-        }
-        m_position = -m_settings.retract;
-        m_move = SmoothMove::at(way_rad, m_settings.travel_radPerS);
-        break;
-    }
-    case Phase::close:
-        m_move = SmoothMove::at(std::abs(m_settings.clearance + m_position), m_settings.travelSpeed);
-        break;
-    case Phase::back:
-        m_move = SmoothMove::at(m_position + m_settings.retract, m_settings.travelSpeed);
-        break;
-    default:
-        break;
-    }
+    m_to = to;
+    m_move = SmoothMove::at(std::abs(m_to - m_from), m_settings.travelSpeed);
+}
+
+bool ProbingProgram::moveOn(double step_s, JointVector& reference_rad) {
+    const bool arrived = m_move.advance(step_s);
+    m_position = m_from + m_move.share() * (m_to - m_from);
+    reference_rad = referenceAt(m_position);
+    return arrived;
 }
 
 void ProbingProgram::advance(double step_s, const JointVector& torque_Nm, JointVector& reference_rad) {
@@ -62,7 +66,7 @@ void ProbingProgram::advance(double step_s, const JointVector& torque_Nm, JointV
         return;
     if (!m_begun) {
         m_begun = true;
-        begin(Phase::travel, reference_rad);
+        beginTravel(reference_rad);
     }
     m_phaseTime_s += step_s;
     switch (m_phase) {
@@ -70,21 +74,17 @@ void ProbingProgram::advance(double step_s, const JointVector& torque_Nm, JointV
         const bool arrived = m_move.advance(step_s);
         reference_rad = travelAt(m_from_rad, m_move.share());
         if (arrived)
-            begin(Phase::close, reference_rad);
+            beginMove(Phase::close, -m_settings.clearance);
         break;
     }
-    case Phase::close: {
-        const bool arrived = m_move.advance(step_s);
-        m_position = m_from + m_move.share() * (-m_settings.clearance - m_from);
-        reference_rad = referenceAt(m_position);
-        if (arrived)
-            begin(Phase::settle, reference_rad);
+    case Phase::close:
+        if (moveOn(step_s, reference_rad))
+            begin(Phase::settle);
         break;
-    }
     case Phase::settle:
         if (m_phaseTime_s >= kSettle_s) {
             m_free_Nm = torque_Nm;
-            begin(Phase::approach, reference_rad);
+            begin(Phase::approach);
         }
         break;
     case Phase::approach: {
@@ -93,30 +93,26 @@ void ProbingProgram::advance(double step_s, const JointVector& torque_Nm, JointV
         reference_rad = referenceAt(m_position);
         const double change_Nm = (torque_Nm - m_free_Nm).lpNorm<Eigen::Infinity>();
         if (change_Nm >= m_settings.torqueLimit_Nm || m_position >= m_settings.beyond)
-            begin(Phase::hold, reference_rad);
+            begin(Phase::hold);
         break;
     }
     case Phase::hold:
         if (m_phaseTime_s >= m_settings.hold_s)
-            begin(Phase::back, reference_rad);
+            beginMove(Phase::back, -m_settings.retract);
         break;
-    case Phase::back: {
-        const bool arrived = m_move.advance(step_s);
-        m_position = m_from - m_move.share() * (m_from + m_settings.retract);
-        reference_rad = referenceAt(m_position);
-        if (arrived) {
+    case Phase::back:
+        if (moveOn(step_s, reference_rad)) {
             ++m_probe;
             if (!done())
-                begin(Phase::travel, reference_rad);
+                beginTravel(reference_rad);
         }
         break;
-    }
     }
 }
 
 void ProbingProgram::takeOver(const JointVector& reference_rad) {
     if (!done() && m_begun)
-        begin(Phase::travel, reference_rad);
+        beginTravel(reference_rad);
 }
 
 void ProbingProgram::restart() {

@@ -41,7 +41,11 @@ protected:
 private:
     enum class Phase { travel, close, settle, approach, hold, back };
 
-    void begin(Phase phase, const arm::JointVector& reference_rad);
+    void begin(Phase phase);
+    void beginTravel(const arm::JointVector& reference_rad);
+    void beginMove(Phase phase, double to);
+    /// True: the move is at its end.
+    [[nodiscard]] bool moveOn(double step_s, arm::JointVector& reference_rad);
 
     Settings m_settings;
     std::size_t m_probes;
@@ -51,6 +55,7 @@ private:
     double m_phaseTime_s = 0.0;
     double m_position = 0.0;
     double m_from = 0.0; ///< position at which a move began
+    double m_to = 0.0;   ///< and at which it ends
     SmoothMove m_move;
     arm::JointVector m_from_rad = arm::JointVector::Zero();
     arm::JointVector m_free_Nm = arm::JointVector::Zero(); ///< torques before the approach

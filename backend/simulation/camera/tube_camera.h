@@ -5,7 +5,7 @@
 #include "backend/core/device/scene_control.h"
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
-#include "backend/simulation/camera/carrier_link.h"
+#include "backend/simulation/camera/carrier_arm.h"
 #include "backend/vision/camera/cylinder_projection.h"
 
 #include <cstdint>

@@ -75,19 +75,23 @@ void ElasticArray::findNear(const Eigen::Isometry3d& X_Object_Sensor, const Shap
 }
 
 /// take(spring, depth, normal in {s}), in the order of the springs.
-template <typename Shape, typename Take>
-void ElasticArray::forEachPressed(const Eigen::Isometry3d& X_Sensor_Object, const Shape& shape,
+template <typename Take>
+void ElasticArray::forEachPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& touched,
                                   Take&& take) const {
     const Eigen::Isometry3d X_Object_Sensor = X_Sensor_Object.inverse(Eigen::Isometry);
     const double moved_m = (X_Object_Sensor.translation() - m_X_Object_Sensor.translation()).norm() +
                            m_reach_m * (X_Object_Sensor.linear() - m_X_Object_Sensor.linear()).norm();
-    if (m_nearShape != &shape || !(moved_m < kMargin_m))
-        findNear(X_Object_Sensor, shape);
-    for (const std::size_t index : m_near) {
-        const Spring& spring = m_springs[index];
-        if (Depth depth; contains(shape, X_Object_Sensor * spring.p_Sensor, depth))
-            take(spring, depth.depth_m, Eigen::Vector3d(X_Sensor_Object.linear() * depth.normal));
-    }
+    std::visit(
+        [&](const auto& shape) {
+            if (m_nearShape != &shape || !(moved_m < kMargin_m))
+                findNear(X_Object_Sensor, shape);
+            for (const std::size_t index : m_near) {
+                const Spring& spring = m_springs[index];
+                if (Depth depth; contains(shape, X_Object_Sensor * spring.p_Sensor, depth))
+                    take(spring, depth.depth_m, Eigen::Vector3d(X_Sensor_Object.linear() * depth.normal));
+            }
+        },
+        touched);
 }
 
 ArrayContact ElasticArray::press(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& shape) const {
@@ -95,27 +99,21 @@ ArrayContact ElasticArray::press(const Eigen::Isometry3d& X_Sensor_Object, const
     std::array<double, 6> wrench{};
     std::array<double, 36> tangent{}; ///< column by column
     int springs = 0;
-    std::visit(
-        [&](const auto& known) {
-            forEachPressed(X_Sensor_Object, known,
-                           [&](const Spring& spring, double depth_m, const Eigen::Vector3d& normal) {
-                               const Eigen::Vector3d moment = spring.p_Sensor.cross(normal);
-                               // Plain numbers stay in registers, where a vector goes through memory.
-                               const std::array screw{normal.x(), normal.y(), normal.z(),
-                                                      moment.x(), moment.y(), moment.z()};
-                               const double stiffness_NPerM = spring.stiffness_NPerM;
-                               const double force_N = stiffness_NPerM * depth_m;
-                               energy_J += 0.5 * force_N * depth_m;
-                               for (std::size_t column = 0; column < 6; ++column) {
-                                   wrench[column] += force_N * screw[column];
-                                   for (std::size_t row = 0; row < 6; ++row)
-                                       tangent[6 * column + row] +=
-                                           stiffness_NPerM * screw[row] * screw[column];
-                               }
-                               ++springs;
-                           });
-        },
-        shape);
+    forEachPressed(
+        X_Sensor_Object, shape, [&](const Spring& spring, double depth_m, const Eigen::Vector3d& normal) {
+            const Eigen::Vector3d moment = spring.p_Sensor.cross(normal);
+            // Plain numbers stay in registers, where a vector goes through memory.
+            const std::array screw{normal.x(), normal.y(), normal.z(), moment.x(), moment.y(), moment.z()};
+            const double stiffness_NPerM = spring.stiffness_NPerM;
+            const double force_N = stiffness_NPerM * depth_m;
+            energy_J += 0.5 * force_N * depth_m;
+            for (std::size_t column = 0; column < 6; ++column) {
+                wrench[column] += force_N * screw[column];
+                for (std::size_t row = 0; row < 6; ++row)
+                    tangent[6 * column + row] += stiffness_NPerM * screw[row] * screw[column];
+            }
+            ++springs;
+        });
     ArrayContact contact;
     contact.energy_J = energy_J;
     contact.wrench_Sensor = Eigen::Map<const servo::Wrench>(wrench.data());
@@ -127,14 +125,10 @@ ArrayContact ElasticArray::press(const Eigen::Isometry3d& X_Sensor_Object, const
 void ElasticArray::listPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& shape,
                                std::vector<PressedPoint>& points) const {
     points.clear();
-    std::visit(
-        [&](const auto& known) {
-            forEachPressed(X_Sensor_Object, known,
-                           [&](const Spring& spring, double depth_m, const Eigen::Vector3d& normal) {
-                               points.push_back({spring.p_Sensor, normal, spring.stiffness_NPerM * depth_m});
-                           });
-        },
-        shape);
+    forEachPressed(X_Sensor_Object, shape,
+                   [&](const Spring& spring, double depth_m, const Eigen::Vector3d& normal) {
+                       points.push_back({spring.p_Sensor, normal, spring.stiffness_NPerM * depth_m});
+                   });
 }
 
 ArrayLoads ElasticArray::readLoads(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& shape,
@@ -144,32 +138,28 @@ ArrayLoads ElasticArray::readLoads(const Eigen::Isometry3d& X_Sensor_Object, con
     int pressed = 0;
     int columns = 0;
     double column_m = -m_reach_m;
-    std::visit(
-        [&](const auto& known) {
-            forEachPressed(X_Sensor_Object, known,
-                           [&](const Spring& spring, double depth_m, const Eigen::Vector3d& normal) {
-                               const Eigen::Vector3d& place = spring.p_Sensor;
-                               // The body is in front of the array: it presses along -z.
-                               const double force_N = spring.stiffness_NPerM * depth_m * -normal.z();
-                               if (spring.taxel < 0) {
-                                   loads.rim_N += force_N;
-                                   return;
-                               }
-                               load_N[static_cast<std::size_t>(spring.taxel)] += force_N;
-                               loads.force_N += force_N;
-                               loads.copX_m += force_N * place.x();
-                               loads.copY_m += force_N * place.y();
-                               loads.cocY_m += place.y();
-                               ++pressed;
-                               // Springs come column by column.
-                               if (place.x() > column_m) {
-                                   column_m = place.x();
-                                   loads.cocX_m += place.x();
-                                   ++columns;
-                               }
-                           });
-        },
-        shape);
+    forEachPressed(X_Sensor_Object, shape,
+                   [&](const Spring& spring, double depth_m, const Eigen::Vector3d& normal) {
+                       const Eigen::Vector3d& place = spring.p_Sensor;
+                       // The body is in front of the array: it presses along -z.
+                       const double force_N = spring.stiffness_NPerM * depth_m * -normal.z();
+                       if (spring.taxel < 0) {
+                           loads.rim_N += force_N;
+                           return;
+                       }
+                       load_N[static_cast<std::size_t>(spring.taxel)] += force_N;
+                       loads.force_N += force_N;
+                       loads.copX_m += force_N * place.x();
+                       loads.copY_m += force_N * place.y();
+                       loads.cocY_m += place.y();
+                       ++pressed;
+                       // Springs come column by column.
+                       if (place.x() > column_m) {
+                           column_m = place.x();
+                           loads.cocX_m += place.x();
+                           ++columns;
+                       }
+                   });
     if (pressed > 0) {
         loads.cocX_m /= columns;
         loads.cocY_m /= pressed;

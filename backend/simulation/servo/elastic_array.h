@@ -84,8 +84,9 @@ private:
         double perMetre;
     };
 
-    template <typename Shape, typename Take>
-    void forEachPressed(const Eigen::Isometry3d& X_Sensor_Object, const Shape& shape, Take&& take) const;
+    template <typename Take>
+    void forEachPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& touched,
+                        Take&& take) const;
     template <typename Shape>
     void findNear(const Eigen::Isometry3d& X_Object_Sensor, const Shape& shape) const;
 
