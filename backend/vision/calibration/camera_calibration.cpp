@@ -4,7 +4,6 @@
 #include "backend/core/quantile.h"
 #include "backend/vision/calibration/camera_refinement.h"
 #include "backend/vision/calibration/camera_start.h"
-#include "backend/vision/calibration/pair_geometry.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -27,6 +26,53 @@ constexpr double kGate = 3.716922188849838;
 constexpr double kTukey = 4.685;
 constexpr int kPoseAndFocus = 10;
 constexpr double kSmallestNoise_px = 1e-7;
+/// Larger pixels and metres are not plausible coordinates.
+constexpr double kFarthest = 1e9;
+constexpr std::size_t kFewest = 6;
+
+template <typename Vector>
+std::size_t countDifferent(std::vector<Vector> vectors) {
+    std::sort(vectors.begin(), vectors.end(), [](const Vector& a, const Vector& b) {
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    });
+    return static_cast<std::size_t>(std::unique(vectors.begin(), vectors.end()) - vectors.begin());
+}
+
+/// Checks pairs before fitting; empty when they can determine a camera.
+std::optional<CalibrationRefusal> degeneracy(std::span<const CalibrationPair> pairs) {
+    std::vector<Eigen::Vector2d> pixels;
+    std::vector<Eigen::Vector3d> points;
+    for (const CalibrationPair& pair : pairs) {
+        const auto usable = [](const auto& v) {
+            return v.allFinite() && v.cwiseAbs().maxCoeff() < kFarthest;
+        };
+        if (!usable(pair.pixel) || !usable(pair.p_Sensor_m))
+            return CalibrationRefusal::notFinite;
+        pixels.push_back(pair.pixel);
+        points.push_back(pair.p_Sensor_m);
+    }
+    if (pairs.size() < kFewest)
+        return CalibrationRefusal::tooFewPairs;
+    if (countDifferent(points) < kFewest || countDifferent(pixels) < kFewest)
+        return CalibrationRefusal::repeatedPoints;
+
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& p : points)
+        middle += p / static_cast<double>(points.size());
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const Eigen::Vector3d& p : points)
+        scatter += (p - middle) * (p - middle).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+    const Eigen::Vector3d extents = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    constexpr double kFlat = 1e-6; // eigenvalues have a relative accuracy of 1e-16, their roots of 1e-8
+    if (extents[1] <= kFlat * extents[2])
+        return CalibrationRefusal::onOneLine;
+    if (extents[0] <= kFlat * extents[2]) {
+        const double acrossAxis = solver.eigenvectors().col(0).head<2>().norm();
+        return acrossAxis <= kFlat ? CalibrationRefusal::onOneRing : CalibrationRefusal::inOnePlane;
+    }
+    return std::nullopt;
+}
 
 std::vector<CalibrationPair> chosen(Pairs pairs, const std::vector<bool>& kept) {
     std::vector<CalibrationPair> result;
@@ -452,17 +498,8 @@ tl::expected<Calibration, CalibrationRefusal> calibrateAsPaper(Pairs pairs,
 } // namespace
 
 const char* toString(CalibrationMethod method) {
-    switch (method) {
-    case CalibrationMethod::dlt:
-        return "dlt";
-    case CalibrationMethod::paper:
-        return "paper";
-    case CalibrationMethod::leastSquares:
-        return "least_squares";
-    case CalibrationMethod::robust:
-        return "robust";
-    }
-    return "";
+    static constexpr std::array kNames{"dlt", "paper", "least_squares", "robust"};
+    return kNames[static_cast<std::size_t>(method)];
 }
 
 std::optional<CalibrationMethod> calibrationMethod(std::string_view name) {
@@ -474,29 +511,10 @@ std::optional<CalibrationMethod> calibrationMethod(std::string_view name) {
 }
 
 const char* toString(CalibrationRefusal refusal) {
-    switch (refusal) {
-    case CalibrationRefusal::notFinite:
-        return "notFinite";
-    case CalibrationRefusal::badSettings:
-        return "badSettings";
-    case CalibrationRefusal::tooFewPairs:
-        return "tooFewPairs";
-    case CalibrationRefusal::repeatedPoints:
-        return "repeatedPoints";
-    case CalibrationRefusal::onOneLine:
-        return "onOneLine";
-    case CalibrationRefusal::onOneRing:
-        return "onOneRing";
-    case CalibrationRefusal::inOnePlane:
-        return "inOnePlane";
-    case CalibrationRefusal::noAgreement:
-        return "noAgreement";
-    case CalibrationRefusal::notDetermined:
-        return "notDetermined";
-    case CalibrationRefusal::folds:
-        return "folds";
-    }
-    return "";
+    static constexpr std::array kNames{"notFinite",     "badSettings", "tooFewPairs", "repeatedPoints",
+                                       "onOneLine",     "onOneRing",   "inOnePlane",  "noAgreement",
+                                       "notDetermined", "folds"};
+    return kNames[static_cast<std::size_t>(refusal)];
 }
 
 PairResidual residualOf(const CylinderCamera& camera, const CalibrationPair& pair) {

@@ -19,6 +19,13 @@ struct PairText {
 
 constexpr std::array<std::string_view, 5> kPairColumns{"u_px", "v_px", "x_m", "y_m", "z_m"};
 
+void writePair(core::CsvWriter& csv, const CalibrationPair& pair) {
+    for (const double value : pair.pixel)
+        csv.number(value);
+    for (const double value : pair.p_Sensor_m)
+        csv.number(value);
+}
+
 } // namespace
 
 core::Expected<std::vector<CalibrationPair>> readPairs(const std::string& path, bool (*cancelled)()) {
@@ -45,10 +52,7 @@ core::Expected<std::vector<CalibrationPair>> readPairs(const std::string& path, 
 core::Expected<void> writePairs(const std::vector<CalibrationPair>& pairs, const std::string& path) {
     TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kPairColumns));
     for (const CalibrationPair& pair : pairs) {
-        for (const double value : pair.pixel)
-            csv.number(value);
-        for (const double value : pair.p_Sensor_m)
-            csv.number(value);
+        writePair(csv, pair);
         csv.endRow();
     }
     return csv.finish();
@@ -65,10 +69,7 @@ core::Expected<void> writeResiduals(const std::vector<CalibrationPair>& pairs, c
             csv.number(optional ? std::optional<double>((*optional)[i]) : std::nullopt);
     };
     for (std::size_t i = 0; i < pairs.size() && !csv.failed(); ++i) {
-        for (const double value : pairs[i].pixel)
-            csv.number(value);
-        for (const double value : pairs[i].p_Sensor_m)
-            csv.number(value);
+        writePair(csv, pairs[i]);
         const PairResidual& residual = calibration.residuals[i];
         csv.integer(residual.kept ? 1 : 0);
         numbers(residual.error_px, 2);
@@ -80,64 +81,58 @@ core::Expected<void> writeResiduals(const std::vector<CalibrationPair>& pairs, c
 }
 
 core::Error describe(CalibrationRefusal refusal, std::size_t pairs) {
-    core::Error error;
-    error.kind = core::ErrorKind::refused;
-    const auto say = [&](const QString& message, const QString& expected) {
-        error.message = message.toStdString();
-        error.expected = expected.toStdString();
+    const auto refused = [](const QString& message, const QString& expected) {
+        return core::failed(core::ErrorKind::refused, message, expected).value();
     };
     const QString spread = PairText::tr("points at several heights and all around the cylinder");
     switch (refusal) {
     case CalibrationRefusal::notFinite:
-        error.kind = core::ErrorKind::badInput;
-        say(PairText::tr("a coordinate is not a number, or too large"),
-            PairText::tr("finite pixels and metres"));
-        break;
+        return core::failed(core::ErrorKind::badInput,
+                            PairText::tr("a coordinate is not a number, or too large"),
+                            PairText::tr("finite pixels and metres"))
+            .value();
     case CalibrationRefusal::badSettings:
-        say(PairText::tr("the size of the image or of the cylinder is invalid"),
+        return refused(
+            PairText::tr("the size of the image or of the cylinder is invalid"),
             PairText::tr("a positive radius, width and height of 1 to %1 pixels").arg(kLargestSide_px));
-        break;
     case CalibrationRefusal::tooFewPairs:
-        say(PairText::tr("there are too few pairs: %1").arg(pairs),
-            PairText::tr("at least 6, better 50 or more"));
-        break;
+        return refused(PairText::tr("there are too few pairs: %1").arg(pairs),
+                       PairText::tr("at least 6, better 50 or more"));
     case CalibrationRefusal::repeatedPoints:
-        say(PairText::tr("the pairs contain fewer than six different points"),
-            PairText::tr("at least 6 different points, each with its own pixel"));
-        break;
+        return refused(PairText::tr("the pairs contain fewer than six different points"),
+                       PairText::tr("at least 6 different points, each with its own pixel"));
     case CalibrationRefusal::onOneLine:
-        say(PairText::tr("all points are on one line of the cylinder: the camera could turn about that line "
+        return refused(
+            PairText::tr("all points are on one line of the cylinder: the camera could turn about that line "
                          "without changing the image"),
             spread);
-        break;
     case CalibrationRefusal::onOneRing:
-        say(PairText::tr("all points are on one ring of the cylinder: the camera's distance and its focal "
+        return refused(
+            PairText::tr("all points are on one ring of the cylinder: the camera's distance and its focal "
                          "length cannot be distinguished"),
             spread);
-        break;
     case CalibrationRefusal::inOnePlane:
-        say(PairText::tr("all points are in one plane: the camera's distance and its focal length cannot be "
+        return refused(
+            PairText::tr("all points are in one plane: the camera's distance and its focal length cannot be "
                          "distinguished"),
             spread);
-        break;
     case CalibrationRefusal::noAgreement:
-        say(PairText::tr("no camera agrees with enough of the pairs"),
+        return refused(
+            PairText::tr("no camera agrees with enough of the pairs"),
             PairText::tr("at least half of the pairs and at least %1 in agreement: check that pixels and "
                          "points match, the image size and the cylinder radius")
                 .arg(kFewestAgreeing));
-        break;
     case CalibrationRefusal::notDetermined:
-        say(PairText::tr("the pairs leave the camera undetermined: points on the surface would be uncertain "
+        return refused(
+            PairText::tr("the pairs leave the camera undetermined: points on the surface would be uncertain "
                          "by more than %1 mm")
                 .arg(1e3 * kLargestUncertainty_m),
             PairText::tr("more pairs, spread over the whole surface"));
-        break;
     case CalibrationRefusal::folds:
-        say(PairText::tr("the lens model folds in the region of the pairs"),
-            PairText::tr("more pairs near the lens, where the distortion is strongest"));
-        break;
+        return refused(PairText::tr("the lens model folds in the region of the pairs"),
+                       PairText::tr("more pairs near the lens, where the distortion is strongest"));
     }
-    return error;
+    return {};
 }
 
 } // namespace teleta::vision

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -31,17 +32,8 @@ Eigen::Matrix3d crossProductMatrix(const Eigen::Vector3d& v) {
 } // namespace
 
 const char* toString(ProjectionFailure failure) {
-    switch (failure) {
-    case ProjectionFailure::notFinite:
-        return "notFinite";
-    case ProjectionFailure::behindCamera:
-        return "behindCamera";
-    case ProjectionFailure::outsideValidRadius:
-        return "outsideValidRadius";
-    case ProjectionFailure::notConverged:
-        return "notConverged";
-    }
-    return "";
+    static constexpr std::array kNames{"notFinite", "behindCamera", "outsideValidRadius", "notConverged"};
+    return kNames[static_cast<std::size_t>(failure)];
 }
 
 Eigen::Matrix3d CameraParameters::cameraMatrix_px() const {

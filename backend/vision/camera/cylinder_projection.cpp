@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -36,23 +37,9 @@ bool CylinderSurface::isUsable() const {
 }
 
 const char* toString(NoHit reason) {
-    switch (reason) {
-    case NoHit::notFinite:
-        return "notFinite";
-    case NoHit::outsideValidRadius:
-        return "outsideValidRadius";
-    case NoHit::notConverged:
-        return "notConverged";
-    case NoHit::alongAxis:
-        return "alongAxis";
-    case NoHit::tangent:
-        return "tangent";
-    case NoHit::behindCamera:
-        return "behindCamera";
-    case NoHit::beyondEnds:
-        return "beyondEnds";
-    }
-    return "";
+    static constexpr std::array kNames{"notFinite", "outsideValidRadius", "notConverged", "alongAxis",
+                                       "tangent",   "behindCamera",       "beyondEnds"};
+    return kNames[static_cast<std::size_t>(reason)];
 }
 
 tl::expected<double, NoHit> distanceToSurface_m(const CylinderSurface& surface,

@@ -57,10 +57,8 @@ void CameraTracker::forget() {
 
 core::Expected<void> CameraTracker::changeFinder(std::unique_ptr<ContactFinder> finder,
                                                  const cv::Mat1b& taken) {
-    if (m_hasReference && taken.data != m_reference.data) {
-        if (auto set = finder->setReference(m_reference); !set)
-            return set;
-    }
+    if (m_hasReference && taken.data != m_reference.data)
+        TELETA_CHECK(finder->setReference(m_reference));
     m_finder = std::move(finder);
     if (m_hasReference)
         m_finder->forget(); // it has not seen the frames since the reference was taken

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "backend/core/interface.h"
 #include "backend/vision/finders/camera_contact.h"
 
 #include <opencv2/core.hpp>
@@ -19,13 +20,8 @@ inline constexpr std::size_t kFinderStages = 4;
 
 /// Finds contacts in a frame from the displacement of the pattern on the skin since the reference. Common
 /// interface of the methods in contact_ladder.h. Thread: one.
-class ContactFinder {
+class ContactFinder : public core::Interface {
 public:
-    virtual ~ContactFinder() = default;
-    ContactFinder() = default;
-    ContactFinder(const ContactFinder&) = delete;
-    ContactFinder& operator=(const ContactFinder&) = delete;
-
     /// Sets the reference frame, in which nothing touches the skin. Error: refused (wrong size, no visible
     /// pattern, no memory); cancelled by the stop token of the constructor.
     [[nodiscard]] core::Expected<void> setReference(const cv::Mat1b& frame);

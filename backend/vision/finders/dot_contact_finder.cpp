@@ -116,8 +116,7 @@ bool DotContactFinder::prepareMaps() {
 
 core::Expected<void> DotContactFinder::takeReference(const cv::Mat1b& frame) {
     m_tracker.reset();
-    if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
-        return sized;
+    TELETA_CHECK(checkSize(frame.cols, frame.rows, m_camera));
     if (!prepareMaps())
         return cancelledMaking();
     const Unrolled& map = m_unrolled;
@@ -209,12 +208,12 @@ core::Expected<std::vector<CameraContact>> DotContactFinder::findIn(const cv::Ma
     TELETA_CHECK(checkSize(frame.cols, frame.rows, m_camera));
     m_stage_ns = {};
     const std::int64_t start_ns = core::steadyNow_ns();
-    m_found = m_tracker->track(frame);
-    if (static_cast<double>(m_found) < kLostShare * static_cast<double>(m_nodes.size())) {
+    const std::size_t dots = m_tracker->track(frame);
+    if (static_cast<double>(dots) < kLostShare * static_cast<double>(m_nodes.size())) {
         m_tracker->forget();
         return core::failed(core::ErrorKind::unavailable,
                             VisionText::tr("The frame does not show the skin: %1 of %2 dots found.")
-                                .arg(m_found)
+                                .arg(dots)
                                 .arg(m_nodes.size()));
     }
     const std::int64_t tracked_ns = core::steadyNow_ns();

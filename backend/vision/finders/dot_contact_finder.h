@@ -24,8 +24,6 @@ public:
     void forget() override;
     [[nodiscard]] std::vector<Arrow> arrows(std::size_t about) const override;
 
-    /// Number of dots found in the newest frame.
-    [[nodiscard]] std::size_t dotsFound() const { return m_found; }
     [[nodiscard]] const std::optional<DotTracker>& tracker() const { return m_tracker; }
 
 private:
@@ -61,8 +59,7 @@ private:
     std::vector<SkinSample> m_samples; ///< one per dot
     std::vector<SkinNode> m_nodes;
     std::vector<std::vector<std::size_t>> m_neighbours;
-    double m_pitch_m = 0.0; ///< median distance to the nearest dot
-    std::size_t m_found = 0;
+    double m_pitch_m = 0.0;     ///< median distance to the nearest dot
     bool m_beforeKnown = false; ///< m_nodes are those of the previous frame
 };
 

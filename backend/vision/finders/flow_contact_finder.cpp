@@ -140,8 +140,7 @@ void FlowContactFinder::flow(const cv::Mat1b& reference, const cv::Mat1b& small,
 core::Expected<void> FlowContactFinder::takeReference(const cv::Mat1b& frame) {
     m_reference.release();
     m_beforeKnown = false;
-    if (const auto sized = checkSize(frame.cols, frame.rows, m_camera); !sized)
-        return sized;
+    TELETA_CHECK(checkSize(frame.cols, frame.rows, m_camera));
     prepare(frame, m_small);
     cv::Mat1f laplacian;
     cv::Laplacian(m_small, laplacian, CV_32F);
