@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -89,12 +90,25 @@ private:
         return static_cast<std::size_t>(std::ranges::count(m_states, TaxelState::good));
     }
 
-    /// Puts the readings of the good taxels in a frame, minus a value, into m_x.
+    /// What is done to a taxel meanwhile does not change which are the next ones.
+    [[nodiscard]] auto goodTaxels() const {
+        return std::views::iota(std::size_t{0}, m_taxels) |
+               std::views::filter([this](std::size_t taxel) { return isGood(taxel); });
+    }
+    /// Median of the good taxels' values; 0: none is good.
+    [[nodiscard]] double medianOfGood(const std::vector<double>& values) {
+        m_buffer.clear();
+        for (const std::size_t taxel : goodTaxels())
+            m_buffer.push_back(values[taxel]);
+        return m_buffer.empty() ? 0.0 : core::medianOf(m_buffer);
+    }
+
+    /// Puts the readings of the good taxels in a frame that are above a value into m_x.
     void collectFrame(std::size_t frame, double above) {
         m_x.clear();
-        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+        for (const std::size_t taxel : goodTaxels()) {
             const double y = reading(frame, taxel);
-            if (isGood(taxel) && std::isfinite(y) && y > above)
+            if (std::isfinite(y) && y > above)
                 m_x.push_back(y);
         }
     }
@@ -155,9 +169,7 @@ private:
         std::vector<double> usuals;
         std::vector<double> ranges;
         std::vector<double> steps;
-        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
-            if (!isGood(taxel))
-                continue;
+        for (const std::size_t taxel : goodTaxels()) {
             m_x.clear();
             for (const std::size_t frame : m_loaded) {
                 if (std::isfinite(reading(frame, taxel)))
@@ -236,9 +248,7 @@ private:
     [[nodiscard]] core::Expected<void> leaveOutClippedFrames() {
         const std::vector<double> low = lowLevels();
         std::vector<std::size_t> clipped(m_loaded.size(), 0);
-        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
-            if (!isGood(taxel))
-                continue;
+        for (const std::size_t taxel : goodTaxels()) {
             double top = -std::numeric_limits<double>::infinity();
             double next = top;
             for (const std::size_t frame : m_loaded) {
@@ -343,29 +353,20 @@ private:
     /// Returns the largest relative change.
     double fitResponses(int round) {
         const std::vector<double> before = m_response;
-        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
-            if (!isGood(taxel))
-                continue;
+        for (const std::size_t taxel : goodTaxels()) {
             const Slope slope = responseOf(taxel, round).value_or(Slope());
             m_response[taxel] = slope.slope;
             m_error[taxel] = slope.error;
             m_noise[taxel] = slope.noise;
         }
-        m_buffer.clear();
-        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
-            if (isGood(taxel))
-                m_buffer.push_back(m_noise[taxel]);
-        }
-        m_usualNoise = m_buffer.empty() ? 0.0 : core::medianOf(m_buffer);
+        m_usualNoise = medianOfGood(m_noise);
         leaveOutExtremes();
         double mean = 0.0;
         const auto used = static_cast<double>(good());
-        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel)
-            mean += isGood(taxel) ? m_response[taxel] / used : 0.0;
+        for (const std::size_t taxel : goodTaxels())
+            mean += m_response[taxel] / used;
         double change = 0.0;
-        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
-            if (!isGood(taxel))
-                continue;
+        for (const std::size_t taxel : goodTaxels()) {
             m_response[taxel] /= mean;
             m_error[taxel] /= mean;
             change = std::max(change, std::abs(m_response[taxel] - before[taxel]));
@@ -374,17 +375,8 @@ private:
     }
 
     void leaveOutExtremes() {
-        m_buffer.clear();
-        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
-            if (isGood(taxel))
-                m_buffer.push_back(m_response[taxel]);
-        }
-        if (m_buffer.empty())
-            return;
-        const double usual = core::medianOf(m_buffer);
-        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
-            if (!isGood(taxel))
-                continue;
+        const double usual = medianOfGood(m_response);
+        for (const std::size_t taxel : goodTaxels()) {
             if (!(m_response[taxel] > std::max(usual / kExtreme, 0.0)) ||
                 m_response[taxel] < kSignificance * m_error[taxel])
                 m_states[taxel] = TaxelState::weak;
@@ -397,9 +389,9 @@ private:
         for (std::size_t i = 0; i < m_loaded.size(); ++i) {
             m_x.clear();
             m_y.clear();
-            for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
+            for (const std::size_t taxel : goodTaxels()) {
                 const double y = reading(m_loaded[i], taxel);
-                if (isGood(taxel) && std::isfinite(y) && y < m_clip[taxel]) {
+                if (std::isfinite(y) && y < m_clip[taxel]) {
                     m_x.push_back(m_response[taxel]);
                     m_y.push_back(y);
                 }
@@ -418,10 +410,8 @@ private:
         for (const double level : m_level)
             result.level += level / static_cast<double>(m_level.size());
         double squares = 0.0;
-        for (std::size_t taxel = 0; taxel < m_taxels; ++taxel) {
-            if (isGood(taxel))
-                squares += std::pow(m_noise[taxel] / (m_response[taxel] * result.level), 2);
-        }
+        for (const std::size_t taxel : goodTaxels())
+            squares += std::pow(m_noise[taxel] / (m_response[taxel] * result.level), 2);
         result.scatter = std::sqrt(squares / static_cast<double>(good()));
         return result;
     }
