@@ -15,6 +15,11 @@ namespace teleta::core {
         .count();
 }
 
+/// Seconds from one reading of the steady clock to another; negative when they are in reverse order.
+[[nodiscard]] constexpr double elapsed_s(std::int64_t from_ns, std::int64_t to_ns) {
+    return static_cast<double>(to_ns - from_ns) * 1e-9;
+}
+
 /// How long the machine has slept since it was started, to 1 ms: the steady clock stands still meanwhile.
 /// Thread: any.
 [[nodiscard]] inline std::int64_t suspendedSinceBoot_ns() {

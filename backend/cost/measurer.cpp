@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/measurer.h"
 
-#include "backend/core/elapsed.h"
 #include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
 #include "backend/cost/frontier.h"

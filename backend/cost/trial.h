@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 
 #include <algorithm>

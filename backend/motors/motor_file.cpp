@@ -174,9 +174,7 @@ std::string motorsText(const MotorCalibration& calibration) {
 
 core::Expected<void> writeMotors(const MotorCalibration& calibration, const std::string& path) {
     QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
-    TELETA_TRY(auto output, core::OutputFile::create(path));
-    output.write(motorsText(calibration));
-    return output.finish();
+    return core::writeFile(path, motorsText(calibration));
 }
 
 std::string profilePath(const std::string& serial) {

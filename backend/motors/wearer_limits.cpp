@@ -76,9 +76,7 @@ std::string limitsText(const WearerLimits& limits) {
 
 core::Expected<void> writeLimits(const WearerLimits& limits, const std::string& path) {
     QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
-    TELETA_TRY(auto output, core::OutputFile::create(path));
-    output.write(limitsText(limits));
-    return output.finish();
+    return core::writeFile(path, limitsText(limits));
 }
 
 std::string limitsPath(const std::string& serial) {

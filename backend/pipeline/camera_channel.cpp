@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/camera_channel.h"
 
-#include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_camera.h"
 #include "backend/recording/event_words.h"

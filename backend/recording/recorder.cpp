@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/recorder.h"
 
-#include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 #include "backend/recording/recording_writer.h"
 
@@ -206,8 +205,7 @@ core::Expected<void> Recorder::takeNew(RecordingWriter& writer) {
         changes.swap(m_markChanges);
     }
     for (Added& stream : streams) {
-        if (const core::Expected<void> done = writer.addStream(stream.info); !done)
-            return done;
+        TELETA_CHECK(writer.addStream(stream.info));
         m_taps.push_back(std::move(stream.tap));
     }
     for (RecordingEvent& event : events)

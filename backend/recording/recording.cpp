@@ -2,7 +2,6 @@
 #include "backend/recording/recording.h"
 
 #include "backend/core/failure.h"
-#include "backend/recording/block_times.h"
 #include "backend/recording/recording_database.h"
 
 #include <QCoreApplication>
@@ -11,7 +10,6 @@
 #include <QtEndian>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -24,9 +22,6 @@ struct ReadingText {
     Q_DECLARE_TR_FUNCTIONS(Recording)
 };
 
-constexpr std::array kKinds{StreamKind::array,  StreamKind::features, StreamKind::joints, StreamKind::touches,
-                            StreamKind::camera, StreamKind::contacts, StreamKind::tactors};
-constexpr std::array kTypes{ValueType::float32, ValueType::float64, ValueType::grey8};
 constexpr std::size_t kMostValues = 1U << 24U;
 constexpr int kMostPixels = 1 << 26;
 
@@ -38,13 +33,6 @@ constexpr char kBackwards[] = "< (?, ?) ORDER BY first_ns DESC, key DESC";
 template <typename Position>
 Position placeOf(const QSqlQuery& row) {
     return {row.value(1).toLongLong(), row.value(0).toLongLong()};
-}
-
-template <typename Name, std::size_t n>
-std::optional<Name> named(const std::array<Name, n>& names, const QString& text) {
-    const auto found =
-        std::ranges::find_if(names, [&](Name name) { return text == QLatin1String(toString(name)); });
-    return found == names.end() ? std::nullopt : std::optional(*found);
 }
 
 std::optional<std::vector<std::size_t>> shapeOf(const QString& text) {
@@ -91,9 +79,6 @@ StreamReader::StreamReader(std::shared_ptr<RecordingDatabase> database, StreamIn
     , m_info(std::move(info))
     , m_key(key) {
 }
-StreamReader::~StreamReader() = default;
-StreamReader::StreamReader(StreamReader&&) noexcept = default;
-StreamReader& StreamReader::operator=(StreamReader&&) noexcept = default;
 
 core::Expected<QSqlQuery> StreamReader::select(const char* columns, const char* rule,
                                                const Position& from) const {
@@ -135,7 +120,7 @@ bool StreamReader::readRow(const QSqlQuery& query, core::TappedFrames& block) {
     core::TappedFrames read;
     read.discontinuity = query.value(5).toInt() != 0;
     if (!copyBytes(query.value(6).toByteArray(), count, read.time_ns) ||
-        !copyBytes(query.value(7).toByteArray(), count, read.sourceTime_s) || !hasTimesInOrder(read))
+        !copyBytes(query.value(7).toByteArray(), count, read.sourceTime_s) || !read.hasTimesInOrder())
         return false;
     if (m_info.type == ValueType::grey8) {
         auto image = imageOf(data, query.value(3).toInt(), query.value(4).toInt());
@@ -157,7 +142,7 @@ core::Expected<bool> StreamReader::next(core::TappedFrames& block) {
         // The first row is read already.
         if (!query)
             return passOver(core::Unexpected(query.error()));
-        m_query = std::make_unique<QSqlQuery>(std::move(*query));
+        m_query = std::make_shared<QSqlQuery>(std::move(*query));
     }
     if (!m_query->next()) {
         if (m_query->lastError().isValid())
@@ -200,16 +185,15 @@ core::Expected<bool> StreamReader::previous(core::TappedFrames& block) {
 }
 
 core::Expected<void> StreamReader::seek(std::int64_t time_ns) {
-    auto query =
-        m_database->run(QStringLiteral("SELECT first_ns FROM block WHERE stream = ? AND first_ns <= ? "
-                                       "ORDER BY first_ns DESC LIMIT 1"),
-                        {m_key, static_cast<qlonglong>(time_ns)});
-    TELETA_CHECK(query);
+    TELETA_TRY(auto query,
+               m_database->run(QStringLiteral("SELECT first_ns FROM block WHERE stream = ? AND first_ns <= ? "
+                                              "ORDER BY first_ns DESC LIMIT 1"),
+                               {m_key, static_cast<qlonglong>(time_ns)}));
     m_after = {};
-    if (query->next())
-        m_after = {query->value(0).toLongLong(), std::numeric_limits<qlonglong>::min()};
-    else if (query->lastError().isValid())
-        return m_database->failed(query->lastError());
+    if (query.next())
+        m_after = {query.value(0).toLongLong(), std::numeric_limits<qlonglong>::min()};
+    else if (query.lastError().isValid())
+        return m_database->failed(query.lastError());
     m_at = m_after;
     m_query.reset();
     return {};
@@ -218,9 +202,6 @@ core::Expected<void> StreamReader::seek(std::int64_t time_ns) {
 Recording::Recording(std::shared_ptr<RecordingDatabase> database)
     : m_database(std::move(database)) {
 }
-Recording::~Recording() = default;
-Recording::Recording(Recording&&) noexcept = default;
-Recording& Recording::operator=(Recording&&) noexcept = default;
 
 bool Recording::looksLikeOne(const std::string& path) {
     if (RecordingDatabase::isWrittenHere(path))
@@ -231,13 +212,12 @@ bool Recording::looksLikeOne(const std::string& path) {
 
 core::Expected<Recording> Recording::open(const std::string& path) {
     Recording recording(std::make_shared<RecordingDatabase>(path));
-    const core::Expected<void> opened = recording.m_database->openForReading()
-                                            .and_then([&] { return recording.readHead(); })
-                                            .and_then([&] { return recording.readAnchors(); })
-                                            .and_then([&] { return recording.readStreams(); })
-                                            .and_then([&] { return recording.readColumns(); })
-                                            .and_then([&] { return recording.readEvents(); });
-    TELETA_CHECK(opened);
+    TELETA_CHECK(recording.m_database->openForReading()
+                     .and_then([&] { return recording.readHead(); })
+                     .and_then([&] { return recording.readAnchors(); })
+                     .and_then([&] { return recording.readStreams(); })
+                     .and_then([&] { return recording.readColumns(); })
+                     .and_then([&] { return recording.readEvents(); }));
     return recording;
 }
 
@@ -248,8 +228,7 @@ const std::string& Recording::path() const {
 template <typename Row>
 core::Expected<void> Recording::forEachRow(QSqlQuery& query, const Row& row) const {
     while (query.next()) {
-        if (const core::Expected<void> done = row(); !done)
-            return done;
+        TELETA_CHECK(row());
     }
     // The end of the table and an unreadable page look alike.
     if (query.lastError().isValid())
@@ -291,8 +270,8 @@ core::Expected<void> Recording::readStreams() {
             "SELECT key, name, kind, type, source, shape, unit, rate_hz, details FROM stream ORDER BY key")));
     return forEachRow(query, [&]() -> core::Expected<void> {
         const auto text = [&](int column) { return query.value(column).toString(); };
-        const auto kind = named(kKinds, text(2));
-        const auto type = named(kTypes, text(3));
+        const auto kind = streamKindOf(text(2).toStdString());
+        const auto type = valueTypeOf(text(3).toStdString());
         const auto shape = shapeOf(text(5));
         if (!kind || !type || !shape)
             return m_database->damaged(
@@ -335,12 +314,11 @@ core::Expected<void> Recording::readColumns() {
 }
 
 core::Expected<void> Recording::readEvents() {
-    auto query =
-        m_database->run(QStringLiteral("SELECT time_ns, kind, text, value FROM event ORDER BY time_ns, key"));
-    TELETA_CHECK(query);
-    return forEachRow(*query, [&]() -> core::Expected<void> {
-        m_events.push_back({query->value(0).toLongLong(), query->value(1).toString().toStdString(),
-                            query->value(2).toString().toStdString(), query->value(3).toDouble()});
+    TELETA_TRY(auto query, m_database->run(QStringLiteral(
+                               "SELECT time_ns, kind, text, value FROM event ORDER BY time_ns, key")));
+    return forEachRow(query, [&]() -> core::Expected<void> {
+        m_events.push_back({query.value(0).toLongLong(), query.value(1).toString().toStdString(),
+                            query.value(2).toString().toStdString(), query.value(3).toDouble()});
         return {};
     });
 }

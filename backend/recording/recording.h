@@ -34,9 +34,8 @@ template <typename Number>
 /// Thread: the recording's.
 class StreamReader {
 public:
-    ~StreamReader();
-    StreamReader(StreamReader&&) noexcept;
-    StreamReader& operator=(StreamReader&&) noexcept;
+    StreamReader(StreamReader&&) = default;
+    StreamReader& operator=(StreamReader&&) = default;
 
     /// The next block; false after the last one, and block is unchanged then. Error: badInput for a damaged
     /// block or file, ioFailed. After a damaged block (also one on an unreadable page of the file) call it
@@ -73,7 +72,7 @@ private:
     std::shared_ptr<RecordingDatabase> m_database;
     StreamInfo m_info;
     long long m_key;
-    std::unique_ptr<QSqlQuery> m_query;
+    std::shared_ptr<QSqlQuery> m_query;
     Position m_after; ///< where next() begins without a query
     Position m_at;    ///< of the block that was read last, or was sought
     bool m_canGoOn = true;
@@ -87,9 +86,8 @@ public:
     /// A quick look at the file's first bytes: whether open() would take it for a database.
     [[nodiscard]] static bool looksLikeOne(const std::string& path);
 
-    ~Recording();
-    Recording(Recording&&) noexcept;
-    Recording& operator=(Recording&&) noexcept;
+    Recording(Recording&&) = default;
+    Recording& operator=(Recording&&) = default;
 
     [[nodiscard]] const std::string& path() const;
     [[nodiscard]] const RecordingHead& head() const { return m_head; }

@@ -240,19 +240,17 @@ core::Expected<void> RecordingDatabase::openForWriting() {
 }
 
 core::Expected<void> RecordingDatabase::migrate(int from) {
-    TELETA_CHECK(run(QStringLiteral("BEGIN IMMEDIATE")));
     QStringList statements;
     for (std::size_t step = static_cast<std::size_t>(from); step < steps().size(); ++step)
         statements += steps()[step];
     statements << QStringLiteral("PRAGMA application_id = %1").arg(kApplicationId)
-               << QStringLiteral("PRAGMA user_version = %1").arg(currentSchema()) << QStringLiteral("COMMIT");
-    for (const QString& statement : statements) {
-        if (const auto done = run(statement); !done) {
-            (void)run(QStringLiteral("ROLLBACK"));
-            return core::Unexpected(done.error());
+               << QStringLiteral("PRAGMA user_version = %1").arg(currentSchema());
+    return inTransaction([&]() -> core::Expected<void> {
+        for (const QString& statement : statements) {
+            TELETA_CHECK(run(statement));
         }
-    }
-    return {};
+        return {};
+    });
 }
 
 core::Expected<void> RecordingDatabase::finish() {
@@ -286,6 +284,15 @@ core::Expected<QSqlQuery> RecordingDatabase::run(const QString& sql, const QVari
     if (!done)
         return failed(query.lastError());
     return query;
+}
+
+core::Expected<void> RecordingDatabase::inTransaction(const std::function<core::Expected<void>()>& work) {
+    TELETA_CHECK(run(QStringLiteral("BEGIN IMMEDIATE")));
+    const core::Expected<void> done =
+        work().and_then([&] { return run(QStringLiteral("COMMIT")); }).map([](const QSqlQuery&) {});
+    if (!done)
+        (void)run(QStringLiteral("ROLLBACK"));
+    return done;
 }
 
 core::Expected<QSqlQuery> RecordingDatabase::prepare(const QString& sql) {

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QVariant>
 
+#include <functional>
 #include <string>
 
 class QIODevice;
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] core::Expected<void> finish();
 
     [[nodiscard]] core::Expected<QSqlQuery> run(const QString& sql, const QVariantList& values = {});
+    /// Carries out the work in a transaction, which is rolled back if the work fails.
+    [[nodiscard]] core::Expected<void> inTransaction(const std::function<core::Expected<void>()>& work);
     /// A statement to be executed many times.
     [[nodiscard]] core::Expected<QSqlQuery> prepare(const QString& sql);
     [[nodiscard]] core::Expected<void> execute(QSqlQuery& query);

@@ -1,41 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/recording_types.h"
 
+#include "backend/core/words.h"
+
 #include <functional>
 #include <numeric>
 
 namespace teleta::recording {
 
+namespace {
+
+constexpr core::Words<StreamKind, 7> kKinds{
+    {"array", "features", "joints", "touches", "camera", "contacts", "tactors"}};
+constexpr core::Words<ValueType, 3> kTypes{{"float32", "float64", "grey8"}};
+
+} // namespace
+
 const char* toString(StreamKind kind) {
-    switch (kind) {
-    case StreamKind::array:
-        return "array";
-    case StreamKind::features:
-        return "features";
-    case StreamKind::joints:
-        return "joints";
-    case StreamKind::touches:
-        return "touches";
-    case StreamKind::camera:
-        return "camera";
-    case StreamKind::contacts:
-        return "contacts";
-    case StreamKind::tactors:
-        return "tactors";
-    }
-    return "";
+    return kKinds.of(kind);
 }
 
 const char* toString(ValueType type) {
-    switch (type) {
-    case ValueType::float32:
-        return "float32";
-    case ValueType::float64:
-        return "float64";
-    case ValueType::grey8:
-        return "grey8";
-    }
-    return "";
+    return kTypes.of(type);
+}
+
+std::optional<StreamKind> streamKindOf(std::string_view word) {
+    return kKinds.find(word);
+}
+
+std::optional<ValueType> valueTypeOf(std::string_view word) {
+    return kTypes.find(word);
 }
 
 std::size_t StreamInfo::channels() const {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace teleta::recording {
@@ -29,8 +30,12 @@ enum class ValueType {
     grey8, ///< one byte a pixel, deflated (RFC 1950)
 };
 
+/// Their words in files.
 [[nodiscard]] const char* toString(StreamKind kind);
 [[nodiscard]] const char* toString(ValueType type);
+/// The inverse; empty for any other word.
+[[nodiscard]] std::optional<StreamKind> streamKindOf(std::string_view word);
+[[nodiscard]] std::optional<ValueType> valueTypeOf(std::string_view word);
 
 /// One column of a stream.
 struct Column {

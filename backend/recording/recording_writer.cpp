@@ -2,7 +2,6 @@
 #include "backend/recording/recording_writer.h"
 
 #include "backend/core/steady_time.h"
-#include "backend/recording/block_times.h"
 #include "backend/recording/mark_changes.h"
 
 #include <QFile>
@@ -88,22 +87,25 @@ core::Expected<void> RecordingWriter::begin(const RecordingHead& head) {
 }
 
 core::Expected<void> RecordingWriter::addStream(const StreamInfo& info) {
-    TELETA_CHECK(m_database.run(QStringLiteral("BEGIN IMMEDIATE")));
-    auto made = m_database.run(
-        QStringLiteral("INSERT INTO stream (name, kind, type, source, shape, unit, rate_hz, details) "
-                       "VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
-        {textOf(info.name), QString::fromLatin1(toString(info.kind)),
-         QString::fromLatin1(toString(info.type)), textOf(info.source), shapeText(info.shape),
-         textOf(info.unit), numberOf(info.nominalRate_Hz), textOf(info.details)});
-    TELETA_CHECK(made);
-    const long long key = made->lastInsertId().toLongLong();
-    for (std::size_t i = 0; i < info.columns.size(); ++i) {
-        const auto column = m_database.run(
-            QStringLiteral("INSERT INTO stream_column VALUES (?, ?, ?, ?)"),
-            {key, static_cast<qlonglong>(i), textOf(info.columns[i].name), textOf(info.columns[i].unit)});
-        TELETA_CHECK(column);
-    }
-    TELETA_CHECK(m_database.run(QStringLiteral("COMMIT")));
+    long long key = 0;
+    const auto insert = [&]() -> core::Expected<void> {
+        TELETA_TRY(
+            auto made,
+            m_database.run(
+                QStringLiteral("INSERT INTO stream (name, kind, type, source, shape, unit, rate_hz, details) "
+                               "VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
+                {textOf(info.name), QString::fromLatin1(toString(info.kind)),
+                 QString::fromLatin1(toString(info.type)), textOf(info.source), shapeText(info.shape),
+                 textOf(info.unit), numberOf(info.nominalRate_Hz), textOf(info.details)}));
+        key = made.lastInsertId().toLongLong();
+        for (std::size_t i = 0; i < info.columns.size(); ++i) {
+            TELETA_CHECK(m_database.run(QStringLiteral("INSERT INTO stream_column VALUES (?, ?, ?, ?)"),
+                                        {key, static_cast<qlonglong>(i), textOf(info.columns[i].name),
+                                         textOf(info.columns[i].unit)}));
+        }
+        return {};
+    };
+    TELETA_CHECK(m_database.inTransaction(insert));
     m_streams.push_back({.info = info, .key = key, .blocks = {}, .newest_ns = {}});
     return {};
 }
@@ -116,7 +118,7 @@ void RecordingWriter::take(std::size_t index, core::TappedFrames&& frames) {
                   : frames.frames() > 0 && frames.values.size() == frames.frames() * stream.info.channels() *
                                                                        stream.info.bytesPerValue();
     // What does not fit would be damage.
-    if (!hasShape || frames.sourceTime_s.size() != frames.frames() || !hasTimesInOrder(frames)) {
+    if (!hasShape || frames.sourceTime_s.size() != frames.frames() || !frames.hasTimesInOrder()) {
         stream.refused += frames.frames();
         return;
     }
@@ -164,16 +166,7 @@ void RecordingWriter::take(MarkChange change) {
 }
 
 core::Expected<void> RecordingWriter::commit() {
-    TELETA_CHECK(m_database.run(QStringLiteral("BEGIN IMMEDIATE")));
-    core::Expected<void> done = writeAll();
-    if (done) {
-        if (auto committed = m_database.run(QStringLiteral("COMMIT")); !committed)
-            done = core::Unexpected(committed.error());
-    }
-    if (!done) {
-        (void)m_database.run(QStringLiteral("ROLLBACK"));
-        return done;
-    }
+    TELETA_CHECK(m_database.inTransaction([&] { return writeAll(); }));
     for (Stream& stream : m_streams) {
         for (const core::TappedFrames& block : stream.blocks)
             m_frames += block.frames();
@@ -194,20 +187,17 @@ core::Expected<void> RecordingWriter::commit() {
 }
 
 core::Expected<void> RecordingWriter::writeAll() {
-    if (const core::Expected<void> done = writeAnchor(); !done)
-        return done;
+    TELETA_CHECK(writeAnchor());
     for (const Stream& stream : m_streams) {
         for (const core::TappedFrames& block : stream.blocks) {
-            if (const core::Expected<void> done = writeBlock(stream, block); !done)
-                return done;
+            TELETA_CHECK(writeBlock(stream, block));
         }
     }
     for (const RecordingEvent& event : m_events) {
-        const auto done = m_database.run(
+        TELETA_CHECK(m_database.run(
             QStringLiteral("INSERT INTO event (time_ns, kind, text, value) VALUES (?, ?, ?, ?)"),
             {static_cast<qlonglong>(event.time_ns), textOf(event.kind), textOf(event.text),
-             numberOf(event.value)});
-        TELETA_CHECK(done);
+             numberOf(event.value)}));
     }
     // After the marks themselves.
     return writeMarkChanges(m_database, m_markChanges);
@@ -248,10 +238,8 @@ core::Expected<void> RecordingWriter::writeAnchor() {
         if (std::abs(m_anchor->utc.msecsTo(now.utc) - expected_ms) < kClockStep_ms)
             return {};
     }
-    const auto done =
-        m_database.run(QStringLiteral("INSERT INTO anchor VALUES (?, ?)"),
-                       {static_cast<qlonglong>(now.time_ns), now.utc.toString(Qt::ISODateWithMs)});
-    TELETA_CHECK(done);
+    TELETA_CHECK(m_database.run(QStringLiteral("INSERT INTO anchor VALUES (?, ?)"),
+                                {static_cast<qlonglong>(now.time_ns), now.utc.toString(Qt::ISODateWithMs)}));
     m_anchor = now;
     return {};
 }

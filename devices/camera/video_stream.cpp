@@ -3,7 +3,6 @@
 
 #include "backend/core/device/file_descriptor.h"
 #include "backend/core/device/node_claim.h"
-#include "backend/core/elapsed.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 

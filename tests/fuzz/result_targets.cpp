@@ -2,7 +2,6 @@
 #include "backend/cost/cost_figure.h"
 #include "backend/cost/cost_file.h"
 #include "backend/cost/frontier.h"
-#include "backend/recording/block_times.h"
 #include "backend/recording/recording.h"
 #include "backend/servo_figure/servo_figure.h"
 #include "tests/backend/core/temporary_folder.h"
@@ -92,7 +91,7 @@ bool recording(Bytes bytes) {
                 break;
             if (!any)
                 continue;
-            require(block.frames() > 0 && recording::hasTimesInOrder(block), "times of a block never fall");
+            require(block.frames() > 0 && block.hasTimesInOrder(), "times of a block never fall");
             require(!block.image.isEmpty() ||
                         block.values.size() == block.frames() * stream.channels() * stream.bytesPerValue(),
                     "a block has the values of its shape");

@@ -2,7 +2,6 @@
 #include "backend/study/analysis/study_results.h"
 #include "backend/study/analysis/trial_source.h"
 #include "backend/study/protocol/protocol.h"
-#include "backend/study/protocol/protocol_text.h"
 #include "backend/study/session/study_scene.h"
 #include "backend/study/store/trial_journal.h"
 #include "tests/backend/core/temporary_folder.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/stroke_pad.h"
 
-#include "backend/core/bracelet/tactor_ring.h"
+#include "backend/core/bracelet/tactors.h"
 #include "widgets/base/focus_frame.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/camera_views.h"
 
-#include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 #include "widgets/camera/camera_panel.h"
 #include "widgets/camera/event_model.h"

@@ -7,7 +7,7 @@
 #include "app/console/study/forms/server_fields.h"
 #include "app/console/study/forms/server_study_dialog.h"
 #include "app/console/study/study_writing.h"
-#include "backend/study/protocol/protocol_text.h"
+#include "backend/study/protocol/protocol.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/empty_state.h"

@@ -362,9 +362,8 @@ const std::string& CsvReader::path() const {
 }
 
 Expected<std::size_t> CsvReader::column(std::string_view name) const {
-    const Expected<std::vector<std::size_t>> found = columns({&name, 1});
-    TELETA_CHECK(found);
-    return found->front();
+    TELETA_TRY(const std::vector<std::size_t> found, columns({&name, 1}));
+    return found.front();
 }
 
 Expected<std::vector<std::size_t>> CsvReader::columns(std::span<const std::string_view> names) const {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/output_file.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QSaveFile>
 
@@ -91,6 +94,18 @@ Expected<void> OutputFile::finish() {
             keepError();
     }
     return m_state;
+}
+
+Expected<void> writeFile(const std::string& path, std::string_view content) {
+    TELETA_TRY(OutputFile file, OutputFile::create(path));
+    file.write(content);
+    return file.finish();
+}
+
+Expected<void> makeFolder(const std::string& path) {
+    if (!QDir().mkpath(QString::fromStdString(path)))
+        return failed(ErrorKind::ioFailed, OutputFileText::tr("cannot make the folder"), {}, {path});
+    return {};
 }
 
 } // namespace teleta::core

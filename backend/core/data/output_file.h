@@ -55,4 +55,10 @@ private:
     Expected<void> m_state;
 };
 
+/// Writes a whole file, see OutputFile. Error: ioFailed, cancelled. Thread: any.
+[[nodiscard]] Expected<void> writeFile(const std::string& path, std::string_view content);
+
+/// Makes a folder, and those above it, unless they are there. Error: ioFailed. Thread: any.
+[[nodiscard]] Expected<void> makeFolder(const std::string& path);
+
 } // namespace teleta::core

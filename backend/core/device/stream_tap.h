@@ -4,7 +4,9 @@
 #include "backend/core/device/camera_source.h"
 #include "backend/core/threads/bounded_queue.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,6 +25,11 @@ struct TappedFrames {
     bool discontinuity = false; ///< the stream jumped before these frames
 
     [[nodiscard]] std::size_t frames() const { return time_ns.size(); }
+    /// Steady times never decrease, and source times are finite.
+    [[nodiscard]] bool hasTimesInOrder() const {
+        return std::ranges::is_sorted(time_ns) &&
+               std::ranges::all_of(sourceTime_s, [](double time_s) { return std::isfinite(time_s); });
+    }
 };
 
 /// Passes copies of a data thread's frames to whoever records them. The data thread never waits: if the

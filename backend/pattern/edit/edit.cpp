@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/edit/edit.h"
 
-#include "backend/core/bracelet/tactor_ring.h"
+#include "backend/core/bracelet/tactors.h"
 #include "backend/core/failure.h"
 
 #include <QCoreApplication>

@@ -46,11 +46,10 @@ ordered_json curve(const Track& points, std::size_t first, std::size_t last) {
 } // namespace
 
 core::Expected<std::string> tactorToAhap(const Pattern& pattern, std::size_t tactor) {
-    const core::Expected<Track> lines =
-        linearised(pattern, tactor, [](double amplitude) { return std::sqrt(amplitude); });
-    TELETA_CHECK(lines);
+    TELETA_TRY(const Track lines,
+               linearised(pattern, tactor, [](double amplitude) { return std::sqrt(amplitude); }));
     ordered_json parts = ordered_json::array();
-    for (const Track& stretch : stretches(*lines)) {
+    for (const Track& stretch : stretches(lines)) {
         const double begin_s = stretch.front().time_s;
         const double end_s = stretch.back().time_s;
         for (double from_s = begin_s; from_s < end_s; from_s += kLongestEvent_s)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/files/hjif.h"
 
-#include "backend/core/bracelet/tactor_ring.h"
+#include "backend/core/bracelet/tactors.h"
 #include "backend/core/data/json_document.h"
 #include "backend/pattern/model/bake.h"
 #include "backend/pattern/model/track_builder.h"

@@ -52,12 +52,6 @@ core::Expected<std::string> readBytes(const std::string& path) {
     return bytes.toStdString();
 }
 
-core::Expected<void> writeBytes(const std::string& path, const std::string& bytes) {
-    TELETA_TRY(core::OutputFile file, core::OutputFile::create(path));
-    file.write(bytes);
-    return file.finish();
-}
-
 core::Unexpected unknownEnding(const std::string& path) {
     return failure(core::ErrorKind::badInput, path, FileText::tr("the file name extension is unknown"),
                    FileText::tr("one of %1").arg(QString::fromStdString(allEndings())));
@@ -97,7 +91,7 @@ core::Expected<std::string> zipped(const core::Expected<std::vector<ZipEntry>>& 
 core::Expected<void> write(const Pattern& pattern, PatternFormat format, const std::string& path,
                            const SampleOptions& samples) {
     const auto writeText = [&](const core::Expected<std::string>& text) {
-        return text ? writeBytes(path, *text) : core::Expected<void>(core::Unexpected(text.error()));
+        return text.and_then([&](const std::string& content) { return core::writeFile(path, content); });
     };
     switch (format) {
     case PatternFormat::own:

@@ -169,20 +169,18 @@ core::Expected<std::string> PatternFolder::remove(const std::string& path) const
         return failure(core::ErrorKind::ioFailed, deleted.path(),
                        FolderText::tr("the folder cannot be created"));
     const QString name = QString::fromStdString(baseName(path));
-    const core::Expected<QString> to =
-        moved(info.filePath(), freeIn(deleted, name, info.fileName().mid(name.size())));
-    TELETA_CHECK(to);
-    return to->toStdString();
+    TELETA_TRY(const QString to,
+               moved(info.filePath(), freeIn(deleted, name, info.fileName().mid(name.size()))));
+    return to.toStdString();
 }
 
 core::Expected<std::string> PatternFolder::restore(const std::string& removed,
                                                    const std::string& path) const {
     const QFileInfo info(QString::fromStdString(path));
     const QString name = QString::fromStdString(baseName(path));
-    const core::Expected<QString> to =
-        moved(QString::fromStdString(removed), freeIn(info.dir(), name, info.fileName().mid(name.size())));
-    TELETA_CHECK(to);
-    return to->toStdString();
+    TELETA_TRY(const QString to, moved(QString::fromStdString(removed),
+                                       freeIn(info.dir(), name, info.fileName().mid(name.size()))));
+    return to.toStdString();
 }
 
 } // namespace teleta::pattern

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/model/parametric_object.h"
 
-#include "backend/core/bracelet/tactor_ring.h"
+#include "backend/core/bracelet/tactors.h"
 #include "backend/pattern/model/easing.h"
 #include "backend/pattern/model/intensity.h"
 #include "backend/pattern/model/laws.h"

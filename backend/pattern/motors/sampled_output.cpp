@@ -74,8 +74,7 @@ void forEachSample(const Pattern& pattern, double rate_Hz,
 core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path, const SampleOptions& options) {
     constexpr std::array<std::string_view, 7> kColumns{"time_s", "t1", "t2", "t3", "t4", "t5", "t6"};
     const double rate_Hz = options.rate_Hz.value_or(kCsvRate_Hz);
-    if (const core::Expected<void> possible = checked(options, rate_Hz, path); !possible)
-        return possible;
+    TELETA_CHECK(checked(options, rate_Hz, path));
     TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kColumns));
     sample(pattern, options, rate_Hz, [&](double t_s, const core::Intensities& intensities) {
         csv.number(t_s);
@@ -89,8 +88,7 @@ core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path, c
 
 core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, const SampleOptions& options) {
     const double rate_Hz = options.rate_Hz.value_or(kWavRate_Hz);
-    if (const core::Expected<void> possible = checked(options, rate_Hz, path); !possible)
-        return possible;
+    TELETA_CHECK(checked(options, rate_Hz, path));
     if (rate_Hz != std::floor(rate_Hz))
         return refused(path, SampledText::tr("a WAV file cannot have this rate"),
                        SampledText::tr("a whole number of samples per second"));

@@ -59,10 +59,7 @@ void reportContactErrors(const std::vector<double>& errors_m, ordered_json& meas
 }
 
 core::Expected<void> writeJson(const std::string& path, const ordered_json& document) {
-    TELETA_TRY(core::OutputFile file, core::OutputFile::create(path));
-    file.write(document.dump(2));
-    file.write("\n");
-    return file.finish();
+    return core::writeFile(path, document.dump(2) + '\n');
 }
 
 } // namespace teleta::scene_run

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/analysis/repeated_anova.h"
 
+#include "backend/core/words.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -14,6 +16,10 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+constexpr core::Words<Refusal, 7> kRefusals{{"no data", "not finite", "bad shape", "fewer than two levels",
+                                             "fewer than two complete participants", "no variance",
+                                             "no error variance"}};
 
 /// Helmert's contrasts: (levels-1) x levels, orthonormal rows that sum to zero.
 MatrixXd contrasts(std::size_t levels) {
@@ -162,6 +168,10 @@ AnovaRow effectOf(const ContrastSums& sums, double contrastCount, double partici
 }
 
 } // namespace
+
+const char* toString(Refusal refusal) {
+    return kRefusals.of(refusal);
+}
 
 std::vector<std::size_t> incompleteParticipants(const ParticipantCells& cells) {
     std::vector<std::size_t> rows;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/protocol/refusal.h"
-
 #include <tl/expected.hpp>
 
 #include <cstddef>
@@ -10,6 +8,20 @@
 #include <vector>
 
 namespace teleta::study {
+
+/// Why a statistic is undefined. User interfaces put it into words.
+enum class Refusal {
+    noData,          ///< nothing to evaluate
+    notFinite,       ///< a value is infinite
+    badShape,        ///< rows of different lengths, or not the number of cells that the design has
+    tooFewLevels,    ///< a factor has fewer than two levels
+    oneParticipant,  ///< fewer than two participants are complete
+    noVariance,      ///< all values of the effect and of its error are the same
+    noErrorVariance, ///< the participants agree exactly about the effect, so that F would be infinite
+};
+
+/// Its words in files, logs and tests.
+[[nodiscard]] const char* toString(Refusal refusal);
 
 /// One row of a repeated-measures ANOVA table.
 struct AnovaEffect {

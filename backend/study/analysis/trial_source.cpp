@@ -2,6 +2,7 @@
 #include "backend/study/analysis/trial_source.h"
 
 #include "backend/core/data/csv_reader.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -34,22 +35,19 @@ QString shown(std::string_view text) {
 }
 
 core::Unexpected mixedModes(const core::SourcePlace& place, Mode one, Mode other) {
-    return core::Unexpected(core::Error{core::ErrorKind::refused,
-                                        SourceText::tr("these are data of different modes: %1 and %2")
-                                            .arg(toString(one), toString(other))
-                                            .toStdString(),
-                                        SourceText::tr("one mode, or the choice of one").toStdString(),
-                                        place});
+    return core::failed(
+        core::ErrorKind::refused,
+        SourceText::tr("these are data of different modes: %1 and %2").arg(toString(one), toString(other)),
+        SourceText::tr("one mode, or the choice of one"), place);
 }
 
 core::Unexpected twoPeople(const core::SourcePlace& place, std::string_view participant,
                            const std::string& before) {
-    return core::Unexpected(core::Error{
+    return core::failed(
         core::ErrorKind::refused,
         SourceText::tr("%1 also has trials in %2: these may be two people, or the same trials twice")
-            .arg(shown(participant), QString::fromStdString(before))
-            .toStdString(),
-        SourceText::tr("each participant in one study only, under a unique name").toStdString(), place});
+            .arg(shown(participant), QString::fromStdString(before)),
+        SourceText::tr("each participant in one study only, under a unique name"), place);
 }
 
 /// Reads the rows of a file.
@@ -86,12 +84,10 @@ private:
 
     [[nodiscard]] core::Unexpected wrong(std::size_t column, std::string_view text,
                                          const QString& expected) const {
-        return core::Unexpected(
-            core::Error{core::ErrorKind::badInput,
-                        SourceText::tr("%1 cannot be \"%2\"")
-                            .arg(QString::fromStdString(m_csv.header()[column]), shown(text))
-                            .toStdString(),
-                        expected.toStdString(), m_csv.place(column)});
+        return core::failed(core::ErrorKind::badInput,
+                            SourceText::tr("%1 cannot be \"%2\"")
+                                .arg(QString::fromStdString(m_csv.header()[column]), shown(text)),
+                            expected, m_csv.place(column));
     }
 
     [[nodiscard]] core::Expected<bool> hasCountedMode(std::string_view text, ModeFilter& modes) const;
@@ -201,13 +197,11 @@ core::Expected<void> RowReader::take(const std::vector<std::string_view>& fields
     TELETA_TRY(const std::size_t shownTrial, number(*m_trial, fields[*m_trial]));
     TELETA_TRY(const std::size_t attempt, number(*m_attempt, fields[*m_attempt]));
     if (!origins.addTrial({trial.participant, fields[*m_session], trial.phase, shownTrial, attempt}))
-        return core::Unexpected(core::Error{core::ErrorKind::refused,
-                                            SourceText::tr("trial %1 of session %2 of %3 was already counted")
-                                                .arg(shownTrial)
-                                                .arg(shown(fields[*m_session]), shown(trial.participant))
-                                                .toStdString(),
-                                            SourceText::tr("each trial once").toStdString(),
-                                            m_csv.place(*m_trial)});
+        return core::failed(core::ErrorKind::refused,
+                            SourceText::tr("trial %1 of session %2 of %3 was already counted")
+                                .arg(shownTrial)
+                                .arg(shown(fields[*m_session]), shown(trial.participant)),
+                            SourceText::tr("each trial once"), m_csv.place(*m_trial));
     return {};
 }
 
@@ -225,21 +219,17 @@ core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialT
         if (!more)
             return {};
         if (row % kRowsBetweenQuestions == 0 && !goOn(csv.bytesRead()))
-            return core::Unexpected(core::Error{
-                core::ErrorKind::cancelled, SourceText::tr("interrupted").toStdString(), {}, {path}});
+            return core::failed(core::ErrorKind::cancelled, SourceText::tr("interrupted"), {}, {path});
         TELETA_TRY(const bool counts, reader.read(fields, modes, trial));
         if (!counts)
             continue;
-        if (const core::Expected<void> taken = reader.take(fields, trial, tally.origins()); !taken)
-            return taken;
+        TELETA_CHECK(reader.take(fields, trial, tally.origins()));
         TELETA_TRY(const std::size_t alternatives, reader.alternatives(fields));
         tally.expectCount(trial.task, alternatives);
         if (!tally.add(trial))
-            return core::Unexpected(
-                core::Error{core::ErrorKind::badInput,
-                            SourceText::tr("there are too many different patterns").toStdString(),
-                            SourceText::tr("%1 at most").arg(TrialTally::kMostNames).toStdString(),
-                            csv.place(needed[4])});
+            return core::failed(
+                core::ErrorKind::badInput, SourceText::tr("there are too many different patterns"),
+                SourceText::tr("%1 at most").arg(TrialTally::kMostNames), csv.place(needed[4]));
     }
 }
 

@@ -2,8 +2,8 @@
 #include "backend/study/protocol/protocol.h"
 
 #include "backend/core/data/toml_keys.h"
+#include "backend/core/failure.h"
 #include "backend/study/protocol/identifier.h"
-#include "backend/study/protocol/protocol_text.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -143,11 +143,9 @@ core::Expected<Protocol> parseProtocol(std::string_view text, const std::string&
 core::Expected<Protocol> readProtocol(const std::string& path) {
     QFile file(QString::fromStdString(path));
     if (!file.open(QIODevice::ReadOnly))
-        return core::Unexpected(core::Error{
-            file.exists() ? core::ErrorKind::ioFailed : core::ErrorKind::notFound,
-            ProtocolText::tr("cannot open the protocol: %1").arg(file.errorString()).toStdString(),
-            {},
-            {path}});
+        return core::failed(file.exists() ? core::ErrorKind::ioFailed : core::ErrorKind::notFound,
+                            ProtocolText::tr("cannot open the protocol: %1").arg(file.errorString()), {},
+                            {path});
     core::Expected<Protocol> protocol = parseProtocol(file.readAll().toStdString(), path);
     if (!protocol)
         return protocol;

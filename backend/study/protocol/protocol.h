@@ -86,6 +86,10 @@ struct Protocol {
 /// The same from text. file: name for errors. Paths of pattern files stay as they are.
 [[nodiscard]] core::Expected<Protocol> parseProtocol(std::string_view text, const std::string& file);
 
+/// A protocol as TOML: parseProtocol() gives the same protocol back. Validity is not checked here but by
+/// parseProtocol(). Thread: any.
+[[nodiscard]] std::string protocolText(const Protocol& protocol);
+
 /// The protocol of the paper: shape (6 patterns) and stiffness (5), each static and dynamic; 18 and 15
 /// practice, 30 and 25 test trials. The resource :/studies/teleta.toml. Thread: any.
 [[nodiscard]] core::Expected<Protocol> paperProtocol();

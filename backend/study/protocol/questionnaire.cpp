@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/protocol/questionnaire.h"
 
+#include "backend/core/failure.h"
+#include "backend/core/words.h"
 #include "backend/study/protocol/identifier.h"
 
 #include <QCoreApplication>
@@ -22,12 +24,14 @@ struct ItemText {
     Q_DECLARE_TR_FUNCTIONS(StudyQuestionnaire)
 };
 
+constexpr core::Words<QuestionnaireTime, 4> kTimes{
+    {"before_study", "before_session", "after_session", "after_study"}};
+constexpr core::Words<ItemKind, 3> kKinds{{"text", "likert", "choice"}};
 constexpr int kLongestAnswer = 10'000;
 constexpr long long kMostPoints = 11;
 
 core::Unexpected misfit(const std::string& item, const QString& message, const QString& expected) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {item}});
+    return core::failed(core::ErrorKind::refused, message, expected, {item});
 }
 
 void describeItem(Keys& keys, QuestionnaireItem& item, std::set<std::string>& used) {
@@ -102,29 +106,11 @@ core::Expected<void> checkAnswer(const QuestionnaireItem& item, const std::optio
 } // namespace
 
 const char* toString(QuestionnaireTime time) {
-    switch (time) {
-    case QuestionnaireTime::beforeStudy:
-        return "before_study";
-    case QuestionnaireTime::beforeSession:
-        return "before_session";
-    case QuestionnaireTime::afterSession:
-        return "after_session";
-    case QuestionnaireTime::afterStudy:
-        break;
-    }
-    return "after_study";
+    return kTimes.of(time);
 }
 
 const char* toString(ItemKind kind) {
-    switch (kind) {
-    case ItemKind::text:
-        return "text";
-    case ItemKind::likert:
-        return "likert";
-    case ItemKind::choice:
-        break;
-    }
-    return "choice";
+    return kKinds.of(kind);
 }
 
 void describeQuestionnaires(Keys& keys, std::vector<Questionnaire>& questionnaires) {
@@ -154,8 +140,7 @@ core::Expected<void> checkAnswers(const Questionnaire& questionnaire,
         if (i >= answers.size() || answers[i].item != item.id)
             return misfit(item.id, ItemText::tr("the answers do not match this questionnaire"),
                           ItemText::tr("one answer per item, in order"));
-        if (const core::Expected<void> fits = checkAnswer(item, answers[i].value); !fits)
-            return fits;
+        TELETA_CHECK(checkAnswer(item, answers[i].value));
     }
     if (answers.size() > questionnaire.items.size())
         return misfit(answers.back().item, ItemText::tr("the answers do not match this questionnaire"),

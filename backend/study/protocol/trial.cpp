@@ -1,66 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/protocol/trial.h"
 
-#include <initializer_list>
+#include "backend/core/words.h"
 
 namespace teleta::study {
 
 namespace {
 
-template <typename Value>
-std::optional<Value> valueOf(const std::string& word, std::initializer_list<Value> values) {
-    for (const Value value : values) {
-        if (word == toString(value))
-            return value;
-    }
-    return std::nullopt;
-}
+constexpr core::Words<Phase, 2> kPhases{{"practice", "test"}};
+constexpr core::Words<Outcome, 5> kOutcomes{{"correct", "incorrect", "timeout", "aborted", "device_error"}};
+constexpr core::Words<Mode, 3> kModes{{"run", "pilot", "simulated"}};
 
 } // namespace
 
 const char* toString(Phase phase) {
-    return phase == Phase::practice ? "practice" : "test";
+    return kPhases.of(phase);
 }
 
 const char* toString(Outcome outcome) {
-    switch (outcome) {
-    case Outcome::correct:
-        return "correct";
-    case Outcome::incorrect:
-        return "incorrect";
-    case Outcome::timeout:
-        return "timeout";
-    case Outcome::aborted:
-        return "aborted";
-    case Outcome::deviceError:
-        return "device_error";
-    }
-    return "";
+    return kOutcomes.of(outcome);
 }
 
 const char* toString(Mode mode) {
-    switch (mode) {
-    case Mode::run:
-        return "run";
-    case Mode::pilot:
-        return "pilot";
-    case Mode::simulated:
-        return "simulated";
-    }
-    return "";
+    return kModes.of(mode);
 }
 
-std::optional<Phase> phaseOf(const std::string& word) {
-    return valueOf(word, {Phase::practice, Phase::test});
+std::optional<Phase> phaseOf(std::string_view word) {
+    return kPhases.find(word);
 }
 
-std::optional<Outcome> outcomeOf(const std::string& word) {
-    return valueOf(word, {Outcome::correct, Outcome::incorrect, Outcome::timeout, Outcome::aborted,
-                          Outcome::deviceError});
+std::optional<Outcome> outcomeOf(std::string_view word) {
+    return kOutcomes.find(word);
 }
 
-std::optional<Mode> modeOf(const std::string& word) {
-    return valueOf(word, {Mode::run, Mode::pilot, Mode::simulated});
+std::optional<Mode> modeOf(std::string_view word) {
+    return kModes.find(word);
 }
 
 } // namespace teleta::study

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace teleta::study {
 
@@ -22,9 +23,9 @@ enum class Mode { run, pilot, simulated };
 [[nodiscard]] const char* toString(Mode mode);
 
 /// The inverse; empty for any other word.
-[[nodiscard]] std::optional<Phase> phaseOf(const std::string& word);
-[[nodiscard]] std::optional<Outcome> outcomeOf(const std::string& word);
-[[nodiscard]] std::optional<Mode> modeOf(const std::string& word);
+[[nodiscard]] std::optional<Phase> phaseOf(std::string_view word);
+[[nodiscard]] std::optional<Outcome> outcomeOf(std::string_view word);
+[[nodiscard]] std::optional<Mode> modeOf(std::string_view word);
 
 /// A trial to be shown.
 struct PlannedTrial {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/report/confusion_figure.h"
 
-#include "backend/study/report/watermark.h"
-
 #include <QCoreApplication>
 #include <QString>
 
@@ -98,6 +96,13 @@ figure::SvgCanvas confusionFigure(const ConfusionMatrix& matrix, const std::vect
     }
     canvas.watermark(watermarkOf(mode));
     return canvas;
+}
+
+QString watermarkOf(std::optional<Mode> mode) {
+    if (!mode || *mode == Mode::run)
+        return {};
+    return *mode == Mode::pilot ? QCoreApplication::translate("StudyFigure", "PILOT")
+                                : QCoreApplication::translate("StudyFigure", "SIMULATED");
 }
 
 std::string confusionSvg(const ConfusionMatrix& matrix, const std::vector<std::string>& patterns,

@@ -5,6 +5,8 @@
 #include "backend/study/analysis/confusion_matrix.h"
 #include "backend/study/protocol/trial.h"
 
+#include <QString>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,5 +34,8 @@ enum class ConfusionValues {
                                        const std::vector<std::string>& patterns, const std::string& title,
                                        ConfusionValues values = ConfusionValues::percent,
                                        std::optional<Mode> mode = {});
+
+/// Says across a figure that its data are not those of a study: PILOT or SIMULATED; otherwise empty.
+[[nodiscard]] QString watermarkOf(std::optional<Mode> mode);
 
 } // namespace teleta::study

@@ -2,12 +2,11 @@
 #include "backend/study/report/study_export.h"
 
 #include "backend/core/data/output_file.h"
-#include "backend/study/analysis/analysis_script.h"
+#include "backend/core/failure.h"
 #include "backend/study/protocol/stimulus_set.h"
 #include "backend/study/store/trial_table.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
@@ -32,21 +31,14 @@ struct ExportText {
     Q_DECLARE_TR_FUNCTIONS(StudyExport)
 };
 
-core::Unexpected failed(const QString& message, const std::string& path) {
-    return core::Unexpected(core::Error{core::ErrorKind::ioFailed, message.toStdString(), {}, {path}});
-}
-
 core::Expected<void> writeChecked(const std::string& path, const std::string& content) {
     const QString name = QString::fromStdString(path);
-    if (!QDir().mkpath(QFileInfo(name).path()))
-        return failed(ExportText::tr("cannot make the folder"), path);
-    TELETA_TRY(core::OutputFile output, core::OutputFile::create(path));
-    output.write(content);
-    if (const core::Expected<void> finished = output.finish(); !finished)
-        return finished;
+    TELETA_CHECK(core::makeFolder(QFileInfo(name).path().toStdString()));
+    TELETA_CHECK(core::writeFile(path, content));
     QFile file(name);
     if (!file.open(QIODevice::ReadOnly) || file.readAll().toStdString() != content)
-        return failed(ExportText::tr("the file differs from what was written"), path);
+        return core::failed(core::ErrorKind::ioFailed,
+                            ExportText::tr("the file differs from what was written"), {}, {path});
     return {};
 }
 
@@ -89,18 +81,11 @@ std::string alphanumeric(const std::string& text) {
     return kept;
 }
 
-ordered_json columnNames(std::span<const std::string_view> columns) {
-    ordered_json names = ordered_json::array();
-    for (const std::string_view name : columns)
-        names.push_back(name);
-    return names;
-}
-
 std::string psychDsDescription(const StudyHead& head) {
     const ordered_json description = {
         {"@context", "https://schema.org/"}, {"@type", "Dataset"},
         {"name", head.protocol.name},        {"description", head.protocol.description},
-        {"schemaVersion", "Psych-DS 0.4.0"}, {"variableMeasured", columnNames(kTrialColumns)},
+        {"schemaVersion", "Psych-DS 0.4.0"}, {"variableMeasured", kTrialColumns},
         {"mode", toString(head.mode)},       {"seed", std::to_string(head.seed)}};
     return description.dump(2) + "\n";
 }
@@ -160,46 +145,52 @@ ordered_json frameSidecar(const std::vector<StoredTrial>& trials) {
     return list;
 }
 
-std::string sidecarText(const StudyHead& head, const PlannedSession& plan,
-                        const std::vector<StoredTrial>& trials, ExportFormat format) {
-    ordered_json sidecar;
+/// Description of a session's table in BIDS. session: sessionSidecar().
+ordered_json bidsSidecar(const ordered_json& session) {
+    ordered_json levels = ordered_json::object();
+    for (const auto& [letter, stimulus] : session["stimuli"].items())
+        levels[letter] = stimulus["name"];
+    return {{"TaskName", session["task"]},
+            {"response_time_s",
+             {{"Description", "From the onset of the stimulus to the answer"}, {"Units", "s"}}},
+            {"stimulus", {{"Description", "Pattern that was presented"}, {"Levels", std::move(levels)}}}};
+}
+
+/// path: in the study's folder, without an extension. bidsSidecar: description of the table in BIDS. session:
+/// what Psych-DS says of the session; null for a table of no session.
+core::Expected<void> writeTable(const StudyStore& store, const std::string& path,
+                                const std::vector<TrialRow>& rows, std::span<const std::string_view> columns,
+                                const ordered_json& bidsSidecar, ExportFormat format,
+                                const ordered_json& session = nullptr) {
+    const std::string whole = store.folder() + '/' + path;
+    TELETA_CHECK(writeChecked(whole + (format == ExportFormat::bids ? ".tsv" : ".csv"),
+                              tableText(rows, tableFormat(format), columns)));
+    if (format == ExportFormat::excel)
+        return {};
+    ordered_json sidecar = bidsSidecar;
     if (format == ExportFormat::psychds) {
         sidecar = {{"@context", "https://schema.org/"},
                    {"@type", "Dataset"},
-                   {"variableMeasured", columnNames(kTrialColumns)}};
-        sidecar["session"] = sessionSidecar(head, plan);
-        sidecar["session"]["frames"] = frameSidecar(trials);
-    } else {
-        const ordered_json session = sessionSidecar(head, plan);
-        sidecar = {{"TaskName", session["task"]}};
-        sidecar["response_time_s"] = {{"Description", "From the onset of the stimulus to the answer"},
-                                      {"Units", "s"}};
-        sidecar["stimulus"] = {{"Description", "Pattern that was presented"},
-                               {"Levels", ordered_json::object()}};
-        for (const auto& [letter, stimulus] : session["stimuli"].items())
-            sidecar["stimulus"]["Levels"][letter] = stimulus["name"];
+                   {"variableMeasured", std::vector(columns.begin(), columns.end())}};
+        if (!session.is_null())
+            sidecar["session"] = session;
     }
-    return sidecar.dump(2) + "\n";
+    return writeChecked(whole + ".json", sidecar.dump(2) + "\n");
 }
 
 core::Expected<void> writeSession(const StudyStore& store, const Participant& participant,
-                                  const std::string& label, const SessionRecord& session,
+                                  const std::string& label, const SessionRecord& record,
                                   ExportFormat format) {
     const StudyHead& head = store.head();
     const PlannedSession plan =
-        planSessions(head.protocol, head.seed, participant.enrolment).at(session.planIndex);
-    TELETA_TRY(const std::vector<StoredTrial> trials, store.trials(session));
-    const std::string path =
-        QDir(QString::fromStdString(store.folder()))
-            .filePath(QString::fromStdString(
-                sessionPath(format, label, session.id, alphanumeric(head.protocol.tasks[plan.task].id))))
-            .toStdString();
-    const std::vector<TrialRow> rows = trialRows(head, participant, session, plan, trials);
-    const std::string extension = format == ExportFormat::bids ? ".tsv" : ".csv";
-    const core::Expected<void> written = writeChecked(path + extension, tableText(rows, tableFormat(format)));
-    if (!written || format == ExportFormat::excel)
-        return written;
-    return writeChecked(path + ".json", sidecarText(head, plan, trials, format));
+        planSessions(head.protocol, head.seed, participant.enrolment).at(record.planIndex);
+    TELETA_TRY(const std::vector<StoredTrial> trials, store.trials(record));
+    ordered_json session = sessionSidecar(head, plan);
+    const ordered_json bids = bidsSidecar(session);
+    session["frames"] = frameSidecar(trials);
+    return writeTable(
+        store, sessionPath(format, label, record.id, alphanumeric(head.protocol.tasks[plan.task].id)),
+        trialRows(head, participant, record, plan, trials), kTrialColumns, bids, format, session);
 }
 
 /// Path of a participant's table next to those of the sessions, without its extension. name: alphanumeric.
@@ -215,25 +206,6 @@ std::string besidePath(ExportFormat format, const std::string& label, const std:
     return "excel/" + label + '_' + name;
 }
 
-/// bidsSidecar: description of the table in BIDS.
-core::Expected<void> writeBeside(const StudyStore& store, const std::string& path,
-                                 const std::vector<TrialRow>& rows, std::span<const std::string_view> columns,
-                                 const ordered_json& bidsSidecar, ExportFormat format) {
-    const std::string whole =
-        QDir(QString::fromStdString(store.folder())).filePath(QString::fromStdString(path)).toStdString();
-    const std::string extension = format == ExportFormat::bids ? ".tsv" : ".csv";
-    const core::Expected<void> written =
-        writeChecked(whole + extension, tableText(rows, tableFormat(format), columns));
-    if (!written || format == ExportFormat::excel)
-        return written;
-    ordered_json sidecar = bidsSidecar;
-    if (format == ExportFormat::psychds)
-        sidecar = {{"@context", "https://schema.org/"},
-                   {"@type", "Dataset"},
-                   {"variableMeasured", columnNames(columns)}};
-    return writeChecked(whole + ".json", sidecar.dump(2) + "\n");
-}
-
 core::Expected<void> writeAnswers(const StudyStore& store, const Participant& participant,
                                   const std::string& label, ExportFormat format) {
     if (store.head().protocol.questionnaires.empty())
@@ -242,7 +214,7 @@ core::Expected<void> writeAnswers(const StudyStore& store, const Participant& pa
     TELETA_TRY(const std::vector<SessionRecord> sessions, store.sessions(participant));
     if (answers.empty())
         return {};
-    return writeBeside(
+    return writeTable(
         store, besidePath(format, label, "questionnaire"),
         answerRows(store.head(), participant, sessions, answers), kAnswerColumns,
         {{"MeasurementToolMetadata", {{"Description", "Questionnaires of " + store.head().protocol.name}}},
@@ -263,30 +235,20 @@ core::Expected<void> writeNotes(const StudyStore& store, const Participant& part
     }
     if (rows.empty())
         return {};
-    return writeBeside(store, besidePath(format, label, "notes"), rows, kNoteColumns,
-                       {{"MeasurementToolMetadata", {{"Description", "The experimenter's notes"}}},
-                        {"note", {{"Description", "What the experimenter wrote down"}}}},
-                       format);
+    return writeTable(store, besidePath(format, label, "notes"), rows, kNoteColumns,
+                      {{"MeasurementToolMetadata", {{"Description", "The experimenter's notes"}}},
+                       {"note", {{"Description", "What the experimenter wrote down"}}}},
+                      format);
 }
 
 core::Expected<void> writeDescription(const StudyStore& store, ExportFormat format) {
-    const QDir folder(QString::fromStdString(store.folder()));
-    switch (format) {
-    case ExportFormat::psychds: {
-        TELETA_TRY(const std::string script, analysisScript());
-        return writeChecked(folder.filePath(QStringLiteral("analysis.R")).toStdString(), script)
-            .and_then([&] {
-                return writeChecked(folder.filePath(QStringLiteral("dataset_description.json")).toStdString(),
-                                    psychDsDescription(store.head()));
-            });
-    }
-    case ExportFormat::bids:
-        return writeChecked(folder.filePath(QStringLiteral("bids/dataset_description.json")).toStdString(),
-                            bidsDescription(store.head()));
-    case ExportFormat::excel:
-        break;
-    }
-    return {};
+    if (format == ExportFormat::bids)
+        return writeChecked(store.folder() + "/bids/dataset_description.json", bidsDescription(store.head()));
+    if (format == ExportFormat::excel)
+        return {};
+    TELETA_TRY(const std::string script, analysisScript());
+    TELETA_CHECK(writeChecked(store.folder() + "/analysis.R", script));
+    return writeChecked(store.folder() + "/dataset_description.json", psychDsDescription(store.head()));
 }
 
 core::Expected<std::string> labelOf(const StudyStore& store, const Participant& participant) {
@@ -294,12 +256,10 @@ core::Expected<std::string> labelOf(const StudyStore& store, const Participant& 
     const auto found = std::find_if(participants.begin(), participants.end(),
                                     [&](const Participant& one) { return one.key == participant.key; });
     if (found == participants.end())
-        return core::Unexpected(core::Error{core::ErrorKind::notFound,
-                                            ExportText::tr("the study has no participant \"%1\"")
-                                                .arg(QString::fromStdString(participant.id))
-                                                .toStdString(),
-                                            {},
-                                            {store.shownName()}});
+        return core::failed(
+            core::ErrorKind::notFound,
+            ExportText::tr("the study has no participant \"%1\"").arg(QString::fromStdString(participant.id)),
+            {}, {store.shownName()});
     return fileLabels(participants)[static_cast<std::size_t>(found - participants.begin())];
 }
 
@@ -329,43 +289,42 @@ core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat fo
     for (std::size_t i = 0; i < participants.size(); ++i) {
         TELETA_TRY(const std::vector<SessionRecord> sessions, store.sessions(participants[i]));
         for (const SessionRecord& session : sessions) {
-            const core::Expected<void> done =
-                writeSession(store, participants[i], labels[i], session, format);
-            TELETA_CHECK(done);
+            TELETA_CHECK(writeSession(store, participants[i], labels[i], session, format));
             ++written;
         }
-        const core::Expected<void> beside =
-            writeAnswers(store, participants[i], labels[i], format).and_then([&] {
-                return writeNotes(store, participants[i], labels[i], format);
-            });
-        TELETA_CHECK(beside);
+        TELETA_CHECK(writeAnswers(store, participants[i], labels[i], format));
+        TELETA_CHECK(writeNotes(store, participants[i], labels[i], format));
     }
     return written;
 }
 
 core::Expected<void> exportAnswers(const StudyStore& store, const Participant& participant,
                                    ExportFormat format) {
-    return labelOf(store, participant).and_then([&](const std::string& label) {
-        return writeAnswers(store, participant, label, format);
-    });
+    TELETA_TRY(const std::string label, labelOf(store, participant));
+    return writeAnswers(store, participant, label, format);
 }
 
 core::Expected<void> exportNotes(const StudyStore& store, const Participant& participant,
                                  ExportFormat format) {
-    return labelOf(store, participant).and_then([&](const std::string& label) {
-        return writeNotes(store, participant, label, format);
-    });
+    TELETA_TRY(const std::string label, labelOf(store, participant));
+    return writeNotes(store, participant, label, format);
 }
 
 core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
                                    const SessionRecord& session, ExportFormat format) {
-    if (const core::Expected<void> described = writeDescription(store, format); !described)
-        return described;
-    return labelOf(store, participant).and_then([&](const std::string& label) {
-        return writeSession(store, participant, label, session, format)
-            .and_then([&] { return writeAnswers(store, participant, label, format); })
-            .and_then([&] { return writeNotes(store, participant, label, format); });
-    });
+    TELETA_CHECK(writeDescription(store, format));
+    TELETA_TRY(const std::string label, labelOf(store, participant));
+    TELETA_CHECK(writeSession(store, participant, label, session, format));
+    TELETA_CHECK(writeAnswers(store, participant, label, format));
+    return writeNotes(store, participant, label, format);
+}
+
+core::Expected<std::string> analysisScript() {
+    QFile file(QStringLiteral(":/studies/analysis.R"));
+    if (!file.open(QIODevice::ReadOnly))
+        return core::failed(core::ErrorKind::notFound, file.errorString(), {},
+                            {file.fileName().toStdString()});
+    return file.readAll().toStdString();
 }
 
 } // namespace teleta::study

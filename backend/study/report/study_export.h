@@ -41,4 +41,8 @@ enum class ExportFormat { psychds, bids, excel };
 [[nodiscard]] core::Expected<void> exportNotes(const StudyStore& store, const Participant& participant,
                                                ExportFormat format);
 
+/// The R script that analyses a study again, from the exported trials or from confusion_long.csv, and writes
+/// summary_r.csv and anova_r.csv; the resource :/studies/analysis.R. Error: notFound. Thread: any.
+[[nodiscard]] core::Expected<std::string> analysisScript();
+
 } // namespace teleta::study

@@ -4,10 +4,8 @@
 #include "backend/core/data/output_file.h"
 #include "backend/figure/round_step.h"
 #include "backend/study/report/confusion_figure.h"
-#include "backend/study/report/watermark.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QString>
 
 #include <algorithm>
@@ -298,26 +296,14 @@ std::vector<StudyFigure> studyFigures(const std::vector<TaskResults>& results, s
 
 core::Expected<void> writeFigures(const std::vector<TaskResults>& results, const std::string& folder,
                                   std::optional<Mode> mode, const std::vector<FigureFormat>& formats) {
-    const QDir directory(QDir(QString::fromStdString(folder)).filePath(QStringLiteral("figures")));
-    if (!directory.mkpath(QStringLiteral(".")))
-        return core::Unexpected(core::Error{core::ErrorKind::ioFailed,
-                                            ChartText::tr("cannot make the folder").toStdString(),
-                                            {},
-                                            {directory.path().toStdString()}});
-    const std::vector<StudyFigure> figures = studyFigures(results, mode);
-    for (const StudyFigure& figure : figures) {
+    const std::string figures = folder + "/figures";
+    TELETA_CHECK(core::makeFolder(figures));
+    for (const StudyFigure& figure : studyFigures(results, mode)) {
         const std::string svg = figure.picture.standalone();
         for (const FigureFormat& format : formats) {
-            const core::Expected<std::string> content =
-                format.convert ? format.convert(svg) : core::Expected<std::string>(svg);
-            TELETA_CHECK(content);
-            TELETA_TRY(core::OutputFile file,
-                       core::OutputFile::create(
-                           directory.filePath(QString::fromStdString(figure.name + '.' + format.extension))
-                               .toStdString()));
-            file.write(*content);
-            if (const core::Expected<void> finished = file.finish(); !finished)
-                return finished;
+            TELETA_TRY(const std::string content,
+                       format.convert ? format.convert(svg) : core::Expected<std::string>(svg));
+            TELETA_CHECK(core::writeFile(figures + '/' + figure.name + '.' + format.extension, content));
         }
     }
     return {};

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/csv_writer.h"
-#include "backend/study/analysis/analysis_script.h"
 #include "backend/study/analysis/study_results.h"
-
-#include <QCoreApplication>
-#include <QDir>
-#include <QString>
+#include "backend/study/report/study_export.h"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +10,6 @@
 namespace teleta::study {
 
 namespace {
-
-struct FilesText {
-    Q_DECLARE_TR_FUNCTIONS(StudyFiles)
-};
 
 using Results = std::vector<TaskResults>;
 
@@ -144,9 +136,9 @@ void writeAnova(const TaskResults& task, core::CsvWriter& csv) {
 }
 
 template <std::size_t Columns>
-core::Expected<void> writeFile(const Results& results, const std::string& path,
-                               const std::array<std::string_view, Columns>& columns,
-                               void (*write)(const TaskResults&, core::CsvWriter&)) {
+core::Expected<void> writeTable(const Results& results, const std::string& path,
+                                const std::array<std::string_view, Columns>& columns,
+                                void (*write)(const TaskResults&, core::CsvWriter&)) {
     TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, columns));
     for (const TaskResults& task : results)
         write(task, csv);
@@ -156,19 +148,13 @@ core::Expected<void> writeFile(const Results& results, const std::string& path,
 } // namespace
 
 core::Expected<void> writeResults(const Results& results, const std::string& folder) {
-    const QDir directory(QString::fromStdString(folder));
-    if (!directory.mkpath(QStringLiteral(".")))
-        return core::Unexpected(core::Error{
-            core::ErrorKind::ioFailed, FilesText::tr("cannot make the folder").toStdString(), {}, {folder}});
-    const auto path = [&](const char* name) { return directory.filePath(QLatin1String(name)).toStdString(); };
+    TELETA_CHECK(core::makeFolder(folder));
     TELETA_TRY(const std::string script, analysisScript());
-    TELETA_TRY(core::OutputFile scriptFile, core::OutputFile::create(path("analysis.R")));
-    scriptFile.write(script);
-    return writeFile(results, path("confusion_long.csv"), kConfusionColumns, writeConfusions)
-        .and_then([&] { return writeFile(results, path("summary.csv"), kSummaryColumns, writeSummary); })
-        .and_then([&] { return writeFile(results, path("group.csv"), kGroupColumns, writeGroups); })
-        .and_then([&] { return writeFile(results, path("anova.csv"), kAnovaColumns, writeAnova); })
-        .and_then([&] { return scriptFile.finish(); });
+    TELETA_CHECK(writeTable(results, folder + "/confusion_long.csv", kConfusionColumns, writeConfusions));
+    TELETA_CHECK(writeTable(results, folder + "/summary.csv", kSummaryColumns, writeSummary));
+    TELETA_CHECK(writeTable(results, folder + "/group.csv", kGroupColumns, writeGroups));
+    TELETA_CHECK(writeTable(results, folder + "/anova.csv", kAnovaColumns, writeAnova));
+    return core::writeFile(folder + "/analysis.R", script);
 }
 
 } // namespace teleta::study

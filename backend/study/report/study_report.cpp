@@ -6,7 +6,6 @@
 #include "backend/study/report/study_figures.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QString>
 #include <QStringList>
 
@@ -391,15 +390,8 @@ std::string reportHtml(const std::vector<TaskResults>& results, const ReportHead
 
 core::Expected<void> writeReport(const std::vector<TaskResults>& results, const ReportHeading& heading,
                                  const std::string& folder) {
-    const QDir directory(QString::fromStdString(folder));
-    if (!directory.mkpath(QStringLiteral(".")))
-        return core::Unexpected(core::Error{
-            core::ErrorKind::ioFailed, ReportText::tr("cannot make the folder").toStdString(), {}, {folder}});
-    core::Expected<core::OutputFile> file =
-        core::OutputFile::create(directory.filePath(QStringLiteral("report.html")).toStdString());
-    TELETA_CHECK(file);
-    file->write(reportHtml(results, heading));
-    return file->finish();
+    TELETA_CHECK(core::makeFolder(folder));
+    return core::writeFile(folder + "/report.html", reportHtml(results, heading));
 }
 
 } // namespace teleta::study

@@ -3,6 +3,7 @@
 
 #include "backend/core/data/output_file.h"
 #include "backend/core/data/wav_writer.h"
+#include "backend/core/failure.h"
 #include "backend/core/random_stream.h"
 
 #include <QCoreApplication>
@@ -26,8 +27,7 @@ struct NoiseText {
 constexpr std::size_t kMostSamples = std::size_t{1} << 26U;
 
 core::Unexpected outOfRange(const QString& message, const QString& expected) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {}});
+    return core::refused(message, expected);
 }
 
 } // namespace

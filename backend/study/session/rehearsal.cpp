@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/session/rehearsal.h"
 
+#include "backend/core/failure.h"
 #include "backend/study/protocol/stimulus_set.h"
 #include "backend/study/report/study_export.h"
 #include "backend/study/session/due_questionnaires.h"
@@ -88,18 +89,15 @@ private:
 core::Expected<RehearsalProgress> Rehearsal::run() {
     const StudyHead& head = m_store.head();
     if (head.mode != Mode::simulated)
-        return core::Unexpected(
-            core::Error{core::ErrorKind::refused,
-                        RehearsalText::tr("this study has real participants").toStdString(),
-                        RehearsalText::tr("a study created as a rehearsal").toStdString(),
-                        {m_store.folder()}});
+        return core::failed(core::ErrorKind::refused, RehearsalText::tr("this study has real participants"),
+                            RehearsalText::tr("a study created as a rehearsal"), {m_store.folder()});
     TELETA_TRY(std::vector<Participant> enrolled, m_store.participants());
     for (std::size_t i = 0; i < head.plannedParticipants && !m_progress.interrupted; ++i) {
         if (i == enrolled.size()) {
-            const core::Expected<Participant> participant =
-                m_store.enrol(QStringLiteral("P%1").arg(i + 1, 2, 10, QLatin1Char('0')).toStdString());
-            TELETA_CHECK(participant);
-            enrolled.push_back(*participant);
+            TELETA_TRY(
+                const Participant participant,
+                m_store.enrol(QStringLiteral("P%1").arg(i + 1, 2, 10, QLatin1Char('0')).toStdString()));
+            enrolled.push_back(participant);
         }
         const std::vector<PlannedSession> plan =
             planSessions(head.protocol, head.seed, enrolled[i].enrolment);
@@ -144,10 +142,7 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
                                            const PlannedSession& plan, const QDateTime& begin) {
     const StudyHead& head = m_store.head();
     TELETA_TRY(const SessionRecord record, m_store.beginSession(participant, planIndex, plan, begin));
-    if (const auto answered =
-            answerQuestionnaires(QuestionnaireTime::beforeSession, participant, record, plan, begin);
-        !answered)
-        return answered;
+    TELETA_CHECK(answerQuestionnaires(QuestionnaireTime::beforeSession, participant, record, plan, begin));
     const core::Expected<std::vector<StoredTrial>> kept = m_store.trials(record);
     TELETA_CHECK(kept);
     std::vector<TrialResult> done;
@@ -199,17 +194,12 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         flow.settle(now_ns);
         flow.next(now_ns);
     }
-    if (const auto answered = answerQuestionnaires(QuestionnaireTime::afterSession, participant, record, plan,
-                                                   begin.addMSecs(now_ns / 1'000'000));
-        !answered)
-        return answered;
+    TELETA_CHECK(answerQuestionnaires(QuestionnaireTime::afterSession, participant, record, plan,
+                                      begin.addMSecs(now_ns / 1'000'000)));
     if (record.finished)
         return {};
     // Before it counts as finished, so that a resumed rehearsal exports what an interrupted one did not.
-    if (const core::Expected<void> written =
-            exportSession(m_store, participant, record, ExportFormat::psychds);
-        !written)
-        return written;
+    TELETA_CHECK(exportSession(m_store, participant, record, ExportFormat::psychds));
     return m_store.finishSession(record);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/session/session.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -52,11 +54,8 @@ core::Expected<Session> Session::create(const Protocol& protocol, const PlannedS
         const PlannedTrial* next = session.current();
         if (next == nullptr || next->phase != result.planned.phase || next->trial != result.planned.trial ||
             next->attempt != result.planned.attempt || next->stimulus != result.planned.stimulus)
-            return core::Unexpected(core::Error{
-                core::ErrorKind::refused,
-                SessionText::tr("the stored trials do not belong to this session's plan").toStdString(),
-                SessionText::tr("the order given by the session's seed").toStdString(),
-                {}});
+            return core::refused(SessionText::tr("the stored trials do not belong to this session's plan"),
+                                 SessionText::tr("the order given by the session's seed"));
         session.m_queue.pop_front();
         ++session.m_shown[static_cast<int>(result.planned.phase)];
         if (!result.isComplete())

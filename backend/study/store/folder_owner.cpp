@@ -2,6 +2,7 @@
 #include "backend/study/store/folder_owner.h"
 
 #include "backend/core/data/output_file.h"
+#include "backend/core/failure.h"
 #include "backend/study/store/store_values.h"
 
 #include <QCoreApplication>
@@ -28,10 +29,8 @@ QString markOf(const std::string& folder) {
 
 core::Expected<void> checkFolderOwner(const std::string& folder, const StudyHead& head) {
     const auto refused = [&](const QString& message) {
-        return core::Unexpected(core::Error{core::ErrorKind::refused,
-                                            message.toStdString(),
-                                            OwnerText::tr("a separate folder for each study").toStdString(),
-                                            {folder}});
+        return core::failed(core::ErrorKind::refused, message,
+                            OwnerText::tr("a separate folder for each study"), {folder});
     };
     if (QFile::exists(QDir(QString::fromStdString(folder)).filePath(QStringLiteral("study.sqlite"))))
         return refused(OwnerText::tr("this folder already contains a study"));
@@ -39,11 +38,9 @@ core::Expected<void> checkFolderOwner(const std::string& folder, const StudyHead
     if (!mark.exists())
         return {};
     if (!mark.open(QIODevice::ReadOnly))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed,
-                        OwnerText::tr("cannot read the file: %1").arg(mark.errorString()).toStdString(),
-                        {},
-                        {mark.fileName().toStdString()}});
+        return core::failed(core::ErrorKind::ioFailed,
+                            OwnerText::tr("cannot read the file: %1").arg(mark.errorString()), {},
+                            {mark.fileName().toStdString()});
     try {
         const ordered_json json = ordered_json::parse(mark.readAll().toStdString());
         if (json.at("created_utc").get<std::string>() != timeText(head.created).toStdString() ||
@@ -51,33 +48,24 @@ core::Expected<void> checkFolderOwner(const std::string& folder, const StudyHead
             return refused(OwnerText::tr("this folder belongs to another study, on %1")
                                .arg(QString::fromStdString(json.at("server").get<std::string>())));
     } catch (const ordered_json::exception&) {
-        return core::Unexpected(core::Error{
-            core::ErrorKind::badInput,
-            OwnerText::tr("the file does not say which study the folder belongs to").toStdString(),
-            OwnerText::tr("server, created_utc and seed of a study").toStdString(),
-            {mark.fileName().toStdString()}});
+        return core::failed(core::ErrorKind::badInput,
+                            OwnerText::tr("the file does not say which study the folder belongs to"),
+                            OwnerText::tr("server, created_utc and seed of a study"),
+                            {mark.fileName().toStdString()});
     }
     return {};
 }
 
 core::Expected<void> ownFolder(const std::string& folder, const StudyHead& head,
                                const std::string& shownName) {
-    if (const core::Expected<void> free = checkFolderOwner(folder, head); !free)
-        return free;
+    TELETA_CHECK(checkFolderOwner(folder, head));
     if (QFile::exists(markOf(folder)))
         return {};
-    if (!QDir().mkpath(QString::fromStdString(folder)))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed,
-                        OwnerText::tr("cannot make the folder of the study").toStdString(),
-                        {},
-                        {folder}});
+    TELETA_CHECK(core::makeFolder(folder));
     const ordered_json mark{{"server", shownName},
                             {"created_utc", timeText(head.created).toStdString()},
                             {"seed", std::to_string(head.seed)}};
-    TELETA_TRY(core::OutputFile file, core::OutputFile::create(markOf(folder).toStdString()));
-    file.write(mark.dump(2) + '\n');
-    return file.finish();
+    return core::writeFile(markOf(folder).toStdString(), mark.dump(2) + '\n');
 }
 
 } // namespace teleta::study

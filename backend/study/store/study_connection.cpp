@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/store/study_connection.h"
 
+#include "backend/core/failure.h"
 #include "backend/study/store/study_schema.h"
 
 #include <QCoreApplication>
@@ -96,8 +97,7 @@ core::Expected<void> StudyConnection::configureServer() {
     const bool isPostgres =
         url.scheme() == QStringLiteral("postgresql") || url.scheme() == QStringLiteral("postgres");
     const auto badUrl = [&](const QString& message, const QString& expected) {
-        return core::Unexpected(core::Error{
-            core::ErrorKind::badInput, message.toStdString(), expected.toStdString(), {m_shownName}});
+        return core::failed(core::ErrorKind::badInput, message, expected, {m_shownName});
     };
     if (!url.isValid() || !isPostgres)
         return badUrl(ConnectionText::tr("this is not the address of a PostgreSQL server"),
@@ -145,15 +145,12 @@ core::Expected<void> StudyConnection::configureServer() {
 core::Expected<void> StudyConnection::open(Purpose purpose) {
     if (isServer()) {
         if (!m_database.isValid())
-            return core::Unexpected(core::Error{
-                core::ErrorKind::notFound,
-                ConnectionText::tr("Qt's driver for PostgreSQL is not installed").toStdString(),
-                ConnectionText::tr("the package %1").arg(QStringLiteral("libqt6sql6-psql")).toStdString(),
-                {}});
-        if (const core::Expected<void> configured = configureServer(); !configured)
-            return configured;
-    } else if (const core::Expected<void> configured = configureFile(purpose); !configured) {
-        return configured;
+            return core::failed(core::ErrorKind::notFound,
+                                ConnectionText::tr("Qt's driver for PostgreSQL is not installed"),
+                                ConnectionText::tr("the package %1").arg(QStringLiteral("libqt6sql6-psql")));
+        TELETA_CHECK(configureServer());
+    } else {
+        TELETA_CHECK(configureFile(purpose));
     }
     if (m_isReadOnly)
         return connect().and_then([&] { return readFile(); });
@@ -166,10 +163,8 @@ core::Expected<void> StudyConnection::open(Purpose purpose) {
 core::Expected<void> StudyConnection::configureFile(Purpose purpose) {
     const QString file = QString::fromStdString(m_shownName);
     if (purpose != Purpose::create && !QFileInfo::exists(file))
-        return core::Unexpected(core::Error{core::ErrorKind::notFound,
-                                            ConnectionText::tr("there is no study here").toStdString(),
-                                            ConnectionText::tr("a folder with study.sqlite").toStdString(),
-                                            {m_location.folder}});
+        return core::failed(core::ErrorKind::notFound, ConnectionText::tr("there is no study here"),
+                            ConnectionText::tr("a folder with study.sqlite"), {m_location.folder});
     QString options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(kWaitForOthers_ms);
     m_database.setDatabaseName(file);
     m_isReadOnly = purpose == Purpose::read;
@@ -199,23 +194,19 @@ core::Expected<void> StudyConnection::readFile() {
         return open(Purpose::open);
     }
     if (!isRead && hasLog(QString::fromStdString(m_shownName)))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed,
-                        ConnectionText::tr("the program that ran this study was interrupted; its last trials "
-                                           "are in %1, which can be read only in a writable folder")
-                            .arg(QStringLiteral("study.sqlite-wal"))
-                            .toStdString(),
-                        ConnectionText::tr("a copy of the whole folder in a writable place").toStdString(),
-                        {m_shownName}});
+        return core::failed(
+            core::ErrorKind::ioFailed,
+            ConnectionText::tr("the program that ran this study was interrupted; its last trials "
+                               "are in %1, which can be read only in a writable folder")
+                .arg(QStringLiteral("study.sqlite-wal")),
+            ConnectionText::tr("a copy of the whole folder in a writable place"), {m_shownName});
     if (!isRead)
         return failed(ConnectionText::tr("cannot read the study: %1"), query.lastError());
     if (schema >= 0 && schema < currentSchema())
-        return core::Unexpected(core::Error{
+        return core::failed(
             core::ErrorKind::refused,
-            ConnectionText::tr("this study was made by an older program and cannot be upgraded here")
-                .toStdString(),
-            ConnectionText::tr("a copy of the whole folder in a writable place").toStdString(),
-            {m_shownName}});
+            ConnectionText::tr("this study was made by an older program and cannot be upgraded here"),
+            ConnectionText::tr("a copy of the whole folder in a writable place"), {m_shownName});
     return migrateSchema(m_database, m_shownName, [this](const QSqlError& error) { return kindOf(error); });
 }
 
@@ -264,22 +255,19 @@ core::Expected<void> StudyConnection::connect() {
 core::Expected<void> StudyConnection::chooseSchema(Purpose purpose) {
     if (!isServer())
         return {};
-    auto found = execute(QStringLiteral("SELECT 1 FROM pg_namespace WHERE nspname = ?"), {m_schema});
-    TELETA_CHECK(found);
-    if (!found->next()) {
+    TELETA_TRY(auto found,
+               execute(QStringLiteral("SELECT 1 FROM pg_namespace WHERE nspname = ?"), {m_schema}));
+    if (!found.next()) {
         if (purpose != Purpose::create)
-            return core::Unexpected(
-                core::Error{core::ErrorKind::notFound,
-                            ConnectionText::tr("the server has no study \"%1\"").arg(m_schema).toStdString(),
-                            ConnectionText::tr("the name of a study on that server").toStdString(),
-                            {m_shownName}});
+            return core::failed(core::ErrorKind::notFound,
+                                ConnectionText::tr("the server has no study \"%1\"").arg(m_schema),
+                                ConnectionText::tr("the name of a study on that server"), {m_shownName});
         const auto made = execute(QStringLiteral("CREATE SCHEMA IF NOT EXISTS %1").arg(m_schema), {});
         // Another station may create it at the same moment.
         if (!made && made.error().kind != core::ErrorKind::refused)
             return core::Unexpected(made.error());
     }
-    const auto chosen = execute(QStringLiteral("SET search_path = %1").arg(m_schema), {});
-    TELETA_CHECK(chosen);
+    TELETA_CHECK(execute(QStringLiteral("SET search_path = %1").arg(m_schema), {}));
     return {};
 }
 
@@ -318,10 +306,9 @@ core::Expected<void> StudyConnection::lockAgain() {
     int tries = 0;
     for (const long long key : m_locks) {
         while (true) {
-            auto query = execute(kTryLock, {m_schema, key});
-            TELETA_CHECK(query);
-            query->next();
-            if (query->value(0).toBool())
+            TELETA_TRY(auto query, execute(kTryLock, {m_schema, key}));
+            query.next();
+            if (query.value(0).toBool())
                 break;
             if (!*orphaned)
                 return refused(
@@ -329,13 +316,11 @@ core::Expected<void> StudyConnection::lockAgain() {
                         "another station took over this participant while the server was unreachable"),
                     ConnectionText::tr("one session of a participant at a time"));
             if (++tries > kTriesForOrphans)
-                return core::Unexpected(core::Error{
+                return core::failed(
                     core::ErrorKind::unavailable,
                     ConnectionText::tr(
-                        "the server still holds the broken connection, and with it this participant")
-                        .toStdString(),
-                    ConnectionText::tr("another try in a moment").toStdString(),
-                    {m_shownName}});
+                        "the server still holds the broken connection, and with it this participant"),
+                    ConnectionText::tr("another try in a moment"), {m_shownName});
             TELETA_CHECK(execute(QStringLiteral("SELECT pg_sleep(0.1)"), {}));
             orphaned = endOrphans();
             TELETA_CHECK(orphaned);
@@ -370,11 +355,8 @@ core::Expected<QSqlQuery> StudyConnection::execute(const QString& sql, const QVa
 core::Expected<void> StudyConnection::inTransaction(const std::function<core::Expected<void>()>& work) {
     TELETA_CHECK(run(QStringLiteral("BEGIN")));
     m_inTransaction = true;
-    core::Expected<void> done = work();
-    if (done) {
-        if (const auto committed = execute(QStringLiteral("COMMIT"), {}); !committed)
-            done = core::Unexpected(committed.error());
-    }
+    const core::Expected<void> done =
+        work().and_then([&] { return execute(QStringLiteral("COMMIT"), {}); }).map([](const QSqlQuery&) {});
     if (!done)
         (void)execute(QStringLiteral("ROLLBACK"), {});
     m_inTransaction = false;
@@ -384,10 +366,9 @@ core::Expected<void> StudyConnection::inTransaction(const std::function<core::Ex
 core::Expected<bool> StudyConnection::lock(long long key) {
     if (m_locks.contains(key))
         return false;
-    auto query = run(kTryLock, {m_schema, key});
-    TELETA_CHECK(query);
-    query->next();
-    const bool taken = query->value(0).toBool();
+    TELETA_TRY(auto query, run(kTryLock, {m_schema, key}));
+    query.next();
+    const bool taken = query.value(0).toBool();
     if (taken)
         m_locks.insert(key);
     return taken;
@@ -402,16 +383,16 @@ void StudyConnection::unlock(long long key) {
 core::Expected<std::string> StudyConnection::lockedBy(long long key) {
     if (m_locks.contains(key))
         return QSysInfo::machineHostName().toStdString();
-    auto query = run(
-        QStringLiteral("SELECT application_name FROM pg_locks JOIN pg_stat_activity USING (pid) "
+    TELETA_TRY(auto query,
+               run(QStringLiteral(
+                       "SELECT application_name FROM pg_locks JOIN pg_stat_activity USING (pid) "
                        "WHERE locktype = 'advisory' AND classid::bigint = hashtext(?)::bigint & 4294967295 "
                        "AND objid::bigint = ? AND objsubid = 2 AND granted AND pid <> pg_backend_pid() "
                        "AND datname = current_database()"),
-        {m_schema, key});
-    TELETA_CHECK(query);
-    if (!query->next())
+                   {m_schema, key}));
+    if (!query.next())
         return std::string();
-    const std::string name = query->value(0).toString().toStdString();
+    const std::string name = query.value(0).toString().toStdString();
     return name.empty() ? ConnectionText::tr("another station").toStdString() : name;
 }
 
@@ -440,21 +421,18 @@ core::Unexpected StudyConnection::failed(const QString& what, const QSqlError& e
     constexpr int kReadOnly = 8;
     if (!isServer() && (error.nativeErrorCode().toInt() & 0xFF) == kReadOnly)
         reason = ConnectionText::tr("it is read-only here");
-    return core::Unexpected(core::Error{kindOf(error), what.arg(reason).toStdString(), {}, {m_shownName}});
+    return core::failed(kindOf(error), what.arg(reason), {}, {m_shownName});
 }
 
 core::Unexpected StudyConnection::damaged() const {
-    return core::Unexpected(core::Error{
+    return core::failed(
         core::ErrorKind::badInput,
-        ConnectionText::tr("the study is damaged: a session or trial has a number outside its protocol")
-            .toStdString(),
-        {},
-        {m_shownName}});
+        ConnectionText::tr("the study is damaged: a session or trial has a number outside its protocol"), {},
+        {m_shownName});
 }
 
 core::Unexpected StudyConnection::refused(const QString& message, const QString& expected) const {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::refused, message.toStdString(), expected.toStdString(), {m_shownName}});
+    return core::failed(core::ErrorKind::refused, message, expected, {m_shownName});
 }
 
 } // namespace teleta::study

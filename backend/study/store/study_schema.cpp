@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/store/study_schema.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 #include <QSqlError>
 #include <QSqlQuery>
@@ -141,7 +143,7 @@ int currentSchema() {
 core::Expected<void> migrateSchema(QSqlDatabase& database, const std::string& name,
                                    const std::function<core::ErrorKind(const QSqlError&)>& kindOf) {
     const auto refused = [&](core::ErrorKind kind, const QString& message) {
-        return core::Unexpected(core::Error{kind, message.toStdString(), {}, {name}});
+        return core::failed(kind, message, {}, {name});
     };
     const auto failed = [&](const QString& what, const QSqlError& error) {
         return refused(kindOf(error), what.arg(error.databaseText()));
@@ -170,8 +172,7 @@ core::Expected<void> migrateSchema(QSqlDatabase& database, const std::string& na
     const std::optional<int> found = migration.begin();
     if (!found)
         return failed(SchemaText::tr("cannot read the study: %1"), migration.lastError());
-    if (const core::Expected<void> isUsable = usable(*found); !isUsable)
-        return isUsable;
+    TELETA_CHECK(usable(*found));
     for (int schema = *found; schema < currentSchema(); ++schema) {
         if (!migration.step(schema))
             return failed(SchemaText::tr("cannot write the study: %1"), migration.lastError());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/store/study_store.h"
 
+#include "backend/core/data/output_file.h"
+#include "backend/core/failure.h"
 #include "backend/study/store/file_claim.h"
 #include "backend/study/store/folder_owner.h"
 #include "backend/study/store/store_values.h"
@@ -56,65 +58,28 @@ std::optional<bool> StudyHead::stimuliChanged() const {
     return stimulusSetSha256.empty() ? std::nullopt : std::optional(stimulusSetSha256 != stimuli.sha256());
 }
 
-ParticipantClaim::ParticipantClaim(std::unique_ptr<Hold> hold)
-    : m_hold(std::move(hold)) {
-}
-ParticipantClaim::~ParticipantClaim() = default;
-ParticipantClaim::ParticipantClaim(ParticipantClaim&&) noexcept = default;
-ParticipantClaim& ParticipantClaim::operator=(ParticipantClaim&&) noexcept = default;
-
-StudyStore::StudyStore(std::shared_ptr<StudyConnection> connection)
-    : m_connection(std::move(connection)) {
-}
-StudyStore::~StudyStore() = default;
-StudyStore::StudyStore(StudyStore&&) noexcept = default;
-StudyStore& StudyStore::operator=(StudyStore&&) noexcept = default;
-
-const StoreLocation& StudyStore::location() const {
-    return m_connection->location();
-}
-
-const std::string& StudyStore::folder() const {
-    return m_connection->location().folder;
-}
-
-const std::string& StudyStore::shownName() const {
-    return m_connection->shownName();
-}
-
 core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, const StudyHead& head) {
     // A study needs a pattern for every stimulus.
     TELETA_TRY(const std::vector<OwnStimulus> own, readOwnStimuli(head.protocol));
     // A bad server address fails before anything is created here.
-    const bool isOnServer = !location.server.empty();
-    if (const core::Expected<void> free =
-            isOnServer ? checkFolderOwner(location.folder, head) : core::Expected<void>();
-        !free)
-        return core::Unexpected(free.error());
-    if (!isOnServer && !QDir().mkpath(QString::fromStdString(location.folder)))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::ioFailed,
-                        StoreText::tr("cannot make the folder of the study").toStdString(),
-                        {},
-                        {location.folder}});
+    TELETA_CHECK(location.server.empty() ? core::makeFolder(location.folder)
+                                         : checkFolderOwner(location.folder, head));
     StudyStore store(std::make_shared<StudyConnection>(location));
     StudyConnection& connection = *store.m_connection;
     TELETA_CHECK(connection.open(StudyConnection::Purpose::create));
     // The row is unique: of two programs that create the same study only one succeeds.
     const core::Expected<void> made = connection.inTransaction([&]() -> core::Expected<void> {
-        const auto row =
+        TELETA_CHECK(
             connection.run(QStringLiteral("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)"),
                            {QString::fromStdString(head.protocol.source), QString::number(head.seed),
-                            QString::fromLatin1(toString(head.mode)), number(head.plannedParticipants),
+                            QString::fromLatin1(toString(head.mode)), sqlValue(head.plannedParticipants),
                             head.lapses, timeText(head.created), QString::fromStdString(head.appVersion),
-                            QString::fromStdString(stimulusSetSha256(head.protocol, own))});
-        TELETA_CHECK(row);
+                            QString::fromStdString(stimulusSetSha256(head.protocol, own))}));
         for (const OwnStimulus& one : own) {
-            const auto copied =
+            TELETA_CHECK(
                 connection.run(QStringLiteral("INSERT INTO stimulus (id, file, pattern) VALUES (?, ?, ?)"),
                                {QString::fromStdString(one.id), QString::fromStdString(one.file),
-                                QString::fromStdString(one.json)});
-            TELETA_CHECK(copied);
+                                QString::fromStdString(one.json)}));
         }
         return {};
     });
@@ -134,10 +99,6 @@ core::Expected<void> StudyStore::ownFolder() const {
                                     : core::Expected<void>();
 }
 
-bool StudyStore::isReadOnly() const {
-    return m_connection->isReadOnly();
-}
-
 core::Expected<StudyStore> StudyStore::openForReading(const StoreLocation& location) {
     return opened(location, StudyConnection::Purpose::read);
 }
@@ -145,10 +106,7 @@ core::Expected<StudyStore> StudyStore::openForReading(const StoreLocation& locat
 core::Expected<StudyStore> StudyStore::opened(const StoreLocation& location,
                                               StudyConnection::Purpose purpose) {
     StudyStore store(std::make_shared<StudyConnection>(location));
-    if (const core::Expected<void> done =
-            store.m_connection->open(purpose).and_then([&] { return store.readHead(); });
-        !done)
-        return core::Unexpected(done.error());
+    TELETA_CHECK(store.m_connection->open(purpose).and_then([&] { return store.readHead(); }));
     return store;
 }
 
@@ -166,33 +124,27 @@ core::Expected<StudyStore> StudyStore::open(const StoreLocation& location) {
 }
 
 core::Expected<void> StudyStore::readHead() {
-    auto query =
-        m_connection->run(QStringLiteral("SELECT protocol, seed, mode, planned_participants, lapses, "
-                                         "created_utc, app_version, stimulus_set_sha256 FROM study"));
-    TELETA_CHECK(query);
-    if (!query->next())
-        return core::Unexpected(
-            core::Error{core::ErrorKind::badInput,
-                        StoreText::tr("the study was not created completely").toStdString(),
-                        {},
-                        {m_connection->shownName()}});
-    core::Expected<Protocol> protocol =
-        parseProtocol(query->value(0).toString().toStdString(), m_connection->shownName());
+    TELETA_TRY(auto query,
+               m_connection->run(QStringLiteral("SELECT protocol, seed, mode, planned_participants, lapses, "
+                                                "created_utc, app_version, stimulus_set_sha256 FROM study")));
+    if (!query.next())
+        return core::failed(core::ErrorKind::badInput, StoreText::tr("the study was not created completely"),
+                            {}, {m_connection->shownName()});
+    core::Expected<Protocol> protocol = parseProtocol(stringOf(query.value(0)), m_connection->shownName());
     TELETA_CHECK(protocol);
     m_head.protocol = std::move(*protocol);
-    m_head.seed = query->value(1).toString().toULongLong();
-    m_head.mode = modeOf(query->value(2).toString().toStdString()).value_or(Mode::run);
-    m_head.plannedParticipants = count(query->value(3));
-    m_head.lapses = query->value(4).toDouble();
-    m_head.created = timeOf(query->value(5).toString());
-    m_head.appVersion = query->value(6).toString().toStdString();
-    m_head.stimulusSetSha256 = query->value(7).toString().toStdString();
+    m_head.seed = query.value(1).toString().toULongLong();
+    m_head.mode = modeOf(stringOf(query.value(2))).value_or(Mode::run);
+    m_head.plannedParticipants = count(query.value(3));
+    m_head.lapses = query.value(4).toDouble();
+    m_head.created = timeOf(query.value(5).toString());
+    m_head.appVersion = stringOf(query.value(6));
+    m_head.stimulusSetSha256 = stringOf(query.value(7));
     TELETA_TRY(auto copies,
                m_connection->run(QStringLiteral("SELECT id, file, pattern FROM stimulus ORDER BY id")));
     std::vector<OwnStimulus> own;
     while (copies.next())
-        own.push_back({copies.value(0).toString().toStdString(), copies.value(1).toString().toStdString(),
-                       copies.value(2).toString().toStdString()});
+        own.push_back({stringOf(copies.value(0)), stringOf(copies.value(1)), stringOf(copies.value(2))});
     core::Expected<StimulusSet> stimuli =
         StimulusSet::of(m_head.protocol, std::move(own), m_connection->shownName());
     TELETA_CHECK(stimuli);
@@ -220,12 +172,12 @@ core::Expected<Participant> StudyStore::enrol(const std::string& id) {
                               {text});
         if (!made && made.error().kind != core::ErrorKind::refused)
             return core::Unexpected(made.error());
-        auto query =
-            m_connection->run(QStringLiteral("SELECT key, enrolment FROM participant WHERE id = ?"), {text});
-        TELETA_CHECK(query);
-        const bool isThere = query->next();
+        TELETA_TRY(
+            auto query,
+            m_connection->run(QStringLiteral("SELECT key, enrolment FROM participant WHERE id = ?"), {text}));
+        const bool isThere = query.next();
         if (isThere && made)
-            return Participant{query->value(0).toLongLong(), id, count(query->value(1))};
+            return Participant{query.value(0).toLongLong(), id, count(query.value(1))};
         if (isThere)
             return m_connection->refused(
                 StoreText::tr("the participant \"%1\" is already enrolled").arg(text),
@@ -236,18 +188,16 @@ core::Expected<Participant> StudyStore::enrol(const std::string& id) {
 }
 
 core::Expected<std::vector<Participant>> StudyStore::participants() const {
-    auto query =
-        m_connection->run(QStringLiteral("SELECT key, id, enrolment FROM participant ORDER BY enrolment"));
-    TELETA_CHECK(query);
+    TELETA_TRY(auto query, m_connection->run(QStringLiteral(
+                               "SELECT key, id, enrolment FROM participant ORDER BY enrolment")));
     std::vector<Participant> all;
-    while (query->next())
-        all.push_back(
-            {query->value(0).toLongLong(), query->value(1).toString().toStdString(), count(query->value(2))});
+    while (query.next())
+        all.push_back({query.value(0).toLongLong(), stringOf(query.value(1)), count(query.value(2))});
     return all;
 }
 
 core::Expected<ParticipantClaim> StudyStore::claim(const Participant& participant) {
-    auto hold = std::make_unique<ParticipantClaim::Hold>();
+    auto hold = std::make_shared<ParticipantClaim::Hold>();
     const auto taken = [&](const std::string& who) {
         return m_connection->refused(
             StoreText::tr("\"%1\" is already in a session at %2")
@@ -283,13 +233,11 @@ core::Expected<std::optional<std::string>> StudyStore::runner(const Participant&
 core::Expected<SessionRecord> StudyStore::beginSession(const Participant& participant, std::size_t planIndex,
                                                        const PlannedSession& plan, const QDateTime& now) {
     if (m_head.stimuliChanged().value_or(false))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::refused,
-                        StoreText::tr("the patterns have changed since this study was created").toStdString(),
-                        StoreText::tr("version %1 of the program, or a new study")
-                            .arg(QString::fromStdString(m_head.appVersion))
-                            .toStdString(),
-                        {shownName()}});
+        return core::failed(core::ErrorKind::refused,
+                            StoreText::tr("the patterns have changed since this study was created"),
+                            StoreText::tr("version %1 of the program, or a new study")
+                                .arg(QString::fromStdString(m_head.appVersion)),
+                            {shownName()});
     const QString second = now.toUTC().toString(QStringLiteral("yyyyMMdd'T'HHmmss"));
     constexpr int kMostRefusals = 10;
     int refusals = 0;
@@ -306,7 +254,7 @@ core::Expected<SessionRecord> StudyStore::beginSession(const Participant& partic
             continue;
         const auto made = m_connection->run(
             QStringLiteral("INSERT INTO session (participant, id, plan_index, seed) VALUES (?, ?, ?, ?)"),
-            {participant.key, id, number(planIndex), QString::number(plan.seed)});
+            {participant.key, id, sqlValue(planIndex), QString::number(plan.seed)});
         if (made)
             continue; // the next round reads it
         // Another station may just have begun this session or taken this name; the next round sees it. Any
@@ -317,23 +265,21 @@ core::Expected<SessionRecord> StudyStore::beginSession(const Participant& partic
 }
 
 core::Expected<void> StudyStore::finishSession(const SessionRecord& session) {
-    const auto done =
-        m_connection->run(QStringLiteral("UPDATE session SET finished = 1 WHERE key = ?"), {session.key});
-    TELETA_CHECK(done);
+    TELETA_CHECK(
+        m_connection->run(QStringLiteral("UPDATE session SET finished = 1 WHERE key = ?"), {session.key}));
     return {};
 }
 
 core::Expected<std::vector<SessionRecord>> StudyStore::sessions(const Participant& participant) const {
-    auto query = m_connection->run(
-        QStringLiteral(
-            "SELECT key, id, plan_index, finished FROM session WHERE participant = ? ORDER BY plan_index"),
-        {participant.key});
-    TELETA_CHECK(query);
+    TELETA_TRY(auto query,
+               m_connection->run(QStringLiteral("SELECT key, id, plan_index, finished FROM session WHERE "
+                                                "participant = ? ORDER BY plan_index"),
+                                 {participant.key}));
     const std::size_t planned = planSessions(m_head.protocol, m_head.seed, participant.enrolment).size();
     std::vector<SessionRecord> all;
-    while (query->next()) {
-        all.push_back({query->value(0).toLongLong(), query->value(1).toString().toStdString(),
-                       count(query->value(2)), query->value(3).toInt() != 0});
+    while (query.next()) {
+        all.push_back({query.value(0).toLongLong(), stringOf(query.value(1)), count(query.value(2)),
+                       query.value(3).toInt() != 0});
         if (all.back().planIndex >= planned)
             return m_connection->damaged();
     }

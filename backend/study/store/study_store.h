@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace teleta::study {
@@ -69,18 +70,13 @@ struct StoredAnswer {
 };
 
 /// Keeps everybody else from running a participant while it exists; it is also released when the program ends
-/// in any way, or loses the server. It may outlive its store.
+/// in any way, or loses the server. Copies share it. It may outlive its store.
 class ParticipantClaim {
-public:
-    ~ParticipantClaim();
-    ParticipantClaim(ParticipantClaim&&) noexcept;
-    ParticipantClaim& operator=(ParticipantClaim&&) noexcept;
-
-private:
     friend class StudyStore;
     struct Hold;
-    explicit ParticipantClaim(std::unique_ptr<Hold> hold);
-    std::unique_ptr<Hold> m_hold;
+    explicit ParticipantClaim(std::shared_ptr<const Hold> hold)
+        : m_hold(std::move(hold)) {}
+    std::shared_ptr<const Hold> m_hold;
 };
 
 /// The data of a study: one SQLite file, study.sqlite, in the study's folder. Write-ahead log, synchronous
@@ -91,6 +87,9 @@ private:
 /// several processes may have the same study open.
 class StudyStore {
 public:
+    StudyStore(StudyStore&&) = default;
+    StudyStore& operator=(StudyStore&&) = default;
+
     /// Creates the folder and the store, with copies of the pattern files that the protocol names. Error:
     /// refused when a study exists, what readOwnStimuli() reports, ioFailed, unavailable.
     [[nodiscard]] static core::Expected<StudyStore> create(const StoreLocation& location,
@@ -107,17 +106,13 @@ public:
     /// programs, which have to be copied first.
     [[nodiscard]] static core::Expected<StudyStore> openForReading(const StoreLocation& location);
 
-    ~StudyStore();
-    StudyStore(StudyStore&&) noexcept;
-    StudyStore& operator=(StudyStore&&) noexcept;
-
     [[nodiscard]] const StudyHead& head() const { return m_head; }
-    [[nodiscard]] const StoreLocation& location() const;
-    [[nodiscard]] const std::string& folder() const;
+    [[nodiscard]] const StoreLocation& location() const { return m_connection->location(); }
+    [[nodiscard]] const std::string& folder() const { return location().folder; }
     /// Opened for reading: writes are refused.
-    [[nodiscard]] bool isReadOnly() const;
+    [[nodiscard]] bool isReadOnly() const { return m_connection->isReadOnly(); }
     /// The file, or the server without any password: for people.
-    [[nodiscard]] const std::string& shownName() const;
+    [[nodiscard]] const std::string& shownName() const { return m_connection->shownName(); }
 
     /// For a study on a server: checks that its folder does not belong to another study, and marks it. Error:
     /// refused when it does; ioFailed.
@@ -168,7 +163,8 @@ public:
     [[nodiscard]] core::Expected<std::vector<StoredAnswer>> answers(const Participant& participant) const;
 
 private:
-    explicit StudyStore(std::shared_ptr<StudyConnection> connection);
+    explicit StudyStore(std::shared_ptr<StudyConnection> connection)
+        : m_connection(std::move(connection)) {}
     [[nodiscard]] static core::Expected<StudyStore> opened(const StoreLocation& location,
                                                            StudyConnection::Purpose purpose);
     [[nodiscard]] core::Expected<void> readHead();

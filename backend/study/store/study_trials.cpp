@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/failure.h"
 #include "backend/study/store/store_values.h"
 #include "backend/study/store/study_store.h"
+#include "backend/study/store/trial_fields.h"
 #include "backend/study/store/trial_journal.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <algorithm>
 #include <utility>
@@ -46,36 +49,17 @@ bool isSameTrial(const PlannedTrial& a, const PlannedTrial& b) {
 } // namespace
 
 core::Expected<void> StudyStore::insertTrial(long long session, const StoredTrial& trial) {
-    const TrialResult& result = trial.result;
-    const auto kept = m_connection->run(
-        QStringLiteral(
-            "INSERT INTO trial (session, phase, trial, attempt, trial_in_block, repetition, stimulus, "
-            "response, outcome, response_time_s, response_time_offset_s, response_device, response_key, "
-            "n_replays, early_presses, onset_s, duration_s, device_latency_ms, device_faults, time_utc, "
-            "frame_write_ms, frames_missed) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-        {session,
-         QString::fromLatin1(toString(result.planned.phase)),
-         number(result.planned.trial),
-         number(result.planned.attempt),
-         number(result.trialInBlock),
-         number(result.planned.repetition),
-         number(result.planned.stimulus),
-         orNull(result.response),
-         QString::fromLatin1(toString(result.outcome)),
-         orNull(result.responseTime_s),
-         orNull(result.responseTimeOffset_s),
-         orNull(result.responseDevice),
-         orNull(result.responseKey),
-         number(result.replays),
-         number(result.earlyPresses),
-         result.onset_s,
-         result.duration_s,
-         orNull(result.deviceLatency_ms),
-         number(result.deviceFaults),
-         timeText(trial.time),
-         orNull(result.frameWrite_ms),
-         orNull(result.framesMissed)});
+    QStringList names{QStringLiteral("session")};
+    QVariantList values{session};
+    forEachField(trial, [&](const char* name, const auto& field) {
+        names << QLatin1String(name);
+        values << sqlValue(field);
+    });
+    const auto kept =
+        m_connection->run(QStringLiteral("INSERT INTO trial (%1) VALUES (%2)")
+                              .arg(names.join(QStringLiteral(", ")),
+                                   QStringList(names.size(), QStringLiteral("?")).join(QStringLiteral(", "))),
+                          values);
     if (!kept && kept.error().kind == core::ErrorKind::refused)
         return m_connection->refused(TrialsText::tr("this trial is already stored"),
                                      TrialsText::tr("each attempt of a trial once"));
@@ -96,19 +80,20 @@ core::Expected<void> StudyStore::insertUnlessKept(long long session, const Store
     if (kept || kept.error().kind != core::ErrorKind::refused)
         return kept;
     const TrialResult& result = trial.result;
-    auto query = m_connection->run(
-        QStringLiteral("SELECT outcome, response, response_time_s, stimulus, onset_s, duration_s FROM trial "
+    TELETA_TRY(auto query,
+               m_connection->run(
+                   QStringLiteral(
+                       "SELECT outcome, response, response_time_s, stimulus, onset_s, duration_s FROM trial "
                        "WHERE session = ? AND phase = ? AND trial = ? AND attempt = ?"),
-        {session, QString::fromLatin1(toString(result.planned.phase)), number(result.planned.trial),
-         number(result.planned.attempt)});
-    TELETA_CHECK(query);
+                   {session, sqlValue(result.planned.phase), sqlValue(result.planned.trial),
+                    sqlValue(result.planned.attempt)}));
+    std::optional<double> responseTime_s;
+    readInto(query.next() ? query.value(2) : QVariant(), responseTime_s);
     const bool isSame =
-        query->next() && query->value(0).toString() == QLatin1String(toString(result.outcome)) &&
-        query->value(1).isNull() == !result.response &&
-        count(query->value(1)) == result.response.value_or(0) &&
-        optionalNumber(query->value(2)) == result.responseTime_s &&
-        count(query->value(3)) == result.planned.stimulus && query->value(4).toDouble() == result.onset_s &&
-        query->value(5).toDouble() == result.duration_s;
+        query.isValid() && stringOf(query.value(0)) == toString(result.outcome) &&
+        query.value(1).isNull() == !result.response && count(query.value(1)) == result.response.value_or(0) &&
+        responseTime_s == result.responseTime_s && count(query.value(3)) == result.planned.stimulus &&
+        query.value(4).toDouble() == result.onset_s && query.value(5).toDouble() == result.duration_s;
     return isSame ? core::Expected<void>() : kept;
 }
 
@@ -117,18 +102,15 @@ core::Expected<void> StudyStore::sendPending(long long session) {
     TELETA_TRY(const std::vector<PendingTrial> pending, journal.read());
     if (pending.empty())
         return journal.remove();
-    auto query = m_connection->run(QStringLiteral("SELECT id FROM session WHERE key = ?"), {session});
-    TELETA_CHECK(query);
-    const std::string id = query->next() ? query->value(0).toString().toStdString() : std::string();
+    TELETA_TRY(auto query,
+               m_connection->run(QStringLiteral("SELECT id FROM session WHERE key = ?"), {session}));
+    const std::string id = query.next() ? stringOf(query.value(0)) : std::string();
     for (const PendingTrial& trial : pending) {
         if (trial.sessionKey != session || trial.sessionId != id)
-            return core::Unexpected(
-                core::Error{core::ErrorKind::badInput,
-                            TrialsText::tr("these trials belong to another study").toStdString(),
-                            TrialsText::tr("a separate folder for each study").toStdString(),
-                            {journal.path()}});
-        if (const core::Expected<void> sent = insertUnlessKept(session, {trial.result, trial.time}); !sent)
-            return sent;
+            return core::failed(core::ErrorKind::badInput,
+                                TrialsText::tr("these trials belong to another study"),
+                                TrialsText::tr("a separate folder for each study"), {journal.path()});
+        TELETA_CHECK(insertUnlessKept(session, {trial.result, trial.time}));
     }
     return journal.remove();
 }
@@ -166,68 +148,46 @@ core::Expected<void> StudyStore::keepOnServer(const SessionRecord& session, cons
 }
 
 core::Expected<std::vector<StoredTrial>> StudyStore::trials(const SessionRecord& session) const {
-    auto query = m_connection->run(
-        QStringLiteral(
-            "SELECT phase, trial, attempt, trial_in_block, repetition, stimulus, response, outcome, "
-            "response_time_s, response_time_offset_s, response_device, response_key, n_replays, "
-            "early_presses, onset_s, duration_s, device_latency_ms, device_faults, time_utc, "
-            "frame_write_ms, frames_missed FROM trial "
-            "WHERE session = ? ORDER BY key"),
-        {session.key});
-    TELETA_CHECK(query);
+    QStringList names;
+    StoredTrial trial;
+    forEachField(trial, [&](const char* name, const auto&) { names << QLatin1String(name); });
+    TELETA_TRY(auto query,
+               m_connection->run(QStringLiteral("SELECT %1 FROM trial WHERE session = ? ORDER BY key")
+                                     .arg(names.join(QStringLiteral(", "))),
+                                 {session.key}));
     // The tasks come in the same order for everybody.
     const std::vector<PlannedSession> plan = planSessions(m_head.protocol, m_head.seed, 0);
     if (session.planIndex >= plan.size())
         return m_connection->damaged();
     const std::size_t patterns = m_head.protocol.tasks[plan[session.planIndex].task].patterns.size();
     std::vector<StoredTrial> all;
-    while (query->next()) {
-        const auto text = [&](int column) { return query->value(column).toString().toStdString(); };
-        StoredTrial trial;
-        TrialResult& result = trial.result;
-        result.planned = {phaseOf(text(0)).value_or(Phase::test), count(query->value(1)),
-                          count(query->value(4)), count(query->value(2)), count(query->value(5))};
-        result.trialInBlock = count(query->value(3));
-        if (!query->value(6).isNull())
-            result.response = count(query->value(6));
-        if (result.planned.stimulus >= patterns || result.response.value_or(0) >= patterns)
+    while (query.next()) {
+        trial = {};
+        int column = 0;
+        forEachField(trial, [&](const char*, auto& field) { readInto(query.value(column++), field); });
+        if (trial.result.planned.stimulus >= patterns || trial.result.response.value_or(0) >= patterns)
             return m_connection->damaged();
-        result.outcome = outcomeOf(text(7)).value_or(Outcome::aborted);
-        result.responseTime_s = optionalNumber(query->value(8));
-        result.responseTimeOffset_s = optionalNumber(query->value(9));
-        result.responseDevice = text(10);
-        result.responseKey = text(11);
-        result.replays = count(query->value(12));
-        result.earlyPresses = count(query->value(13));
-        result.onset_s = query->value(14).toDouble();
-        result.duration_s = query->value(15).toDouble();
-        result.deviceLatency_ms = optionalNumber(query->value(16));
-        result.deviceFaults = count(query->value(17));
-        trial.time = timeOf(query->value(18).toString());
-        result.frameWrite_ms = optionalNumber(query->value(19));
-        if (!query->value(20).isNull())
-            result.framesMissed = count(query->value(20));
-        all.push_back(std::move(trial));
+        all.push_back(trial);
     }
     return all;
 }
 
 core::Expected<void> StudyStore::keepNote(const SessionRecord& session, const std::string& text,
                                           const QDateTime& now) {
-    const auto kept =
+    TELETA_CHECK(
         m_connection->run(QStringLiteral("INSERT INTO note (session, text, time_utc) VALUES (?, ?, ?)"),
-                          {session.key, QString::fromStdString(text), timeText(now)});
-    TELETA_CHECK(kept);
+                          {session.key, QString::fromStdString(text), timeText(now)}));
     return {};
 }
 
 core::Expected<std::vector<StoredNote>> StudyStore::notes(const SessionRecord& session) const {
-    auto query = m_connection->run(
-        QStringLiteral("SELECT text, time_utc FROM note WHERE session = ? ORDER BY key"), {session.key});
-    TELETA_CHECK(query);
+    TELETA_TRY(
+        auto query,
+        m_connection->run(QStringLiteral("SELECT text, time_utc FROM note WHERE session = ? ORDER BY key"),
+                          {session.key}));
     std::vector<StoredNote> all;
-    while (query->next())
-        all.push_back({query->value(0).toString().toStdString(), timeOf(query->value(1).toString())});
+    while (query.next())
+        all.push_back({stringOf(query.value(0)), timeOf(query.value(1).toString())});
     return all;
 }
 
@@ -235,21 +195,19 @@ core::Expected<void> StudyStore::keepAnswers(const Participant& participant,
                                              const std::optional<SessionRecord>& session,
                                              const Questionnaire& questionnaire,
                                              const std::vector<ItemAnswer>& answers, const QDateTime& now) {
-    if (const core::Expected<void> fit = checkAnswers(questionnaire, answers); !fit)
-        return fit;
+    TELETA_CHECK(checkAnswers(questionnaire, answers));
     if (isOfSession(questionnaire.when) != session.has_value())
         return m_connection->refused(TrialsText::tr("this questionnaire belongs elsewhere in the study"),
                                      QString::fromLatin1(toString(questionnaire.when)));
     const QVariant key = session ? QVariant(session->key) : QVariant(QMetaType(QMetaType::LongLong));
     const core::Expected<void> kept = m_connection->inTransaction([&]() -> core::Expected<void> {
         for (const ItemAnswer& answer : answers) {
-            const auto done = m_connection->run(
+            TELETA_CHECK(m_connection->run(
                 QStringLiteral("INSERT INTO answer (participant, session, questionnaire, item, value, "
                                "time_utc) VALUES (?, ?, ?, ?, ?, ?)"),
                 {participant.key, key, QString::fromStdString(questionnaire.id),
-                 QString::fromStdString(answer.item), orNull(answer.value.value_or(std::string())),
-                 timeText(now)});
-            TELETA_CHECK(done);
+                 QString::fromStdString(answer.item), sqlValue(answer.value.value_or(std::string())),
+                 timeText(now)}));
         }
         return {};
     });
@@ -270,22 +228,22 @@ core::Expected<void> StudyStore::keepAnswers(const Participant& participant,
 }
 
 core::Expected<std::vector<StoredAnswer>> StudyStore::answers(const Participant& participant) const {
-    auto query = m_connection->run(
-        QStringLiteral(
-            "SELECT session, questionnaire, item, value, time_utc FROM answer WHERE participant = ? "
-            "ORDER BY key"),
-        {participant.key});
-    TELETA_CHECK(query);
+    TELETA_TRY(
+        auto query,
+        m_connection->run(
+            QStringLiteral(
+                "SELECT session, questionnaire, item, value, time_utc FROM answer WHERE participant = ? "
+                "ORDER BY key"),
+            {participant.key}));
     std::vector<StoredAnswer> all;
-    while (query->next()) {
+    while (query.next()) {
         StoredAnswer answer;
-        if (!query->value(0).isNull())
-            answer.session = query->value(0).toLongLong();
-        answer.questionnaire = query->value(1).toString().toStdString();
-        answer.item = query->value(2).toString().toStdString();
-        if (!query->value(3).isNull())
-            answer.value = query->value(3).toString().toStdString();
-        answer.time = timeOf(query->value(4).toString());
+        if (!query.value(0).isNull())
+            answer.session = query.value(0).toLongLong();
+        answer.questionnaire = stringOf(query.value(1));
+        answer.item = stringOf(query.value(2));
+        readInto(query.value(3), answer.value);
+        answer.time = timeOf(query.value(4).toString());
         all.push_back(std::move(answer));
     }
     return all;

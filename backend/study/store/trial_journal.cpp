@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/store/trial_journal.h"
 
+#include "backend/core/failure.h"
+#include "backend/study/store/trial_fields.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
@@ -24,83 +27,66 @@ struct JournalText {
 };
 
 template <typename Value>
-ordered_json jsonOrNull(const std::optional<Value>& value) {
+ordered_json jsonOf(const Value& value) {
+    return value;
+}
+ordered_json jsonOf(Phase phase) {
+    return toString(phase);
+}
+ordered_json jsonOf(Outcome outcome) {
+    return toString(outcome);
+}
+ordered_json jsonOf(const QDateTime& time) {
+    return time.toUTC().toString(Qt::ISODateWithMs).toStdString();
+}
+template <typename Value>
+ordered_json jsonOf(const std::optional<Value>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
-/// A count: not negative, no fraction.
-std::size_t countOf(const ordered_json& value) {
-    if (!value.is_number_unsigned())
-        throw std::out_of_range("not a count");
-    return value.get<std::size_t>();
-}
-
 template <typename Value>
-std::optional<Value> optionalOf(const ordered_json& value) {
-    return value.is_null() ? std::nullopt : std::optional(value.get<Value>());
+void readInto(const ordered_json& json, Value& value) {
+    json.get_to(value);
+}
+/// A count: not negative, no fraction.
+void readInto(const ordered_json& json, std::size_t& count) {
+    if (!json.is_number_unsigned())
+        throw std::out_of_range("not a count");
+    json.get_to(count);
+}
+void readInto(const ordered_json& json, Phase& phase) {
+    phase = phaseOf(json.get<std::string>()).value();
+}
+void readInto(const ordered_json& json, Outcome& outcome) {
+    outcome = outcomeOf(json.get<std::string>()).value();
+}
+void readInto(const ordered_json& json, QDateTime& time) {
+    time = QDateTime::fromString(QString::fromStdString(json), Qt::ISODateWithMs).toUTC();
+}
+template <typename Value>
+void readInto(const ordered_json& json, std::optional<Value>& value) {
+    if (!json.is_null())
+        readInto(json, value.emplace());
 }
 
 ordered_json toJson(const PendingTrial& trial) {
-    const TrialResult& result = trial.result;
-    return {{"session_key", trial.sessionKey},
-            {"session_id", trial.sessionId},
-            {"phase", toString(result.planned.phase)},
-            {"trial", result.planned.trial},
-            {"repetition", result.planned.repetition},
-            {"attempt", result.planned.attempt},
-            {"stimulus", result.planned.stimulus},
-            {"trial_in_block", result.trialInBlock},
-            {"response", jsonOrNull(result.response)},
-            {"outcome", toString(result.outcome)},
-            {"response_time_s", jsonOrNull(result.responseTime_s)},
-            {"response_time_offset_s", jsonOrNull(result.responseTimeOffset_s)},
-            {"response_device", result.responseDevice},
-            {"response_key", result.responseKey},
-            {"n_replays", result.replays},
-            {"early_presses", result.earlyPresses},
-            {"onset_s", result.onset_s},
-            {"duration_s", result.duration_s},
-            {"device_latency_ms", jsonOrNull(result.deviceLatency_ms)},
-            {"device_faults", result.deviceFaults},
-            {"frame_write_ms", jsonOrNull(result.frameWrite_ms)},
-            {"frames_missed", jsonOrNull(result.framesMissed)},
-            {"time_utc", trial.time.toUTC().toString(Qt::ISODateWithMs).toStdString()}};
+    ordered_json json{{"session_key", trial.sessionKey}, {"session_id", trial.sessionId}};
+    forEachField(trial, [&](const char* name, const auto& field) { json[name] = jsonOf(field); });
+    return json;
 }
 
 PendingTrial fromJson(const ordered_json& json) {
     PendingTrial trial;
-    TrialResult& result = trial.result;
     if (!json.at("session_key").is_number_integer())
         throw std::out_of_range("not a key");
     trial.sessionKey = json.at("session_key");
     trial.sessionId = json.at("session_id");
-    result.planned = {phaseOf(json.at("phase")).value(), countOf(json.at("trial")),
-                      countOf(json.at("repetition")), countOf(json.at("attempt")),
-                      countOf(json.at("stimulus"))};
-    result.trialInBlock = countOf(json.at("trial_in_block"));
-    if (!json.at("response").is_null())
-        result.response = countOf(json.at("response"));
-    result.outcome = outcomeOf(json.at("outcome")).value();
-    result.responseTime_s = optionalOf<double>(json.at("response_time_s"));
-    result.responseTimeOffset_s = optionalOf<double>(json.at("response_time_offset_s"));
-    result.responseDevice = json.at("response_device");
-    result.responseKey = json.at("response_key");
-    result.replays = countOf(json.at("n_replays"));
-    result.earlyPresses = countOf(json.at("early_presses"));
-    result.onset_s = json.at("onset_s");
-    result.duration_s = json.at("duration_s");
-    result.deviceLatency_ms = optionalOf<double>(json.at("device_latency_ms"));
-    result.deviceFaults = countOf(json.at("device_faults"));
-    result.frameWrite_ms = optionalOf<double>(json.at("frame_write_ms"));
-    if (!json.at("frames_missed").is_null())
-        result.framesMissed = countOf(json.at("frames_missed"));
-    trial.time =
-        QDateTime::fromString(QString::fromStdString(json.at("time_utc")), Qt::ISODateWithMs).toUTC();
+    forEachField(trial, [&](const char* name, auto& field) { readInto(json.at(name), field); });
     return trial;
 }
 
 core::Unexpected journalFailed(const QString& message, const std::string& path) {
-    return core::Unexpected(core::Error{core::ErrorKind::ioFailed, message.toStdString(), {}, {path}});
+    return core::failed(core::ErrorKind::ioFailed, message, {}, {path});
 }
 
 /// Makes a directory entry as durable as its file.
@@ -149,10 +135,8 @@ core::Expected<std::vector<PendingTrial>> TrialJournal::read() const {
         } catch (const std::exception&) {
             if (file.atEnd() && line.back() != '\n')
                 break;
-            return core::Unexpected(core::Error{core::ErrorKind::badInput,
-                                                JournalText::tr("this is not a trial").toStdString(),
-                                                JournalText::tr("a stored trial").toStdString(),
-                                                {m_path, number, 0}});
+            return core::failed(core::ErrorKind::badInput, JournalText::tr("this is not a trial"),
+                                JournalText::tr("a stored trial"), {m_path, number, 0});
         }
     }
     return trials;

@@ -12,43 +12,17 @@
 namespace teleta::study {
 
 /// The columns of a trial table in every export.
-inline constexpr std::array<std::string_view, 37> kTrialColumns{"schema",
-                                                                "participant_id",
-                                                                "session_id",
-                                                                "mode",
-                                                                "task",
-                                                                "condition",
-                                                                "condition_position",
-                                                                "sequence_row",
-                                                                "phase",
-                                                                "block",
-                                                                "trial",
-                                                                "trial_in_block",
-                                                                "repetition",
-                                                                "attempt",
-                                                                "stimulus",
-                                                                "response",
-                                                                "outcome",
-                                                                "correct",
-                                                                "response_time_s",
-                                                                "response_time_offset_s",
-                                                                "response_limit_s",
-                                                                "n_alternatives",
-                                                                "response_device",
-                                                                "response_key",
-                                                                "n_replays",
-                                                                "early_presses",
-                                                                "onset_s",
-                                                                "duration_s",
-                                                                "device_latency_ms",
-                                                                "device_faults",
-                                                                "feedback",
-                                                                "masking_noise",
-                                                                "time_utc",
-                                                                "seed",
-                                                                "order_method",
-                                                                "stimulus_set_sha256",
-                                                                "app_version"};
+inline constexpr std::array<std::string_view, 37> kTrialColumns{
+    // The session.
+    "schema", "participant_id", "session_id", "mode", "task", "condition", "condition_position",
+    "sequence_row",
+    // The trial.
+    "phase", "block", "trial", "trial_in_block", "repetition", "attempt", "stimulus", "response", "outcome",
+    "correct", "response_time_s", "response_time_offset_s", "response_limit_s", "n_alternatives",
+    "response_device", "response_key", "n_replays", "early_presses", "onset_s", "duration_s",
+    "device_latency_ms", "device_faults",
+    // How it was made.
+    "feedback", "masking_noise", "time_utc", "seed", "order_method", "stimulus_set_sha256", "app_version"};
 
 /// A value of a trial table.
 struct TrialCell {

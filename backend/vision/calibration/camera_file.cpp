@@ -208,9 +208,7 @@ core::Expected<CameraFile> readCamera(const std::string& path) {
 }
 
 core::Expected<void> writeCamera(const CameraFile& camera, const std::string& path) {
-    TELETA_TRY(core::OutputFile file, core::OutputFile::create(path));
-    file.write(cameraJson(camera).dump(2) + "\n");
-    return file.finish();
+    return core::writeFile(path, cameraJson(camera).dump(2) + "\n");
 }
 
 } // namespace teleta::vision

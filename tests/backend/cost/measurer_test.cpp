@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 #include "backend/cost/frontier.h"
 #include "backend/cost/measurer.h"

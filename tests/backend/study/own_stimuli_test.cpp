@@ -2,7 +2,7 @@
 #include "backend/pattern/files/pattern_file.h"
 #include "backend/pattern/files/pattern_json.h"
 #include "backend/pattern/model/built_in_patterns.h"
-#include "backend/study/protocol/protocol_text.h"
+#include "backend/study/protocol/protocol.h"
 #include "backend/study/report/study_export.h"
 #include "backend/study/session/rehearsal.h"
 #include "backend/study/store/study_store.h"

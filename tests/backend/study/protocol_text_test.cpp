@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/protocol/protocol_text.h"
+#include "backend/study/protocol/protocol.h"
 #include "tests/backend/study/small_protocol.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/protocol/protocol_text.h"
+#include "backend/study/protocol/protocol.h"
 #include "backend/study/session/rehearsal.h"
 #include "backend/study/session/simulated_participant.h"
 #include "tests/backend/core/temporary_folder.h"

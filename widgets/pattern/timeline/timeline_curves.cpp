@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/timeline/timeline_curves.h"
 
-#include "backend/core/bracelet/tactor_ring.h"
+#include "backend/core/bracelet/tactors.h"
 #include "widgets/pattern/document/edit_operations.h"
 
 #include <algorithm>

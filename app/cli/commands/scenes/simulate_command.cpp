@@ -192,9 +192,7 @@ core::Expected<void> SimulateCommand::writeFigures(std::vector<servo_figure::Ser
         TELETA_TRY(const std::string bytes, format == "pdf"   ? figure::pdfOf(svg)
                                             : format == "png" ? figure::pngOf(svg)
                                                               : core::Expected<std::string>(svg));
-        TELETA_TRY(core::OutputFile file, core::OutputFile::create(m_outFolder + "/servo." + format));
-        file.write(bytes);
-        TELETA_CHECK(file.finish());
+        TELETA_CHECK(core::writeFile(m_outFolder + "/servo." + format, bytes));
     }
     return {};
 }

@@ -145,9 +145,8 @@ core::Expected<void> writeTradeoff(const cost::Measurement& measured, std::span<
                                    const std::string& folder) {
     TELETA_CHECK(cost::writeCostFile(measured.ladders, folder + "/tradeoff.csv"));
     for (const cost::LadderCost& ladder : measured.ladders) {
-        TELETA_TRY(core::OutputFile picture, core::OutputFile::create(folder + "/" + ladder.ladder + ".svg"));
-        picture.write(cost::costSvg(ladder, titleOf(ladders, ladder.ladder).toStdString()));
-        TELETA_CHECK(picture.finish());
+        TELETA_CHECK(core::writeFile(folder + "/" + ladder.ladder + ".svg",
+                                     cost::costSvg(ladder, titleOf(ladders, ladder.ladder).toStdString())));
     }
     return {};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording/recording_marks.h"
 
-#include "backend/core/elapsed.h"
 #include "backend/core/steady_time.h"
 #include "backend/recording/mark_changes.h"
 

@@ -5,7 +5,7 @@
 #include "app/console/study/forms/form_text.h"
 #include "app/console/study/forms/questionnaire_editor.h"
 #include "backend/core/data/output_file.h"
-#include "backend/study/protocol/protocol_text.h"
+#include "backend/study/protocol/protocol.h"
 #include "backend/study/protocol/stimulus_set.h"
 #include "widgets/base/controls/form_row.h"
 #include "widgets/base/theme.h"
@@ -495,10 +495,7 @@ void ProtocolDialog::save(std::function<void()> goOn) {
         runInBackground(
             this,
             [path, text = study::protocolText(asSavedIn(QFileInfo(path).absoluteDir(), protocol))] {
-                return core::OutputFile::create(path.toStdString()).and_then([&](core::OutputFile file) {
-                    file.write(text);
-                    return file.finish();
-                });
+                return core::writeFile(path.toStdString(), text);
             },
             [this, path, entered, goOn](const core::Expected<void>& saved) {
                 m_verdict->setText(saved ? tr("\u2713 Saved: %1").arg(path)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/console/study/study_page.h"
-#include "backend/study/protocol/protocol_text.h"
+#include "backend/study/protocol/protocol.h"
 #include "backend/study/store/study_store.h"
 #include "devices/simulated/simulated_bracelet.h"
 #include "tests/app/console/bracelet/patient_bracelet.h"
