@@ -8,8 +8,8 @@
 
 namespace teleta::core {
 
-/// The words by which files name the values of an enumeration, in the order of the values, which count from 0.
-/// Thread: any (pure).
+/// The words by which files name the values of an enumeration, in the order of the values, which count from
+/// 0. Thread: any (pure).
 template <typename Enumeration, std::size_t kCount>
 struct Words {
     std::array<const char*, kCount> words;
