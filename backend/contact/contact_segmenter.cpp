@@ -73,10 +73,8 @@ std::span<Contact> ContactSegmenter::segment(std::span<const float> load_N,
         float peak = 0.0F;
         for (const Basin& basin : m_basins)
             peak = std::max(peak, m_load[basin.summit]);
-        double height_N = 0.0;
-        height_N = std::max(height_N, m_settings.noiseHeight * static_cast<double>(peak));
-        height_N = std::max(height_N, m_settings.noiseHeight_N);
-        findPasses(height_N);
+        findPasses(
+            std::max({0.0, m_settings.noiseHeight * static_cast<double>(peak), m_settings.noiseHeight_N}));
     }
     measure();
     number();

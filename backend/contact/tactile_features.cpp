@@ -5,6 +5,7 @@
 #include "backend/contact/covariance.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace teleta::contact {
@@ -26,15 +27,8 @@ bool anySet(std::span<const std::uint8_t> mask) {
 } // namespace
 
 const char* toString(ContactType type) {
-    switch (type) {
-    case ContactType::none:
-        return "none";
-    case ContactType::point:
-        return "point";
-    case ContactType::edge:
-        return "edge";
-    }
-    return "none";
+    static constexpr std::array kNames{"none", "point", "edge"};
+    return kNames[static_cast<std::size_t>(type)];
 }
 
 FeatureExtractor::FeatureExtractor(const core::ArrayLayout& layout, const FeatureSettings& settings)
@@ -97,8 +91,6 @@ TactileFeatures FeatureExtractor::compute(std::span<const float> load_N, std::sp
     if (moments.active > 0) {
         features.copX_m = pitch_m * (moments.sumX / moments.sum);
         features.copY_m = pitch_m * (moments.sumY / moments.sum);
-    }
-    if (moments.active > 0) {
         // Twice the distance from the centre is a whole number, so a symmetric contact gives exactly 0.
         const auto twice = 2.0 * static_cast<double>(moments.active);
         features.cocX_m =

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -83,7 +84,7 @@ std::size_t endOfTurn(std::span<const Point> points, const Point& centre, double
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Point a = points[i - 1] - centre;
         const Point b = points[i] - centre;
-        turned_rad += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+        turned_rad += std::atan2(cross(a, b), a.dot(b));
         if (std::abs(turned_rad) >= 2.0 * std::numbers::pi && distance(points[i], points.front()) <= near)
             return i;
     }
@@ -109,8 +110,7 @@ std::size_t endOfFirstLap(std::span<const Point> points) {
                 nearest = std::min(nearest, (p - centre).squaredNorm());
             centres.emplace_back(nearest, centre);
         }
-    std::stable_sort(centres.begin(), centres.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::ranges::stable_sort(centres, std::ranges::greater{}, &std::pair<double, Point>::first);
     const double near = kNearSteps * usualStep(points);
     for (const auto& [distance2, centre] : centres)
         if (const std::size_t end = endOfTurn(points, centre, near); end < points.size())
@@ -198,8 +198,7 @@ std::vector<Point> orderedByAngle(std::span<const Point> points) {
     angles.reserve(points.size());
     for (const Point& p : points)
         angles.emplace_back(std::atan2(p.y() - centre.y(), p.x() - centre.x()), p);
-    std::stable_sort(angles.begin(), angles.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(angles, {}, &std::pair<double, Point>::first);
     std::vector<Point> ordered;
     ordered.reserve(points.size());
     for (const auto& [angle, p] : angles)
@@ -220,10 +219,8 @@ std::vector<Point> mergedLaps(std::span<const Point> points) {
     for (std::size_t i = 0; i < points.size(); ++i)
         places.emplace_back(i < lapEnd ? static_cast<double>(i) : footOnPolygon(firstLap, points[i]),
                             points[i]);
-    std::stable_sort(places.begin(), places.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::transform(places.begin(), places.end(), merged.begin(),
-                   [](const auto& place) { return place.second; });
+    std::ranges::stable_sort(places, {}, &std::pair<double, Point>::first);
+    std::ranges::transform(places, merged.begin(), &std::pair<double, Point>::second);
     return merged;
 }
 

@@ -13,8 +13,8 @@ namespace teleta::contour {
 /// How well a fitted model explains the points of a contour.
 struct Evidence {
     double logEvidence = 0.0;
-    double deviation = 0.0;     ///< most probable standard deviation of the noise, in units of the size
-    std::vector<bool> outliers; ///< one entry per point; true: more probably an outlier than noise
+    double deviation = 0.0;       ///< most probable standard deviation of the noise, in units of the size
+    std::vector<bool> outliers{}; ///< one entry per point; true: more probably an outlier than noise
     [[nodiscard]] std::size_t outlierCount() const;
 };
 

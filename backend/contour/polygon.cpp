@@ -96,10 +96,8 @@ std::optional<Polygon> findPolygon(std::span<const Point> points_m, std::optiona
     std::vector<ChainFit> chains = fitChains(ordered, isClosed, kMaximumEdges);
     if (chains.empty())
         chains = fitChains(ordered, false, kMaximumEdges);
-    const auto best =
-        std::max_element(chains.begin(), chains.end(), [](const ChainFit& a, const ChainFit& b) {
-            return a.evidence.logEvidence < b.evidence.logEvidence;
-        });
+    const auto best = std::ranges::max_element(
+        chains, {}, [](const ChainFit& chain) { return chain.evidence.logEvidence; });
     polygon.closed = best->closed;
     polygon.rms_m = contour.size_m * rmsOfInliers(best->fit, best->evidence);
     polygon.outliers = contour.rejected + best->evidence.outlierCount();

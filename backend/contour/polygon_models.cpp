@@ -91,11 +91,17 @@ Eigen::VectorXd boxNear(const Eigen::VectorXd& quadrilateral) {
     for (std::size_t i = 0; i < 4; ++i) {
         const Point edge = p[(i + 1) % 4] - p[i];
         width += 0.25 * std::abs(edge.dot(axis));
-        height += 0.25 * std::abs(edge.x() * axis.y() - edge.y() * axis.x());
+        height += 0.25 * std::abs(cross(edge, axis));
     }
     Eigen::VectorXd box(5);
     box << centre.x(), centre.y(), angle, width, height;
     return box;
+}
+
+void keepBetter(PolygonFit& best, RobustFit fit, const auto& verticesOf) {
+    Evidence judged = evidence(fit, polylineLength(verticesOf(fit.parameters), true));
+    if (judged.logEvidence > best.judged.logEvidence)
+        best = {std::move(fit), std::move(judged), {}};
 }
 
 } // namespace
@@ -120,13 +126,8 @@ PolygonFit fitRectangle(std::span<const Point> points, const std::vector<Eigen::
     order.resize(std::min(order.size(), kPolygonStartsRefined));
 
     PolygonFit best;
-    best.judged.logEvidence = kImpossibleEvidence;
-    for (const auto& [loss, start] : order) {
-        RobustFit fit = fitRobustly(evaluate, starts[start]);
-        Evidence judged = evidence(fit, polylineLength(corners(fit.parameters), true));
-        if (judged.logEvidence > best.judged.logEvidence)
-            best = {std::move(fit), std::move(judged), {}};
-    }
+    for (const auto& [loss, start] : order)
+        keepBetter(best, fitRobustly(evaluate, starts[start]), corners);
     best.fit.parameters.tail<2>() = best.fit.parameters.tail<2>().cwiseAbs().eval();
     best.vertices = corners(best.fit.parameters);
     return best;
@@ -157,13 +158,9 @@ PolygonFit fitRegularPolygon(std::span<const Point> points, int sides, const Poi
         j = byVertices * derivatives;
     };
     PolygonFit best;
-    best.judged.logEvidence = kImpossibleEvidence;
     for (int k = 0; k < kAngles; ++k) {
         const Eigen::Vector4d start(centre.x(), centre.y(), std::log(1.1 * radius), turn * k / kAngles);
-        RobustFit fit = fitRobustly(evaluate, start);
-        Evidence judged = evidence(fit, polylineLength(vertices(fit.parameters), true));
-        if (judged.logEvidence > best.judged.logEvidence)
-            best = {std::move(fit), std::move(judged), {}};
+        keepBetter(best, fitRobustly(evaluate, start), vertices);
     }
     best.vertices = vertices(best.fit.parameters);
     return best;
@@ -181,9 +178,7 @@ Eigen::VectorXd largeTriangle(std::span<const Point> points) {
                 b = k;
             }
     const auto area = [&](std::size_t i, std::size_t k, std::size_t l) {
-        const Point u = points[k] - points[i];
-        const Point v = points[l] - points[i];
-        return std::abs(u.x() * v.y() - u.y() * v.x());
+        return std::abs(cross(points[k] - points[i], points[l] - points[i]));
     };
     const auto improve = [&](std::size_t& moving, std::size_t p, std::size_t q) {
         for (std::size_t i = 0; i < n; ++i)

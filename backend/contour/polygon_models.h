@@ -11,8 +11,8 @@ namespace teleta::contour {
 /// A closed polygon with fewer parameters than vertices, fitted robustly.
 struct PolygonFit {
     RobustFit fit;
-    Evidence judged;          ///< evidence, with the whole perimeter as length
-    Eigen::VectorXd vertices; ///< coordinates, counter-clockwise
+    Evidence judged{.logEvidence = kImpossibleEvidence}; ///< evidence, with the whole perimeter as length
+    Eigen::VectorXd vertices;                            ///< coordinates, counter-clockwise
 };
 
 /// Fits a rectangle; parameters: centre x, centre y, angle, half width, half height. points: in units of

@@ -28,7 +28,7 @@ constexpr int kPoseAndFocus = 10;
 constexpr double kSmallestNoise_px = 1e-7;
 /// Larger pixels and metres are not plausible coordinates.
 constexpr double kFarthest = 1e9;
-constexpr std::size_t kFewest = 6;
+constexpr std::size_t kFewestPairs = 6;
 
 template <typename Vector>
 std::size_t countDifferent(std::vector<Vector> vectors) {
@@ -51,9 +51,9 @@ std::optional<CalibrationRefusal> degeneracy(std::span<const CalibrationPair> pa
         pixels.push_back(pair.pixel);
         points.push_back(pair.p_Sensor_m);
     }
-    if (pairs.size() < kFewest)
+    if (pairs.size() < kFewestPairs)
         return CalibrationRefusal::tooFewPairs;
-    if (countDifferent(points) < kFewest || countDifferent(pixels) < kFewest)
+    if (countDifferent(points) < kFewestPairs || countDifferent(pixels) < kFewestPairs)
         return CalibrationRefusal::repeatedPoints;
 
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
