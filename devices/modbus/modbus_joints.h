@@ -43,10 +43,6 @@ public:
     [[nodiscard]] core::DeviceStatus status() const override { return m_joints.status(); }
     [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::held; }
 
-    void post(const core::ArmCommand& /*command*/) override {}
-    void setProgramRunning(bool /*running*/) override {}
-    void restartProgram() override {}
-
 private:
     friend core::DeviceThread<ModbusJoints>;
     void open(core::Wakeup& consumer);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/replay/csv_recording.h"
-
 #include "backend/core/data/frame_file.h"
 #include "backend/core/failure.h"
 #include "devices/replay/frame_index.h"
+#include "devices/replay/playback_recording.h"
 
 #include <QCoreApplication>
 

@@ -7,8 +7,6 @@ namespace teleta::replay {
 
 void FrameIndex::add(const FramePlace& place) {
     const std::scoped_lock lock(m_mutex);
-    if (m_extent.frames == 0)
-        m_extent.firstTime_s = place.time_s;
     m_extent.lastTime_s = place.time_s;
     m_extent.frames = place.frame + 1;
     if (place.frame % m_stride != 0)

@@ -26,7 +26,6 @@ public:
     /// What is known of the recording so far.
     struct Extent {
         std::uint64_t frames = 0;
-        double firstTime_s = 0.0;
         double lastTime_s = 0.0;
         bool complete = false;
     };

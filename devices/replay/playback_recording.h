@@ -5,6 +5,7 @@
 #include "backend/core/error.h"
 #include "backend/core/interface.h"
 #include "backend/recording/recording.h"
+#include "devices/replay/playback_config.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -93,5 +94,17 @@ public:
     virtual void startIndexing() {}
     virtual void stopIndexing() {}
 };
+
+/// An array and the joints of the arm that wears it, or a camera, in a .teleta recording. Times are the
+/// recording's own. Damaged blocks are skipped and counted.
+/// Error: as recording::Recording::open; refused when the stream has no frames.
+[[nodiscard]] core::Expected<std::unique_ptr<PlaybackRecording>>
+openTeletaRecording(const RecordedConfig& config);
+
+/// Recorded tactile frames in a CSV file, which a thread of its own indexes while they are played. Times
+/// count from the first frame. Reads the header and the first frames, which tell the frame rate (0: unknown),
+/// and describes the array in the configuration.
+/// Error: the file cannot be opened or read, has no frames, does not fit the layout, or is a pipe.
+[[nodiscard]] core::Expected<std::unique_ptr<PlaybackRecording>> openCsvRecording(CsvConfig& config);
 
 } // namespace teleta::replay

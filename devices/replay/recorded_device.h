@@ -89,9 +89,6 @@ public:
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override { return m_player->joints(); }
     [[nodiscard]] core::DeviceStatus status() const override { return m_player->jointStatus(); }
     [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::held; }
-    void post(const core::ArmCommand& /*command*/) override {}
-    void setProgramRunning(bool /*running*/) override {}
-    void restartProgram() override {}
 
 private:
     std::shared_ptr<RecordedPlayer> m_player;

@@ -2,8 +2,6 @@
 #include "devices/replay/recorded_player.h"
 
 #include "backend/recording/stream_columns.h"
-#include "devices/replay/csv_recording.h"
-#include "devices/replay/teleta_recording.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/replay/teleta_recording.h"
-
 #include "backend/core/failure.h"
 #include "backend/recording/recording.h"
+#include "devices/replay/playback_recording.h"
 
 #include <QCoreApplication>
 

@@ -46,11 +46,8 @@ public:
     [[nodiscard]] const core::ArmDescription& description() const { return m_description; }
     [[nodiscard]] const core::SourceDescription& skinDescription() const { return m_skinDescription; }
     [[nodiscard]] ArmDriveControl& drive() { return m_drive; }
-    [[nodiscard]] const ArmDriveControl& drive() const { return m_drive; }
     [[nodiscard]] core::JointOutlet& joints() { return m_joints; }
-    [[nodiscard]] const core::JointOutlet& joints() const { return m_joints; }
     [[nodiscard]] core::SourceOutlet& skin() { return m_skin; }
-    [[nodiscard]] const core::SourceOutlet& skin() const { return m_skin; }
 
 private:
     void setState(core::DeviceState state, const std::string& message) override;

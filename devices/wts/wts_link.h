@@ -15,9 +15,7 @@
 namespace teleta::wts {
 
 /// An open byte stream to a sensor: a serial port or a TCP connection. Every wait has a deadline and can be
-/// ended. Plain POSIX, because poll() handles both kinds and the wake-up in one way and notices an unplugged
-/// adapter at once; Qt's event loop, serial port and socket would need three ways.
-/// Thread: one.
+/// ended. Thread: one.
 class WtsLink {
 public:
     enum class Outcome {

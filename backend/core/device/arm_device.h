@@ -96,13 +96,14 @@ public:
     [[nodiscard]] virtual DeviceStatus status() const = 0;
     [[nodiscard]] virtual ArmDrive drive() const = 0;
 
+    // An arm that takes no commands ignores them.
     /// The latest command wins. NaN counts as zero, speeds are limited to the description's, a joint at the
     /// end of its range moves back only. A rate other than zero takes the arm from its program.
-    virtual void post(const ArmCommand& command) = 0;
+    virtual void post(const ArmCommand& /*command*/) {}
     /// Resumes or holds the program. Ignored without a program.
-    virtual void setProgramRunning(bool running) = 0;
+    virtual void setProgramRunning(bool /*running*/) {}
     /// Restarts the program, and the world of a simulation.
-    virtual void restartProgram() = 0;
+    virtual void restartProgram() {}
 };
 
 /// What a simulated arm has to do in one step.

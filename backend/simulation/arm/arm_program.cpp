@@ -97,7 +97,6 @@ public:
                           .travel_radPerS = 2.0 * program.travel_mPerS / body.upperArmLength_m,
                           .travelSpeed = program.travel_mPerS},
                          static_cast<std::size_t>(program.directions))
-        , m_dimensions(arm.kinematics().dimensions())
         , m_kinematics(arm.kinematics())
         , m_centre_m(arm.bodies().front().outline.centre_m()) {
         const OutlineGeometry& outline = arm.bodies().front().outline;
@@ -105,7 +104,7 @@ public:
             const double angle_rad = program.startAngle_rad + 2.0 * std::numbers::pi * i / program.directions;
             const Vector2d outwards(std::cos(angle_rad), std::sin(angle_rad));
             const auto inside_m = [&](double distance_m) {
-                return m_dimensions.halfThickness_m -
+                return m_kinematics.dimensions().halfThickness_m -
                        outline.distance(m_centre_m + distance_m * outwards).distance_m;
             };
             m_ways.push_back({outwards, crossing(0.0, kSearchRange_m, inside_m)});
@@ -114,22 +113,20 @@ public:
 
 protected:
     [[nodiscard]] JointVector referenceAt(double position) const override {
-        return hangingPosture(m_dimensions, elbowAt_m(position));
+        const Way& way = m_ways[std::min(probe(), m_ways.size() - 1)];
+        return hangingPosture(m_kinematics.dimensions(),
+                              m_centre_m + (way.contact_m - position) * way.outwards);
     }
 
     [[nodiscard]] JointVector travelAt(const JointVector& from_rad, double share) const override {
         const JointVector end_rad = ProbingProgram::travelAt(from_rad, 1.0);
-        const Eigen::Vector3d p_Base_From = m_kinematics.p_Base_Point(
-            arm::Link::upperArm, from_rad, {m_dimensions.upperArmLength_m, 0.0, 0.0});
-        const Vector2d from_m = p_Base_From.head<2>();
-        const JointVector hanging_rad = hangingPosture(m_dimensions, from_m);
+        const Vector2d from_m = elbowAt_m(m_kinematics, from_rad);
+        const JointVector hanging_rad = hangingPosture(m_kinematics.dimensions(), from_m);
         if ((hanging_rad - from_rad).lpNorm<Eigen::Infinity>() > 1e-6)
             return from_rad + share * (end_rad - from_rad);
         // The forearm keeps hanging, on a straight way: that stays outside of a convex object.
-        const Vector2d to_m =
-            m_kinematics.p_Base_Point(arm::Link::upperArm, end_rad, {m_dimensions.upperArmLength_m, 0.0, 0.0})
-                .head<2>();
-        return hangingPosture(m_dimensions, from_m + share * (to_m - from_m));
+        const Vector2d to_m = elbowAt_m(m_kinematics, end_rad);
+        return hangingPosture(m_kinematics.dimensions(), from_m + share * (to_m - from_m));
     }
 
 private:
@@ -138,12 +135,6 @@ private:
         double contact_m; ///< distance of the elbow from the centre when the forearm meets the outline
     };
 
-    [[nodiscard]] Vector2d elbowAt_m(double position) const {
-        const Way& way = m_ways[std::min(probe(), m_ways.size() - 1)];
-        return m_centre_m + (way.contact_m - position) * way.outwards;
-    }
-
-    arm::ArmDimensions m_dimensions;
     arm::Arm4Kinematics m_kinematics;
     Vector2d m_centre_m;
     std::vector<Way> m_ways;

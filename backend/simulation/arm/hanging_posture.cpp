@@ -24,4 +24,10 @@ arm::JointVector hangingPosture(const arm::ArmDimensions& dimensions, const Eige
             std::asin(sine)};
 }
 
+Eigen::Vector2d elbowAt_m(const arm::Arm4Kinematics& kinematics, const arm::JointVector& q_rad) {
+    return kinematics
+        .p_Base_Point(arm::Link::upperArm, q_rad, {kinematics.dimensions().upperArmLength_m, 0.0, 0.0})
+        .head<2>();
+}
+
 } // namespace teleta::simulation

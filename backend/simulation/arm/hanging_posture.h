@@ -12,4 +12,7 @@ namespace teleta::simulation {
 [[nodiscard]] arm::JointVector hangingPosture(const arm::ArmDimensions& dimensions,
                                               const Eigen::Vector2d& p_Base_Elbow_m);
 
+/// (x, y) of the elbow in the base. Thread: any (pure).
+[[nodiscard]] Eigen::Vector2d elbowAt_m(const arm::Arm4Kinematics& kinematics, const arm::JointVector& q_rad);
+
 } // namespace teleta::simulation

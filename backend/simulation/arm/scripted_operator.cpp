@@ -2,6 +2,7 @@
 #include "backend/simulation/arm/scripted_operator.h"
 
 #include "backend/simulation/arm/hanging_posture.h"
+#include "backend/simulation/base/arm_inertia.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,10 +30,7 @@ Vector2d outwards(double angle_rad) {
 
 ScriptedOperator::ScriptedOperator(const scene::ArmWorld& world)
     : m_program(std::get<scene::OperatorProgram>(world.program))
-    , m_dimensions{.upperArmLength_m = world.body.upperArmLength_m,
-                   .forearmLength_m = world.body.forearmLength_m,
-                   .halfThickness_m = world.body.halfThickness_m}
-    , m_kinematics(m_dimensions)
+    , m_kinematics(dimensionsOf(world.body))
     , m_fastest_radPerS(world.body.fastest_radPerS) {
 }
 
@@ -60,10 +58,7 @@ void ScriptedOperator::beginTravel(const core::JointSample& seen) {
     begin(Phase::travel);
     const JointVector reference_rad = Eigen::Map<const JointVector>(seen.reference_rad.data());
     if (!m_begun)
-        m_wanted_m =
-            m_kinematics
-                .p_Base_Point(arm::Link::upperArm, reference_rad, {m_dimensions.upperArmLength_m, 0.0, 0.0})
-                .head<2>();
+        m_wanted_m = elbowAt_m(m_kinematics, reference_rad);
     m_begun = true;
     m_from_m = m_wanted_m;
     m_distance_m = exploration().radius_m;
@@ -167,7 +162,7 @@ void ScriptedOperator::nextTouch() {
 }
 
 core::JointVector ScriptedOperator::towards(const core::JointSample& seen) const {
-    const JointVector wanted_rad = hangingPosture(m_dimensions, m_wanted_m);
+    const JointVector wanted_rad = hangingPosture(m_kinematics.dimensions(), m_wanted_m);
     core::JointVector rates = core::JointVector::zeros(m_fastest_radPerS.size());
     double scale = 1.0;
     for (std::size_t joint = 0; joint < rates.size(); ++joint) {

@@ -49,7 +49,6 @@ private:
     [[nodiscard]] core::JointVector towards(const core::JointSample& seen) const;
 
     scene::OperatorProgram m_program;
-    arm::ArmDimensions m_dimensions;
     arm::Arm4Kinematics m_kinematics;
     core::JointVector m_fastest_radPerS;
 

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace teleta::simulation {
 
 namespace {
+
+using Eigen::AlignedBox2d;
 
 constexpr int kCellsPerSide = 8;
 
@@ -15,6 +16,18 @@ constexpr int kCellsPerSide = 8;
 /// start.
 int taxelIndex(double position, int count) {
     return static_cast<int>(std::clamp(std::floor(position), 0.0, static_cast<double>(count - 1)));
+}
+
+AlignedBox2d boxAround(double x_m, double y_m, double halfX_m, double halfY_m) {
+    return {Eigen::Vector2d(x_m - halfX_m, y_m - halfY_m), Eigen::Vector2d(x_m + halfX_m, y_m + halfY_m)};
+}
+
+AlignedBox2d boxOf(const RigidIndenter& body) {
+    return boxAround(body.pose().x_m, body.pose().y_m, body.halfWidthX_m(), body.halfWidthY_m());
+}
+
+bool hasArea(const AlignedBox2d& box) {
+    return (box.min().array() < box.max().array()).all();
 }
 
 } // namespace
@@ -31,17 +44,12 @@ void FoundationContact::press(std::span<const RigidIndenter> indenters, std::spa
     m_momentX_Nm.assign(indenters.size(), 0.0);
     m_momentY_Nm.assign(indenters.size(), 0.0);
 
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    Box reach{kInfinity, -kInfinity, kInfinity, -kInfinity};
+    AlignedBox2d reach;
     for (const RigidIndenter& body : indenters) {
-        if (!body.touches())
-            continue;
-        reach.lowX_m = std::min(reach.lowX_m, body.pose().x_m - body.halfWidthX_m());
-        reach.highX_m = std::max(reach.highX_m, body.pose().x_m + body.halfWidthX_m());
-        reach.lowY_m = std::min(reach.lowY_m, body.pose().y_m - body.halfWidthY_m());
-        reach.highY_m = std::max(reach.highY_m, body.pose().y_m + body.halfWidthY_m());
+        if (body.touches())
+            reach.extend(boxOf(body));
     }
-    if (reach.lowX_m < reach.highX_m && reach.lowY_m < reach.highY_m) {
+    if (hasArea(reach)) {
         const double pitch_m = m_layout.pitch_m;
         const auto column = [&](double x_m) {
             return taxelIndex(x_m / pitch_m + 0.5 * m_layout.columns, m_layout.columns);
@@ -49,12 +57,10 @@ void FoundationContact::press(std::span<const RigidIndenter> indenters, std::spa
         const auto row = [&](double y_m) {
             return taxelIndex(y_m / pitch_m + 0.5 * m_layout.rows, m_layout.rows);
         };
-        for (int r = row(reach.lowY_m); r <= row(reach.highY_m); ++r) {
-            for (int c = column(reach.lowX_m); c <= column(reach.highX_m); ++c) {
-                const double x_m = m_layout.x_m(c);
-                const double y_m = m_layout.y_m(r);
-                const Box taxel{x_m - 0.5 * pitch_m, x_m + 0.5 * pitch_m, y_m - 0.5 * pitch_m,
-                                y_m + 0.5 * pitch_m};
+        for (int r = row(reach.min().y()); r <= row(reach.max().y()); ++r) {
+            for (int c = column(reach.min().x()); c <= column(reach.max().x()); ++c) {
+                const AlignedBox2d taxel =
+                    boxAround(m_layout.x_m(c), m_layout.y_m(r), 0.5 * pitch_m, 0.5 * pitch_m);
                 pressTaxel(indenters, taxel, load_N[static_cast<std::size_t>(r) * m_layout.columns + c]);
             }
         }
@@ -68,32 +74,27 @@ void FoundationContact::press(std::span<const RigidIndenter> indenters, std::spa
     }
 }
 
-void FoundationContact::pressTaxel(std::span<const RigidIndenter> indenters, const Box& taxel,
+void FoundationContact::pressTaxel(std::span<const RigidIndenter> indenters, const AlignedBox2d& taxel,
                                    double& load_N) {
     m_reaching.clear();
-    Box part{taxel.highX_m, taxel.lowX_m, taxel.highY_m, taxel.lowY_m};
+    AlignedBox2d part;
     for (std::size_t i = 0; i < indenters.size(); ++i) {
-        const RigidIndenter& body = indenters[i];
-        const Box inside{std::max(taxel.lowX_m, body.pose().x_m - body.halfWidthX_m()),
-                         std::min(taxel.highX_m, body.pose().x_m + body.halfWidthX_m()),
-                         std::max(taxel.lowY_m, body.pose().y_m - body.halfWidthY_m()),
-                         std::min(taxel.highY_m, body.pose().y_m + body.halfWidthY_m())};
-        if (!body.touches() || inside.lowX_m >= inside.highX_m || inside.lowY_m >= inside.highY_m)
+        const AlignedBox2d inside = taxel.intersection(boxOf(indenters[i]));
+        if (!indenters[i].touches() || !hasArea(inside))
             continue;
         m_reaching.push_back(i);
-        part = {std::min(part.lowX_m, inside.lowX_m), std::max(part.highX_m, inside.highX_m),
-                std::min(part.lowY_m, inside.lowY_m), std::max(part.highY_m, inside.highY_m)};
+        part.extend(inside);
     }
     if (m_reaching.empty())
         return;
 
-    const double width_m = (part.highX_m - part.lowX_m) / kCellsPerSide;
-    const double height_m = (part.highY_m - part.lowY_m) / kCellsPerSide;
+    const double width_m = (part.max().x() - part.min().x()) / kCellsPerSide;
+    const double height_m = (part.max().y() - part.min().y()) / kCellsPerSide;
     const double stiffness_NPerM = m_stiffness_NPerM3 * width_m * height_m;
     for (int j = 0; j < kCellsPerSide; ++j) {
-        const double y_m = part.lowY_m + (j + 0.5) * height_m;
+        const double y_m = part.min().y() + (j + 0.5) * height_m;
         for (int i = 0; i < kCellsPerSide; ++i) {
-            const double x_m = part.lowX_m + (i + 0.5) * width_m;
+            const double x_m = part.min().x() + (i + 0.5) * width_m;
             // Bodies that overlap press as one: the deeper one carries the cell.
             double deepest_m = 0.0;
             std::size_t carrier = 0;

@@ -4,6 +4,8 @@
 #include "backend/core/data/array_layout.h"
 #include "backend/simulation/array/rigid_indenter.h"
 
+#include <Eigen/Geometry>
+
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,11 +35,8 @@ public:
                std::span<IndenterLoad> loads);
 
 private:
-    struct Box {
-        double lowX_m, highX_m, lowY_m, highY_m;
-    };
-
-    void pressTaxel(std::span<const RigidIndenter> indenters, const Box& taxel, double& load_N);
+    void pressTaxel(std::span<const RigidIndenter> indenters, const Eigen::AlignedBox2d& taxel,
+                    double& load_N);
 
     core::ArrayLayout m_layout;
     double m_stiffness_NPerM3;

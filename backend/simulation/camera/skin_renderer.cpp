@@ -3,6 +3,8 @@
 
 #include "backend/simulation/camera/skin_rays.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -67,10 +69,7 @@ std::vector<cv::Rect> SkinRenderer::reach(const SkinDeformation& deformation) co
         // The surface stands into the tube, where it hides what is further away.
         const double influence_m = press.imprint.influence_m();
         const double inner_m = m_skin.radius_m - deformation.deepest_m();
-        double left = std::numeric_limits<double>::infinity();
-        double top = left;
-        double right = -left;
-        double bottom = -left;
+        Eigen::AlignedBox2d seen;
         for (int i = 0; i <= kSteps; ++i) {
             for (int k = 0; k <= kSteps; ++k) {
                 const double angle_rad =
@@ -80,22 +79,18 @@ std::vector<cv::Rect> SkinRenderer::reach(const SkinDeformation& deformation) co
                 for (const double rho_m : {m_skin.radius_m, inner_m}) {
                     const auto pixel = m_camera.camera().project(
                         {rho_m * std::cos(angle_rad), rho_m * std::sin(angle_rad), z_m});
-                    if (!pixel)
-                        continue;
-                    left = std::min(left, pixel->x());
-                    right = std::max(right, pixel->x());
-                    top = std::min(top, pixel->y());
-                    bottom = std::max(bottom, pixel->y());
+                    if (pixel)
+                        seen.extend(*pixel);
                 }
             }
         }
-        if (!(left <= right))
+        if (seen.isEmpty())
             continue;
         constexpr int kMargin = 3;
-        const cv::Rect box(static_cast<int>(std::floor(left)) - kMargin,
-                           static_cast<int>(std::floor(top)) - kMargin,
-                           static_cast<int>(std::ceil(right - left)) + 2 * kMargin + 1,
-                           static_cast<int>(std::ceil(bottom - top)) + 2 * kMargin + 1);
+        const cv::Rect box(static_cast<int>(std::floor(seen.min().x())) - kMargin,
+                           static_cast<int>(std::floor(seen.min().y())) - kMargin,
+                           static_cast<int>(std::ceil(seen.sizes().x())) + 2 * kMargin + 1,
+                           static_cast<int>(std::ceil(seen.sizes().y())) + 2 * kMargin + 1);
         if (const cv::Rect inside = box & cv::Rect(0, 0, m_place.cols, m_place.rows); !inside.empty())
             all.push_back(inside);
     }

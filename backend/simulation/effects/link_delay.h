@@ -4,6 +4,7 @@
 #include "backend/core/random_stream.h"
 #include "backend/scene/scene.h"
 
+#include <cmath>
 #include <optional>
 
 namespace teleta::simulation {
@@ -19,7 +20,12 @@ public:
         , m_random(random) {}
 
     /// Of a message that is sent at that time; empty: it is lost.
-    [[nodiscard]] std::optional<double> next_s(double sentAt_s);
+    [[nodiscard]] std::optional<double> next_s(double sentAt_s) {
+        const bool lost = m_random.uniform() < m_spec.lossShare;
+        const double jitter_s = -m_spec.jitter_s * std::log1p(-m_random.uniform());
+        const bool isOut = sentAt_s >= m_spec.outageAt_s && sentAt_s < m_spec.outageAt_s + m_spec.outage_s;
+        return lost || isOut ? std::nullopt : std::optional(m_spec.delay_s + jitter_s);
+    }
     void restart() { m_random.restart(); }
 
 private:

@@ -42,14 +42,11 @@ ElasticArray arrayOf(const scene::Scene& scene) {
                         rim);
 }
 
-double contactDamping_s(const scene::Scene& scene) {
-    const auto* damping = scene.listed<scene::ContactDampingSpec>();
-    return damping == nullptr ? 0.0 : damping->time_s;
-}
-
-double frictionOf(const scene::Scene& scene) {
-    const auto* friction = scene.listed<scene::FrictionSpec>();
-    return friction == nullptr ? 0.0 : friction->coefficient;
+/// A number of an effect; 0 when the scene does not list it.
+template <typename Spec>
+double listedOr0(const scene::Scene& scene, double Spec::*number) {
+    const Spec* spec = scene.listed<Spec>();
+    return spec == nullptr ? 0.0 : spec->*number;
 }
 
 TouchedObject objectOf(const scene::ServoWorld& world, std::uint64_t seed) {
@@ -114,8 +111,8 @@ SimulatedServoWorld::SimulatedServoWorld(const scene::Scene& scene, std::uint64_
             {.stiffness_NPerM = m_world.arm.stiffness_NPerM,
              .rotationalStiffness_NmPerRad = m_world.arm.rotationalStiffness_NmPerRad,
              .dampingRatio = m_world.arm.dampingRatio,
-             .contactDampingTime_s = contactDamping_s(scene),
-             .friction = frictionOf(scene)},
+             .contactDampingTime_s = listedOr0(scene, &scene::ContactDampingSpec::time_s),
+             .friction = listedOr0(scene, &scene::FrictionSpec::coefficient)},
             arrayOf(scene), objectOf(m_world, seed))
     , m_effects(makeEffects<scene::ActsOn::taxels>(scene, seed, 1.0 / m_world.sensor.acquisition_Hz))
     , m_load_N(m_world.sensor.array.layout.taxels()) {

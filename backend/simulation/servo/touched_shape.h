@@ -19,6 +19,13 @@ struct Depth {
     Eigen::Vector3d normal;
 };
 
+/// Of a point that is so far from the ball's centre.
+[[nodiscard]] inline Depth depthInBall(double radius_m, const Eigen::Vector3d& away_m) {
+    const double distance_m = std::sqrt(away_m.squaredNorm());
+    return {radius_m - distance_m,
+            distance_m > 0.0 ? Eigen::Vector3d(away_m / distance_m) : Eigen::Vector3d::UnitZ()};
+}
+
 /// The round bar of scene::BarShape. Frame {o}: the line of contact is the curve (u, y(u), z(u)) through the
 /// origin with the tangent x, z out of the surface. The axis lies a radius behind it.
 ///   y' = tan(turn) r,  z' = -tan(fall) r,  r = clamp((u - straight)/bend, -behind/bend, 1)
@@ -28,7 +35,9 @@ class BarSurface {
 public:
     explicit BarSurface(const scene::BarShape& shape);
 
-    [[nodiscard]] Depth at(const Eigen::Vector3d& p_Object) const { return depthOf(fromAxis(p_Object)); }
+    [[nodiscard]] Depth at(const Eigen::Vector3d& p_Object) const {
+        return depthInBall(m_radius_m, fromAxis(p_Object));
+    }
 
     /// As at(), where the point lies in the bar; false outside, and depth is left as it was.
     [[nodiscard]] bool contains(const Eigen::Vector3d& p_Object, Depth& depth) const {
@@ -36,7 +45,7 @@ public:
         // Most springs that are near the bar are outside: those need no root.
         if (away.squaredNorm() > m_surelyOutside_m2)
             return false;
-        const Depth found = depthOf(away);
+        const Depth found = depthInBall(m_radius_m, away);
         if (!(found.depth_m > 0.0))
             return false;
         depth = found;
@@ -69,12 +78,6 @@ private:
         const double u = std::clamp(u0 + share, m_low_m, m_high_m);
         const Axis axis = axisAt(u);
         return {p_Object.x() - u, p_Object.y() - axis.y_m, p_Object.z() - axis.z_m};
-    }
-
-    [[nodiscard]] Depth depthOf(const Eigen::Vector3d& away_m) const {
-        const double distance_m = std::sqrt(away_m.squaredNorm());
-        return {m_radius_m - distance_m,
-                distance_m > 0.0 ? Eigen::Vector3d(away_m / distance_m) : Eigen::Vector3d::UnitZ()};
     }
 
     [[nodiscard]] Axis axisAt(double u_m) const {
@@ -116,10 +119,7 @@ struct BallSurface {
     double radius_m;
 
     [[nodiscard]] Depth at(const Eigen::Vector3d& p_Object) const {
-        const Eigen::Vector3d away(p_Object.x(), p_Object.y(), p_Object.z() + radius_m);
-        const double distance_m = std::sqrt(away.squaredNorm());
-        return {radius_m - distance_m,
-                distance_m > 0.0 ? Eigen::Vector3d(away / distance_m) : Eigen::Vector3d::UnitZ()};
+        return depthInBall(radius_m, {p_Object.x(), p_Object.y(), p_Object.z() + radius_m});
     }
 };
 

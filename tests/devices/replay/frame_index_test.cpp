@@ -27,7 +27,7 @@ TEST(FrameIndex, knowsTheExtentAndWhetherItIsFinal) {
     EXPECT_EQ(index.extent().frames, 0U);
     fill(index, 11);
     EXPECT_EQ(index.extent().frames, 11U);
-    EXPECT_DOUBLE_EQ(index.extent().firstTime_s, 5.0);
+    EXPECT_DOUBLE_EQ(index.atFrame(0).time_s, 5.0);
     EXPECT_DOUBLE_EQ(index.extent().lastTime_s, 6.0);
     EXPECT_FALSE(index.extent().complete);
     index.complete();
