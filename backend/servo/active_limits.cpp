@@ -2,33 +2,20 @@
 #include "backend/servo/active_limits.h"
 
 #include <algorithm>
+#include <array>
 
 namespace teleta::servo {
 
+namespace {
+
+constexpr std::array<const char*, kLimits> kLimitNames{"tool_speed", "turn_rate",   "force",     "saturation",
+                                                       "deviation",  "joint_speed", "joint_end", "singular",
+                                                       "gap",        "bad_input"};
+
+} // namespace
+
 const char* toString(Limit limit) {
-    switch (limit) {
-    case Limit::toolSpeed:
-        return "tool_speed";
-    case Limit::turnRate:
-        return "turn_rate";
-    case Limit::force:
-        return "force";
-    case Limit::saturation:
-        return "saturation";
-    case Limit::deviation:
-        return "deviation";
-    case Limit::jointSpeed:
-        return "joint_speed";
-    case Limit::jointEnd:
-        return "joint_end";
-    case Limit::singular:
-        return "singular";
-    case Limit::gap:
-        return "gap";
-    case Limit::badInput:
-        return "bad_input";
-    }
-    return "";
+    return kLimitNames[static_cast<std::size_t>(limit)];
 }
 
 std::string ActiveLimits::names() const {
@@ -47,12 +34,10 @@ std::optional<ActiveLimits> ActiveLimits::fromNames(std::string_view names) {
     ActiveLimits limits;
     while (!names.empty()) {
         const std::string_view name = names.substr(0, names.find('+'));
-        std::size_t i = 0;
-        while (i < kLimits && name != toString(static_cast<Limit>(i)))
-            ++i;
-        if (i == kLimits)
+        const auto known = std::ranges::find(kLimitNames, name);
+        if (known == kLimitNames.end())
             return std::nullopt;
-        limits.m_bits.set(i);
+        limits.m_bits.set(static_cast<std::size_t>(known - kLimitNames.begin()));
         names.remove_prefix(std::min(names.size(), name.size() + 1));
     }
     return limits;

@@ -2,6 +2,7 @@
 #include "backend/servo/contact_search.h"
 
 #include <algorithm>
+#include <array>
 
 namespace teleta::servo {
 
@@ -19,17 +20,8 @@ constexpr double kPatience_s = 0.5;
 } // namespace
 
 const char* toString(ContactState state) {
-    switch (state) {
-    case ContactState::none:
-        return "none";
-    case ContactState::touching:
-        return "touching";
-    case ContactState::searching:
-        return "searching";
-    case ContactState::lost:
-        return "lost";
-    }
-    return "";
+    constexpr std::array kNames{"none", "touching", "searching", "lost"};
+    return kNames[static_cast<std::size_t>(state)];
 }
 
 void ContactSearch::touched(const Eigen::Isometry3d& X_Base_Sensor, const Eigen::Vector3d& slide_Base_mPerS) {

@@ -14,8 +14,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::array<double, kLwrJoints> kTwistSign = {1.0, -1.0, -1.0, 1.0, 1.0, -1.0, 0.0};
 
 constexpr std::array<double, kLwrJoints> kOffset_m = {
-    LwrKinematics::kBaseToShoulder_m, 0.0, LwrKinematics::kShoulderToElbow_m, 0.0,
-    LwrKinematics::kElbowToWrist_m,   0.0, LwrKinematics::kWristToFlange_m};
+    0.310, 0.0, 0.400, 0.0, 0.390, 0.0, LwrKinematics::kWristToFlange_m};
 
 /// A frame that is moved outwards along the chain, as the columns of its rotation and its origin.
 struct Frame {
@@ -50,21 +49,11 @@ struct Frame {
 } // namespace
 
 LwrVector LwrLimits::highest() {
-    LwrVector degrees;
-    degrees << 170.0, 120.0, 170.0, 120.0, 170.0, 120.0, 170.0;
-    return kDegree * degrees;
+    return kDegree * LwrVector{{170.0, 120.0, 170.0, 120.0, 170.0, 120.0, 170.0}};
 }
 
 LwrVector LwrLimits::fastest() {
-    LwrVector degrees;
-    degrees << 110.0, 110.0, 128.0, 128.0, 204.0, 184.0, 184.0;
-    return kDegree * degrees;
-}
-
-LwrVector LwrLimits::torque() {
-    LwrVector torque_Nm;
-    torque_Nm << 176.0, 176.0, 100.0, 100.0, 100.0, 38.0, 38.0;
-    return torque_Nm;
+    return kDegree * LwrVector{{110.0, 110.0, 128.0, 128.0, 204.0, 184.0, 184.0}};
 }
 
 LwrPosture LwrKinematics::forward(const LwrVector& q_rad) const {
@@ -83,13 +72,6 @@ LwrPosture LwrKinematics::forward(const LwrVector& q_rad) const {
         column.tail<3>() = posture.axis[joint];
     }
     return posture;
-}
-
-Eigen::Isometry3d LwrKinematics::X_Base_Tool(const LwrVector& q_rad) const {
-    Frame frame;
-    for (std::size_t joint = 0; joint < kLwrJoints; ++joint)
-        frame.advance(joint, q_rad[static_cast<Eigen::Index>(joint)]);
-    return frame.pose() * m_X_Flange_Tool;
 }
 
 } // namespace teleta::servo

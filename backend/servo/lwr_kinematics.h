@@ -20,17 +20,15 @@ using LwrVector = Eigen::Matrix<double, kLwrJoints, 1>;
 /// A7; m and 1. A force and moment [f; m] at that origin cause the joint torques J^T [f; m].
 using LwrJacobian = Eigen::Matrix<double, 6, kLwrJoints>;
 
-/// Limits of the joints: positions, speeds and torques in rad, rad/s and Nm. Source: robot description of the
+/// Limits of the joints: positions and speeds in rad and rad/s. Source: robot description of the
 /// KUKA LWR 4+ by the University of Pisa (github.com/CentroEPiaggio/kuka-lwr).
 struct LwrLimits {
     LwrVector lowest_rad = -highest();
     LwrVector highest_rad = highest();
     LwrVector fastest_radPerS = fastest();
-    LwrVector highestTorque_Nm = torque();
 
     [[nodiscard]] static LwrVector highest(); ///< 170, 120, 170, 120, 170, 120, 170 degrees
     [[nodiscard]] static LwrVector fastest(); ///< 110, 110, 128, 128, 204, 184, 184 degrees/s
-    [[nodiscard]] static LwrVector torque();  ///< 176, 176, 100, 100, 100, 38, 38
 };
 
 /// Forward kinematics of one posture.
@@ -51,21 +49,18 @@ struct LwrPosture {
 /// allocates nothing.
 class LwrKinematics {
 public:
-    static constexpr double kBaseToShoulder_m = 0.310;
-    static constexpr double kShoulderToElbow_m = 0.400;
-    static constexpr double kElbowToWrist_m = 0.390;
     static constexpr double kWristToFlange_m = 0.078;
 
     explicit LwrKinematics(const Eigen::Isometry3d& X_Flange_Tool = Eigen::Isometry3d::Identity())
         : m_X_Flange_Tool(X_Flange_Tool) {}
 
-    [[nodiscard]] const Eigen::Isometry3d& X_Flange_Tool() const { return m_X_Flange_Tool; }
-
     /// Pose, Jacobian and joint axes. q_rad: finite.
     [[nodiscard]] LwrPosture forward(const LwrVector& q_rad) const;
 
     /// Pose of the tool only.
-    [[nodiscard]] Eigen::Isometry3d X_Base_Tool(const LwrVector& q_rad) const;
+    [[nodiscard]] Eigen::Isometry3d X_Base_Tool(const LwrVector& q_rad) const {
+        return forward(q_rad).X_Base_Tool;
+    }
 
 private:
     Eigen::Isometry3d m_X_Flange_Tool;

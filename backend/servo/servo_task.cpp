@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/servo/servo_task.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace teleta::servo {
 
@@ -46,26 +47,19 @@ ServoTask contactTask(TaskKind kind, double force_N) {
     return task;
 }
 
+/// A plan of tasks that follow each other.
+ServoPlan sequence(const char* name, std::vector<ServoTask> tasks) {
+    for (std::size_t i = 0; i + 1 < tasks.size(); ++i)
+        tasks[i].next = i + 1;
+    return {.name = name, .tasks = std::move(tasks), .search = {}};
+}
+
 } // namespace
 
 const char* toString(TaskKind kind) {
-    switch (kind) {
-    case TaskKind::freeMotion:
-        return "free_motion";
-    case TaskKind::align:
-        return "align";
-    case TaskKind::edgeControl:
-        return "edge_control";
-    case TaskKind::explore:
-        return "explore";
-    case TaskKind::roll:
-        return "roll";
-    case TaskKind::pointFollowing:
-        return "point_following";
-    case TaskKind::comanipulation:
-        return "comanipulation";
-    }
-    return "";
+    constexpr std::array kNames{"free_motion", "align",           "edge_control",  "explore",
+                                "roll",        "point_following", "comanipulation"};
+    return kNames[static_cast<std::size_t>(kind)];
 }
 
 Vector6 highestGain() {
@@ -200,12 +194,9 @@ ServoTask comanipulationTask(double force_N) {
 }
 
 ServoPlan explorePlan(double force_N, double speed_mPerS, bool dzmp) {
-    ServoPlan plan;
-    plan.name = dzmp ? "explore" : "explore_baseline";
-    plan.tasks = {freeMotion(), alignTask(force_N), edgeControlTask(force_N),
-                  exploreTask(force_N, speed_mPerS), edgeControlTask(force_N)};
-    for (std::size_t i = 0; i + 1 < plan.tasks.size(); ++i)
-        plan.tasks[i].next = i + 1;
+    ServoPlan plan = sequence(dzmp ? "explore" : "explore_baseline",
+                              {freeMotion(), alignTask(force_N), edgeControlTask(force_N),
+                               exploreTask(force_N, speed_mPerS), edgeControlTask(force_N)});
     ExitCondition& aligned = plan.tasks[2].exit;
     aligned.edge = true;
     aligned.alphaWithin_rad = 1.0 * kRadPerDegree;
@@ -226,31 +217,21 @@ ServoPlan explorePlan(double force_N, double speed_mPerS, bool dzmp) {
 }
 
 ServoPlan comanipulationPlan(double force_N) {
-    ServoPlan plan;
-    plan.name = "comanipulation";
-    plan.tasks = {freeMotion(), alignTask(force_N), comanipulationTask(force_N)};
-    plan.tasks[0].next = 1;
-    plan.tasks[1].next = 2;
+    ServoPlan plan =
+        sequence("comanipulation", {freeMotion(), alignTask(force_N), comanipulationTask(force_N)});
     plan.tasks[2].afterSearch = 1;
     return plan;
 }
 
 ServoPlan rollPlan(double force_N, double angle_rad, double period_s) {
-    ServoPlan plan;
-    plan.name = "roll";
-    plan.tasks = {freeMotion(), pointFollowingTask(force_N), rollTask(force_N, angle_rad, period_s)};
-    plan.tasks[0].next = 1;
-    plan.tasks[1].next = 2;
+    ServoPlan plan =
+        sequence("roll", {freeMotion(), pointFollowingTask(force_N), rollTask(force_N, angle_rad, period_s)});
     plan.tasks[1].exit.time_s = 3.0;
     return plan;
 }
 
 ServoPlan pointPlan(double force_N) {
-    ServoPlan plan;
-    plan.name = "point";
-    plan.tasks = {freeMotion(), pointFollowingTask(force_N)};
-    plan.tasks[0].next = 1;
-    return plan;
+    return sequence("point", {freeMotion(), pointFollowingTask(force_N)});
 }
 
 } // namespace teleta::servo

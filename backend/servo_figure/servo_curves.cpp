@@ -23,38 +23,38 @@ struct CurvesText {
     Q_DECLARE_TR_FUNCTIONS(ServoCurves)
 };
 
-constexpr std::array kVectors{&ServoCurves::time_s,        &ServoCurves::force_N,
-                              &ServoCurves::desired_N,     &ServoCurves::copY_m,
-                              &ServoCurves::copYDesired_m, &ServoCurves::cocX_m,
-                              &ServoCurves::dzmpY_m,       &ServoCurves::dzmpYTrue_m,
-                              &ServoCurves::alphaZ_rad,    &ServoCurves::alphaZDesired_rad,
-                              &ServoCurves::x_m,           &ServoCurves::y_m,
-                              &ServoCurves::z_m,           &ServoCurves::way_m,
-                              &ServoCurves::cocXDesired_m, &ServoCurves::dzmpYDesired_m,
-                              &ServoCurves::turnZ_rad,     &ServoCurves::turnZCommanded_rad};
+/// A curve, the value of a step that it shows and the column of servo.csv that has it.
+struct Curve {
+    std::vector<double> ServoCurves::*values;
+    double servo::ServoStep::*value;
+    std::string_view column;
+    bool isLater = false; ///< missing in files of older versions
+};
 
-constexpr std::array<std::string_view, 15> kNames{"time_s",
-                                                  "force_true_N",
-                                                  "force_desired_N",
-                                                  "cop_y_m",
-                                                  "cop_y_desired_m",
-                                                  "coc_x_m",
-                                                  "dzmp_y_m",
-                                                  "dzmp_y_true_m",
-                                                  "alpha_z_rad",
-                                                  "alpha_z_desired_rad",
-                                                  "x_m",
-                                                  "y_m",
-                                                  "z_m",
-                                                  "phase",
-                                                  "contact"};
-constexpr std::size_t kNumbers = 13;
+constexpr std::array kCurves{
+    Curve{&ServoCurves::time_s, &servo::ServoStep::time_s, "time_s"},
+    Curve{&ServoCurves::force_N, &servo::ServoStep::force_N, "force_true_N"},
+    Curve{&ServoCurves::desired_N, &servo::ServoStep::desired_N, "force_desired_N"},
+    Curve{&ServoCurves::copY_m, &servo::ServoStep::copY_m, "cop_y_m"},
+    Curve{&ServoCurves::copYDesired_m, &servo::ServoStep::copYDesired_m, "cop_y_desired_m"},
+    Curve{&ServoCurves::cocX_m, &servo::ServoStep::cocX_m, "coc_x_m"},
+    Curve{&ServoCurves::dzmpY_m, &servo::ServoStep::dzmpY_m, "dzmp_y_m"},
+    Curve{&ServoCurves::dzmpYTrue_m, &servo::ServoStep::dzmpYTrue_m, "dzmp_y_true_m"},
+    Curve{&ServoCurves::alphaZ_rad, &servo::ServoStep::alphaZ_rad, "alpha_z_rad"},
+    Curve{&ServoCurves::alphaZDesired_rad, &servo::ServoStep::alphaZDesired_rad, "alpha_z_desired_rad"},
+    Curve{&ServoCurves::cocXDesired_m, &servo::ServoStep::cocXDesired_m, "coc_x_desired_m", true},
+    Curve{&ServoCurves::dzmpYDesired_m, &servo::ServoStep::dzmpYDesired_m, "dzmp_y_desired_m", true}};
 
-/// Columns that are missing in files of older versions.
-constexpr std::array<std::string_view, 11> kLaterNumbers{
-    "coc_x_desired_m", "dzmp_y_desired_m", "mass_x_true_m", "qw",          "qx", "qy", "qz",
-    "qw_commanded",    "qx_commanded",     "qy_commanded",  "qz_commanded"};
-constexpr std::string_view kLimitsName = "limits";
+/// The curves that follow from the pose of the array.
+constexpr std::array kPoseCurves{&ServoCurves::x_m,       &ServoCurves::y_m,
+                                 &ServoCurves::z_m,       &ServoCurves::way_m,
+                                 &ServoCurves::turnZ_rad, &ServoCurves::turnZCommanded_rad};
+
+constexpr std::array<std::string_view, 3> kPlace{"x_m", "y_m", "z_m"};
+/// In the order of the coefficients of an Eigen::Quaternion.
+constexpr std::array<std::string_view, 4> kTurn{"qx", "qy", "qz", "qw"};
+constexpr std::array<std::string_view, 4> kTurnCommanded{"qx_commanded", "qy_commanded", "qz_commanded",
+                                                         "qw_commanded"};
 
 /// Largest plausible place, force or time of a run, in SI units.
 constexpr double kLargest = 1e12;
@@ -112,38 +112,28 @@ void ServoCurves::add(const servo::ServoStep& step, std::string_view phase) {
         m_start_m = step.p_Base_Sensor;
         m_q_Base_Start = step.q_Base_Sensor;
     }
+    for (const Curve& curve : kCurves)
+        (this->*curve.values).push_back(step.*curve.value);
     const Eigen::Vector3d way = m_start_m ? Eigen::Vector3d(step.p_Base_Sensor - *m_start_m)
                                           : Eigen::Vector3d::Constant(servo::ServoStep::kNone);
-    const std::array<double, kVectors.size()> values{step.time_s,
-                                                     step.force_N,
-                                                     step.desired_N,
-                                                     step.copY_m,
-                                                     step.copYDesired_m,
-                                                     step.cocX_m,
-                                                     step.dzmpY_m,
-                                                     step.dzmpYTrue_m,
-                                                     step.alphaZ_rad,
-                                                     step.alphaZDesired_rad,
-                                                     way.x(),
-                                                     way.y(),
-                                                     way.z(),
-                                                     way.norm(),
-                                                     step.cocXDesired_m,
-                                                     step.dzmpYDesired_m,
-                                                     turnSinceStart_rad(step.q_Base_Sensor),
-                                                     turnSinceStart_rad(step.q_Base_Reference)};
-    for (std::size_t i = 0; i < kVectors.size(); ++i)
-        (this->*kVectors[i]).push_back(values[i]);
+    x_m.push_back(way.x());
+    y_m.push_back(way.y());
+    z_m.push_back(way.z());
+    way_m.push_back(way.norm());
+    turnZ_rad.push_back(turnSinceStart_rad(step.q_Base_Sensor));
+    turnZCommanded_rad.push_back(turnSinceStart_rad(step.q_Base_Reference));
 }
 
 void ServoCurves::thin() {
-    for (const auto vector : kVectors) {
-        std::vector<double>& values = this->*vector;
+    const auto thinned = [this](std::vector<double> ServoCurves::*curve) {
+        std::vector<double>& values = this->*curve;
         const std::size_t left = (values.size() + 1) / 2;
         for (std::size_t i = 0; i < left; ++i)
             values[i] = values[2 * i];
         values.resize(left);
-    }
+    };
+    std::ranges::for_each(kCurves, thinned, &Curve::values);
+    std::ranges::for_each(kPoseCurves, thinned);
 }
 
 core::Expected<ServoCurves> readServoCurves(const std::string& path) {
@@ -151,72 +141,64 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
     const QString file =
         info.isDir() ? QDir(info.filePath()).filePath(QStringLiteral("servo.csv")) : info.filePath();
     TELETA_TRY(core::CsvReader csv, core::CsvReader::open(file.toStdString()));
-    TELETA_TRY(const std::vector<std::size_t> columns, csv.columns(kNames));
-
-    const auto later = [&](std::string_view name) {
-        const auto& header = csv.header();
-        return static_cast<std::size_t>(std::ranges::find(header, name) - header.begin());
-    };
-    std::array<std::size_t, kLaterNumbers.size()> laterColumns{};
-    std::ranges::transform(kLaterNumbers, laterColumns.begin(), later);
-    const std::size_t limitsColumn = later(kLimitsName);
+    std::vector<std::string_view> needed;
+    for (const Curve& curve : kCurves)
+        if (!curve.isLater)
+            needed.push_back(curve.column);
+    needed.insert(needed.end(), {"x_m", "y_m", "z_m", "phase", "contact"});
+    TELETA_CHECK(csv.columns(needed));
 
     ServoCurves curves;
     curves.name = QFileInfo(QFileInfo(file).absolutePath()).fileName().toStdString();
+    servo::ServoStep step;
+    std::vector<std::pair<std::size_t, double*>> numbers; // columns that there are, and where they go
+    const std::vector<std::string>& header = csv.header();
+    const auto columnOf = [&](std::string_view name) {
+        return static_cast<std::size_t>(std::ranges::find(header, name) - header.begin());
+    };
+    const auto take = [&](std::string_view name, double& value) {
+        if (columnOf(name) < header.size())
+            numbers.emplace_back(columnOf(name), &value);
+    };
+    for (const Curve& curve : kCurves)
+        take(curve.column, step.*curve.value);
+    for (std::size_t i = 0; i < kPlace.size(); ++i)
+        take(kPlace[i], step.p_Base_Sensor.data()[i]);
+    for (std::size_t i = 0; i < kTurn.size(); ++i) {
+        take(kTurn[i], step.q_Base_Sensor.coeffs().data()[i]);
+        take(kTurnCommanded[i], step.q_Base_Reference.coeffs().data()[i]);
+    }
+    take("mass_x_true_m", step.massX_m);
+    const std::size_t phaseColumn = columnOf("phase");
+    const std::size_t contactColumn = columnOf("contact");
+    const std::size_t limitsColumn = columnOf("limits");
+
     std::vector<std::string_view> fields;
     double before_s = -kLargest;
     while (true) {
         TELETA_TRY(const bool more, csv.nextText(fields));
         if (!more)
             return curves;
-        std::array<double, kNumbers> row{};
-        for (std::size_t i = 0; i < kNumbers; ++i) {
-            const std::optional<double> value = core::numberOrNA(fields[columns[i]]);
-            if (!value || (std::isfinite(*value) && std::abs(*value) > kLargest))
-                return badField(csv, columns[i], CurvesText::tr("this is not a plausible number"),
+        for (const auto& [column, value] : numbers) {
+            const std::optional<double> number = core::numberOrNA(fields[column]);
+            if (!number || (std::isfinite(*number) && std::abs(*number) > kLargest))
+                return badField(csv, column, CurvesText::tr("this is not a plausible number"),
                                 CurvesText::tr("a number from -1e12 to 1e12, or NA"));
-            row[i] = *value;
+            *value = *number;
         }
-        if (!std::isfinite(row[0]) || row[0] < before_s)
-            return badField(csv, columns[0], CurvesText::tr("the time decreases or is missing"),
+        if (!std::isfinite(step.time_s) || step.time_s < before_s)
+            return badField(csv, columnOf("time_s"), CurvesText::tr("the time decreases or is missing"),
                             CurvesText::tr("times in order"));
-        before_s = row[0];
-        servo::ServoStep step;
-        const std::array laterValues{
-            &step.cocXDesired_m,        &step.dzmpYDesired_m,       &step.massX_m,
-            &step.q_Base_Sensor.w(),    &step.q_Base_Sensor.x(),    &step.q_Base_Sensor.y(),
-            &step.q_Base_Sensor.z(),    &step.q_Base_Reference.w(), &step.q_Base_Reference.x(),
-            &step.q_Base_Reference.y(), &step.q_Base_Reference.z()};
-        for (std::size_t i = 0; i < laterColumns.size(); ++i) {
-            if (laterColumns[i] >= fields.size())
-                continue;
-            const std::optional<double> value = core::numberOrNA(fields[laterColumns[i]]);
-            if (!value || (std::isfinite(*value) && std::abs(*value) > kLargest))
-                return badField(csv, laterColumns[i], CurvesText::tr("this is not a plausible number"),
-                                CurvesText::tr("a number from -1e12 to 1e12, or NA"));
-            *laterValues[i] = *value;
-        }
+        before_s = step.time_s;
         if (limitsColumn < fields.size()) {
-            const std::optional<servo::ActiveLimits> limits =
-                servo::ActiveLimits::fromNames(fields[limitsColumn]);
+            const auto limits = servo::ActiveLimits::fromNames(fields[limitsColumn]);
             if (!limits)
                 return badField(csv, limitsColumn, CurvesText::tr("this is not a limit of a servo"),
                                 CurvesText::tr("names such as force+tool_speed, or nothing"));
             step.limits = *limits;
         }
-        step.time_s = row[0];
-        step.touching = fields[columns[14]] == "touching";
-        step.force_N = row[1];
-        step.desired_N = row[2];
-        step.copY_m = row[3];
-        step.copYDesired_m = row[4];
-        step.cocX_m = row[5];
-        step.dzmpY_m = row[6];
-        step.dzmpYTrue_m = row[7];
-        step.alphaZ_rad = row[8];
-        step.alphaZDesired_rad = row[9];
-        step.p_Base_Sensor = {row[10], row[11], row[12]};
-        curves.add(step, fields[columns[13]]);
+        step.touching = fields[contactColumn] == "touching";
+        curves.add(step, fields[phaseColumn]);
     }
 }
 
