@@ -3630,13 +3630,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>RecordedCameraText</name>
-    <message>
-        <source>the stream &quot;%1&quot; is not described: %2</source>
-        <translation>le flux «&#xa0;%1&#xa0;» n’est pas décrit&#xa0;: %2</translation>
-    </message>
-</context>
-<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>

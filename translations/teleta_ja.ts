@@ -3626,13 +3626,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>RecordedCameraText</name>
-    <message>
-        <source>the stream &quot;%1&quot; is not described: %2</source>
-        <translation>ストリーム「%1」が記述されていません: %2</translation>
-    </message>
-</context>
-<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>

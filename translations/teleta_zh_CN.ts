@@ -3626,13 +3626,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>RecordedCameraText</name>
-    <message>
-        <source>the stream &quot;%1&quot; is not described: %2</source>
-        <translation>数据流“%1”没有描述：%2</translation>
-    </message>
-</context>
-<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "backend/core/device/arm_device.h"
+#include "backend/core/device/stream_tap.h"
 #include "backend/core/threads/bounded_queue.h"
 #include "backend/core/threads/latest_copy.h"
 #include "backend/core/threads/latest_exchange.h"
 #include "backend/core/threads/mailbox.h"
-#include "backend/pipeline/channel_taps.h"
 #include "backend/pipeline/touch/arm_snapshot.h"
 #include "backend/pipeline/touch/found_objects.h"
 #include "backend/pipeline/touch/tactile_feedback.h"
@@ -21,6 +21,12 @@
 #include <vector>
 
 namespace teleta::pipeline {
+
+/// Where the channel leaves copies of what passes for a recording. All members are set.
+struct ArmTaps {
+    std::shared_ptr<core::StreamTap> joints;  ///< as recording::jointValues()
+    std::shared_ptr<core::StreamTap> touches; ///< as touchValues()
+};
 
 /// One remote arm with its skin in the running system: evaluates its touches and the contour that they
 /// outline, and says what views may see of it. The skin's own picture is that of its TouchChannel.

@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -38,23 +39,9 @@ core::GreyImage previewOf(const core::GreyImage& image) {
     return core::greyImageOf(std::move(small));
 }
 
-const char* eventWord(CameraEvent::Kind kind) {
-    switch (kind) {
-    case CameraEvent::Kind::begins:
-        return recording::kContactBegins;
-    case CameraEvent::Kind::bumps:
-        return recording::kBump;
-    case CameraEvent::Kind::ends:
-        return recording::kContactEnds;
-    case CameraEvent::Kind::follows:
-        return recording::kFollows;
-    case CameraEvent::Kind::reference:
-        return recording::kReference;
-    case CameraEvent::Kind::restart:
-        return recording::kRestart;
-    }
-    return "";
-}
+/// In the order of CameraEvent::Kind.
+constexpr std::array kEventWords{recording::kContactBegins, recording::kBump,      recording::kContactEnds,
+                                 recording::kFollows,       recording::kReference, recording::kRestart};
 
 } // namespace
 
@@ -120,7 +107,7 @@ void CameraChannel::record(const std::shared_ptr<recording::Recorder>& recorder,
                                                                               std::int64_t time_ns) {
         if (const auto kept = weak.lock())
             kept->add({.time_ns = time_ns,
-                       .kind = eventWord(event.kind),
+                       .kind = kEventWords[static_cast<std::size_t>(event.kind)],
                        .text = name,
                        .value = static_cast<double>(event.contact)});
     };

@@ -3,6 +3,7 @@
 
 #include "backend/core/device/camera_source.h"
 #include "backend/core/device/rate_meter.h"
+#include "backend/core/device/stream_tap.h"
 #include "backend/core/threads/bounded_queue.h"
 #include "backend/core/threads/latest_copy.h"
 #include "backend/core/threads/latest_exchange.h"
@@ -11,17 +12,26 @@
 #include "backend/core/threads/wakeup.h"
 #include "backend/pipeline/camera_snapshot.h"
 #include "backend/pipeline/channel.h"
-#include "backend/pipeline/channel_taps.h"
 #include "backend/vision/finders/contact_ladder.h"
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <string>
 #include <thread>
 
 namespace teleta::pipeline {
+
+/// Where the channel leaves copies of what passes for a recording. All members are set.
+struct CameraTaps {
+    std::shared_ptr<core::StreamTap> pictures;  ///< all that the camera gives
+    std::shared_ptr<core::StreamTap> reference; ///< the one in use, and each that follows
+    std::shared_ptr<core::StreamTap> contacts;  ///< as contactValues()
+    /// Called on the vision thread; returns at once.
+    std::function<void(const CameraEvent& event, std::int64_t time_ns)> event;
+};
 
 /// One camera in the soft tube in the running system. Its frames are worked on by a thread of its own, since
 /// one of them takes as long as hundreds of an array's. The newest frame wins; those that were passed over

@@ -3,12 +3,12 @@
 
 #include "backend/contact/contact_tracker.h"
 #include "backend/core/device/device.h"
+#include "backend/core/device/stream_tap.h"
 #include "backend/core/threads/bounded_queue.h"
 #include "backend/core/threads/latest_copy.h"
 #include "backend/core/threads/latest_exchange.h"
 #include "backend/core/threads/mailbox.h"
 #include "backend/pipeline/channel.h"
-#include "backend/pipeline/channel_taps.h"
 #include "backend/pipeline/touch/touch_snapshot.h"
 #include "backend/servo/servo_link.h"
 
@@ -21,6 +21,12 @@
 #include <vector>
 
 namespace teleta::pipeline {
+
+/// Where the channel leaves copies of what passes for a recording. All members are set.
+struct TouchTaps {
+    std::shared_ptr<core::StreamTap> frames;   ///< raw, float32
+    std::shared_ptr<core::StreamTap> features; ///< as featureValues()
+};
 
 /// One tactile array in the running system: its source, how its frames are processed, and what views may see
 /// of it.

@@ -45,16 +45,16 @@ struct Column {
 
 /// Describes a stream; constant within a recording.
 struct StreamInfo {
-    std::string name; ///< unique in the recording; the name of its CSV file
+    std::string name{}; ///< unique in the recording; the name of its CSV file
     StreamKind kind = StreamKind::array;
     ValueType type = ValueType::float32;
-    std::string source; ///< the device, as people know it
-    std::vector<std::size_t>
-        shape;                   ///< of one frame, row-major; [height, width] of a picture, 0 where it varies
-    std::string unit;            ///< of all values; empty when the columns say it
-    std::vector<Column> columns; ///< empty: t0, t1, ...
+    std::string source{}; ///< the device, as people know it
+    /// Of one frame, row-major; [height, width] of a picture, 0 where it varies.
+    std::vector<std::size_t> shape{};
+    std::string unit{};            ///< of all values; empty when the columns say it
+    std::vector<Column> columns{}; ///< empty: t0, t1, ...
     double nominalRate_Hz = 0.0;
-    std::string details; ///< JSON: what playback needs to know of the source; may be empty
+    std::string details{}; ///< JSON: what playback needs to know of the source; may be empty
 
     /// Values of a frame; of a picture, 0.
     [[nodiscard]] std::size_t channels() const;

@@ -2,10 +2,9 @@
 #include "backend/pipeline/recorded/recorded_camera.h"
 
 #include "backend/core/data/json_document.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/stream_columns.h"
 #include "backend/vision/calibration/camera_file.h"
-
-#include <QCoreApplication>
 
 #include <nlohmann/json.hpp>
 
@@ -17,33 +16,7 @@ namespace teleta::pipeline {
 
 namespace {
 
-struct RecordedCameraText {
-    Q_DECLARE_TR_FUNCTIONS(RecordedCameraText)
-};
-
 constexpr double kLargest = 1e12;
-
-recording::StreamInfo pictureStream(const std::string& name, const core::CameraDescription& description,
-                                    std::vector<std::size_t> shape) {
-    recording::StreamInfo info;
-    info.name = name;
-    info.kind = recording::StreamKind::camera;
-    info.type = recording::ValueType::grey8;
-    info.source = description.name;
-    info.shape = std::move(shape);
-    return info;
-}
-
-core::Unexpected notDescribed(const recording::StreamInfo& stream, const std::string& file,
-                              const core::Error& why) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::badInput,
-                    RecordedCameraText::tr("the stream \"%1\" is not described: %2")
-                        .arg(QString::fromStdString(stream.name), QString::fromStdString(core::describe(why)))
-                        .toStdString(),
-                    {},
-                    {file}});
-}
 
 /// Empty: the stream is one of references.
 core::Expected<std::optional<RecordedCamera>> recordedCamera(const recording::Recording& recording,
@@ -86,51 +59,53 @@ core::Expected<std::optional<RecordedCamera>> recordedCamera(const recording::Re
 recording::StreamInfo cameraStream(const std::string& name, const core::CameraDescription& description,
                                    const vision::CylinderCamera& camera,
                                    const vision::BumpDetector::Settings& bump, const std::string& reference) {
-    const vision::CameraParameters& parameters = camera.camera().parameters();
-    recording::StreamInfo info = pictureStream(
-        name, description,
-        {static_cast<std::size_t>(parameters.height_px), static_cast<std::size_t>(parameters.width_px)});
-    info.nominalRate_Hz = description.nominalRate_Hz;
-    const vision::CalibrationSummary unknown;
-    nlohmann::ordered_json details;
-    details["simulated"] = description.simulated;
-    details["reference_stream"] = reference;
-    details["bump_speed_m_per_s"] = bump.speed_mPerS;
-    details["bump_depth_m"] = bump.depth_m;
-    details["camera"] = vision::cameraJson({camera, unknown, nlohmann::ordered_json::object()});
-    info.details = details.dump();
-    return info;
+    const vision::CameraParameters& size = camera.camera().parameters();
+    const nlohmann::ordered_json details{
+        {"simulated", description.simulated},
+        {"reference_stream", reference},
+        {"bump_speed_m_per_s", bump.speed_mPerS},
+        {"bump_depth_m", bump.depth_m},
+        {"camera", vision::cameraJson({camera, {}, nlohmann::ordered_json::object()})}};
+    return {.name = name,
+            .kind = recording::StreamKind::camera,
+            .type = recording::ValueType::grey8,
+            .source = description.name,
+            .shape = {static_cast<std::size_t>(size.height_px), static_cast<std::size_t>(size.width_px)},
+            .nominalRate_Hz = description.nominalRate_Hz,
+            .details = details.dump()};
 }
 
 recording::StreamInfo referenceStream(const std::string& name, const core::CameraDescription& description) {
-    recording::StreamInfo info = pictureStream(name, description, {0, 0});
-    info.details = nlohmann::ordered_json{{"reference", true}}.dump();
-    return info;
+    return {.name = name,
+            .kind = recording::StreamKind::camera,
+            .type = recording::ValueType::grey8,
+            .source = description.name,
+            .shape = {0, 0},
+            .details = nlohmann::ordered_json{{"reference", true}}.dump()};
 }
 
 recording::StreamInfo contactStream(const std::string& name, const core::CameraDescription& description) {
-    recording::StreamInfo info;
-    info.name = name;
-    info.kind = recording::StreamKind::contacts;
-    info.type = recording::ValueType::float64;
-    info.source = description.name;
-    info.shape = {kContactValues};
-    info.columns = recording::contactColumns();
-    return info;
+    return {.name = name,
+            .kind = recording::StreamKind::contacts,
+            .type = recording::ValueType::float64,
+            .source = description.name,
+            .shape = {kContactValues},
+            .columns = recording::contactColumns()};
 }
 
 std::array<double, kContactValues> contactValues(const vision::FollowedContact& followed) {
     const vision::CameraContact& contact = followed.contact;
-    const Eigen::Vector3d displacement_m = followed.displacement_m();
+    const Eigen::Vector3d& place_m = contact.p_Sensor_Centre_m;
+    const Eigen::Vector3d moved_m = followed.displacement_m();
     return {static_cast<double>(contact.id),
             contact.centre_px.x(),
             contact.centre_px.y(),
-            contact.p_Sensor_Centre_m.x(),
-            contact.p_Sensor_Centre_m.y(),
-            contact.p_Sensor_Centre_m.z(),
-            displacement_m.x(),
-            displacement_m.y(),
-            displacement_m.z(),
+            place_m.x(),
+            place_m.y(),
+            place_m.z(),
+            moved_m.x(),
+            moved_m.y(),
+            moved_m.z(),
             contact.area_px};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/recorded/recorded_sources.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -59,22 +61,20 @@ core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& reco
 
 core::Expected<RecordedSources> recordedSources(const Recording& recording) {
     std::optional<core::Error> why;
-    auto arrays = recordedArrays(recording, why);
-    TELETA_CHECK(arrays);
-    auto cameras = recordedCameras(recording, why);
-    TELETA_CHECK(cameras);
-    if (arrays->empty() && cameras->empty() && why)
-        return core::Unexpected(*why);
-    if (arrays->empty() && cameras->empty())
-        return core::Unexpected(core::Error{
-            core::ErrorKind::refused,
-            RecordedSourcesText::tr("the recording has no frames of an array or a camera").toStdString(),
-            RecordedSourcesText::tr("a recording of an array, an arm or a camera").toStdString(),
-            {recording.path()}});
-    RecordedSources sources{.arrays = std::move(*arrays),
-                            .cameras = std::move(*cameras),
+    RecordedSources sources{.arrays = {},
+                            .cameras = {},
                             .first_ns = std::numeric_limits<std::int64_t>::max(),
                             .last_ns = std::numeric_limits<std::int64_t>::min()};
+    TELETA_TRY(sources.arrays, recordedArrays(recording, why));
+    TELETA_TRY(sources.cameras, recordedCameras(recording, why));
+    const bool isEmpty = sources.arrays.empty() && sources.cameras.empty();
+    if (isEmpty && why)
+        return core::Unexpected(*why);
+    if (isEmpty)
+        return core::failed(core::ErrorKind::refused,
+                            RecordedSourcesText::tr("the recording has no frames of an array or a camera"),
+                            RecordedSourcesText::tr("a recording of an array, an arm or a camera"),
+                            {recording.path()});
     const auto include = [&](std::size_t stream) {
         if (const auto extent = recording.extent(stream); extent && *extent) {
             sources.first_ns = std::min(sources.first_ns, (*extent)->first_ns);

@@ -2,6 +2,7 @@
 #include "backend/pipeline/recorded/recorded_streams.h"
 
 #include "backend/core/data/json_document.h"
+#include "backend/core/failure.h"
 #include "backend/core/number_text.h"
 #include "backend/recording/event_words.h"
 #include "backend/recording/stream_columns.h"
@@ -110,43 +111,35 @@ void readNumbers(core::JsonReader& reader, const ordered_json& json, const char*
         values[i] = reader.number(list[i], -kHuge, kHuge);
 }
 
-core::Unexpected badDetails(const recording::StreamInfo& stream, const std::string& file,
-                            const std::string& why) {
-    return core::Unexpected(
-        core::Error{core::ErrorKind::badInput,
-                    RecordedStreamText::tr("the stream \"%1\" is not described: %2")
-                        .arg(QString::fromStdString(stream.name), QString::fromStdString(why))
-                        .toStdString(),
-                    {},
-                    {file}});
-}
-
-recording::StreamInfo streamOf(const std::string& name, const std::string& source, recording::StreamKind kind,
-                               recording::ValueType type, std::vector<std::size_t> shape) {
-    recording::StreamInfo info;
-    info.name = name;
-    info.kind = kind;
-    info.type = type;
-    info.source = source;
-    info.shape = std::move(shape);
-    return info;
-}
-
 } // namespace
+
+core::Unexpected notDescribed(const recording::StreamInfo& stream, const std::string& file,
+                              const QString& why) {
+    return core::failed(core::ErrorKind::badInput,
+                        RecordedStreamText::tr("the stream \"%1\" is not described: %2")
+                            .arg(QString::fromStdString(stream.name), why),
+                        {}, {file});
+}
+
+core::Unexpected notDescribed(const recording::StreamInfo& stream, const std::string& file,
+                              const core::Error& why) {
+    return notDescribed(stream, file, QString::fromStdString(core::describe(why)));
+}
 
 recording::StreamInfo arrayStream(const std::string& name, const core::SourceDescription& description,
                                   const ChannelSettings& settings) {
-    recording::StreamInfo info =
-        streamOf(name, description.name, recording::StreamKind::array, recording::ValueType::float32,
-                 {static_cast<std::size_t>(description.layout.rows),
-                  static_cast<std::size_t>(description.layout.columns)});
-    info.unit = description.unit;
-    info.nominalRate_Hz = description.nominalRate_Hz;
-    const ordered_json details{{"pitch_m", description.layout.pitch_m},
+    const core::ArrayLayout& layout = description.layout;
+    const ordered_json details{{"pitch_m", layout.pitch_m},
                                {"simulated", description.simulated},
                                {"settings", settingsJson(settings)}};
-    info.details = details.dump();
-    return info;
+    return {.name = name,
+            .kind = recording::StreamKind::array,
+            .type = recording::ValueType::float32,
+            .source = description.name,
+            .shape = {static_cast<std::size_t>(layout.rows), static_cast<std::size_t>(layout.columns)},
+            .unit = description.unit,
+            .nominalRate_Hz = description.nominalRate_Hz,
+            .details = details.dump()};
 }
 
 recording::RecordingEvent settingsEvent(const std::string& stream, const ChannelSettings& settings) {
@@ -165,11 +158,13 @@ bool settingsChanged(const std::vector<recording::RecordingEvent>& events, const
 }
 
 recording::StreamInfo featureStream(const std::string& name, const core::SourceDescription& description) {
-    recording::StreamInfo info = streamOf(name, description.name, recording::StreamKind::features,
-                                          recording::ValueType::float64, {kFeatureValues});
-    info.columns = recording::featureColumns();
-    info.nominalRate_Hz = description.nominalRate_Hz;
-    return info;
+    return {.name = name,
+            .kind = recording::StreamKind::features,
+            .type = recording::ValueType::float64,
+            .source = description.name,
+            .shape = {kFeatureValues},
+            .columns = recording::featureColumns(),
+            .nominalRate_Hz = description.nominalRate_Hz};
 }
 
 recording::StreamInfo armStream(const std::string& name, const core::ArmDescription& description,
@@ -195,17 +190,22 @@ recording::StreamInfo armStream(const std::string& name, const core::ArmDescript
 }
 
 recording::StreamInfo touchStream(const std::string& name, const core::ArmDescription& description) {
-    recording::StreamInfo info = streamOf(name, description.name, recording::StreamKind::touches,
-                                          recording::ValueType::float64, {kTouchValues});
-    info.columns = recording::touchColumns();
-    return info;
+    return {.name = name,
+            .kind = recording::StreamKind::touches,
+            .type = recording::ValueType::float64,
+            .source = description.name,
+            .shape = {kTouchValues},
+            .columns = recording::touchColumns()};
 }
 
 recording::StreamInfo tactorStream(const std::string& name, const core::BraceletDescription& description,
                                    double rate_Hz) {
-    recording::StreamInfo info = streamOf(name, description.name, recording::StreamKind::tactors,
-                                          recording::ValueType::float32, {core::kTactors});
-    info.nominalRate_Hz = rate_Hz;
+    recording::StreamInfo info{.name = name,
+                               .kind = recording::StreamKind::tactors,
+                               .type = recording::ValueType::float32,
+                               .source = description.name,
+                               .shape = {core::kTactors},
+                               .nominalRate_Hz = rate_Hz};
     for (std::size_t i = 1; i <= core::kTactors; ++i)
         info.columns.push_back({std::string("t").append(core::NumberText(i).view()), ""});
     info.details = ordered_json{{"simulated", description.simulated}}.dump();
@@ -251,10 +251,10 @@ core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
     if (stream.kind != recording::StreamKind::array || stream.type != recording::ValueType::float32 ||
         stream.shape.size() != 2 || stream.shape[0] < 1 || stream.shape[1] < 1 || stream.shape[0] > kSide ||
         stream.shape[1] > kSide)
-        return badDetails(stream, file, RecordedStreamText::tr("it is no array").toStdString());
+        return notDescribed(stream, file, RecordedStreamText::tr("it is no array"));
     const auto document = core::JsonDocument::parse(stream.details, file);
     if (!document)
-        return badDetails(stream, file, core::describe(document.error()));
+        return notDescribed(stream, file, document.error());
     core::JsonReader reader(*document);
     RecordedArray array;
     core::SourceDescription& description = array.description;
@@ -268,17 +268,17 @@ core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
     description.recorded = true;
     array.settings = readSettings(reader, reader.member(reader.root(), "settings"), stream.channels());
     if (reader.error())
-        return badDetails(stream, file, core::describe(*reader.error()));
+        return notDescribed(stream, file, *reader.error());
     return array;
 }
 
 core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, const std::string& file) {
     const auto joints = recording::jointsOf(stream);
     if (!joints)
-        return badDetails(stream, file, RecordedStreamText::tr("it is no arm").toStdString());
+        return notDescribed(stream, file, RecordedStreamText::tr("it is no arm"));
     const auto document = core::JsonDocument::parse(stream.details, file);
     if (!document)
-        return badDetails(stream, file, core::describe(document.error()));
+        return notDescribed(stream, file, document.error());
     core::JsonReader reader(*document);
     const ordered_json& root = reader.root();
     const auto number = [&](const char* key, double lower) {
@@ -305,7 +305,7 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
     readNumbers(reader, root, "fastest_rad_per_s", description.fastest_radPerS);
     arm.skinStream = reader.text(root, "skin_stream", {});
     if (reader.error())
-        return badDetails(stream, file, core::describe(*reader.error()));
+        return notDescribed(stream, file, *reader.error());
     return arm;
 }
 

@@ -10,6 +10,8 @@
 #include "backend/pipeline/touch/touch_snapshot.h"
 #include "backend/recording/recording_types.h"
 
+#include <QString>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -56,6 +58,12 @@ tactorStream(const std::string& name, const core::BraceletDescription& descripti
 [[nodiscard]] std::array<double, kFeatureValues> featureValues(const contact::TactileFeatures& features);
 /// A frame of a stream of touches; NaN where nothing is known.
 [[nodiscard]] std::array<double, kTouchValues> touchValues(const TouchRecord& touch);
+
+/// The error that the details of a stream do not say what it is. file: the recording; why: translated.
+[[nodiscard]] core::Unexpected notDescribed(const recording::StreamInfo& stream, const std::string& file,
+                                            const QString& why);
+[[nodiscard]] core::Unexpected notDescribed(const recording::StreamInfo& stream, const std::string& file,
+                                            const core::Error& why);
 
 /// An array as it was recorded; description.recorded is set.
 struct RecordedArray {
