@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/files/ahap.h"
-#include "backend/pattern/files/haptic_file.h"
-#include "backend/pattern/files/hjif.h"
+#include "backend/pattern/files/foreign_formats.h"
 #include "backend/pattern/files/pattern_json.h"
 #include "backend/pattern/files/recovery_file.h"
-#include "backend/pattern/files/tact.h"
 #include "backend/pattern/files/zip_archive.h"
 #include "backend/pattern/laws/law_checker.h"
 #include "backend/pattern/motors/motor_prediction.h"

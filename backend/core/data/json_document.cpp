@@ -20,8 +20,8 @@ struct JsonText {
     Q_DECLARE_TR_FUNCTIONS(JsonDocument)
 };
 
-std::string digits(double value) {
-    return std::string(NumberText(value).view());
+QString digits(double value) {
+    return QString::fromStdString(std::string(NumberText(value).view()));
 }
 
 /// Line and column in characters, from 1.
@@ -205,9 +205,9 @@ Expected<JsonDocument> JsonDocument::parse(std::string text, const std::string& 
     return document;
 }
 
-Error JsonDocument::errorAt(const ordered_json& value, const std::string& message,
-                            const std::string& expected) const {
-    Error error{ErrorKind::badInput, message, expected, {m_file, 0, 0}};
+Error JsonDocument::errorAt(const ordered_json& value, const QString& message,
+                            const QString& expected) const {
+    Error error{ErrorKind::badInput, message.toStdString(), expected.toStdString(), {m_file}};
     std::vector<std::size_t> way;
     if (!findWay(*m_root, &value, way))
         return error;
@@ -236,13 +236,15 @@ Error JsonDocument::errorAt(const ordered_json& value, const std::string& messag
     }
     error.where = placeOf(m_file, m_text, scanner.position());
     if (!path.empty())
-        error.message = JsonText::tr("%1: %2")
-                            .arg(QString::fromStdString(path), QString::fromStdString(message))
-                            .toStdString();
+        error.message = JsonText::tr("%1: %2").arg(QString::fromStdString(path), message).toStdString();
     return error;
 }
 
-void JsonReader::fail(Value value, const std::string& message, const std::string& expected) {
+std::string jsonText(const ordered_json& value) {
+    return value.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
+}
+
+void JsonReader::fail(Value value, const QString& message, const QString& expected) {
     if (!m_error)
         m_error = m_document.errorAt(value, message, expected);
 }
@@ -251,8 +253,8 @@ const ordered_json* JsonReader::find(Value object, const char* key) {
     if (m_error)
         return nullptr;
     if (!object.is_object()) {
-        fail(object, JsonText::tr("this is not an object").toStdString(),
-             JsonText::tr("an object with the key \"%1\"").arg(QLatin1String(key)).toStdString());
+        fail(object, JsonText::tr("this is not an object"),
+             JsonText::tr("an object with the key \"%1\"").arg(QLatin1String(key)));
         return nullptr;
     }
     const auto found = object.find(key);
@@ -263,7 +265,7 @@ JsonReader::Value JsonReader::member(Value object, const char* key) {
     const ordered_json* found = find(object, key);
     if (found != nullptr)
         return *found;
-    fail(object, JsonText::tr("the key \"%1\" is missing").arg(QLatin1String(key)).toStdString(), {});
+    fail(object, JsonText::tr("the key \"%1\" is missing").arg(QLatin1String(key)), {});
     return kNull;
 }
 
@@ -276,10 +278,9 @@ JsonReader::Value JsonReader::array(Value value, std::size_t atLeast, std::size_
                                  ? JsonText::tr("an array of length %1").arg(atLeast)
                                  : JsonText::tr("an array of length %1 to %2").arg(atLeast).arg(atMost);
     fail(value,
-         (value.is_array() ? JsonText::tr("the array has the wrong length")
-                           : JsonText::tr("this is not an array"))
-             .toStdString(),
-         expected.toStdString());
+         value.is_array() ? JsonText::tr("the array has the wrong length")
+                          : JsonText::tr("this is not an array"),
+         expected);
     return kEmptyArray;
 }
 
@@ -287,19 +288,16 @@ double JsonReader::number(Value value, double lower, double upper) {
     if (m_error)
         return lower;
     const auto expected = [&] {
-        return JsonText::tr("a number from %1 to %2")
-            .arg(QString::fromStdString(digits(lower)), QString::fromStdString(digits(upper)))
-            .toStdString();
+        return JsonText::tr("a number from %1 to %2").arg(digits(lower), digits(upper));
     };
     if (!value.is_number()) {
-        fail(value, JsonText::tr("this is not a number").toStdString(), expected());
+        fail(value, JsonText::tr("this is not a number"), expected());
         return lower;
     }
     const auto found = value.get<double>();
     if (found >= lower && found <= upper)
         return found;
-    fail(value, JsonText::tr("%1 is out of range").arg(QString::fromStdString(digits(found))).toStdString(),
-         expected());
+    fail(value, JsonText::tr("%1 is out of range").arg(digits(found)), expected());
     return lower;
 }
 
@@ -314,8 +312,8 @@ long long JsonReader::integer(Value value, long long lower, long long upper) {
     const double found = number(value, static_cast<double>(lower), static_cast<double>(upper));
     const auto whole = found < kBeyond ? static_cast<long long>(found) : upper;
     if (found >= kBeyond || static_cast<double>(whole) != found)
-        fail(value, JsonText::tr("this is not a whole number").toStdString(),
-             JsonText::tr("a whole number from %1 to %2").arg(lower).arg(upper).toStdString());
+        fail(value, JsonText::tr("this is not a whole number"),
+             JsonText::tr("a whole number from %1 to %2").arg(lower).arg(upper));
     return whole;
 }
 
@@ -324,7 +322,7 @@ bool JsonReader::boolean(Value object, const char* key, bool missing) {
     if (found == nullptr)
         return missing;
     if (!found->is_boolean()) {
-        fail(*found, JsonText::tr("this is neither true nor false").toStdString(), "true, false");
+        fail(*found, JsonText::tr("this is neither true nor false"), "true, false");
         return missing;
     }
     return found->get<bool>();
@@ -334,7 +332,7 @@ std::string JsonReader::text(Value value) {
     if (m_error)
         return {};
     if (!value.is_string()) {
-        fail(value, JsonText::tr("this is not text").toStdString(), JsonText::tr("text").toStdString());
+        fail(value, JsonText::tr("this is not text"), JsonText::tr("text"));
         return {};
     }
     return value.get<std::string>();

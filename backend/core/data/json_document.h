@@ -3,6 +3,8 @@
 
 #include "backend/core/error.h"
 
+#include <QString>
+
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
@@ -27,8 +29,8 @@ public:
     [[nodiscard]] const nlohmann::ordered_json& root() const { return *m_root; }
 
     /// An error about a value of this document: with its path (tracks/2/0), line and column.
-    [[nodiscard]] Error errorAt(const nlohmann::ordered_json& value, const std::string& message,
-                                const std::string& expected) const;
+    [[nodiscard]] Error errorAt(const nlohmann::ordered_json& value, const QString& message,
+                                const QString& expected) const;
 
 private:
     JsonDocument() = default;
@@ -37,6 +39,10 @@ private:
     std::string m_text;
     std::unique_ptr<nlohmann::ordered_json> m_root; ///< keeps its address when the document is moved
 };
+
+/// A value as the text of a file: indented by 2, what is not UTF-8 replaced, a line feed at the end. Thread:
+/// any (pure).
+[[nodiscard]] std::string jsonText(const nlohmann::ordered_json& value);
 
 /// Reads the values of a document one by one. The first error is kept in error(); from then on all results
 /// are harmless defaults, so that a reader needs to check error() only once, at its end.
@@ -63,7 +69,7 @@ public:
     [[nodiscard]] std::string text(Value object, const char* key, const std::string& missing);
 
     /// Keeps the first error.
-    void fail(Value value, const std::string& message, const std::string& expected);
+    void fail(Value value, const QString& message, const QString& expected);
     [[nodiscard]] const std::optional<Error>& error() const { return m_error; }
 
 private:

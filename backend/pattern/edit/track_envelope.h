@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/pattern/edit/range_levels.h"
 #include "backend/pattern/model/pattern.h"
 
-#include <vector>
+#include <algorithm>
 
 namespace teleta::pattern {
 
@@ -12,12 +13,15 @@ struct ValueRange {
     double low = 0.0;
     double high = 0.0;
 
+    void join(const ValueRange& other) {
+        low = std::min(low, other.low);
+        high = std::max(high, other.high);
+    }
     bool operator==(const ValueRange&) const = default;
 };
 
 /// Lowest and highest intensity of a track in any interval of time, so that drawing a long pattern takes one
-/// query per column of pixels. The ranges of blocks of breakpoints, and of blocks of blocks, are precomputed;
-/// a query takes O(log breakpoints). Thread: any (immutable).
+/// query per column of pixels, which takes O(log breakpoints). Thread: any (immutable).
 class TrackEnvelope {
 public:
     TrackEnvelope() = default;
@@ -28,13 +32,13 @@ public:
     [[nodiscard]] ValueRange over(double begin_s, double end_s) const;
 
 private:
-    static constexpr std::size_t kBlock = 32;
-
-    void include(ValueRange& range, std::size_t first, std::size_t last) const;
+    [[nodiscard]] ValueRange at(std::size_t point) const {
+        return {m_lines[point].intensity, m_lines[point].intensity};
+    }
     [[nodiscard]] double valueAt(double t_s) const;
 
     Track m_lines;
-    std::vector<std::vector<ValueRange>> m_levels; ///< each entry covers kBlock of the level below
+    RangeLevels<ValueRange> m_levels;
 };
 
 } // namespace teleta::pattern

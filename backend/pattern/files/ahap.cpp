@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/files/ahap.h"
-
+#include "backend/core/data/json_document.h"
+#include "backend/pattern/files/foreign_formats.h"
 #include "backend/pattern/model/bake.h"
 #include "backend/pattern/model/track_builder.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -65,16 +63,11 @@ core::Expected<std::string> tactorToAhap(const Pattern& pattern, std::size_t tac
                               {"Created", "TeleTA Console"},
                               {"Description", "tactor " + std::to_string(tactor + 1)}}},
                             {"Pattern", std::move(parts)}};
-    return root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return core::jsonText(root);
 }
 
 core::Expected<std::vector<ZipEntry>> patternToAhaps(const Pattern& pattern) {
-    std::vector<ZipEntry> entries;
-    for (std::size_t i = 0; i < core::kTactors; ++i) {
-        TELETA_TRY(std::string text, tactorToAhap(pattern, i));
-        entries.push_back({"tactor" + std::to_string(i + 1) + ".ahap", std::move(text)});
-    }
-    return entries;
+    return tactorFiles(pattern, ".ahap", tactorToAhap);
 }
 
 } // namespace teleta::pattern

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/files/haptic_file.h"
-
 #include "backend/core/data/json_document.h"
 #include "backend/core/failure.h"
+#include "backend/pattern/files/foreign_formats.h"
 #include "backend/pattern/model/bake.h"
 #include "backend/pattern/model/track_builder.h"
 
@@ -76,8 +75,8 @@ core::Expected<void> addEnvelope(std::string text, const std::string& file, std:
         const ordered_json& amplitude = reader.member(point, "amplitude");
         lines.push_back({reader.number(time, 0.0, Pattern::kLongest_s), reader.number(amplitude, 0.0, 1.0)});
         if (lines.size() > 1 && lines.back().time_s < lines[lines.size() - 2].time_s)
-            reader.fail(time, HapticText::tr("the times decrease").toStdString(),
-                        HapticText::tr("a time that is not before the previous one").toStdString());
+            reader.fail(time, HapticText::tr("the times decrease"),
+                        HapticText::tr("a time that is not before the previous one"));
         if (const ordered_json* emphasis = reader.find(point, "emphasis")) {
             const double strength =
                 reader.number(reader.member(*emphasis, "amplitude"), lines.back().intensity, 1.0);
@@ -121,16 +120,21 @@ core::Expected<std::string> tactorToHaptic(const Pattern& pattern, std::size_t t
                               {"tags", pattern.tags},
                               {"description", pattern.notes}}},
                             {"signals", std::move(content)}};
-    return root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return core::jsonText(root);
+}
+
+core::Expected<std::vector<ZipEntry>> tactorFiles(const Pattern& pattern, const std::string& ending,
+                                                  TactorText text) {
+    std::vector<ZipEntry> entries;
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        TELETA_TRY(std::string content, text(pattern, i));
+        entries.push_back({"tactor" + std::to_string(i + 1) + ending, std::move(content)});
+    }
+    return entries;
 }
 
 core::Expected<std::vector<ZipEntry>> patternToHaptics(const Pattern& pattern) {
-    std::vector<ZipEntry> entries;
-    for (std::size_t i = 0; i < core::kTactors; ++i) {
-        TELETA_TRY(std::string text, tactorToHaptic(pattern, i));
-        entries.push_back({"tactor" + std::to_string(i + 1) + std::string(kEnding), std::move(text)});
-    }
-    return entries;
+    return tactorFiles(pattern, std::string(kEnding), tactorToHaptic);
 }
 
 core::Expected<Pattern> patternFromHaptics(std::vector<ZipEntry> entries, const std::string& file) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/files/hjif.h"
-
 #include "backend/core/bracelet/tactors.h"
 #include "backend/core/data/json_document.h"
+#include "backend/pattern/files/foreign_formats.h"
 #include "backend/pattern/model/bake.h"
 #include "backend/pattern/model/track_builder.h"
 #include "backend/pattern/motors/motor_model.h"
@@ -100,7 +99,7 @@ std::size_t tactorOf(JsonReader& reader, const ordered_json& channel, std::size_
 void expectText(JsonReader& reader, const ordered_json& object, const char* key, const char* expected) {
     const ordered_json& value = reader.member(object, key);
     if (reader.text(value) != expected)
-        reader.fail(value, HjifText::tr("a pattern cannot represent this").toStdString(), expected);
+        reader.fail(value, HjifText::tr("a pattern cannot represent this"), expected);
 }
 
 Track stretchOf(JsonReader& reader, const ordered_json& effect, double timescale, double gain) {
@@ -118,9 +117,8 @@ Track stretchOf(JsonReader& reader, const ordered_json& effect, double timescale
         const ordered_json& relative = reader.member(keyframe, "relative_position");
         const double time_s = (position + ticks(relative)) / timescale;
         if (time_s > Pattern::kLongest_s || (!lines.empty() && time_s < lines.back().time_s)) {
-            reader.fail(relative,
-                        HjifText::tr("the times decrease or exceed the longest pattern").toStdString(),
-                        HjifText::tr("a time that is not before the previous one").toStdString());
+            reader.fail(relative, HjifText::tr("the times decrease or exceed the longest pattern"),
+                        HjifText::tr("a time that is not before the previous one"));
             break;
         }
         lines.push_back({time_s, std::min(1.0, gain * reader.number(*amplitude, 0.0, 1.0))});
@@ -204,7 +202,7 @@ core::Expected<std::string> patternToHjif(const Pattern& pattern, const std::str
                             {"avatars", ordered_json::array()},
                             {"perceptions", ordered_json::array({std::move(perception)})},
                             {"syncs", ordered_json::array()}};
-    return root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return core::jsonText(root);
 }
 
 core::Expected<Pattern> patternFromHjif(std::string text, const std::string& file) {
@@ -225,8 +223,8 @@ core::Expected<Pattern> patternFromHjif(std::string text, const std::string& fil
         for (const ordered_json& channel : reader.array(reader.member(perception, "channels"), 0, 1024)) {
             const std::size_t tactor = tactorOf(reader, channel, order++);
             if (tactor >= core::kTactors || taken[tactor]) {
-                reader.fail(channel, HjifText::tr("there is no tactor left for this channel").toStdString(),
-                            HjifText::tr("six channels with directions 60 degrees apart").toStdString());
+                reader.fail(channel, HjifText::tr("there is no tactor left for this channel"),
+                            HjifText::tr("six channels with directions 60 degrees apart"));
                 break;
             }
             taken[tactor] = true;

@@ -49,7 +49,7 @@ template <typename Value, typename From>
 Value named(JsonReader& reader, const ordered_json& value, From from, Value missing, const char* expected) {
     const std::optional<Value> found = from(reader.text(value));
     if (!found)
-        reader.fail(value, PatternText::tr("this name is unknown").toStdString(), expected);
+        reader.fail(value, PatternText::tr("this name is unknown"), expected);
     return found.value_or(missing);
 }
 
@@ -60,11 +60,19 @@ Easing easing(JsonReader& reader, const ordered_json& value) {
 void checkFormat(JsonReader& reader, const char* format) {
     const ordered_json& name = reader.member(reader.root(), "format");
     if (reader.text(name) != format)
-        reader.fail(name, PatternText::tr("this is a different format").toStdString(), format);
+        reader.fail(name, PatternText::tr("this is a different format"), format);
     const ordered_json& version = reader.member(reader.root(), "version");
     if (reader.integer(version, 1, 1'000'000) > kVersion)
-        reader.fail(version, PatternText::tr("the file was written by a newer version").toStdString(),
-                    std::to_string(kVersion));
+        reader.fail(version, PatternText::tr("the file was written by a newer version"),
+                    QString::number(kVersion));
+}
+
+/// The last of some points, whose time stands at a place, must not be before the one before.
+template <typename Point>
+void checkOrder(JsonReader& reader, const std::vector<Point>& points, const ordered_json& time) {
+    if (points.size() > 1 && points.back().time_s < points[points.size() - 2].time_s)
+        reader.fail(time, PatternText::tr("the times decrease"),
+                    PatternText::tr("a time that is not before the previous one"));
 }
 
 Track track(JsonReader& reader, const ordered_json& value) {
@@ -77,9 +85,7 @@ Track track(JsonReader& reader, const ordered_json& value) {
             break;
         track.push_back({reader.number(point[0], 0.0, Pattern::kLongest_s), reader.number(point[1], 0.0, 1.0),
                          point.size() > 2 ? easing(reader, point[2]) : Easing::linear});
-        if (track.size() > 1 && track.back().time_s < track[track.size() - 2].time_s)
-            reader.fail(point[0], PatternText::tr("the times decrease").toStdString(),
-                        PatternText::tr("a time that is not before the previous one").toStdString());
+        checkOrder(reader, track, point[0]);
     }
     return track;
 }
@@ -167,10 +173,7 @@ ObjectForm stroke(JsonReader& reader, const ordered_json& object) {
         stroke.points.push_back({reader.number(point[0], 0.0, Pattern::kLongest_s),
                                  reader.number(point[1], -kMostAngle_rad, kMostAngle_rad),
                                  reader.number(point[2], 0.0, 1.0)});
-        if (stroke.points.size() > 1 &&
-            stroke.points.back().time_s < stroke.points[stroke.points.size() - 2].time_s)
-            reader.fail(point[0], PatternText::tr("the times decrease").toStdString(),
-                        PatternText::tr("a time that is not before the previous one").toStdString());
+        checkOrder(reader, stroke.points, point[0]);
     }
     return stroke;
 }
@@ -215,8 +218,7 @@ PatternObject object(JsonReader& reader, const ordered_json& value) {
         object.unknown = unknownKeys(value, candidate.keys);
         return object;
     }
-    reader.fail(type, PatternText::tr("this name is unknown").toStdString(),
-                "sweep, ring, phantom, ramp, pulses, stroke");
+    reader.fail(type, PatternText::tr("this name is unknown"), "sweep, ring, phantom, ramp, pulses, stroke");
     return object;
 }
 
@@ -406,7 +408,7 @@ core::Expected<PatternMap> patternMapFromJson(std::string text, const std::strin
     if (shape.is_object()) {
         for (const auto& [key, value] : shape.items()) {
             if (std::find(kRecognisedShapes.begin(), kRecognisedShapes.end(), key) == kRecognisedShapes.end())
-                reader.fail(value, PatternText::tr("this name is unknown").toStdString(),
+                reader.fail(value, PatternText::tr("this name is unknown"),
                             "circle, rectangle, triangle, arc, line, point, unknown");
         }
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/files/tact.h"
-
 #include "backend/core/data/json_document.h"
+#include "backend/pattern/files/foreign_formats.h"
 #include "backend/pattern/model/bake.h"
 #include "backend/pattern/model/track_builder.h"
 
@@ -71,8 +70,7 @@ Track stretch(JsonReader& reader, const ordered_json& type, double begin_s, doub
         return {{begin_s, intensity}, {end_s, 0.0}};
     if (name == "FADE_IN_OUT")
         return {{begin_s, 0.0}, {middle_s, intensity}, {end_s, 0.0}};
-    reader.fail(type, TactText::tr("this name is unknown").toStdString(),
-                "NONE, FADE_IN, FADE_OUT, FADE_IN_OUT");
+    reader.fail(type, TactText::tr("this name is unknown"), "NONE, FADE_IN, FADE_OUT, FADE_IN_OUT");
     return {};
 }
 
@@ -82,8 +80,8 @@ void readFeedback(JsonReader& reader, const ordered_json& feedback, long long of
     const long long begin_ms = offset_ms + reader.integer(reader.member(feedback, "startTime"), 0, kMost_ms);
     const long long end_ms = offset_ms + reader.integer(end, 0, kMost_ms);
     if (end_ms < begin_ms || end_ms > kMost_ms)
-        reader.fail(end, TactText::tr("the times decrease or exceed the longest pattern").toStdString(),
-                    TactText::tr("a time that is not before the start").toStdString());
+        reader.fail(end, TactText::tr("the times decrease or exceed the longest pattern"),
+                    TactText::tr("a time that is not before the start"));
     const ordered_json& type = reader.member(feedback, "playbackType");
     for (const ordered_json& point : reader.array(reader.member(feedback, "pointList"), 0, 1000)) {
         const auto tactor =
@@ -109,13 +107,12 @@ void readEffect(JsonReader& reader, const ordered_json& effect, Pattern& pattern
     if (forearm == nullptr)
         forearm = reader.find(modes, kRight);
     if (forearm == nullptr) {
-        reader.fail(modes, TactText::tr("this effect is for other devices").toStdString(),
-                    "ForearmL, ForearmR");
+        reader.fail(modes, TactText::tr("this effect is for other devices"), "ForearmL, ForearmR");
         return;
     }
     if (const ordered_json* mode = reader.find(*forearm, "mode")) {
         if (reader.text(*mode) != "DOT_MODE") {
-            reader.fail(*mode, TactText::tr("a pattern cannot represent this").toStdString(), "DOT_MODE");
+            reader.fail(*mode, TactText::tr("a pattern cannot represent this"), "DOT_MODE");
             return;
         }
     }
@@ -175,7 +172,7 @@ core::Expected<std::string> patternToTact(const Pattern& pattern) {
         {"durationMillis", duration_ms},
         {"intervalMillis", kTactPiece_ms},
         {"size", kTactPiece_ms}};
-    return root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return core::jsonText(root);
 }
 
 core::Expected<Pattern> patternFromTact(std::string text, const std::string& file) {

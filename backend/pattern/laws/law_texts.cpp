@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/number_text.h"
+#include "backend/core/words.h"
 #include "backend/pattern/laws/law_checker.h"
 
 #include <QCoreApplication>
@@ -12,6 +13,9 @@ namespace {
 struct LawText {
     Q_DECLARE_TR_FUNCTIONS(PatternLaws)
 };
+
+constexpr core::Words<Law, 6> kLaws{
+    {"burst-too-short", "ring-too-fast", "onset-off-law", "shared-phantoms", "beating", "cut-off"}};
 
 QString number(double value) {
     const core::NumberText text(value, 3);
@@ -84,21 +88,7 @@ QString describeAdvice(const Finding& finding) {
 } // namespace
 
 const char* toString(Law law) {
-    switch (law) {
-    case Law::burstTooShort:
-        return "burst-too-short";
-    case Law::ringTooFast:
-        return "ring-too-fast";
-    case Law::onsetOffLaw:
-        return "onset-off-law";
-    case Law::sharedPhantoms:
-        return "shared-phantoms";
-    case Law::beating:
-        return "beating";
-    case Law::cutOff:
-        return "cut-off";
-    }
-    return "";
+    return kLaws.of(law);
 }
 
 std::string describe(const Finding& finding) {

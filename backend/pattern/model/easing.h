@@ -3,6 +3,7 @@
 
 #include "backend/pattern/model/parametric_object.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,6 +25,11 @@ namespace teleta::pattern {
         return 0.5 * (1.0 - std::cos(std::numbers::pi * u));
     }
     return u;
+}
+
+/// Clamps an intensity to 0..1; NaN becomes 0.
+[[nodiscard]] inline double limitedIntensity(double intensity) {
+    return intensity > 0.0 ? std::min(intensity, 1.0) : 0.0;
 }
 
 } // namespace teleta::pattern

@@ -3,7 +3,6 @@
 
 #include "backend/core/bracelet/tactors.h"
 #include "backend/pattern/model/easing.h"
-#include "backend/pattern/model/intensity.h"
 #include "backend/pattern/model/laws.h"
 
 #include <algorithm>

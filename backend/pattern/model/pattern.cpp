@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/model/pattern.h"
 
+#include "backend/core/words.h"
 #include "backend/pattern/model/easing.h"
-#include "backend/pattern/model/intensity.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,37 +11,10 @@ namespace teleta::pattern {
 
 namespace {
 
-template <typename Value, std::size_t N>
-using Names = std::array<std::pair<Value, const char*>, N>;
-
-constexpr Names<Task, 3> kTasks{
-    {{Task::shape, "shape"}, {Task::stiffness, "stiffness"}, {Task::other, "other"}}};
-constexpr Names<Condition, 3> kConditions{
-    {{Condition::none, ""}, {Condition::constant, "static"}, {Condition::dynamic, "dynamic"}}};
-constexpr Names<Arm, 2> kArms{{{Arm::right, "right"}, {Arm::left, "left"}}};
-constexpr Names<Easing, 5> kEasings{{{Easing::linear, "linear"},
-                                     {Easing::hold, "hold"},
-                                     {Easing::easeIn, "ease-in"},
-                                     {Easing::easeOut, "ease-out"},
-                                     {Easing::easeInOut, "ease-in-out"}}};
-
-template <typename Value, std::size_t N>
-const char* nameOf(const Names<Value, N>& names, Value value) {
-    for (const auto& [candidate, name] : names) {
-        if (candidate == value)
-            return name;
-    }
-    return "";
-}
-
-template <typename Value, std::size_t N>
-std::optional<Value> valueOf(const Names<Value, N>& names, std::string_view text) {
-    for (const auto& [value, name] : names) {
-        if (name == text)
-            return value;
-    }
-    return std::nullopt;
-}
+constexpr core::Words<Task, 3> kTasks{{"shape", "stiffness", "other"}};
+constexpr core::Words<Condition, 3> kConditions{{"", "static", "dynamic"}};
+constexpr core::Words<Arm, 2> kArms{{"right", "left"}};
+constexpr core::Words<Easing, 5> kEasings{{"linear", "hold", "ease-in", "ease-out", "ease-in-out"}};
 
 /// a.time_s <= t_s < b.time_s.
 double between(const Breakpoint& a, const Breakpoint& b, double t_s) {
@@ -57,28 +30,28 @@ void raise(core::Intensities& intensities, const core::Intensities& other) {
 } // namespace
 
 const char* toString(Task task) {
-    return nameOf(kTasks, task);
+    return kTasks.of(task);
 }
 const char* toString(Condition condition) {
-    return nameOf(kConditions, condition);
+    return kConditions.of(condition);
 }
 const char* toString(Arm arm) {
-    return nameOf(kArms, arm);
+    return kArms.of(arm);
 }
 const char* toString(Easing easing) {
-    return nameOf(kEasings, easing);
+    return kEasings.of(easing);
 }
 std::optional<Task> taskFrom(std::string_view text) {
-    return valueOf(kTasks, text);
+    return kTasks.find(text);
 }
 std::optional<Condition> conditionFrom(std::string_view text) {
-    return valueOf(kConditions, text);
+    return kConditions.find(text);
 }
 std::optional<Arm> armFrom(std::string_view text) {
-    return valueOf(kArms, text);
+    return kArms.find(text);
 }
 std::optional<Easing> easingFrom(std::string_view text) {
-    return valueOf(kEasings, text);
+    return kEasings.find(text);
 }
 
 core::Intensities evaluate(const Pattern& pattern, double t_s) {
@@ -87,9 +60,7 @@ core::Intensities evaluate(const Pattern& pattern, double t_s) {
         return intensities;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
         const Track& track = pattern.tracks[i];
-        const auto next =
-            std::upper_bound(track.begin(), track.end(), t_s,
-                             [](double time_s, const Breakpoint& point) { return time_s < point.time_s; });
+        const auto next = std::ranges::upper_bound(track, t_s, {}, &Breakpoint::time_s);
         if (next != track.begin() && next != track.end())
             intensities[i] = between(*(next - 1), *next, t_s);
     }

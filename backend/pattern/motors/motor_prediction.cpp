@@ -14,10 +14,6 @@ constexpr double kStep_s = 0.002;
 /// After this many rise times, each ln 10 time constants, e^-46 of the past is left.
 constexpr double kForgottenRises = 20.0;
 
-MotorPrediction::Bin joined(const MotorPrediction::Bin& a, const MotorPrediction::Bin& b) {
-    return {std::min(a.low, b.low), std::max(a.high, b.high), std::max(a.apart, b.apart)};
-}
-
 void widen(std::optional<Span>& span, double begin_s, double end_s) {
     span = span ? Span{std::min(span->begin_s, begin_s), std::max(span->end_s, end_s)} : Span{begin_s, end_s};
 }
@@ -111,7 +107,7 @@ std::optional<MotorPrediction> MotorPrediction::of(const CompiledPattern& patter
                 const double done =
                     intensityOfSpeed(motors[i], models[i].step(driveOf(motors[i], asked[i]), step_s));
                 const auto value = static_cast<float>(done);
-                now[i] = joined(now[i], {value, value, static_cast<float>(std::abs(asked[i] - done))});
+                now[i].join({value, value, static_cast<float>(std::abs(asked[i] - done))});
             }
         }
         if (bin < first)
@@ -120,54 +116,20 @@ std::optional<MotorPrediction> MotorPrediction::of(const CompiledPattern& patter
             prediction.m_bins[i][bin] = now[i];
         ++prediction.m_computed;
     }
-    prediction.makeLevels();
+    for (std::size_t i = 0; i < core::kTactors; ++i)
+        prediction.m_levels[i] =
+            RangeLevels<Bin>(bins, [&](std::size_t k) { return prediction.m_bins[i][k]; });
     return prediction;
-}
-
-void MotorPrediction::makeLevels() {
-    for (std::size_t i = 0; i < core::kTactors; ++i) {
-        m_levels[i].clear();
-        const std::vector<Bin>* below = &m_bins[i];
-        while (below->size() > 1) {
-            std::vector<Bin> level;
-            level.reserve(below->size() / kBlock + 1);
-            for (std::size_t k = 0; k < below->size(); ++k) {
-                if (k % kBlock == 0)
-                    level.push_back((*below)[k]);
-                else
-                    level.back() = joined(level.back(), (*below)[k]);
-            }
-            m_levels[i].push_back(std::move(level));
-            below = &m_levels[i].back();
-        }
-    }
 }
 
 MotorPrediction::Bin MotorPrediction::over(std::size_t tactor, double begin_s, double end_s) const {
     const std::size_t count = bins();
     if (!(end_s >= 0.0 && begin_s <= m_duration_s) || count == 0)
         return {};
-    auto first = std::min(count - 1, static_cast<std::size_t>(std::max(0.0, begin_s) / m_bin_s));
-    auto last = std::min(count, static_cast<std::size_t>(end_s / m_bin_s) + 1);
+    const auto first = std::min(count - 1, static_cast<std::size_t>(std::max(0.0, begin_s) / m_bin_s));
+    const auto last = std::min(count, static_cast<std::size_t>(end_s / m_bin_s) + 1);
     Bin all{std::numeric_limits<float>::infinity(), 0.0F, 0.0F};
-    const std::vector<Bin>* level = &m_bins[tactor];
-    for (std::size_t above = 0; first < last; ++above) {
-        const auto take = [&](std::size_t from, std::size_t to) {
-            for (std::size_t k = from; k < to; ++k)
-                all = joined(all, (*level)[k]);
-        };
-        const std::size_t firstBlock = (first + kBlock - 1) / kBlock;
-        const std::size_t lastBlock = last / kBlock;
-        if (above == m_levels[tactor].size() || firstBlock >= lastBlock) {
-            take(first, last);
-            break;
-        }
-        take(first, firstBlock * kBlock);
-        take(lastBlock * kBlock, last);
-        first = firstBlock;
-        last = lastBlock;
-        level = &m_levels[tactor][above];
-    }
+    m_levels[tactor].join(all, first, last, [&](std::size_t k) { return m_bins[tactor][k]; });
     return all;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pattern/edit/track_envelope.h"
+#include "backend/pattern/edit/range_levels.h"
 #include "backend/pattern/model/pattern.h"
 #include "backend/pattern/motors/motor_model.h"
 
+#include <algorithm>
 #include <atomic>
 #include <optional>
 #include <vector>
@@ -29,6 +30,12 @@ public:
         float low = 0.0F; ///< predicted intensities
         float high = 0.0F;
         float apart = 0.0F; ///< largest |commanded - predicted|
+
+        void join(const Bin& other) {
+            low = std::min(low, other.low);
+            high = std::max(high, other.high);
+            apart = std::max(apart, other.apart);
+        }
     };
 
     /// Empty when cancelled or when the pattern is longer than kLongest_s. motors: valid(). before: an
@@ -45,16 +52,11 @@ public:
     [[nodiscard]] std::size_t bins() const { return m_bins[0].size(); }
 
 private:
-    static constexpr std::size_t kBlock = 32;
-
-    void makeLevels();
-
     double m_duration_s = 0.0;
     double m_bin_s = kFinestBin_s;
     MotorProfiles m_motors;
     std::array<std::vector<Bin>, core::kTactors> m_bins;
-    /// Merged bins: each entry of a level covers kBlock of the level below.
-    std::array<std::vector<std::vector<Bin>>, core::kTactors> m_levels;
+    std::array<RangeLevels<Bin>, core::kTactors> m_levels;
     std::size_t m_computed = 0;
 };
 

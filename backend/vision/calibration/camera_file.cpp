@@ -67,7 +67,7 @@ void readFocus(JsonReader& reader, CameraParameters& camera) {
     const ordered_json& value = reader.member(reader.root(), "K");
     readRows(reader, value, k);
     if (!reader.error() && (k(1, 0) != 0.0 || k(2, 0) != 0.0 || k(2, 1) != 0.0 || k(2, 2) != 1.0))
-        reader.fail(value, CameraText::tr("this is not a camera matrix").toStdString(),
+        reader.fail(value, CameraText::tr("this is not a camera matrix"),
                     "[[fx, s, cx], [0, fy, cy], [0, 0, 1]]");
     camera.fx_px = k(0, 0);
     camera.skew_px = k(0, 1);
@@ -76,17 +76,17 @@ void readFocus(JsonReader& reader, CameraParameters& camera) {
     camera.cy_px = k(1, 2);
 }
 
-std::string wordsFor(CameraModel::Refusal refusal) {
+QString wordsFor(CameraModel::Refusal refusal) {
     switch (refusal) {
     case CameraModel::Refusal::notFinite:
     case CameraModel::Refusal::noImage:
-        return CameraText::tr("a parameter is out of range").toStdString();
+        return CameraText::tr("a parameter is out of range");
     case CameraModel::Refusal::noFocus:
-        return CameraText::tr("the focal lengths in K are not positive").toStdString();
+        return CameraText::tr("the focal lengths in K are not positive");
     case CameraModel::Refusal::notRotation:
-        return CameraText::tr("R is not a rotation").toStdString();
+        return CameraText::tr("R is not a rotation");
     case CameraModel::Refusal::folds:
-        return CameraText::tr("the distortion folds on the axis").toStdString();
+        return CameraText::tr("the distortion folds on the axis");
     }
     return {};
 }
@@ -140,13 +140,12 @@ core::Expected<CameraFile> parseCamera(std::string text, const std::string& file
     const ordered_json& root = reader.root();
     if (const ordered_json* format = reader.find(root, "format");
         !reader.error() && (format == nullptr || *format != kFormat))
-        reader.fail(format == nullptr ? root : *format,
-                    CameraText::tr("this is not a camera file").toStdString(),
+        reader.fail(format == nullptr ? root : *format, CameraText::tr("this is not a camera file"),
                     "\"format\": \"teleta-camera\"");
     if (const ordered_json& version = reader.member(root, "version");
         !reader.error() && reader.integer(version, 1, 1'000'000) > kVersion)
-        reader.fail(version, CameraText::tr("the file was written by a newer version").toStdString(),
-                    std::to_string(kVersion));
+        reader.fail(version, CameraText::tr("the file was written by a newer version"),
+                    QString::number(kVersion));
 
     CameraParameters camera;
     camera.width_px = static_cast<int>(reader.integer(reader.member(root, "width_px"), 1, kLargestSide_px));
@@ -168,8 +167,7 @@ core::Expected<CameraFile> parseCamera(std::string text, const std::string& file
         surface.lowest_z_m = reader.number(*cylinder, "lowest_z_m", -kHuge, kHuge, surface.lowest_z_m);
         surface.highest_z_m = reader.number(*cylinder, "highest_z_m", -kHuge, kHuge, surface.highest_z_m);
         if (!surface.isUsable())
-            reader.fail(*cylinder, CameraText::tr("the cylinder has no length").toStdString(),
-                        "lowest_z_m < highest_z_m");
+            reader.fail(*cylinder, CameraText::tr("the cylinder has no length"), "lowest_z_m < highest_z_m");
     }
     const double noise_px = reader.number(root, "noise_px", 0.0, kHuge, 0.0);
     CameraCovariance covariance = CameraCovariance::Zero();

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/pattern/files/ahap.h"
-#include "backend/pattern/files/haptic_file.h"
-#include "backend/pattern/files/hjif.h"
+#include "backend/pattern/files/foreign_formats.h"
 #include "backend/pattern/files/pattern_file.h"
-#include "backend/pattern/files/tact.h"
 #include "backend/pattern/model/bake.h"
 #include "backend/pattern/model/built_in_patterns.h"
 #include "tests/backend/core/temporary_folder.h"
