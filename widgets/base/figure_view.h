@@ -6,6 +6,8 @@
 #include <QPoint>
 #include <QWidget>
 
+#include <optional>
+
 class QMenu;
 
 namespace teleta::base {
@@ -20,6 +22,9 @@ public:
     /// Fills the context menu. position: of the click, in the view.
     void populateMenu(QMenu& menu, const QPoint& position = {});
 
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
 signals:
     void exported(const QString& path);
     void exportFailed(const QString& message);
@@ -27,13 +32,20 @@ signals:
 protected:
     explicit FigureView(QWidget* parent);
 
+    /// Preferred and smallest size in em; without them those of the layout.
+    void setSizes_em(const QSizeF& preferred, const QSizeF& smallest);
+    /// Text of the tool tip at a point of the view; empty: none.
+    [[nodiscard]] virtual QString toolTipAt(const QPointF& point) const;
     /// Adds the view's own actions, above those that copy and save.
     virtual void addOwnActions(QMenu& menu, const QPoint& position);
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     FigureExport m_export;
+    std::optional<QSizeF> m_preferred_em;
+    std::optional<QSizeF> m_smallest_em;
 };
 
 } // namespace teleta::base

@@ -155,16 +155,8 @@ void BraceletView::paintEvent(QPaintEvent*) {
     const QFont small = base::sized(font(), base::kSmallText);
     const QFontMetricsF metrics(font());
 
-    QRectF title = layout.title;
-    const QString badge = base::provenanceText(m_provenance);
-    if (!badge.isEmpty()) {
-        const QSizeF size = base::badgeSize(font(), badge);
-        base::paintBadge(
-            painter,
-            QRectF(QPointF(title.right() - size.width(), title.center().y() - 0.5 * size.height()), size),
-            badge, base::statusColours(palette()).simulated);
-        title.setRight(title.right() - size.width() - 0.5 * layout.em);
-    }
+    const QRectF title =
+        base::paintProvenance(painter, layout.title, m_provenance, palette(), 0.5 * layout.em);
     painter.setPen(m_title.isEmpty() ? faint : text);
     painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
                      metrics.elidedText(m_title.isEmpty() ? tr("Nothing is playing") : m_title,

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/camera_view.h"
 
-#include "widgets/base/focus_frame.h"
 #include "widgets/base/on_change.h"
-#include "widgets/base/theme.h"
 
-#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QPainter>
-#include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -24,7 +19,8 @@ constexpr double kCameraZoomStep = 1.25;
 } // namespace
 
 CameraView::CameraView(QWidget* parent)
-    : FigureView(parent) {
+    : PictureView(parent) {
+    setSizes_em({40, 30}, {14, 10});
     base::keepTranslated(this, &CameraView::retranslate);
 }
 
@@ -64,25 +60,9 @@ void CameraView::setPaused(bool paused) {
 }
 
 base::Figure CameraView::figure() {
-    base::Figure figure;
-    figure.name = tr("camera");
     CameraPicture picture = m_picture;
-    picture.font = font();
     picture.paused = false;
-    figure.size_px = QSizeF(size());
-    figure.paint = [picture, size = figure.size_px](QPainter& painter) {
-        picture.paint(painter, size, base::designedPalette(false));
-    };
-    figure.csv = [text = m_picture.csv()] { return text; };
-    return figure;
-}
-
-QSize CameraView::sizeHint() const {
-    return {base::em(this, 40), base::em(this, 30)};
-}
-
-QSize CameraView::minimumSizeHint() const {
-    return {base::em(this, 14), base::em(this, 10)};
+    return figureOf(tr("camera"), picture, [text = m_picture.csv()] { return text; });
 }
 
 void CameraView::showAll() {
@@ -91,26 +71,10 @@ void CameraView::showAll() {
     update();
 }
 
-bool CameraView::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        const int contact = m_picture.contactAt(QPointF(help->pos()), QSizeF(size()));
-        if (contact >= 0)
-            QToolTip::showText(
-                help->globalPos(),
-                m_picture.wordsFor(m_picture.shown.contacts[static_cast<std::size_t>(contact)]), this);
-        else
-            QToolTip::hideText();
-        return true;
-    }
-    return QWidget::event(event);
-}
-
-void CameraView::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    m_picture.font = font();
-    m_picture.paint(painter, QSizeF(size()), palette());
-    base::paintFocusFrame(painter, *this);
+QString CameraView::toolTipAt(const QPointF& point) const {
+    const int contact = m_picture.contactAt(point, QSizeF(size()));
+    return contact < 0 ? QString()
+                       : m_picture.wordsFor(m_picture.shown.contacts[static_cast<std::size_t>(contact)]);
 }
 
 void CameraView::wheelEvent(QWheelEvent* event) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/figure_view.h"
+#include "widgets/base/picture_view.h"
 #include "widgets/camera/camera_picture.h"
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace teleta::camera {
 
 /// The image of the camera in the soft tube. Ctrl+wheel, + and - zoom, dragging moves, a double click or Home
 /// shows all; Space freezes the picture; hovering names a contact. Thread: GUI.
-class CameraView : public base::FigureView {
+class CameraView : public base::PictureView<CameraPicture> {
     Q_OBJECT
 public:
     /// How long a bump is marked, in the camera's time.
@@ -24,17 +24,13 @@ public:
     void setArrowsShown(bool shown);
     void setPaused(bool paused);
 
-    [[nodiscard]] const CameraPicture& picture() const { return m_picture; }
     [[nodiscard]] base::Figure figure() override;
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     void pauseRequested(bool paused);
 
 protected:
-    bool event(QEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
+    [[nodiscard]] QString toolTipAt(const QPointF& point) const override;
     void wheelEvent(QWheelEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -47,7 +43,6 @@ private:
     void showAll();
     void retranslate();
 
-    CameraPicture m_picture;
     std::optional<double> m_bump_s;
     QPointF m_dragged;
 };

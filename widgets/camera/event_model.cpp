@@ -41,19 +41,7 @@ const char* nameOf(Kind kind) {
 } // namespace
 
 void EventModel::append(const CameraEvent& happened) {
-    if (m_events.size() == kCapacity) {
-        const int last = static_cast<int>(kCapacity) - 1;
-        beginRemoveRows({}, last, last);
-        m_events.pop_back();
-        endRemoveRows();
-    }
-    beginInsertRows({}, 0, 0);
-    m_events.push_front(happened);
-    endInsertRows();
-}
-
-void EventModel::clear() {
-    setEvents({});
+    putFirst(m_events, happened, kCapacity);
 }
 
 std::deque<CameraEvent> EventModel::takeEvents() {
@@ -67,12 +55,6 @@ void EventModel::setEvents(std::deque<CameraEvent> events) {
     beginResetModel();
     m_events = std::move(events);
     endResetModel();
-}
-
-void EventModel::retranslate() {
-    emit headerDataChanged(Qt::Horizontal, 0, kColumns - 1);
-    if (!m_events.empty())
-        emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
 
 QString EventModel::csv() const {
@@ -90,14 +72,6 @@ QString EventModel::csv() const {
         put(happened->depth_m, happened->contact > 0, u'\n');
     }
     return text;
-}
-
-int EventModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_events.size());
-}
-
-int EventModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : kColumns;
 }
 
 QVariant EventModel::data(const QModelIndex& index, int role) const {
@@ -157,25 +131,8 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     }
 }
 
-QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case time:
-        return tr("Time");
-    case event:
-        return tr("Event");
-    case contact:
-        return tr("Contact");
-    case along:
-        return tr("Along the tube");
-    case around:
-        return tr("Around the tube");
-    case depth:
-        return tr("Depth");
-    default:
-        return {};
-    }
+QStringList EventModel::titles() const {
+    return {tr("Time"), tr("Event"), tr("Contact"), tr("Along the tube"), tr("Around the tube"), tr("Depth")};
 }
 
 } // namespace teleta::camera

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "backend/pipeline/camera_snapshot.h"
-
-#include <QAbstractTableModel>
+#include "widgets/base/titled_model.h"
 
 #include <cstddef>
 #include <deque>
@@ -11,18 +10,18 @@
 namespace teleta::camera {
 
 /// Events of the tube, newest first; the oldest are dropped. Thread: GUI.
-class EventModel : public QAbstractTableModel {
+class EventModel : public base::TitledModel {
     Q_OBJECT
 public:
     enum Column { time, event, contact, along, around, depth };
     static constexpr int kColumns = 6;
     static constexpr std::size_t kCapacity = 1000;
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit EventModel(QObject* parent = nullptr)
+        : TitledModel(kColumns, parent) {}
 
     void append(const pipeline::CameraEvent& event);
-    void clear();
-    void retranslate();
+    void clear() { setEvents({}); }
 
     /// Moves out the events, newest first.
     [[nodiscard]] std::deque<pipeline::CameraEvent> takeEvents();
@@ -32,12 +31,12 @@ public:
     /// One line per event: time_s,event,contact_id,x_m,y_m,z_m,depth_m; C locale, NA where unknown.
     [[nodiscard]] QString csv() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_events.size()); }
+    [[nodiscard]] QStringList titles() const override;
+
     std::deque<pipeline::CameraEvent> m_events; ///< newest first
 };
 

@@ -19,10 +19,6 @@ QString lengthText(double length_m) {
 
 } // namespace
 
-PairModel::PairModel(QObject* parent)
-    : QAbstractTableModel(parent) {
-}
-
 void PairModel::setPairs(const CalibratedPairs& pairs) {
     // Rows are added and removed at the end, so that a table keeps its scroll position while pairs are
     // collected.
@@ -39,21 +35,7 @@ void PairModel::setPairs(const CalibratedPairs& pairs) {
     } else {
         m_pairs = pairs;
     }
-    if (rowCount() > 0)
-        emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
-}
-
-void PairModel::retranslate() {
-    beginResetModel();
-    endResetModel();
-}
-
-int PairModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_pairs.pairs.size());
-}
-
-int PairModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : kColumns;
+    tellChanged(0);
 }
 
 QString PairModel::text(std::size_t pair, int column) const {
@@ -127,25 +109,8 @@ QVariant PairModel::data(const QModelIndex& index, int role) const {
     return {};
 }
 
-QVariant PairModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case number:
-        return tr("Pair");
-    case pixel:
-        return tr("Pixel, px");
-    case point:
-        return tr("Point, mm");
-    case imageError:
-        return tr("Image, px");
-    case surfaceError:
-        return tr("Surface, mm");
-    case condition:
-        return tr("State");
-    default:
-        return {};
-    }
+QStringList PairModel::titles() const {
+    return {tr("Pair"), tr("Pixel, px"), tr("Point, mm"), tr("Image, px"), tr("Surface, mm"), tr("State")};
 }
 
 Qt::ItemFlags PairModel::flags(const QModelIndex& index) const {

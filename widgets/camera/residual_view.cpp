@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/residual_view.h"
 
-#include "widgets/base/focus_frame.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/on_change.h"
-#include "widgets/base/theme.h"
 
-#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QPainter>
-#include <QToolTip>
 
 namespace teleta::camera {
 
@@ -42,7 +37,8 @@ QString csvOf(const CalibratedPairs& shown) {
 } // namespace
 
 ResidualView::ResidualView(ResidualPicture::Surface surface, QWidget* parent)
-    : FigureView(parent) {
+    : PictureView(parent) {
+    setSizes_em({32, 24}, {16, 12});
     m_picture.surface = surface;
     base::keepTranslated(this, &ResidualView::retranslate);
 }
@@ -105,45 +101,16 @@ QString ResidualView::wordsFor(std::size_t pair) const {
 }
 
 base::Figure ResidualView::figure() {
-    base::Figure figure;
-    figure.name = m_picture.surface == ResidualPicture::Surface::image ? tr("residuals-image")
-                                                                       : tr("residuals-cylinder");
-    figure.size_px = QSizeF(size());
     ResidualPicture picture = m_picture;
-    picture.font = font();
     picture.selected.reset();
-    figure.paint = [picture, size = figure.size_px](QPainter& painter) {
-        picture.paint(painter, size, base::designedPalette(false));
-    };
-    figure.csv = [pairs = m_picture.shown] { return csvOf(pairs); };
-    return figure;
+    return figureOf(m_picture.surface == ResidualPicture::Surface::image ? tr("residuals-image")
+                                                                         : tr("residuals-cylinder"),
+                    picture, [pairs = m_picture.shown] { return csvOf(pairs); });
 }
 
-QSize ResidualView::sizeHint() const {
-    return {base::em(this, 32), base::em(this, 24)};
-}
-
-QSize ResidualView::minimumSizeHint() const {
-    return {base::em(this, 16), base::em(this, 12)};
-}
-
-bool ResidualView::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        if (const auto pair = m_picture.pairAt(help->pos(), QSizeF(size())))
-            QToolTip::showText(help->globalPos(), wordsFor(*pair), this);
-        else
-            QToolTip::hideText();
-        return true;
-    }
-    return QWidget::event(event);
-}
-
-void ResidualView::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    m_picture.font = font();
-    m_picture.paint(painter, QSizeF(size()), palette());
-    base::paintFocusFrame(painter, *this);
+QString ResidualView::toolTipAt(const QPointF& point) const {
+    const auto pair = m_picture.pairAt(point, QSizeF(size()));
+    return pair ? wordsFor(*pair) : QString();
 }
 
 void ResidualView::mousePressEvent(QMouseEvent* event) {

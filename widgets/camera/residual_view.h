@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/figure_view.h"
+#include "widgets/base/picture_view.h"
 #include "widgets/camera/residual_picture.h"
 
 namespace teleta::camera {
 
 /// Residuals of a calibration on the image or on the unrolled cylinder. A click or the arrow keys select a
 /// pair, Delete excludes or includes it. Thread: GUI.
-class ResidualView : public base::FigureView {
+class ResidualView : public base::PictureView<ResidualPicture> {
     Q_OBJECT
 public:
     explicit ResidualView(ResidualPicture::Surface surface, QWidget* parent = nullptr);
@@ -16,18 +16,14 @@ public:
     void setPairs(const CalibratedPairs& pairs);
     void select(std::optional<std::size_t> pair);
 
-    [[nodiscard]] const ResidualPicture& picture() const { return m_picture; }
     [[nodiscard]] base::Figure figure() override;
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     void selected(std::size_t pair);
     void toggleRequested(std::size_t pair);
 
 protected:
-    bool event(QEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
+    [[nodiscard]] QString toolTipAt(const QPointF& point) const override;
     void mousePressEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void addOwnActions(QMenu& menu, const QPoint& position) override;
@@ -35,8 +31,6 @@ protected:
 private:
     void retranslate();
     [[nodiscard]] QString wordsFor(std::size_t pair) const;
-
-    ResidualPicture m_picture;
 };
 
 } // namespace teleta::camera

@@ -450,14 +450,8 @@ void HeatmapPainter::paintColourBar() {
 
 void HeatmapPainter::paintHeader() {
     const pipeline::TouchSnapshot& snapshot = m_content->snapshot;
-    QRectF rect = m_layout->header();
-    const QString badge = base::provenanceText(m_content->provenance);
-    if (!badge.isEmpty()) {
-        const QSizeF size = base::badgeSize(m_painter->font(), badge);
-        const QRectF box(QPointF(rect.right() - size.width(), rect.center().y() - 0.5 * size.height()), size);
-        base::paintBadge(*m_painter, box, badge, base::statusColours(m_palette).simulated);
-        rect.setRight(box.left() - m_em);
-    }
+    const QRectF rect =
+        base::paintProvenance(*m_painter, m_layout->header(), m_content->provenance, m_palette, m_em);
     const QFont normal = m_painter->font();
     QFont bold = base::sized(normal, base::kLargeText);
     bold.setBold(true);

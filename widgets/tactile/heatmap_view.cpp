@@ -7,13 +7,11 @@
 #include "widgets/base/theme.h"
 
 #include <QActionGroup>
-#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -36,6 +34,7 @@ HeatmapView::HeatmapView(QWidget* parent)
     : FigureView(parent)
     , m_range(1.0) {
     setMouseTracking(true);
+    setSizes_em({40, 24}, {18, 13});
     makeActions();
     base::keepTranslated(this, &HeatmapView::retranslate);
 }
@@ -413,30 +412,9 @@ QString HeatmapView::toolTipAt(const QPointF& pixel) const {
     return {};
 }
 
-bool HeatmapView::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        auto* help = static_cast<QHelpEvent*>(event);
-        const QString text = toolTipAt(help->pos());
-        if (text.isEmpty())
-            QToolTip::hideText();
-        else
-            QToolTip::showText(help->globalPos(), text, this);
-        return true;
-    }
-    return QWidget::event(event);
-}
-
 void HeatmapView::resizeEvent(QResizeEvent* event) {
     m_content.zoom.centre = layoutNow().clampedCentre(m_content.zoom.centre);
     QWidget::resizeEvent(event);
-}
-
-QSize HeatmapView::sizeHint() const {
-    return {base::em(this, 40), base::em(this, 24)};
-}
-
-QSize HeatmapView::minimumSizeHint() const {
-    return {base::em(this, 18), base::em(this, 13)};
 }
 
 } // namespace teleta::tactile

@@ -66,11 +66,8 @@ public:
     /// The current layout.
     [[nodiscard]] HeatmapLayout layoutNow() const;
 
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
-
 protected:
-    bool event(QEvent* event) override;
+    [[nodiscard]] QString toolTipAt(const QPointF& pixel) const override;
     void paintEvent(QPaintEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -93,7 +90,6 @@ private:
     void panBy(const QPointF& taxels);
     void editRange();
     [[nodiscard]] QRectF rangeEditArea() const;
-    [[nodiscard]] QString toolTipAt(const QPointF& pixel) const;
 
     HeatmapContent m_content;
     HeatmapPainter m_painter;

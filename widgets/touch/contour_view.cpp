@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/contour_view.h"
 
-#include "widgets/base/focus_frame.h"
 #include "widgets/base/on_change.h"
-#include "widgets/base/theme.h"
 
 #include <QMenu>
-#include <QPainter>
 
 namespace teleta::touch {
 
 ContourView::ContourView(QWidget* parent)
-    : FigureView(parent) {
+    : PictureView(parent) {
+    setSizes_em({30, 20}, {14, 11});
     base::keepTranslated(this, &ContourView::retranslate);
 }
 
@@ -45,36 +43,12 @@ void ContourView::setProvenance(base::Provenance provenance) {
 }
 
 base::Figure ContourView::figure() {
-    base::Figure figure;
-    figure.name = tr("contour");
-    figure.size_px = QSizeF(size());
-    ContourPicture picture = m_picture;
-    picture.font = font();
-    figure.paint = [picture, size = figure.size_px](QPainter& painter) {
-        picture.paint(painter, size, base::designedPalette(false));
-    };
-    figure.csv = [picture] { return picture.csv(); };
-    return figure;
+    return figureOf(tr("contour"), m_picture, [picture = m_picture] { return picture.csv(); });
 }
 
 void ContourView::addOwnActions(QMenu& menu, const QPoint& /*position*/) {
     QAction* forget = menu.addAction(tr("&Forget the explored contour"), this, &ContourView::forgetRequested);
     forget->setEnabled(!m_picture.contour.points_m.empty());
-}
-
-QSize ContourView::sizeHint() const {
-    return {base::em(this, 30), base::em(this, 20)};
-}
-
-QSize ContourView::minimumSizeHint() const {
-    return {base::em(this, 14), base::em(this, 11)};
-}
-
-void ContourView::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    m_picture.font = font();
-    m_picture.paint(painter, QSizeF(size()), palette());
-    base::paintFocusFrame(painter, *this);
 }
 
 } // namespace teleta::touch

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/pipeline/touch/touch_record.h"
-#include "widgets/base/figure_view.h"
+#include "widgets/base/picture_view.h"
 #include "widgets/touch/contour_picture.h"
 
 namespace teleta::touch {
@@ -10,7 +10,7 @@ namespace teleta::touch {
 /// The explored contour from above, to scale: contact points in the order of touch, the spline through them,
 /// the vertices or the circle of the recognised shape, with its measures and confidence. x to the right, y
 /// up, in mm. Ctrl+C copies the picture. Thread: GUI.
-class ContourView : public base::FigureView {
+class ContourView : public base::PictureView<ContourPicture> {
     Q_OBJECT
 public:
     explicit ContourView(QWidget* parent = nullptr);
@@ -19,11 +19,7 @@ public:
     void clear();
     void setProvenance(base::Provenance provenance);
 
-    [[nodiscard]] const ContourPicture& picture() const { return m_picture; }
     [[nodiscard]] base::Figure figure() override;
-
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     /// The user asks to begin anew with another object.
@@ -31,13 +27,10 @@ signals:
 
 protected:
     void addOwnActions(QMenu& menu, const QPoint& position) override;
-    void paintEvent(QPaintEvent* event) override;
 
 private:
     void retranslate();
     void shown();
-
-    ContourPicture m_picture;
 };
 
 } // namespace teleta::touch

@@ -68,17 +68,9 @@ private:
         m_painter.setFont(fitting(text, room.width(), known ? base::kHugeText : base::kLargeText));
         m_painter.setPen(known ? m_text : m_faint);
         m_painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, text);
-        QRectF line = m_layout.material;
-        const QString badge = base::provenanceText(m_content.provenance);
-        if (!badge.isEmpty()) {
-            const QSizeF size = base::badgeSize(m_font, badge);
-            m_painter.setFont(m_font);
-            base::paintBadge(
-                m_painter,
-                QRectF(QPointF(line.right() - size.width(), line.center().y() - 0.5 * size.height()), size),
-                badge, base::statusColours(m_palette).simulated);
-            line.setRight(line.right() - size.width() - 0.5 * m_layout.em);
-        }
+        m_painter.setFont(m_font);
+        const QRectF line = base::paintProvenance(m_painter, m_layout.material, m_content.provenance,
+                                                  m_palette, 0.5 * m_layout.em);
         if (m_content.touch)
             words(line, m_font, m_text, GaugeTexts::material(*m_content.touch));
     }

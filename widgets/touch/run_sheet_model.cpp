@@ -107,10 +107,6 @@ RunSheetModel::Notes::Notes()
     undo->setUndoLimit(kUndoDepth);
 }
 
-RunSheetModel::RunSheetModel(QObject* parent)
-    : QAbstractTableModel(parent) {
-}
-
 void RunSheetModel::setObjects(const std::vector<FoundObject>& objects) {
     const bool isSameRun = objects.size() >= m_notes.objects;
     if (!isSameRun)
@@ -124,7 +120,7 @@ void RunSheetModel::setObjects(const std::vector<FoundObject>& objects) {
         return;
     // But for the names: what is being typed would be taken for old.
     emit dataChanged(index(0, number), index(rowCount() - 1, number));
-    emit dataChanged(index(0, time), index(rowCount() - 1, kColumns - 1));
+    tellChanged(time);
 }
 
 RunSheetModel::Notes RunSheetModel::takeNotes() {
@@ -138,12 +134,6 @@ void RunSheetModel::setNotes(Notes notes) {
     m_objects.clear();
     m_notes = std::move(notes);
     showKept();
-}
-
-void RunSheetModel::retranslate() {
-    emit headerDataChanged(Qt::Horizontal, 0, kColumns - 1);
-    if (!m_kept.empty())
-        emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
 
 void RunSheetModel::showKept() {
@@ -204,14 +194,6 @@ QString RunSheetModel::nameOf(std::uint64_t object) const {
     return found == m_notes.names.end() ? QString() : found->second;
 }
 
-int RunSheetModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_kept.size());
-}
-
-int RunSheetModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : kColumns;
-}
-
 QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::EditRole))
         return {};
@@ -259,13 +241,9 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
     }
 }
 
-QVariant RunSheetModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    const std::array<QString, kColumns> titles{
-        tr("No."),     tr("Name"),  tr("Found at"),  tr("Place x, y"), tr("Touches"),
-        tr("Contact"), tr("Force"), tr("Stiffness"), tr("Material"),   tr("Shape")};
-    return titles[static_cast<std::size_t>(section)];
+QStringList RunSheetModel::titles() const {
+    return {tr("No."),     tr("Name"),  tr("Found at"),  tr("Place x, y"), tr("Touches"),
+            tr("Contact"), tr("Force"), tr("Stiffness"), tr("Material"),   tr("Shape")};
 }
 
 Qt::ItemFlags RunSheetModel::flags(const QModelIndex& index) const {

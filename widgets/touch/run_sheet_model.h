@@ -3,8 +3,8 @@
 
 #include "backend/pipeline/touch/found_objects.h"
 #include "widgets/base/controls/badge.h"
+#include "widgets/base/titled_model.h"
 
-#include <QAbstractTableModel>
 #include <QString>
 #include <QUndoStack>
 
@@ -19,7 +19,7 @@ namespace teleta::touch {
 
 /// The objects that were found, in the order in which they were found, with the names that the operator gives
 /// them. Names and deletions can be undone. Thread: GUI.
-class RunSheetModel : public QAbstractTableModel {
+class RunSheetModel : public base::TitledModel {
     Q_OBJECT
 public:
     enum Column { number, name, time, place, touches, contact, force, stiffness, material, shape };
@@ -34,7 +34,8 @@ public:
         std::unique_ptr<QUndoStack> undo;
     };
 
-    explicit RunSheetModel(QObject* parent = nullptr);
+    explicit RunSheetModel(QObject* parent = nullptr)
+        : TitledModel(kColumns, parent) {}
 
     /// All objects of the run as they are known now. Names and deletions stay with their number.
     void setObjects(const std::vector<pipeline::FoundObject>& objects);
@@ -44,7 +45,6 @@ public:
     [[nodiscard]] Notes takeNotes();
     /// The run of these notes is looked at again; its objects follow.
     void setNotes(Notes notes);
-    void retranslate();
 
     /// As one step that can be undone.
     void rename(std::uint64_t object, const QString& text);
@@ -54,14 +54,14 @@ public:
     [[nodiscard]] QString nameOf(std::uint64_t object) const;
     [[nodiscard]] QUndoStack& undoStack() { return *m_notes.undo; }
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 private:
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_kept.size()); }
+    [[nodiscard]] QStringList titles() const override;
+
     friend class RenameObject;
     friend class RemoveObjects;
     void applyName(std::uint64_t object, const QString& text);

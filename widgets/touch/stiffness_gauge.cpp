@@ -5,14 +5,13 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QHelpEvent>
 #include <QPainter>
-#include <QToolTip>
 
 namespace teleta::touch {
 
 StiffnessGauge::StiffnessGauge(QWidget* parent)
     : FigureView(parent) {
+    setSizes_em({24, 12.5}, {17, 11.2});
     base::keepTranslated(this, &StiffnessGauge::retranslate);
 }
 
@@ -69,32 +68,14 @@ QString StiffnessGauge::toolTipAt(const QPointF& point) const {
 }
 
 base::Figure StiffnessGauge::figure() {
-    base::Figure figure;
-    figure.name = tr("stiffness");
-    figure.size_px = QSizeF(size());
-    figure.paint = [content = m_content, size = figure.size_px, font = font()](QPainter& painter) {
-        paintGauge(painter, GaugeLayout(QRectF(QPointF(), size), font), font, content,
-                   base::designedPalette(false));
-    };
-    figure.csv = [content = m_content] { return gaugeCsv(content); };
-    return figure;
-}
-
-QSize StiffnessGauge::sizeHint() const {
-    return {base::em(this, 24), base::em(this, 12.5)};
-}
-
-QSize StiffnessGauge::minimumSizeHint() const {
-    return {base::em(this, 17), base::em(this, 11.2)};
-}
-
-bool StiffnessGauge::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), this);
-        return true;
-    }
-    return QWidget::event(event);
+    return {.name = tr("stiffness"),
+            .size_px = QSizeF(size()),
+            .paint =
+                [content = m_content, size = QSizeF(size()), font = font()](QPainter& painter) {
+                    paintGauge(painter, GaugeLayout(QRectF(QPointF(), size), font), font, content,
+                               base::designedPalette(false));
+                },
+            .csv = [content = m_content] { return gaugeCsv(content); }};
 }
 
 void StiffnessGauge::paintEvent(QPaintEvent*) {

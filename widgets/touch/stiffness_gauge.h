@@ -28,15 +28,10 @@ public:
     [[nodiscard]] const GaugeContent& content() const { return m_content; }
     /// Where the parts are now.
     [[nodiscard]] GaugeLayout layoutNow() const;
-    /// What the tool tip says at a point.
-    [[nodiscard]] QString toolTipAt(const QPointF& point) const;
+    [[nodiscard]] QString toolTipAt(const QPointF& point) const override;
     [[nodiscard]] base::Figure figure() override;
 
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
-
 protected:
-    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

@@ -248,7 +248,7 @@ QStringList fieldsOf(const TouchRecord& record) {
 } // namespace
 
 TouchModel::TouchModel(std::size_t capacity, QObject* parent)
-    : QAbstractTableModel(parent)
+    : TitledModel(kColumns, parent)
     , m_capacity(std::max<std::size_t>(1, capacity)) {
 }
 
@@ -266,35 +266,13 @@ void TouchModel::put(const TouchRecord& record) {
         emit dataChanged(index(*row, 0), index(*row, kColumns - 1));
         return;
     }
-    if (m_records.size() == m_capacity) {
-        const int last = static_cast<int>(m_capacity) - 1;
-        beginRemoveRows({}, last, last);
-        m_records.pop_back();
-        endRemoveRows();
-    }
-    beginInsertRows({}, 0, 0);
-    m_records.push_front(record);
-    endInsertRows();
+    putFirst(m_records, record, m_capacity);
 }
 
 void TouchModel::clear() {
     beginResetModel();
     m_records.clear();
     endResetModel();
-}
-
-void TouchModel::retranslate() {
-    emit headerDataChanged(Qt::Horizontal, 0, kColumns - 1);
-    if (!m_records.empty())
-        emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
-}
-
-int TouchModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_records.size());
-}
-
-int TouchModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : kColumns;
 }
 
 QVariant TouchModel::data(const QModelIndex& index, int role) const {
@@ -333,30 +311,12 @@ QVariant TouchModel::headerData(int section, Qt::Orientation orientation, int ro
             return tr("Distance of the contact from the elbow, along the forearm");
         return {};
     }
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case number:
-        return tr("No.");
-    case time:
-        return tr("Time");
-    case point:
-        return tr("Contact x, y, z");
-    case distance:
-        return tr("Along link");
-    case force:
-        return tr("Force x, y, z");
-    case stiffness:
-        return tr("Stiffness");
-    case material:
-        return tr("Material");
-    case level:
-        return tr("Level");
-    case condition:
-        return tr("Condition");
-    default:
-        return {};
-    }
+    return TitledModel::headerData(section, orientation, role);
+}
+
+QStringList TouchModel::titles() const {
+    return {tr("No."),       tr("Time"),     tr("Contact x, y, z"), tr("Along link"), tr("Force x, y, z"),
+            tr("Stiffness"), tr("Material"), tr("Level"),           tr("Condition")};
 }
 
 QString touchesText(const std::vector<TouchRecord>& records, QChar separator) {

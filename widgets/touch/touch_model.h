@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/pipeline/touch/touch_record.h"
+#include "widgets/base/titled_model.h"
 
-#include <QAbstractTableModel>
 #include <QChar>
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 namespace teleta::touch {
 
 /// The newest touches as a table, the newest first; older ones than fit are forgotten. Thread: GUI.
-class TouchModel : public QAbstractTableModel {
+class TouchModel : public base::TitledModel {
     Q_OBJECT
 public:
     enum Column { number, time, point, distance, force, stiffness, material, level, condition };
@@ -29,8 +29,6 @@ public:
     /// Adds a touch, or replaces the one of the same number.
     void put(const pipeline::TouchRecord& record);
     void clear();
-    /// Lets the views ask for all texts again.
-    void retranslate();
 
     /// row: of this model, 0 is the newest.
     [[nodiscard]] const pipeline::TouchRecord& record(int row) const {
@@ -38,12 +36,13 @@ public:
     }
     [[nodiscard]] std::optional<int> rowOf(std::uint64_t touch) const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_records.size()); }
+    [[nodiscard]] QStringList titles() const override;
+
     std::size_t m_capacity;
     std::deque<pipeline::TouchRecord> m_records;
 };

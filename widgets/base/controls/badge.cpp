@@ -50,4 +50,15 @@ void paintBadge(QPainter& painter, const QRectF& rect, const QString& text, cons
     painter.restore();
 }
 
+QRectF paintProvenance(QPainter& painter, const QRectF& line, Provenance provenance, const QPalette& palette,
+                       double gap) {
+    const QString text = provenanceText(provenance);
+    if (text.isEmpty())
+        return line;
+    const QSizeF size = badgeSize(painter.font(), text);
+    const QPointF corner(line.right() - size.width(), line.center().y() - 0.5 * size.height());
+    paintBadge(painter, QRectF(corner, size), text, statusColours(palette).simulated);
+    return line.adjusted(0.0, 0.0, -size.width() - gap, 0.0);
+}
+
 } // namespace teleta::base

@@ -22,4 +22,9 @@ enum class Provenance { live, recorded, simulated, recordedSimulation };
 [[nodiscard]] QSizeF badgeSize(const QFont& font, const QString& text);
 void paintBadge(QPainter& painter, const QRectF& rect, const QString& text, const QColor& colour);
 
+/// Labels data that are not live at the right end of a line, in the painter's font. Returns the rest of the
+/// line, up to a gap (px) before the label; for live data the whole line.
+QRectF paintProvenance(QPainter& painter, const QRectF& line, Provenance provenance, const QPalette& palette,
+                       double gap);
+
 } // namespace teleta::base
