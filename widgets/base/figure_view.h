@@ -36,6 +36,8 @@ protected:
     void setSizes_em(const QSizeF& preferred, const QSizeF& smallest);
     /// Text of the tool tip at a point of the view; empty: none.
     [[nodiscard]] virtual QString toolTipAt(const QPointF& point) const;
+    /// Adds the actions that copy and save.
+    void addFigureActions(QMenu& menu) { m_export.addActions(menu); }
     /// Adds the view's own actions, above those that copy and save.
     virtual void addOwnActions(QMenu& menu, const QPoint& position);
     bool event(QEvent* event) override;

@@ -176,6 +176,7 @@ QString gainsCsv(const TaxelGains& gains) {
 
 GainMap::GainMap(QWidget* parent)
     : FigureView(parent) {
+    setSizes_em({46, 20}, {20, 9});
     setAutoFillBackground(false);
     setMouseTracking(true);
 }
@@ -223,14 +224,6 @@ base::Figure GainMap::figure() {
     };
     figure.csv = [gains = m_gains] { return gainsCsv(*gains); };
     return figure;
-}
-
-QSize GainMap::sizeHint() const {
-    return {base::em(this, 46), base::em(this, 20)};
-}
-
-QSize GainMap::minimumSizeHint() const {
-    return {base::em(this, 20), base::em(this, 9)};
 }
 
 bool GainMap::event(QEvent* event) {

@@ -31,9 +31,6 @@ public:
     /// With the table of gains.
     [[nodiscard]] base::Figure figure() override;
 
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
-
 signals:
     void readoutChanged(const QString& text);
 

@@ -174,18 +174,18 @@ void CameraPanel::setPaused(bool paused) {
 void CameraPanel::showTexts() {
     const base::StatusColours& colours = base::statusColours(palette());
     QString problem;
-    if (m_hasCamera && !m_hasReference)
+    const bool isLost = !m_hasReference || !m_why.isEmpty() || !m_whyRefused.isEmpty();
+    if (!m_hasCamera)
+        problem.clear();
+    else if (!m_hasReference)
         problem = m_why.isEmpty() ? tr("Waiting for a picture of the tube with nothing touching it.")
                                   : tr("No reference yet: %1").arg(m_why);
-    else if (m_hasCamera && !m_why.isEmpty())
+    else if (!m_why.isEmpty())
         problem = tr("Picture not used: %1").arg(m_why);
-    bool isLost = !problem.isEmpty();
-    if (m_hasCamera && problem.isEmpty() && !m_whyRefused.isEmpty()) {
+    else if (!m_whyRefused.isEmpty())
         problem = tr("This finder cannot be used: %1").arg(m_whyRefused);
-        isLost = true;
-    } else if (m_hasCamera && problem.isEmpty() && !m_nextRung.isEmpty()) {
+    else if (!m_nextRung.isEmpty())
         problem = tr("Preparing the finder %1.").arg(m_nextRung);
-    }
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());
     base::setTextColour(m_problem, isLost ? colours.lost : palette().color(QPalette::WindowText));
@@ -193,29 +193,29 @@ void CameraPanel::showTexts() {
         m_armLine->clear();
         return;
     }
+    const auto show = [this](const QString& text, const QColor& colour) {
+        m_armLine->setText(text);
+        base::setTextColour(m_armLine, colour);
+    };
+    const int contact = m_carrier->contact;
     switch (m_carrier->doing) {
     case Doing::stands:
-        m_armLine->setText(m_carrier->contact != 0
-                               ? tr("The arm has retreated from contact %1.").arg(m_carrier->contact)
-                               : tr("The arm is at rest."));
+        show(contact != 0 ? tr("The arm has retreated from contact %1.").arg(contact)
+                          : tr("The arm is at rest."),
+             palette().color(QPalette::WindowText));
         break;
     case Doing::retreats:
-        m_armLine->setText(tr("The arm is retreating from contact %1.").arg(m_carrier->contact));
+        show(tr("The arm is retreating from contact %1.").arg(contact), colours.lost);
         break;
     case Doing::follows:
-        m_armLine->setText(tr("The arm follows contact %1.").arg(m_carrier->contact));
+        show(tr("The arm follows contact %1.").arg(contact), colours.live);
         break;
     case Doing::held:
-        m_armLine->setText(m_mayReact->isChecked()
-                               ? tr("The arm is held.")
-                               : tr("The arm is held. Tick the box to let it react again."));
+        show(m_mayReact->isChecked() ? tr("The arm is held.")
+                                     : tr("The arm is held. Tick the box to let it react again."),
+             colours.stale);
         break;
     }
-    base::setTextColour(m_armLine, m_carrier->doing == Doing::held       ? colours.stale
-                                   : m_carrier->doing == Doing::retreats ? colours.lost
-                                   : m_carrier->doing == Doing::follows
-                                       ? colours.live
-                                       : palette().color(QPalette::WindowText));
 }
 
 void CameraPanel::retranslate() {

@@ -28,6 +28,10 @@ QImage imageOf(const core::GreyImage& image) {
     return {image.pixels.get(), image.width_px, image.height_px, image.width_px, QImage::Format_Grayscale8};
 }
 
+QPointF pointOf(const auto& p) {
+    return {static_cast<double>(p.x), static_cast<double>(p.y)};
+}
+
 /// The picture is grey in both themes; everything drawn over it is light with a dark outline.
 constexpr QColor kRim(0, 0, 0, 150);
 
@@ -84,7 +88,7 @@ int CameraPicture::contactAt(const QPointF& point, const QSizeF& size) const {
     for (std::size_t i = 0; i < shown.contacts.size(); ++i) {
         QPolygonF outline;
         for (const auto& corner : shown.contacts[i].contact.contour_px)
-            outline << QPointF(static_cast<double>(corner.x), static_cast<double>(corner.y));
+            outline << pointOf(corner);
         if (outline.containsPoint(pixel, Qt::OddEvenFill))
             return static_cast<int>(i);
     }
@@ -144,13 +148,13 @@ void CameraPicture::paintImage(QPainter& painter, const QSizeF& size) const {
 void CameraPicture::paintArrows(QPainter& painter, const QSizeF& size) const {
     double longest_px = 4.0;
     for (const auto& arrow : shown.arrows)
-        longest_px = std::max(longest_px, std::hypot(static_cast<double>(arrow.moved_px.x),
-                                                     static_cast<double>(arrow.moved_px.y)));
+        longest_px =
+            std::max(longest_px, std::hypot(pointOf(arrow.moved_px).x(), pointOf(arrow.moved_px).y()));
     std::array<QVector<QLineF>, kArrowColours> lines;
     QVector<QPointF> still;
     for (const auto& arrow : shown.arrows) {
-        const QPointF at(static_cast<double>(arrow.at_px.x), static_cast<double>(arrow.at_px.y));
-        const QPointF moved(static_cast<double>(arrow.moved_px.x), static_cast<double>(arrow.moved_px.y));
+        const QPointF at = pointOf(arrow.at_px);
+        const QPointF moved = pointOf(arrow.moved_px);
         const double length_px = std::hypot(moved.x(), moved.y());
         if (!(length_px >= kLeastArrow_px)) {
             still << toPicture(at, size);
@@ -184,7 +188,7 @@ void CameraPicture::paintContacts(QPainter& painter, const QSizeF& size) const {
         const QColor colour = base::identityColour(std::max(1, contact.id), true);
         QPolygonF outline;
         for (const auto& corner : contact.contour_px)
-            outline << toPicture(QPointF(static_cast<double>(corner.x), static_cast<double>(corner.y)), size);
+            outline << toPicture(pointOf(corner), size);
         const bool isBumped = bumped != 0 && bumped == contact.id && bumpFade > 0.0;
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(kRim, 4.5));

@@ -44,11 +44,9 @@ public:
     [[nodiscard]] QPointF toPixel(const QPointF& point, const QSizeF& size) const;
     /// Zooms about the pixel at a point.
     void zoomAt(const QPointF& point, const QSizeF& size, double factor);
-    /// Moves the visible part.
     void moveBy(const QPointF& way, const QSizeF& size);
     /// Index of the contact at a point; -1: none.
     [[nodiscard]] int contactAt(const QPointF& point, const QSizeF& size) const;
-    /// Describes a contact.
     [[nodiscard]] QString wordsFor(const vision::FollowedContact& followed) const;
 
     void paint(QPainter& painter, const QSizeF& size, const QPalette& palette) const;

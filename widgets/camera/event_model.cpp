@@ -7,8 +7,8 @@
 
 #include <QFont>
 #include <QGuiApplication>
-#include <QPalette>
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -20,23 +20,13 @@ namespace {
 using pipeline::CameraEvent;
 using Kind = CameraEvent::Kind;
 
-const char* nameOf(Kind kind) {
-    switch (kind) {
-    case Kind::begins:
-        return "begin";
-    case Kind::bumps:
-        return "bump";
-    case Kind::ends:
-        return "end";
-    case Kind::follows:
-        return "follow";
-    case Kind::reference:
-        return "reference";
-    case Kind::restart:
-        return "restart";
-    }
-    return "";
+/// A cell with a number; empty when it is not known.
+QVariant quantity(bool known, const QString& number, const QString& unit) {
+    return known ? QVariant(base::withUnit(number, unit)) : QVariant();
 }
+
+/// Names in files, by kind.
+constexpr std::array kNames{"begin", "bump", "end", "follow", "reference", "restart"};
 
 } // namespace
 
@@ -64,7 +54,7 @@ QString EventModel::csv() const {
     };
     for (auto happened = m_events.rbegin(); happened != m_events.rend(); ++happened) {
         put(happened->time_s, true, u',');
-        text += QLatin1String(nameOf(happened->kind)) + QLatin1Char(',');
+        text += QLatin1String(kNames[static_cast<std::size_t>(happened->kind)]) + QLatin1Char(',');
         text += (happened->contact > 0 ? QString::number(happened->contact) : QStringLiteral("NA")) +
                 QLatin1Char(',');
         for (const double value : happened->p_Sensor_m)
@@ -95,37 +85,22 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     switch (index.column()) {
     case time:
         return base::withUnit(base::fixedDigits(happened.time_s, 3), QStringLiteral("s"));
-    case event:
-        switch (happened.kind) {
-        case Kind::begins:
-            return tr("touched");
-        case Kind::bumps:
-            return tr("BUMP");
-        case Kind::ends:
-            return tr("released");
-        case Kind::follows:
-            return tr("arm follows");
-        case Kind::reference:
-            return tr("reference taken");
-        case Kind::restart:
-            return tr("restarted");
-        }
-        return {};
+    case event: {
+        static constexpr std::array kTexts{QT_TR_NOOP("touched"),         QT_TR_NOOP("BUMP"),
+                                           QT_TR_NOOP("released"),        QT_TR_NOOP("arm follows"),
+                                           QT_TR_NOOP("reference taken"), QT_TR_NOOP("restarted")};
+        return tr(kTexts[static_cast<std::size_t>(happened.kind)]);
+    }
     case contact:
         return happened.contact > 0 ? QVariant(happened.contact) : QVariant();
     case along:
-        return happened.located
-                   ? QVariant(base::withUnit(base::threeDigits(1e3 * p.z()), QStringLiteral("mm")))
-                   : QVariant();
+        return quantity(happened.located, base::threeDigits(1e3 * p.z()), QStringLiteral("mm"));
     case around:
-        return happened.located
-                   ? QVariant(base::withUnit(base::wholeNumber(std::atan2(p.y(), p.x()) * 180.0 / M_PI),
-                                             QStringLiteral("\u00b0")))
-                   : QVariant();
+        return quantity(happened.located, base::wholeNumber(std::atan2(p.y(), p.x()) * 180.0 / M_PI),
+                        QStringLiteral("\u00b0"));
     case depth:
-        return happened.contact > 0 && std::isfinite(happened.depth_m)
-                   ? QVariant(base::withUnit(base::threeDigits(1e3 * happened.depth_m), QStringLiteral("mm")))
-                   : QVariant();
+        return quantity(happened.contact > 0 && std::isfinite(happened.depth_m),
+                        base::threeDigits(1e3 * happened.depth_m), QStringLiteral("mm"));
     default:
         return {};
     }

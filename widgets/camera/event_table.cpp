@@ -4,7 +4,6 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
-#include "widgets/camera/event_model.h"
 
 #include <QContextMenuEvent>
 #include <QHeaderView>
@@ -47,14 +46,6 @@ EventTable::EventTable(QWidget* parent)
     connect(m_export, &base::FigureExport::failed, this, &EventTable::exportFailed);
     retranslate();
     base::onChange(this, &EventTable::retranslate, {QEvent::LanguageChange, QEvent::PaletteChange});
-}
-
-void EventTable::append(const pipeline::CameraEvent& event) {
-    m_model->append(event);
-}
-
-void EventTable::clear() {
-    m_model->clear();
 }
 
 void EventTable::setProvenance(base::Provenance provenance) {

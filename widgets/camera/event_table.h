@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/pipeline/camera_snapshot.h"
 #include "widgets/base/controls/badge.h"
 #include "widgets/base/figure_export.h"
+#include "widgets/camera/event_model.h"
 
 #include <QWidget>
 
@@ -12,16 +12,14 @@ class QTableView;
 
 namespace teleta::camera {
 
-class EventModel;
-
 /// List of the tube's events, newest first. Ctrl+C copies it as CSV. Thread: GUI.
 class EventTable : public QWidget {
     Q_OBJECT
 public:
     explicit EventTable(QWidget* parent = nullptr);
 
-    void append(const pipeline::CameraEvent& event);
-    void clear();
+    void append(const pipeline::CameraEvent& event) { m_model->append(event); }
+    void clear() { m_model->clear(); }
     void setProvenance(base::Provenance provenance);
     [[nodiscard]] EventModel& model() const { return *m_model; }
     [[nodiscard]] QTableView& table() const { return *m_table; }

@@ -8,7 +8,6 @@
 #include "widgets/base/theme.h"
 
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>

@@ -57,17 +57,9 @@ void StageBar::setSnapshot(const pipeline::CameraSnapshot* snapshot, double nomi
 }
 
 QString StageBar::nameOf(std::size_t stage) {
-    switch (static_cast<vision::FinderStage>(stage)) {
-    case vision::FinderStage::prepare:
-        return tr("prepare");
-    case vision::FinderStage::displacement:
-        return tr("displacement");
-    case vision::FinderStage::segment:
-        return tr("segment");
-    case vision::FinderStage::locate:
-        return tr("locate");
-    }
-    return {};
+    static constexpr std::array<const char*, vision::kFinderStages> kNames{
+        QT_TR_NOOP("prepare"), QT_TR_NOOP("displacement"), QT_TR_NOOP("segment"), QT_TR_NOOP("locate")};
+    return tr(kNames[stage]);
 }
 
 QString StageBar::text() const {

@@ -128,15 +128,6 @@ ServoPanel::ServoPanel(QWidget* parent)
     setReport(std::nullopt);
 }
 
-ServoTuning ServoPanel::tuning() const {
-    ServoTuning tuning;
-    tuning.force_N = m_force->value();
-    tuning.slide_mPerS = 1e-3 * m_slide->value();
-    tuning.gain = 0.01 * m_gain->value();
-    tuning.moment = m_moment->isChecked();
-    return tuning;
-}
-
 void ServoPanel::setProvenance(base::Provenance provenance) {
     m_shownProvenance = provenance;
     showTexts();

@@ -34,10 +34,8 @@ public:
     /// Distinguishes a servo held by STOP from a scene that the user holds.
     void setStopEngaged(bool engaged);
 
-    /// Marks a simulated servo in violet.
     void setProvenance(base::Provenance provenance);
 
-    [[nodiscard]] ServoTuning tuning() const;
 signals:
     void tuningChanged(const teleta::servo::ServoTuning& tuning);
     void taskRequested(std::size_t index);

@@ -8,9 +8,8 @@
 #include "widgets/base/focus_frame.h"
 #include "widgets/base/theme.h"
 
-#include <QContextMenuEvent>
+#include <QEvent>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QMenu>
 #include <QPainter>
 #include <QSvgRenderer>
@@ -45,14 +44,11 @@ figure::SvgColours coloursOf(const QPalette& palette) {
 } // namespace
 
 ServoRunsView::ServoRunsView(QWidget* parent)
-    : QWidget(parent)
-    , m_export(new base::FigureExport(this, [this] { return figure(); }))
+    : FigureView(parent)
     , m_add(new QToolButton(this))
     , m_forget(new QToolButton(this))
     , m_menu(new QToolButton(this)) {
-    setFocusPolicy(Qt::StrongFocus);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
+    setSizes_em({40, 26}, {16, 12});
     auto* tools = new QHBoxLayout;
     for (QToolButton* button : {m_add, m_forget, m_menu}) {
         button->setAutoRaise(true);
@@ -67,14 +63,13 @@ ServoRunsView::ServoRunsView(QWidget* parent)
     auto* menu = new QMenu(this);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] {
         menu->clear();
-        m_export->addActions(*menu);
+        addFigureActions(*menu);
     });
     m_menu->setMenu(menu);
     m_menu->setPopupMode(QToolButton::InstantPopup);
     connect(m_add, &QToolButton::clicked, this, &ServoRunsView::askForRecording);
     connect(m_forget, &QToolButton::clicked, this, &ServoRunsView::forgetOthers);
-    connect(m_export, &base::FigureExport::saved, this, &ServoRunsView::exported);
-    connect(m_export, &base::FigureExport::failed, this, &ServoRunsView::failed);
+    connect(this, &FigureView::exportFailed, this, &ServoRunsView::failed);
     retranslate();
 }
 
@@ -164,7 +159,7 @@ void ServoRunsView::draw() {
     renderer.render(&painter, QRectF(QPointF(), size));
 }
 
-base::Figure ServoRunsView::figure() const {
+base::Figure ServoRunsView::figure() {
     base::Figure figure;
     figure.name = tr("servo-runs", "name of a file");
     figure.size_px = QSizeF(servo_figure::kServoFigureWidth, servo_figure::kServoFigureHeight);
@@ -177,20 +172,10 @@ base::Figure ServoRunsView::figure() const {
     return figure;
 }
 
-void ServoRunsView::populateMenu(QMenu& menu) {
+void ServoRunsView::addOwnActions(QMenu& menu, const QPoint& /*position*/) {
     menu.addAction(m_add->text(), this, &ServoRunsView::askForRecording);
     menu.addAction(m_forget->text(), this, &ServoRunsView::forgetOthers)
         ->setEnabled(m_runs.runs().size() > 1);
-    menu.addSeparator();
-    m_export->addActions(menu);
-}
-
-QSize ServoRunsView::sizeHint() const {
-    return {base::em(this, 40), base::em(this, 26)};
-}
-
-QSize ServoRunsView::minimumSizeHint() const {
-    return {base::em(this, 16), base::em(this, 12)};
 }
 
 void ServoRunsView::paintEvent(QPaintEvent*) {
@@ -210,20 +195,6 @@ void ServoRunsView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     m_dirty = true;
     m_drawn.invalidate();
-}
-
-void ServoRunsView::keyPressEvent(QKeyEvent* event) {
-    if (event->matches(QKeySequence::Copy))
-        base::copyPicture(figure());
-    else
-        QWidget::keyPressEvent(event);
-}
-
-void ServoRunsView::contextMenuEvent(QContextMenuEvent* event) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    populateMenu(*menu);
-    menu->popup(event->globalPos());
 }
 
 void ServoRunsView::changeEvent(QEvent* event) {

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure_view.h"
 #include "widgets/servo/servo_runs.h"
 
 #include <QElapsedTimer>
 #include <QPixmap>
-#include <QWidget>
 
 #include <string>
 
-class QMenu;
 class QToolButton;
 
 namespace teleta::servo {
@@ -18,7 +16,7 @@ namespace teleta::servo {
 /// Servo runs in one chart, the current one, earlier ones and recorded ones, drawn as by `teleta simulate
 /// --figures`. The chart can be saved and copied from its context menu and its button; Ctrl+C copies the
 /// picture. Thread: GUI; recordings are read in the background.
-class ServoRunsView : public QWidget {
+class ServoRunsView : public base::FigureView {
     Q_OBJECT
 public:
     /// Least time between two drawings of the chart.
@@ -36,21 +34,16 @@ public:
     void refresh();
 
     [[nodiscard]] const ServoRuns& runs() const { return m_runs; }
-    [[nodiscard]] base::Figure figure() const;
-    void populateMenu(QMenu& menu);
-
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
+    [[nodiscard]] base::Figure figure() override;
 
 signals:
-    void exported(const QString& path);
+    /// A recording could not be read, or a figure not be written.
     void failed(const QString& message);
 
 protected:
+    void addOwnActions(QMenu& menu, const QPoint& position) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
@@ -61,7 +54,6 @@ private:
     [[nodiscard]] QRect chartRect() const;
 
     ServoRuns m_runs;
-    base::FigureExport* m_export;
     QToolButton* m_add;
     QToolButton* m_forget;
     QToolButton* m_menu;

@@ -5,66 +5,36 @@
 
 #include <QStringList>
 
+#include <array>
+
 namespace teleta::servo {
 
 QString ServoTexts::task(TaskKind kind) {
-    switch (kind) {
-    case TaskKind::freeMotion:
-        return tr("Free motion");
-    case TaskKind::align:
-        return tr("Align");
-    case TaskKind::edgeControl:
-        return tr("Edge control");
-    case TaskKind::explore:
-        return tr("Explore");
-    case TaskKind::roll:
-        return tr("Roll");
-    case TaskKind::pointFollowing:
-        return tr("Follow a point");
-    case TaskKind::comanipulation:
-        return tr("Co-manipulation");
-    }
-    return {};
+    static constexpr std::array kNames{QT_TR_NOOP("Free motion"),    QT_TR_NOOP("Align"),
+                                       QT_TR_NOOP("Edge control"),   QT_TR_NOOP("Explore"),
+                                       QT_TR_NOOP("Roll"),           QT_TR_NOOP("Follow a point"),
+                                       QT_TR_NOOP("Co-manipulation")};
+    return tr(kNames[static_cast<std::size_t>(kind)]);
 }
 
 QString ServoTexts::contact(ContactState state) {
-    switch (state) {
-    case ContactState::none:
-        return tr("no contact");
-    case ContactState::touching:
-        return tr("in contact");
-    case ContactState::searching:
-        return tr("searching for the contact");
-    case ContactState::lost:
-        return tr("contact lost");
-    }
-    return {};
+    static constexpr std::array kNames{QT_TR_NOOP("no contact"), QT_TR_NOOP("in contact"),
+                                       QT_TR_NOOP("searching for the contact"), QT_TR_NOOP("contact lost")};
+    return tr(kNames[static_cast<std::size_t>(state)]);
 }
 
 QString ServoTexts::limit(Limit limit) {
-    switch (limit) {
-    case Limit::toolSpeed:
-        return tr("tool speed");
-    case Limit::turnRate:
-        return tr("turn rate");
-    case Limit::force:
-        return tr("force");
-    case Limit::saturation:
-        return tr("saturated taxel");
-    case Limit::deviation:
-        return tr("distance from the measured pose");
-    case Limit::jointSpeed:
-        return tr("joint speed");
-    case Limit::jointEnd:
-        return tr("end of a joint");
-    case Limit::singular:
-        return tr("singular arm");
-    case Limit::gap:
-        return tr("gap between frames");
-    case Limit::badInput:
-        return tr("unusable numbers");
-    }
-    return {};
+    static constexpr std::array<const char*, kLimits> kNames{QT_TR_NOOP("tool speed"),
+                                                             QT_TR_NOOP("turn rate"),
+                                                             QT_TR_NOOP("force"),
+                                                             QT_TR_NOOP("saturated taxel"),
+                                                             QT_TR_NOOP("distance from the measured pose"),
+                                                             QT_TR_NOOP("joint speed"),
+                                                             QT_TR_NOOP("end of a joint"),
+                                                             QT_TR_NOOP("singular arm"),
+                                                             QT_TR_NOOP("gap between frames"),
+                                                             QT_TR_NOOP("unusable numbers")};
+    return tr(kNames[static_cast<std::size_t>(limit)]);
 }
 
 QString ServoTexts::limits(const ActiveLimits& limits) {

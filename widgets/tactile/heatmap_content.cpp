@@ -4,7 +4,6 @@
 #include "widgets/base/numbers/number_format.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 

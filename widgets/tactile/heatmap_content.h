@@ -7,6 +7,7 @@
 #include <QPointF>
 #include <QString>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 
@@ -17,14 +18,9 @@ struct Taxel {
     bool operator==(const Taxel&) const = default;
 };
 
-/// What to draw over the taxels.
-struct HeatmapOverlays {
-    bool contacts = true;
-    bool centreOfPressure = true;
-    bool centreOfContact = true;
-    bool principalAxis = true;
-    bool values = false; ///< loads as numbers, where the taxels are large enough
-};
+/// What is drawn over the taxels; values: loads as numbers, where the taxels are large enough.
+enum class Overlay { contacts, centreOfPressure, centreOfContact, principalAxis, values };
+inline constexpr std::size_t kOverlays = 5;
 
 /// Visible part of the array. centre: in columns and rows from the array's lower left corner.
 struct HeatmapZoom {
@@ -36,7 +32,7 @@ struct HeatmapZoom {
 struct HeatmapContent {
     pipeline::TouchSnapshot snapshot;
     bool valid = false; ///< false: emptyText is shown instead
-    HeatmapOverlays overlays;
+    std::array<bool, kOverlays> overlays{true, true, true, true, false};
     double rangeTop = 1.0; ///< load at the upper end of the colours
     bool rangeFixed = false;
     HeatmapZoom zoom;
@@ -46,6 +42,7 @@ struct HeatmapContent {
     QString angleText; ///< principal axis in degrees, steadied
     QString emptyText;
 
+    [[nodiscard]] bool shows(Overlay overlay) const { return overlays[static_cast<std::size_t>(overlay)]; }
     [[nodiscard]] std::size_t index(const Taxel& taxel) const {
         return static_cast<std::size_t>(taxel.row) * static_cast<std::size_t>(snapshot.layout.columns) +
                static_cast<std::size_t>(taxel.column);

@@ -12,6 +12,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -95,15 +96,15 @@ void HeatmapPainter::paint(QPainter& painter, const HeatmapLayout& layout, const
     paintTaxels(medium);
     paintGrid();
     paintDead();
-    if (content.overlays.values)
+    if (content.shows(Overlay::values))
         paintValues();
     painter.setRenderHint(QPainter::Antialiasing);
-    if (content.overlays.contacts)
+    if (content.shows(Overlay::contacts))
         paintContacts();
-    if (content.overlays.principalAxis)
+    if (content.shows(Overlay::principalAxis))
         paintAxis();
     paintMarks();
-    if (content.overlays.contacts)
+    if (content.shows(Overlay::contacts))
         paintContactLabels();
     paintCursor();
     painter.restore();
@@ -307,11 +308,11 @@ void HeatmapPainter::paintMarks() {
     const double radius = markRadius();
     const double width = std::max(2.0, 0.14 * m_em);
     m_painter->setBrush(Qt::NoBrush);
-    if (m_content->overlays.centreOfContact && f.cocX_m && f.cocY_m) {
+    if (m_content->shows(Overlay::centreOfContact) && f.cocX_m && f.cocY_m) {
         const QPointF centre = m_layout->pixelOf(*f.cocX_m, *f.cocY_m);
         cased(*m_painter, kMark, width, [&] { m_painter->drawEllipse(centre, radius, radius); });
     }
-    if (m_content->overlays.centreOfPressure && f.copX_m && f.copY_m) {
+    if (m_content->shows(Overlay::centreOfPressure) && f.copX_m && f.copY_m) {
         const QPointF centre = m_layout->pixelOf(*f.copX_m, *f.copY_m);
         cased(*m_painter, kMark, width, [&] { drawCross(*m_painter, centre, 0.85 * radius); });
     }
@@ -476,23 +477,13 @@ void HeatmapPainter::paintHeader() {
     };
     pair(tr("force"), base::withUnit(m_content->forceText, m_content->unit()), {});
     pair(tr("contacts"), QString::number(snapshot.contacts.size()), QStringLiteral("88"));
-    switch (snapshot.features.type) {
-    case contact::ContactType::none:
-        pair(tr("type"), tr("none"), {});
-        break;
-    case contact::ContactType::point:
-        pair(tr("type"), tr("point"), {});
-        break;
-    case contact::ContactType::edge:
-        pair(tr("type"), tr("edge"), {});
-        break;
-    }
+    static constexpr std::array kTypes{QT_TR_NOOP("none"), QT_TR_NOOP("point"), QT_TR_NOOP("edge")};
+    pair(tr("type"), tr(kTypes[static_cast<std::size_t>(snapshot.features.type)]), {});
     m_painter->setFont(normal);
 }
 
 void HeatmapPainter::paintLegend() {
     const pipeline::TouchSnapshot& snapshot = m_content->snapshot;
-    const HeatmapOverlays& overlays = m_content->overlays;
     const QRectF& rect = m_layout->legend();
     const QColor ink = m_palette.color(QPalette::Text);
     const QFont normal = m_painter->font();
@@ -513,11 +504,11 @@ void HeatmapPainter::paintLegend() {
                               Qt::AlignLeft | Qt::AlignVCenter, text);
         x += width;
     };
-    if (overlays.centreOfPressure)
+    if (m_content->shows(Overlay::centreOfPressure))
         item(tr("centre of pressure"), [&](const QPointF& p) { drawCross(*m_painter, p, 0.8 * radius); });
-    if (overlays.centreOfContact)
+    if (m_content->shows(Overlay::centreOfContact))
         item(tr("centre of contact"), [&](const QPointF& p) { m_painter->drawEllipse(p, radius, radius); });
-    if (overlays.principalAxis)
+    if (m_content->shows(Overlay::principalAxis))
         item(tr("axis %1\u00b0").arg(m_content->angleText), [&](const QPointF& p) {
             m_painter->drawLine(p - QPointF(0.5 * m_em, 0.0), p + QPointF(0.5 * m_em, 0.0));
         });

@@ -13,8 +13,7 @@ class QPainter;
 
 namespace teleta::tactile {
 
-/// Draws a heatmap on a screen or on paper.
-/// Thread: GUI.
+/// Draws a heatmap on a screen or on paper. Thread: GUI.
 class HeatmapPainter {
     Q_DECLARE_TR_FUNCTIONS(HeatmapPainter)
 

@@ -35,21 +35,16 @@ HeatmapView::HeatmapView(QWidget* parent)
     , m_range(1.0) {
     setMouseTracking(true);
     setSizes_em({40, 24}, {18, 13});
-    makeActions();
-    base::keepTranslated(this, &HeatmapView::retranslate);
-}
-
-void HeatmapView::makeActions() {
-    const HeatmapOverlays on;
-    const std::array<bool, kOverlays> checked{on.contacts, on.centreOfPressure, on.centreOfContact,
-                                              on.principalAxis, on.values};
-    for (std::size_t i = 0; i < m_overlayActions.size(); ++i) {
-        auto* action = new QAction(this);
-        action->setCheckable(true);
-        action->setChecked(checked[i]);
-        connect(action, &QAction::toggled, this, &HeatmapView::takeOverlays);
-        m_overlayActions[i] = action;
+    for (std::size_t i = 0; i < kOverlays; ++i) {
+        m_overlayActions[i] = new QAction(this);
+        m_overlayActions[i]->setCheckable(true);
+        m_overlayActions[i]->setChecked(m_content.overlays[i]);
+        connect(m_overlayActions[i], &QAction::toggled, this, [this, i](bool shown) {
+            m_content.overlays[i] = shown;
+            update();
+        });
     }
+    base::keepTranslated(this, &HeatmapView::retranslate);
 }
 
 void HeatmapView::retranslate() {
@@ -79,16 +74,6 @@ void HeatmapView::retranslate() {
 
 QAction* HeatmapView::overlayAction(Overlay overlay) const {
     return m_overlayActions[static_cast<std::size_t>(overlay)];
-}
-
-void HeatmapView::takeOverlays() {
-    const auto on = [this](Overlay overlay) { return overlayAction(overlay)->isChecked(); };
-    m_content.overlays = {.contacts = on(Overlay::contacts),
-                          .centreOfPressure = on(Overlay::centreOfPressure),
-                          .centreOfContact = on(Overlay::centreOfContact),
-                          .principalAxis = on(Overlay::principalAxis),
-                          .values = on(Overlay::values)};
-    update();
 }
 
 void HeatmapView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
@@ -155,10 +140,6 @@ void HeatmapView::setFixedRange(std::optional<double> top) {
     m_fixedTop = top;
     updateRange();
     update();
-}
-
-std::optional<double> HeatmapView::fixedRange() const {
-    return m_fixedTop;
 }
 
 HeatmapLayout HeatmapView::layoutNow() const {

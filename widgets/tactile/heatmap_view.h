@@ -30,17 +30,14 @@ namespace teleta::tactile {
 class HeatmapView : public base::FigureView {
     Q_OBJECT
 public:
-    enum class Overlay { contacts, centreOfPressure, centreOfContact, principalAxis, values };
-    static constexpr int kOverlays = 5;
+    using Overlay = tactile::Overlay;
 
     explicit HeatmapView(QWidget* parent = nullptr);
 
     /// Shows a new snapshot. One whose vectors do not fit its layout clears the view.
     void setSnapshot(const pipeline::TouchSnapshot& snapshot);
-    /// Shows the empty text.
     void clear();
     void setEmptyText(const QString& text);
-    /// Marks data that are not live with a violet label.
     void setProvenance(base::Provenance provenance);
 
     /// Checkable; for menus and for remembering.
@@ -48,7 +45,7 @@ public:
 
     /// Upper end of the colours; empty: follows the data. > 0 and finite, others are ignored.
     void setFixedRange(std::optional<double> top);
-    [[nodiscard]] std::optional<double> fixedRange() const;
+    [[nodiscard]] std::optional<double> fixedRange() const { return m_fixedTop; }
     /// The upper end in use.
     [[nodiscard]] double rangeTop() const { return m_content.rangeTop; }
 
@@ -63,7 +60,6 @@ public:
     /// The whole array, whatever part is visible.
     [[nodiscard]] base::Figure figure() override;
 
-    /// The current layout.
     [[nodiscard]] HeatmapLayout layoutNow() const;
 
 protected:
@@ -80,10 +76,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void makeActions();
     void retranslate();
     void updateRange();
-    void takeOverlays();
     void setCursorTaxel(std::optional<Taxel> taxel);
     void moveCursor(int rows, int columns);
     void zoomBy(double factor, const QPointF& pixel);

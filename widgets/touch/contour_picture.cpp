@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/contour_picture.h"
 
-#include "backend/core/number_text.h"
 #include "backend/figure/round_step.h"
-#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/touch_texts.h"
 
@@ -21,10 +20,6 @@ namespace {
 
 /// A contour smaller than this is shown as if it were so large: a point is no square metre.
 constexpr double kSmallestExtent_m = 0.005;
-
-QString millimetres(double length_m) {
-    return base::withUnit(base::threeDigits(length_m * 1e3).trimmed(), QStringLiteral("mm"));
-}
 
 QPointF toPoint(const contour::Point& p) {
     return {p.x(), p.y()};
@@ -49,19 +44,19 @@ QString ContourPicture::details() const {
     if (contour.recognition) {
         const teleta::contour::Recognition& seen = *contour.recognition;
         if (seen.circle)
-            parts << tr("radius %1").arg(millimetres(seen.circle->radius_m));
+            parts << tr("radius %1").arg(base::millimetres(seen.circle->radius_m));
         if (seen.vertices_m.size() > 1) {
             QStringList edges;
             const std::size_t count = seen.vertices_m.size() - (seen.closed ? 0 : 1);
             for (std::size_t i = 0; i < count; ++i)
-                edges << millimetres(
+                edges << base::millimetres(
                     (seen.vertices_m[(i + 1) % seen.vertices_m.size()] - seen.vertices_m[i]).norm());
             parts << tr("edges %1").arg(edges.join(QStringLiteral(", ")));
         }
         if (contour.points_m.size() > 2)
-            parts << tr("points off by %1 (rms)").arg(millimetres(seen.rms_m));
+            parts << tr("points off by %1 (rms)").arg(base::millimetres(seen.rms_m));
     }
-    parts << tr("z %1").arg(millimetres(contour.height_m));
+    parts << tr("z %1").arg(base::millimetres(contour.height_m));
     return parts.join(QStringLiteral("   "));
 }
 
@@ -196,13 +191,8 @@ void ContourPicture::paint(QPainter& painter, const QSizeF& size, const QPalette
 
 QString ContourPicture::csv() const {
     QString text = QStringLiteral("x_m,y_m\n");
-    for (const teleta::contour::Point& p : contour.points_m) {
-        const core::NumberText x(p.x());
-        const core::NumberText y(p.y());
-        text +=
-            QString::fromLatin1(x.view().data(), static_cast<qsizetype>(x.view().size())) + QLatin1Char(',') +
-            QString::fromLatin1(y.view().data(), static_cast<qsizetype>(y.view().size())) + QLatin1Char('\n');
-    }
+    for (const teleta::contour::Point& p : contour.points_m)
+        text += base::csvNumber(p.x()) + u',' + base::csvNumber(p.y()) + u'\n';
     return text;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/gauge_content.h"
 
-#include "backend/core/number_text.h"
 #include "widgets/touch/touch_texts.h"
 
 #include <QStringList>

@@ -8,6 +8,7 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
+#include "widgets/base/undo_step.h"
 #include "widgets/touch/touch_texts.h"
 
 #include <QComboBox>
@@ -22,9 +23,8 @@
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QTableWidget>
-#include <QUndoCommand>
+#include <QUndoStack>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -37,31 +37,19 @@ namespace {
 enum Column { kRecognised, kPattern, kPreview, kColumns };
 constexpr int kLevels = static_cast<int>(pattern::kStiffnessLevels);
 
+/// Id of the pattern of a row.
+template <typename Map>
+auto& idOf(Map& map, int row) {
+    const auto index = static_cast<std::size_t>(row);
+    return row < kLevels ? map.stiffness[index] : map.shape[index - pattern::kStiffnessLevels];
+}
+
 core::Unexpected fileError(const QString& path, const QString& message, const QString& reason) {
-    core::Error error;
-    error.kind = core::ErrorKind::ioFailed;
-    error.message = message.arg(reason).toStdString();
-    error.where.file = path.toStdString();
-    return core::Unexpected(std::move(error));
+    return core::Unexpected(core::Error{
+        core::ErrorKind::ioFailed, message.arg(reason).toStdString(), {}, {path.toStdString(), 0, 0}});
 }
 
 } // namespace
-
-/// Replaces the whole map, which is small, so that every edit undoes in the same way.
-class PatternMapTable::Edit : public QUndoCommand {
-public:
-    Edit(PatternMapTable* table, const PatternMap& after, const QString& text)
-        : QUndoCommand(text)
-        , m_table(table)
-        , m_before(table->map())
-        , m_after(after) {}
-    void undo() override { m_table->take(m_before); }
-    void redo() override { m_table->take(m_after); }
-
-private:
-    PatternMapTable* m_table;
-    PatternMap m_before, m_after;
-};
 
 PatternMapTable::PatternMapTable(QWidget* parent)
     : QWidget(parent)
@@ -111,23 +99,22 @@ PatternMapTable::PatternMapTable(QWidget* parent)
     layout->addWidget(m_table, 1);
     layout->addLayout(buttons);
 
-    connect(m_undoButton, &QPushButton::clicked, m_undo, &QUndoStack::undo);
-    connect(m_redoButton, &QPushButton::clicked, m_undo, &QUndoStack::redo);
-    connect(m_undo, &QUndoStack::canUndoChanged, m_undoButton, &QPushButton::setEnabled);
-    connect(m_undo, &QUndoStack::canRedoChanged, m_redoButton, &QPushButton::setEnabled);
-    m_undoButton->setEnabled(false);
-    m_redoButton->setEnabled(false);
+    const auto step = [this](QPushButton* button, void (QUndoStack::*act)(), void (QUndoStack::*can)(bool),
+                             const QList<QKeySequence>& keys) {
+        button->setEnabled(false);
+        connect(button, &QPushButton::clicked, m_undo, act);
+        connect(m_undo, can, button, &QPushButton::setEnabled);
+        auto* shortcut = new QShortcut(this);
+        shortcut->setKeys(keys);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, m_undo, act);
+    };
+    step(m_undoButton, &QUndoStack::undo, &QUndoStack::canUndoChanged,
+         QKeySequence::keyBindings(QKeySequence::Undo));
+    step(m_redoButton, &QUndoStack::redo, &QUndoStack::canRedoChanged, base::redoKeys());
     connect(m_reset, &QPushButton::clicked, this, &PatternMapTable::resetToDefaults);
     connect(m_import, &QPushButton::clicked, this, [this] { askForFile(false); });
     connect(m_export, &QPushButton::clicked, this, [this] { askForFile(true); });
-    const auto shortcut = [this](const QList<QKeySequence>& keys, void (QUndoStack::*act)()) {
-        auto* made = new QShortcut(this);
-        made->setKeys(keys);
-        made->setContext(Qt::WidgetWithChildrenShortcut);
-        connect(made, &QShortcut::activated, m_undo, act);
-    };
-    shortcut(QKeySequence::keyBindings(QKeySequence::Undo), &QUndoStack::undo);
-    shortcut(base::redoKeys(), &QUndoStack::redo);
     base::keepTranslated(this, &PatternMapTable::retranslate);
     base::onChange(this, &PatternMapTable::showRecognised, {QEvent::PaletteChange});
 }
@@ -180,16 +167,6 @@ void PatternMapTable::setMap(const PatternMap& map) {
     showMap();
 }
 
-std::string& PatternMapTable::idOf(PatternMap& map, int row) {
-    return row < kLevels ? map.stiffness[static_cast<std::size_t>(row)]
-                         : map.shape[static_cast<std::size_t>(row - kLevels)];
-}
-
-const std::string& PatternMapTable::id(int row) const {
-    return row < kLevels ? m_map.stiffness[static_cast<std::size_t>(row)]
-                         : m_map.shape[static_cast<std::size_t>(row - kLevels)];
-}
-
 const PatternChoice* PatternMapTable::choiceOf(const std::string& id) const {
     const auto found = std::ranges::find(m_choices, id, &PatternChoice::id);
     return found == m_choices.end() ? nullptr : &*found;
@@ -197,7 +174,7 @@ const PatternChoice* PatternMapTable::choiceOf(const std::string& id) const {
 
 void PatternMapTable::showMap() {
     for (int row = 0; row < kRows; ++row) {
-        const QString wanted = QString::fromStdString(id(row));
+        const QString wanted = QString::fromStdString(idOf(m_map, row));
         QComboBox* choices = box(row);
         const QSignalBlocker blocker(choices);
         int index = choices->findData(wanted);
@@ -207,7 +184,7 @@ void PatternMapTable::showMap() {
             index = choices->count() - 1;
         }
         choices->setCurrentIndex(index);
-        const PatternChoice* choice = choiceOf(id(row));
+        const PatternChoice* choice = choiceOf(idOf(m_map, row));
         const QString preview = choice ? tr("%1, %2").arg(choice->task, choice->condition) : QString();
         m_table->item(row, kPreview)->setText(preview);
         m_table->item(row, kPreview)->setToolTip(preview);
@@ -234,7 +211,7 @@ void PatternMapTable::showRecognised() {
 }
 
 std::string PatternMapTable::patternNow() const {
-    return m_recognised ? id(*m_recognised) : std::string();
+    return m_recognised ? idOf(m_map, *m_recognised) : std::string();
 }
 
 QString PatternMapTable::textNow() const {
@@ -271,8 +248,10 @@ void PatternMapTable::take(const PatternMap& map) {
 }
 
 void PatternMapTable::edit(const PatternMap& map, const QString& what) {
+    // The whole map, which is small, so that every edit undoes in the same way.
     if (map != m_map)
-        m_undo->push(new Edit(this, map, what));
+        m_undo->push(new base::UndoStep(
+            what, [this, map] { take(map); }, [this, before = m_map] { take(before); }));
 }
 
 void PatternMapTable::choose(int row, const std::string& id) {

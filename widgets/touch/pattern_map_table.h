@@ -73,12 +73,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    class Edit;
-
     void edit(const pattern::PatternMap& map, const QString& what);
     void take(const pattern::PatternMap& map);
-    [[nodiscard]] static std::string& idOf(pattern::PatternMap& map, int row);
-    [[nodiscard]] const std::string& id(int row) const;
     [[nodiscard]] const PatternChoice* choiceOf(const std::string& id) const;
     [[nodiscard]] static QString rowName(int row);
     void askForFile(bool save);

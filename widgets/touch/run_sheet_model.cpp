@@ -3,12 +3,12 @@
 
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/undo_step.h"
 #include "widgets/touch/touch_texts.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
-#include <QUndoCommand>
 
 #include <algorithm>
 #include <array>
@@ -37,17 +37,8 @@ QString quoted(const QString& text) {
 }
 
 QString sourceName(base::Provenance provenance) {
-    switch (provenance) {
-    case base::Provenance::recorded:
-        return QStringLiteral("recorded");
-    case base::Provenance::simulated:
-        return QStringLiteral("simulated");
-    case base::Provenance::recordedSimulation:
-        return QStringLiteral("recorded_simulation");
-    case base::Provenance::live:
-        break;
-    }
-    return QStringLiteral("live");
+    static constexpr std::array kNames{"live", "recorded", "simulated", "recorded_simulation"};
+    return QString::fromLatin1(kNames[static_cast<std::size_t>(provenance)]);
 }
 
 struct ContactText {
@@ -68,39 +59,6 @@ public:
 };
 
 } // namespace
-
-/// The operator's name of an object.
-class RenameObject : public QUndoCommand {
-public:
-    RenameObject(RunSheetModel& model, std::uint64_t object, QString name)
-        : QUndoCommand(RunSheetModel::tr("Rename object %1").arg(object))
-        , m_model(model)
-        , m_object(object)
-        , m_name(std::move(name))
-        , m_before(model.nameOf(object)) {}
-    void redo() override { m_model.applyName(m_object, m_name); }
-    void undo() override { m_model.applyName(m_object, m_before); }
-
-private:
-    RunSheetModel& m_model;
-    std::uint64_t m_object;
-    QString m_name;
-    QString m_before;
-};
-
-class RemoveObjects : public QUndoCommand {
-public:
-    RemoveObjects(RunSheetModel& model, std::vector<std::uint64_t> objects)
-        : QUndoCommand(RunSheetModel::tr("Delete from the run sheet"))
-        , m_model(model)
-        , m_objects(std::move(objects)) {}
-    void redo() override { m_model.applyRemoved(m_objects, true); }
-    void undo() override { m_model.applyRemoved(m_objects, false); }
-
-private:
-    RunSheetModel& m_model;
-    std::vector<std::uint64_t> m_objects;
-};
 
 RunSheetModel::Notes::Notes()
     : undo(std::make_unique<QUndoStack>()) {
@@ -159,13 +117,18 @@ void RunSheetModel::showKept() {
 
 void RunSheetModel::rename(std::uint64_t object, const QString& text) {
     const QString taken = text.simplified().left(kLongestName);
-    if (taken != nameOf(object))
-        m_notes.undo->push(new RenameObject(*this, object, taken));
+    const QString before = nameOf(object);
+    if (taken != before)
+        m_notes.undo->push(new base::UndoStep(
+            tr("Rename object %1").arg(object), [=, this] { applyName(object, taken); },
+            [=, this] { applyName(object, before); }));
 }
 
 void RunSheetModel::remove(const std::vector<std::uint64_t>& objects) {
     if (!objects.empty())
-        m_notes.undo->push(new RemoveObjects(*this, objects));
+        m_notes.undo->push(new base::UndoStep(
+            tr("Delete from the run sheet"), [=, this] { applyRemoved(objects, true); },
+            [=, this] { applyRemoved(objects, false); }));
 }
 
 void RunSheetModel::applyName(std::uint64_t object, const QString& text) {

@@ -62,8 +62,6 @@ private:
     [[nodiscard]] int rows() const override { return static_cast<int>(m_kept.size()); }
     [[nodiscard]] QStringList titles() const override;
 
-    friend class RenameObject;
-    friend class RemoveObjects;
     void applyName(std::uint64_t object, const QString& text);
     void applyRemoved(const std::vector<std::uint64_t>& objects, bool removed);
     void showKept();

@@ -26,7 +26,6 @@ public:
     void setEmptyText(const QString& text);
 
     [[nodiscard]] const GaugeContent& content() const { return m_content; }
-    /// Where the parts are now.
     [[nodiscard]] GaugeLayout layoutNow() const;
     [[nodiscard]] QString toolTipAt(const QPointF& point) const override;
     [[nodiscard]] base::Figure figure() override;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/touch_model.h"
 
-#include "backend/core/number_text.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/touch/safety_sign.h"
 #include "widgets/touch/touch_texts.h"
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace teleta::touch {
 

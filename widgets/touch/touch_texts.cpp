@@ -21,39 +21,17 @@ constexpr int kMostDigitsMore = 4;
 } // namespace
 
 QString TouchTexts::material(Material material) {
-    switch (material) {
-    case Material::sponge:
-        return tr("sponge");
-    case Material::rubberSponge:
-        return tr("rubber sponge");
-    case Material::rubber:
-        return tr("rubber");
-    case Material::wood:
-        return tr("wood");
-    case Material::metal:
-        return tr("metal");
-    }
-    return {};
+    static constexpr std::array kNames{QT_TR_NOOP("sponge"), QT_TR_NOOP("rubber sponge"),
+                                       QT_TR_NOOP("rubber"), QT_TR_NOOP("wood"), QT_TR_NOOP("metal")};
+    return tr(kNames[static_cast<std::size_t>(material)]);
 }
 
 QString TouchTexts::shape(Shape shape) {
-    switch (shape) {
-    case Shape::circle:
-        return tr("circle");
-    case Shape::rectangle:
-        return tr("rectangle");
-    case Shape::triangle:
-        return tr("triangle");
-    case Shape::arc:
-        return tr("arc");
-    case Shape::line:
-        return tr("line");
-    case Shape::point:
-        return tr("point");
-    case Shape::unknown:
-        return tr("unknown shape");
-    }
-    return {};
+    static constexpr std::array kNames{
+        QT_TR_NOOP("circle"), QT_TR_NOOP("rectangle"), QT_TR_NOOP("triangle"),     QT_TR_NOOP("arc"),
+        QT_TR_NOOP("line"),   QT_TR_NOOP("point"),     QT_TR_NOOP("unknown shape")};
+    static_assert(kNames.size() == contour::kShapes);
+    return tr(kNames[static_cast<std::size_t>(shape)]);
 }
 
 QString TouchTexts::safety(bool safe) {
@@ -101,17 +79,9 @@ QString TouchTexts::joint(std::size_t joint, std::size_t joints) {
 }
 
 QString TouchTexts::drive(ArmDrive drive) {
-    switch (drive) {
-    case ArmDrive::stopped:
-        return tr("stopped");
-    case ArmDrive::held:
-        return tr("held");
-    case ArmDrive::program:
-        return tr("program");
-    case ArmDrive::jog:
-        return tr("jog");
-    }
-    return {};
+    static constexpr std::array kNames{QT_TR_NOOP("stopped"), QT_TR_NOOP("held"), QT_TR_NOOP("program"),
+                                       QT_TR_NOOP("jog")};
+    return tr(kNames[static_cast<std::size_t>(drive)]);
 }
 
 QString TouchTexts::newtonPerMetre(double stiffness_NPerM, int moreDigits) {

@@ -37,12 +37,8 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& ca
     const SceneColours& colours = scene.colours();
     OverlayContent content;
     content.font = request.font;
-    content.text = colours.text;
-    content.faintText = colours.faintText;
-    content.card = colours.backgroundTop;
-    content.card.setAlphaF(0.86F);
+    content.colours = colours;
     content.provenance = request.provenance;
-    content.provenanceColour = colours.simulated;
     const Eigen::AlignedBox3d& contour = scene.contourBox_m();
     if (scene.isEmpty()) {
         content.emptyText = request.emptyText;
@@ -56,7 +52,6 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& ca
         content.orientation[static_cast<std::size_t>(axis)] = {right[axis], orbit.up()[axis],
                                                                orbit.direction()[axis]};
     }
-    content.axisColours = {colours.axisX, colours.axisY, colours.axisZ};
     content.legend = legendOf(scene, request.grid);
 
     if (scene.hasSensor()) {
@@ -68,7 +63,7 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& ca
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const Eigen::Vector3d beyond = 1.06 * scene.axes().tips()[axis];
                 if (const auto place = placeInPicture(*scene.renderer(), scene.toWorld(beyond)))
-                    content.labels.push_back({*place, names[axis], content.axisColours[axis]});
+                    content.labels.push_back({*place, names[axis], colours.axes[axis]});
             }
         }
         if (request.contactLabels)

@@ -36,9 +36,7 @@ public:
 
     /// Shows a new snapshot. One that cannot be drawn (layout, sizes) clears the view.
     void setSnapshot(const pipeline::TouchSnapshot& snapshot);
-    /// Shows a text saying that there are no data.
     void clear();
-    /// Marks data that are not live with a violet label.
     void setProvenance(base::Provenance provenance);
 
     void setSurface(Surface surface);

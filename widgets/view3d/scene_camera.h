@@ -10,10 +10,8 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 #include <vector>
 
-class vtkCamera;
 class vtkRenderer;
 
 namespace teleta::view3d {

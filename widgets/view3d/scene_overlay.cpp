@@ -12,7 +12,6 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace teleta::view3d {
@@ -38,7 +37,7 @@ public:
         paintBadge();
         if (!m_content.emptyText.isEmpty()) {
             m_painter.setFont(m_content.font);
-            m_painter.setPen(m_content.faintText);
+            m_painter.setPen(m_content.colours.faintText);
             m_painter.drawText(QRectF(QPointF(), m_size).adjusted(m_em, m_em, -m_em, -m_em),
                                Qt::AlignCenter | Qt::TextWordWrap, m_content.emptyText);
             return;
@@ -57,7 +56,7 @@ private:
             return;
         const QRectF rect(QPointF(m_margin, m_margin), base::badgeSize(m_content.font, text));
         m_painter.setFont(m_content.font);
-        base::paintBadge(m_painter, rect, text, m_content.provenanceColour);
+        base::paintBadge(m_painter, rect, text, m_content.colours.simulated);
         m_painter.setFont(m_font);
     }
 
@@ -95,12 +94,14 @@ private:
             return; // no room left
         m_cards.push_back(rect);
         m_painter.setPen(QPen(label.colour, 1.0));
-        m_painter.setBrush(m_content.card);
+        QColor card = m_content.colours.backgroundTop;
+        card.setAlphaF(0.86F);
+        m_painter.setBrush(card);
         m_painter.drawRoundedRect(rect, 3.0, 3.0);
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(label.colour);
         m_painter.drawEllipse(QRectF(rect.left() + pad, rect.center().y() - 0.5 * dot, dot, dot));
-        m_painter.setPen(m_content.text);
+        m_painter.setPen(m_content.colours.text);
         base::drawTabularText(m_painter, rect.adjusted(2.0 * pad + dot, 0.0, -pad, 0.0),
                               Qt::AlignLeft | Qt::AlignVCenter, label.text);
     }
@@ -121,7 +122,7 @@ private:
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(ramp);
         m_painter.drawRect(bar);
-        m_painter.setPen(m_content.text);
+        m_painter.setPen(m_content.colours.text);
         const double textWidth = 8.0 * m_em;
         constexpr int kTicks = 2;
         for (int i = 0; i <= kTicks; ++i) {
@@ -131,7 +132,7 @@ private:
             m_painter.drawText(QRectF(bar.left() - 0.3 * m_em - textWidth, y - m_em, textWidth, 2.0 * m_em),
                                Qt::AlignRight | Qt::AlignVCenter, text);
         }
-        m_painter.setPen(m_content.faintText);
+        m_painter.setPen(m_content.colours.faintText);
         m_painter.drawText(QRectF(bar.right() - textWidth, m_margin, textWidth, m_metrics.height()),
                            Qt::AlignRight | Qt::AlignVCenter, m_content.loadUnit);
     }
@@ -150,14 +151,14 @@ private:
         for (const std::size_t axis : order) {
             const QPointF way(m_content.orientation[axis][0], -m_content.orientation[axis][1]);
             const QPointF tip = centre + arm * way;
-            m_painter.setPen(QPen(m_content.axisColours[axis], 0.13 * m_em, Qt::SolidLine, Qt::RoundCap));
+            m_painter.setPen(QPen(m_content.colours.axes[axis], 0.13 * m_em, Qt::SolidLine, Qt::RoundCap));
             m_painter.drawLine(centre, tip);
             const QPointF name = centre + (arm + 0.55 * m_em) * way;
             m_painter.drawText(QRectF(name - QPointF(m_em, m_em), QSizeF(2.0 * m_em, 2.0 * m_em)),
                                Qt::AlignCenter, names[axis]);
         }
         m_painter.setPen(Qt::NoPen);
-        m_painter.setBrush(m_content.text);
+        m_painter.setBrush(m_content.colours.text);
         m_painter.drawEllipse(centre, 0.12 * m_em, 0.12 * m_em);
         return centre.x() + 2.3 * m_em + m_margin;
     }
@@ -165,7 +166,7 @@ private:
     void paintLegend(double left) {
         if (m_size.height() < kLegendFrom * m_em)
             return; // the scene needs the room
-        m_painter.setPen(m_content.faintText);
+        m_painter.setPen(m_content.colours.faintText);
         double bottom = m_size.height() - m_margin;
         const double width = m_size.width() - left - m_margin;
         for (auto line = m_content.legend.crbegin(); line != m_content.legend.crend(); ++line) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/base/controls/badge.h"
+#include "widgets/view3d/scene/scene_colours.h"
 
 #include <QColor>
 #include <QFont>
@@ -28,11 +29,8 @@ struct OverlayLabel {
 /// Everything written over the 3-D picture. A value, so that a saved picture keeps its own.
 struct OverlayContent {
     QFont font;
-    QColor text;
-    QColor faintText;
-    QColor card;
+    SceneColours colours;
     base::Provenance provenance = base::Provenance::live;
-    QColor provenanceColour;
     QString emptyText;      ///< shown instead of everything else; empty: there are data
     double loadRange = 0.0; ///< end of the colour bar; 0: no bar
     QString loadUnit;
@@ -41,7 +39,6 @@ struct OverlayContent {
     bool orientationShown = false;
     /// Directions x, y, z on the screen: right, up, toward the viewer.
     std::array<std::array<double, 3>, 3> orientation{};
-    std::array<QColor, 3> axisColours;
 };
 
 void paintOverlay(QPainter& painter, const QSizeF& size, const OverlayContent& content);

@@ -236,7 +236,7 @@ private slots:
         panel.setReport(report);
         QCOMPARE(tuning.count(), 0);
         QCOMPARE(task.count(), 0);
-        QCOMPARE(panel.tuning().force_N, 8.0);
+        QCOMPARE(panel.findChild<QDoubleSpinBox*>(QStringLiteral("servoForce"))->value(), 8.0);
         QCOMPARE(panel.findChild<QComboBox*>(QStringLiteral("servoTask"))->currentIndex(), 1);
     }
 
@@ -261,8 +261,8 @@ private slots:
         report.tuning = tuningOf(plan);
         report.bounds = boundsOf(plan);
         panel.setReport(report);
-        QCOMPARE(panel.tuning().force_N, 25.0);
-        QCOMPARE(panel.tuning().slide_mPerS, 0.08);
+        QCOMPARE(panel.findChild<QDoubleSpinBox*>(QStringLiteral("servoForce"))->value(), 25.0);
+        QCOMPARE(panel.findChild<QDoubleSpinBox*>(QStringLiteral("servoSlide"))->value(), 80.0);
         QSignalSpy spy(&panel, &ServoPanel::tuningChanged);
         panel.findChild<QCheckBox*>(QStringLiteral("servoMoment"))->click();
         QCOMPARE(spy.count(), 1);

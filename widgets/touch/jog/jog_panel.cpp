@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace teleta::touch {
 
@@ -119,10 +120,11 @@ JogPanel::JogPanel(QWidget* parent)
         if (isMoving())
             emit jogRequested(m_rate);
     });
-    connect(m_deadMan, &HoldButton::heldChanged, this, [this] {
-        setFocus(Qt::MouseFocusReason);
-        take();
-    });
+    for (HoldButton* button : {m_deadMan, m_clutch})
+        connect(button, &HoldButton::heldChanged, this, [this] {
+            setFocus(Qt::MouseFocusReason);
+            take();
+        });
     connect(m_speed, &QSlider::valueChanged, this, [this] {
         showSpeed();
         // The same deflection would be another place.
@@ -134,10 +136,6 @@ JogPanel::JogPanel(QWidget* parent)
             [this](int index) { setMode(index == 1 ? Mode::tip : Mode::joints); });
     connect(m_wayBox, &QComboBox::currentIndexChanged, this,
             [this](int index) { setWay(index == 1 ? Way::position : Way::velocity); });
-    connect(m_clutch, &HoldButton::heldChanged, this, [this] {
-        setFocus(Qt::MouseFocusReason);
-        take();
-    });
     connect(m_run, &QPushButton::clicked, this, [this] { emit programRunRequested(true); });
     connect(m_hold, &QPushButton::clicked, this, [this] { emit programRunRequested(false); });
     connect(m_restart, &QPushButton::clicked, this, &JogPanel::programRestartRequested);
@@ -287,9 +285,8 @@ void JogPanel::enableParts() {
         : tip        ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
                      : tr("Hold Shift and a button, or Shift with %1 (up), %2 (down).")
                     .arg(lettersOf(joints(), &KeyPair::up), lettersOf(joints(), &KeyPair::down)));
-    base::setTextColour(m_message, able || (m_arm && m_arm->recorded)
-                                       ? palette().color(QPalette::PlaceholderText)
-                                       : base::statusColours(palette()).lost);
+    base::setTextColour(m_message, able || isRecorded ? palette().color(QPalette::PlaceholderText)
+                                                      : base::statusColours(palette()).lost);
     m_deadMan->setEnabled(able);
     m_clutch->setEnabled(able && m_way == Way::position);
     for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
@@ -346,17 +343,13 @@ void JogPanel::setDrive(core::ArmDrive drive) {
 }
 
 void JogPanel::setStopEngaged(bool engaged) {
-    if (engaged == m_stopEngaged)
-        return;
-    m_stopEngaged = engaged;
-    enableParts();
+    if (std::exchange(m_stopEngaged, engaged) != engaged)
+        enableParts();
 }
 
 void JogPanel::setReadingsOld(bool old) {
-    if (old == m_readingsOld)
-        return;
-    m_readingsOld = old;
-    enableParts();
+    if (std::exchange(m_readingsOld, old) != old)
+        enableParts();
 }
 
 void JogPanel::setHand(const std::optional<HandMotion>& hand) {
@@ -390,10 +383,6 @@ void JogPanel::setWay(Way way) {
 
 void JogPanel::setSpeed(int percent) {
     m_speed->setValue(percent);
-}
-
-int JogPanel::speed() const {
-    return m_speed->value();
 }
 
 bool JogPanel::isMoving() const {
@@ -555,29 +544,17 @@ bool JogPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool JogPanel::event(QEvent* event) {
-    switch (event->type()) {
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-        if (eventFilter(this, event))
-            return true;
-        break;
-    case QEvent::ShortcutOverride:
+    if (eventFilter(this, event))
+        return true;
+    if (event->type() == QEvent::WindowDeactivate)
+        releaseAll();
+    if (event->type() == QEvent::ShortcutOverride) {
         // The letters are the panel's own while it has the focus.
-        if (const auto* key = static_cast<QKeyEvent*>(event);
-            isOwnKey(key->key()) && !(key->modifiers() & kShortcutModifiers)) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (isOwnKey(key.key()) && !(key.modifiers() & kShortcutModifiers)) {
             event->accept();
             return true;
         }
-        break;
-    case QEvent::FocusOut:
-        if (static_cast<QFocusEvent*>(event)->reason() == Qt::PopupFocusReason)
-            releaseAll();
-        break;
-    case QEvent::WindowDeactivate:
-        releaseAll();
-        break;
-    default:
-        break;
     }
     return QWidget::event(event);
 }

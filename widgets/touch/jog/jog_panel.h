@@ -81,10 +81,8 @@ public:
     void setMode(Mode mode);
     [[nodiscard]] Mode mode() const { return m_mode; }
     void setWay(Way way);
-    [[nodiscard]] Way way() const { return m_way; }
     /// Share of the full speed, in percent 1..100.
     void setSpeed(int percent);
-    [[nodiscard]] int speed() const;
 
     /// The rates requested now.
     [[nodiscard]] const core::JointVector& rate_radPerS() const { return m_rate; }

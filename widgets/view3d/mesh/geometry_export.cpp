@@ -28,12 +28,8 @@ constexpr double kMillimetresPerMetre = 1000.0;
 
 core::Unexpected failure(core::ErrorKind kind, const QString& path, const QString& message,
                          const QString& expected = {}) {
-    core::Error error;
-    error.kind = kind;
-    error.message = message.toStdString();
-    error.expected = expected.toStdString();
-    error.where.file = path.toStdString();
-    return core::Unexpected(std::move(error));
+    return core::Unexpected(
+        core::Error{kind, message.toStdString(), expected.toStdString(), {path.toStdString(), 0, 0}});
 }
 
 vtkSmartPointer<vtkPolyData> joinedInMillimetres(std::span<const vtkSmartPointer<vtkPolyData>> meshes_m) {

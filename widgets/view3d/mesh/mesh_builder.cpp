@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/mesh/mesh_builder.h"
 
-#include <QColor>
-
 #include <Eigen/Geometry>
 #include <vtkPointData.h>
 

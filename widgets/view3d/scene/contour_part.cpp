@@ -42,9 +42,7 @@ void ContourPart::addTo(vtkRenderer* renderer) {
 }
 
 void ContourPart::applyColours(const SceneColours& colours) {
-    m_pointColour = colours.contourPoint.rgb();
-    m_curveColour = colours.contourCurve.rgb();
-    m_vertexColour = colours.contourVertex.rgb();
+    m_colours = colours;
     rebuild();
 }
 
@@ -64,10 +62,10 @@ void ContourPart::rebuild() {
     m_solids.clear();
     m_curve.clear();
     for (const Eigen::Vector3d& p : m_points_m)
-        m_solids.sphere(p, radius_m, m_pointColour);
+        m_solids.sphere(p, radius_m, m_colours.contourPoint.rgb());
     for (const Eigen::Vector3d& p : m_vertices_m)
-        m_solids.octahedron(p, 2.2 * radius_m, m_vertexColour);
-    m_curve.polyline(m_curve_m, m_curveColour);
+        m_solids.octahedron(p, 2.2 * radius_m, m_colours.contourVertex.rgb());
+    m_curve.polyline(m_curve_m, m_colours.contourCurve.rgb());
     m_solids.finish();
     m_curve.finish();
 }
@@ -78,8 +76,7 @@ void ContourPart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
 }
 
 void ArmPart::applyColours(const SceneColours& colours) {
-    m_tubeColour = colours.arm.rgb();
-    m_jointColour = base::mixed(colours.arm, colours.text, 0.35).rgb();
+    m_colours = colours;
     rebuild();
 }
 
@@ -90,6 +87,8 @@ void ArmPart::set(std::span<const ArmLink> links) {
 }
 
 void ArmPart::rebuild() {
+    const QRgb tube = m_colours.arm.rgb();
+    const QRgb joint = base::mixed(m_colours.arm, m_colours.text, 0.35).rgb();
     m_solids.clear();
     m_box_m.setEmpty();
     for (const ArmLink& link : m_links) {
@@ -100,9 +99,9 @@ void ArmPart::rebuild() {
             m_box_m.extend(end - around);
             m_box_m.extend(end + around);
         }
-        m_solids.cone(from, to, link.radius_m, link.radius_m, m_tubeColour);
-        m_solids.sphere(from, 1.25 * link.radius_m, m_jointColour);
-        m_solids.sphere(to, link.radius_m, m_tubeColour);
+        m_solids.cone(from, to, link.radius_m, link.radius_m, tube);
+        m_solids.sphere(from, 1.25 * link.radius_m, joint);
+        m_solids.sphere(to, link.radius_m, tube);
     }
     m_solids.finish();
 }

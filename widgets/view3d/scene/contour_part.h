@@ -34,9 +34,7 @@ private:
     std::vector<Eigen::Vector3d> m_curve_m;
     std::vector<Eigen::Vector3d> m_vertices_m;
     Eigen::AlignedBox3d m_box_m;
-    QRgb m_pointColour = 0;
-    QRgb m_curveColour = 0;
-    QRgb m_vertexColour = 0;
+    SceneColours m_colours;
     Mesh m_solids{Mesh::Shading::smooth};
     Mesh m_curve{Mesh::Shading::none};
 };
@@ -57,8 +55,7 @@ private:
 
     std::vector<ArmLink> m_links;
     Eigen::AlignedBox3d m_box_m;
-    QRgb m_tubeColour = 0;
-    QRgb m_jointColour = 0;
+    SceneColours m_colours;
     Mesh m_solids{Mesh::Shading::smooth};
 };
 

@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
+#include <map>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace teleta::view3d {
 
@@ -25,11 +25,10 @@ public:
 
 private:
     struct Touch {
-        int id;
         Eigen::Vector2d start_m;
         double lastSeen_s;
     };
-    std::vector<Touch> m_touches;
+    std::map<int, Touch> m_touches; ///< by identity
     double m_time_s = 0.0;
 };
 

@@ -59,14 +59,13 @@ void GridPart::rebuild() {
 }
 
 void AxesPart::rebuild(const Eigen::Vector3d& body_m, double length_m, const SceneColours& colours) {
-    const std::array<QRgb, 3> colour = {colours.axisX.rgb(), colours.axisY.rgb(), colours.axisZ.rgb()};
     m_arrows.clear();
-    for (int axis = 0; axis < 3; ++axis) {
-        const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis);
-        const Eigen::Vector3d tip = (body_m[axis] + length_m) * along;
-        m_tips[static_cast<std::size_t>(axis)] = tip;
-        m_arrows.arrow(body_m[axis] * along, tip, 0.035 * length_m, 0.3 * length_m,
-                       colour[static_cast<std::size_t>(axis)]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<Eigen::Index>(axis);
+        const Eigen::Vector3d along = Eigen::Vector3d::Unit(at);
+        m_tips[axis] = (body_m[at] + length_m) * along;
+        m_arrows.arrow(body_m[at] * along, m_tips[axis], 0.035 * length_m, 0.3 * length_m,
+                       colours.axes[axis].rgb());
     }
     m_arrows.finish();
 }

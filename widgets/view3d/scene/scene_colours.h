@@ -4,6 +4,8 @@
 #include <QColor>
 #include <QPalette>
 
+#include <array>
+
 namespace teleta::view3d {
 
 /// Colours of the scene apart from data, from a palette.
@@ -20,15 +22,14 @@ struct SceneColours {
     QColor deadCross;
     QColor cylinder;
     QColor cylinderRing;
-    QColor axisX;
-    QColor axisY;
-    QColor axisZ;
+    std::array<QColor, 3> axes; ///< x, y, z
     QColor arm;
     QColor contourPoint;
     QColor contourCurve;
     QColor contourVertex;
     QColor simulated;
 
+    SceneColours() = default;
     explicit SceneColours(const QPalette& palette);
 };
 

@@ -64,12 +64,7 @@ void SensorPart::setVisible(bool visible) {
 }
 
 void SensorPart::applyColours(const SceneColours& colours) {
-    m_slabColour = colours.slab.rgb();
-    m_outlineColour = colours.outline.rgb();
-    m_deadColour = colours.dead.rgb();
-    m_crossColour = colours.deadCross.rgb();
-    m_cylinderColour = colours.cylinder.rgb();
-    m_ringColour = colours.cylinderRing.rgb();
+    m_colours = colours;
     if (m_grid.cells() > 0) {
         rebuildSlab();
         rebuildCylinder();
@@ -109,13 +104,14 @@ double SensorPart::heightOf(double share) const {
 
 void SensorPart::update(std::span<const float> share) {
     const base::ColourMap& map = base::cividis();
+    const QRgb dead = m_colours.dead.rgb();
     m_deadCells.clear();
     for (std::size_t cell = 0; cell < share.size(); ++cell) {
         m_share[cell] = share[cell];
         if (std::isnan(share[cell])) {
             m_deadCells.push_back(cell);
             m_height_m[cell] = static_cast<float>(m_size.tile_m);
-            m_colour[cell] = m_deadColour;
+            m_colour[cell] = dead;
         } else {
             m_height_m[cell] = static_cast<float>(heightOf(static_cast<double>(share[cell])));
             m_colour[cell] = base::colourAt(map, static_cast<double>(share[cell]));
@@ -132,9 +128,9 @@ void SensorPart::rebuildCrosses() {
     const double above_m = 1.5 * m_size.tile_m;
     for (const std::size_t cell : m_crossedCells) {
         m_crosses.segment(m_taxels.corner(cell, 0, above_m), m_taxels.corner(cell, 2, above_m),
-                          m_crossColour);
+                          m_colours.deadCross.rgb());
         m_crosses.segment(m_taxels.corner(cell, 1, above_m), m_taxels.corner(cell, 3, above_m),
-                          m_crossColour);
+                          m_colours.deadCross.rgb());
     }
     m_crosses.finish();
 }
@@ -142,22 +138,22 @@ void SensorPart::rebuildCrosses() {
 void SensorPart::rebuildSlab() {
     // Strips along x, narrow enough to follow the cylinder.
     const int strips = m_map.surface() == Surface::cylinder ? std::clamp(2 * m_layout.rows, 32, 256) : 1;
+    const QRgb colour = m_colours.slab.rgb();
     const double low_m = -m_size.thickness_m;
     const double x_m = m_size.halfX_m;
     const auto y_m = [&](int i) { return m_size.halfY_m * (2.0 * i / strips - 1.0); };
     const auto at = [&](double x, int i, double h) { return m_map.point(x, y_m(i), h); };
     m_slab.clear();
     for (int i = 0; i < strips; ++i) {
-        m_slab.quad(at(-x_m, i, 0), at(x_m, i, 0), at(x_m, i + 1, 0), at(-x_m, i + 1, 0), m_slabColour);
+        m_slab.quad(at(-x_m, i, 0), at(x_m, i, 0), at(x_m, i + 1, 0), at(-x_m, i + 1, 0), colour);
         m_slab.quad(at(-x_m, i + 1, low_m), at(x_m, i + 1, low_m), at(x_m, i, low_m), at(-x_m, i, low_m),
-                    m_slabColour);
-        m_slab.quad(at(x_m, i, low_m), at(x_m, i + 1, low_m), at(x_m, i + 1, 0), at(x_m, i, 0), m_slabColour);
-        m_slab.quad(at(-x_m, i + 1, low_m), at(-x_m, i, low_m), at(-x_m, i, 0), at(-x_m, i + 1, 0),
-                    m_slabColour);
+                    colour);
+        m_slab.quad(at(x_m, i, low_m), at(x_m, i + 1, low_m), at(x_m, i + 1, 0), at(x_m, i, 0), colour);
+        m_slab.quad(at(-x_m, i + 1, low_m), at(-x_m, i, low_m), at(-x_m, i, 0), at(-x_m, i + 1, 0), colour);
     }
-    m_slab.quad(at(-x_m, 0, low_m), at(x_m, 0, low_m), at(x_m, 0, 0), at(-x_m, 0, 0), m_slabColour);
+    m_slab.quad(at(-x_m, 0, low_m), at(x_m, 0, low_m), at(x_m, 0, 0), at(-x_m, 0, 0), colour);
     m_slab.quad(at(x_m, strips, low_m), at(-x_m, strips, low_m), at(-x_m, strips, 0), at(x_m, strips, 0),
-                m_slabColour);
+                colour);
     m_slab.finish();
 
     m_outline.clear();
@@ -166,7 +162,7 @@ void SensorPart::rebuildSlab() {
         border.push_back(at(-x_m, i, 0));
     for (int i = strips; i >= 0; --i)
         border.push_back(at(x_m, i, 0));
-    m_outline.polyline(border, m_outlineColour, true);
+    m_outline.polyline(border, m_colours.outline.rgb(), true);
     m_outline.finish();
 }
 
@@ -183,7 +179,7 @@ void SensorPart::rebuildCylinder() {
         };
         for (int i = 0; i < kStrips; ++i) {
             m_tube.quad(at(-half_m, i, radius_m), at(half_m, i, radius_m), at(half_m, i + 1, radius_m),
-                        at(-half_m, i + 1, radius_m), m_cylinderColour);
+                        at(-half_m, i + 1, radius_m), m_colours.cylinder.rgb());
         }
         const int rings = static_cast<int>(std::floor(half_m / kRingSpacing_m));
         std::vector<double> places = {-half_m, half_m};
@@ -193,7 +189,7 @@ void SensorPart::rebuildCylinder() {
         for (const double x : places) {
             for (int i = 0; i < kStrips; ++i)
                 circle[static_cast<std::size_t>(i)] = at(x, i, radius_m);
-            m_rings.polyline(circle, m_ringColour, true);
+            m_rings.polyline(circle, m_colours.cylinderRing.rgb(), true);
         }
     }
     m_tube.finish();

@@ -7,7 +7,6 @@
 #include "widgets/view3d/scene/scene_colours.h"
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -52,7 +51,6 @@ public:
         return static_cast<double>(m_height_m[cell]);
     }
     [[nodiscard]] double heightOf(double share) const;
-    /// Meshes to export.
     void appendMeshes(std::vector<vtkPolyData*>& meshes) const;
 
 private:
@@ -69,12 +67,7 @@ private:
     SurfaceMap m_map;
     CylinderSize m_cylinder;
     SensorSize m_size;
-    QRgb m_slabColour = 0;
-    QRgb m_outlineColour = 0;
-    QRgb m_deadColour = 0;
-    QRgb m_crossColour = 0;
-    QRgb m_cylinderColour = 0;
-    QRgb m_ringColour = 0;
+    SceneColours m_colours;
     std::vector<float> m_share;
     std::vector<float> m_height_m;
     std::vector<QRgb> m_colour;

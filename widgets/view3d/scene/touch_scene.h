@@ -10,8 +10,6 @@
 #include "widgets/view3d/scene/sensor_part.h"
 #include "widgets/view3d/scene/tube_part.h"
 
-#include <QString>
-
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>

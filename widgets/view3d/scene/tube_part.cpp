@@ -48,11 +48,7 @@ void TubePart::addTo(vtkRenderer* renderer) {
 }
 
 void TubePart::applyColours(const SceneColours& colours) {
-    m_dark = colours.dark;
-    m_skinColour = colours.cylinder;
-    m_ringColour = base::mixed(colours.cylinder, colours.backgroundTop, 0.6);
-    m_holderColour = colours.arm;
-    m_textColour = colours.text;
+    m_colours = colours;
     if (m_shown)
         rebuildBody();
 }
@@ -140,8 +136,8 @@ void TubePart::rebuildBody() {
                         colour.rgb());
         }
     };
-    wall(1.0, low_m, high_m, m_skinColour);
-    wall(kHolderShare, low_m - kHolder_m, low_m, m_holderColour);
+    wall(1.0, low_m, high_m, m_colours.cylinder);
+    wall(kHolderShare, low_m - kHolder_m, low_m, m_colours.arm);
     const auto lid = [&](double share, double z_m, const QColor& colour) {
         const Eigen::Vector3d middle(0.0, 0.0, z_m);
         for (int side = 0; side < kTubeSides; side += 2)
@@ -149,9 +145,10 @@ void TubePart::rebuildBody() {
                         onCircle(share * radius_m, turnOf(side + 1), z_m),
                         onCircle(share * radius_m, turnOf(side + 2), z_m), colour.rgb());
     };
-    lid(1.0, high_m, m_skinColour);
-    lid(1.0, low_m, m_skinColour);
-    lid(kHolderShare, low_m - kHolder_m, m_holderColour);
+    lid(1.0, high_m, m_colours.cylinder);
+    lid(1.0, low_m, m_colours.cylinder);
+    lid(kHolderShare, low_m - kHolder_m, m_colours.arm);
+    const QColor faint = base::mixed(m_colours.cylinder, m_colours.backgroundTop, 0.6);
     const auto ring = [&](MeshBuilder& mesh, double r_m, double z_m, const QColor& colour) {
         m_line.clear();
         for (int side = 0; side < kTubeSides; ++side)
@@ -159,16 +156,15 @@ void TubePart::rebuildBody() {
         mesh.polyline(m_line, colour.rgb(), true);
     };
     for (int i = 0; i <= kTubeRings; ++i)
-        ring(m_rings, (1.0 + 0.3 * kLift) * radius_m, low_m + (high_m - low_m) * i / kTubeRings,
-             m_ringColour);
+        ring(m_rings, (1.0 + 0.3 * kLift) * radius_m, low_m + (high_m - low_m) * i / kTubeRings, faint);
     // A line along x makes rotations of the tube visible.
     m_rings.segment(onCircle((1.0 + 0.3 * kLift) * radius_m, 0.0, low_m),
-                    onCircle((1.0 + 0.3 * kLift) * radius_m, 0.0, high_m), m_textColour.rgb());
+                    onCircle((1.0 + 0.3 * kLift) * radius_m, 0.0, high_m), m_colours.text.rgb());
     for (const double z_m : {low_m, high_m})
-        ring(m_start, radius_m, z_m, m_ringColour);
+        ring(m_start, radius_m, z_m, faint);
     for (int side = 0; side < kTubeSides; side += kTubeSides / 8)
         m_start.segment(onCircle(radius_m, turnOf(side), low_m), onCircle(radius_m, turnOf(side), high_m),
-                        m_ringColour.rgb());
+                        faint.rgb());
     m_skin.finish();
     m_rings.finish();
     m_start.finish();
@@ -187,7 +183,7 @@ void TubePart::rebuildContacts(const pipeline::CameraSnapshot& snapshot) {
             continue;
         TubeMark mark;
         mark.id = contact.id;
-        mark.colour = base::identityColour(std::max(1, contact.id), m_dark);
+        mark.colour = base::identityColour(std::max(1, contact.id), m_colours.dark);
         mark.p_Sensor_Foot = onSkin(contact.p_Sensor_Centre_m, kLift * m_surface.radius_m);
         mark.sd_m = contact.sd_m;
         mark.bumps = snapshot.bump && snapshot.bump->contact == contact.id;
@@ -215,7 +211,7 @@ void TubePart::drawPatch(const vision::FollowedContact& followed, const TubeMark
         if (p.allFinite())
             m_line.push_back(onSkin(p, 0.6 * lift_m));
     const Eigen::Vector3d centre = onSkin(followed.contact.p_Sensor_Centre_m, 0.6 * lift_m);
-    const QColor fill = base::mixed(m_skinColour, mark.colour, 0.55);
+    const QColor fill = base::mixed(m_colours.cylinder, mark.colour, 0.55);
     // Each sector in strips from its middle, so that the patch follows the tube.
     constexpr int kStrips = 4;
     for (std::size_t i = 0; m_line.size() >= 3 && i < m_line.size(); ++i) {
@@ -280,7 +276,7 @@ void TubePart::drawRegion(const Eigen::Matrix3d& covariance_m2, const TubeMark& 
         m_line.push_back(
             onSkin(mark.p_Sensor_Foot + std::cos(turnOf(side)) * major + std::sin(turnOf(side)) * minor,
                    2.0 * kLift * m_surface.radius_m));
-    m_outlines.polyline(m_line, m_textColour.rgb(), true);
+    m_outlines.polyline(m_line, m_colours.text.rgb(), true);
 }
 
 void TubePart::drawVectors(const std::vector<pipeline::SkinVector>& vectors) {
@@ -295,7 +291,7 @@ void TubePart::drawVectors(const std::vector<pipeline::SkinVector>& vectors) {
         const double certain = std::clamp(1.0 - vector.sd_m / length_m, 0.0, 1.0);
         const QColor full =
             QColor::fromRgb(base::colourAt(base::cividis(), 0.45 + 0.55 * length_m / longest_m));
-        const QColor colour = base::mixed(m_skinColour, full, 0.25 + 0.75 * certain);
+        const QColor colour = base::mixed(m_colours.cylinder, full, 0.25 + 0.75 * certain);
         const Eigen::Vector3d from = onSkin(vector.p_Sensor_m, 1.2 * kLift * m_surface.radius_m);
         const Eigen::Vector3d to = onSkin(vector.p_Sensor_m + kEnlargement * vector.displacement_m,
                                           1.2 * kLift * m_surface.radius_m);

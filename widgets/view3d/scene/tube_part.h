@@ -79,11 +79,7 @@ private:
     Eigen::Isometry3d m_X_World_Sensor = Eigen::Isometry3d::Identity();
     std::vector<TubeMark> m_marks;
     std::vector<Eigen::Vector3d> m_line;
-    bool m_dark = false;
-    QColor m_skinColour;
-    QColor m_ringColour;
-    QColor m_holderColour;
-    QColor m_textColour;
+    SceneColours m_colours;
 
     vtkNew<vtkMatrix4x4> m_pose;
     Mesh m_skin{Mesh::Shading::flat};

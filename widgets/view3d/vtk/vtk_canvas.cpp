@@ -10,7 +10,10 @@
 #include <QOpenGLFunctions>
 #include <QPainter>
 
+#include <vtkCommand.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace teleta::view3d {
@@ -20,13 +23,25 @@ namespace {
 constexpr double kLogicalDpi = 96.0;
 constexpr int kLookAgain_ms = 2; ///< for a frame being drawn by the driver
 
+/// VTK's events of a button.
+struct ButtonEvents {
+    Qt::MouseButton button;
+    unsigned long press, doubleClick, release;
+};
+constexpr std::array<ButtonEvents, 3> kButtons{
+    {{Qt::LeftButton, vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonDoubleClickEvent,
+      vtkCommand::LeftButtonReleaseEvent},
+     {Qt::MiddleButton, vtkCommand::MiddleButtonPressEvent, vtkCommand::MiddleButtonDoubleClickEvent,
+      vtkCommand::MiddleButtonReleaseEvent},
+     {Qt::RightButton, vtkCommand::RightButtonPressEvent, vtkCommand::RightButtonDoubleClickEvent,
+      vtkCommand::RightButtonReleaseEvent}}};
+
 } // namespace
 
 VtkCanvas::VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* interactor, QWidget* parent)
     : QWidget(parent)
     , m_window(window)
-    , m_interactor(interactor)
-    , m_input(interactor) {
+    , m_interactor(interactor) {
     setFocusPolicy(Qt::StrongFocus);
     m_lookAgain.setTimerType(Qt::PreciseTimer);
     m_lookAgain.setInterval(kLookAgain_ms);
@@ -181,38 +196,68 @@ QImage VtkCanvas::picture(double scale, bool withOverlay) {
     return image;
 }
 
+void VtkCanvas::placeMouse(const QSinglePointEvent& event, int repeat) {
+    const QPointF device = event.position() * devicePixelRatio();
+    const Qt::KeyboardModifiers keys = event.modifiers();
+    m_interactor->SetEventInformationFlipY(
+        static_cast<int>(std::floor(device.x())), static_cast<int>(std::floor(device.y())),
+        keys.testFlag(Qt::ControlModifier) ? 1 : 0, keys.testFlag(Qt::ShiftModifier) ? 1 : 0, 0, repeat);
+    m_interactor->SetAltKey(keys.testFlag(Qt::AltModifier) ? 1 : 0);
+}
+
+void VtkCanvas::passOn(QMouseEvent* event) {
+    const bool twice = event->type() == QEvent::MouseButtonDblClick;
+    placeMouse(*event, twice ? 1 : 0);
+    event->accept();
+    const auto* button = std::ranges::find(kButtons, event->button(), &ButtonEvents::button);
+    if (event->type() == QEvent::MouseMove) {
+        m_interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
+    } else if (button != kButtons.end() && event->type() == QEvent::MouseButtonRelease) {
+        m_interactor->InvokeEvent(button->release);
+    } else if (button != kButtons.end()) {
+        // The second press of a double click counts as a press: drags can start with it.
+        m_interactor->InvokeEvent(button->press);
+        if (twice)
+            m_interactor->InvokeEvent(button->doubleClick);
+    }
+}
+
 void VtkCanvas::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::RightButton) {
         m_rightPress = event->position();
         m_rightDragged = false;
     }
-    m_input.mouse(*event, devicePixelRatio());
-    event->accept();
+    passOn(event);
 }
 
 void VtkCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    m_input.mouse(*event, devicePixelRatio());
-    event->accept();
+    passOn(event);
     if (event->button() == Qt::RightButton && !m_rightDragged)
         emit menuRequested(event->globalPosition().toPoint());
 }
 
 void VtkCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
-    m_input.mouse(*event, devicePixelRatio());
-    event->accept();
+    passOn(event);
 }
 
 void VtkCanvas::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons().testFlag(Qt::RightButton) &&
         (event->position() - m_rightPress).manhattanLength() >= QApplication::startDragDistance())
         m_rightDragged = true;
-    m_input.mouse(*event, devicePixelRatio());
-    event->accept();
+    passOn(event);
 }
 
 void VtkCanvas::wheelEvent(QWheelEvent* event) {
-    m_input.wheel(*event, devicePixelRatio());
+    placeMouse(*event, 0);
     event->accept();
+    // Touchpads send fractions of a step; Alt turns the wheel sideways in some desktops.
+    const QPoint turned = event->angleDelta();
+    m_wheelRest += turned.y() != 0 ? turned.y() : turned.x();
+    constexpr int kStep = QWheelEvent::DefaultDeltasPerStep;
+    for (; m_wheelRest >= kStep; m_wheelRest -= kStep)
+        m_interactor->InvokeEvent(vtkCommand::MouseWheelForwardEvent);
+    for (; m_wheelRest <= -kStep; m_wheelRest += kStep)
+        m_interactor->InvokeEvent(vtkCommand::MouseWheelBackwardEvent);
 }
 
 void VtkCanvas::contextMenuEvent(QContextMenuEvent* event) {

@@ -4,7 +4,6 @@
 #include "widgets/view3d/vtk/gl_setup.h"
 #include "widgets/view3d/vtk/guest_render_window.h"
 #include "widgets/view3d/vtk/render_queue.h"
-#include "widgets/view3d/vtk/vtk_input.h"
 
 #include <QImage>
 #include <QOffscreenSurface>
@@ -17,6 +16,8 @@
 
 #include <cstdint>
 #include <functional>
+
+class QSinglePointEvent;
 
 namespace teleta::view3d {
 
@@ -65,15 +66,18 @@ private:
     [[nodiscard]] bool paintsOnScreen() const;
     void setDeviceSize(const QSize& size, double pixelScale);
     [[nodiscard]] QSize deviceSize() const;
+    /// Tells VTK where the mouse is, in device pixels with y up, and the keys that are held.
+    void placeMouse(const QSinglePointEvent& event, int repeat);
+    void passOn(QMouseEvent* event);
 
     vtkSmartPointer<GuestRenderWindow> m_window;
     vtkRenderWindowInteractor* m_interactor;
-    VtkInput m_input;
     Overlay m_overlay;
     QOffscreenSurface m_surface;
     QOpenGLContext m_context;
     bool m_refused = false;
     QImage m_frame;
+    int m_wheelRest = 0; ///< eighths of a degree left over from the last step
     QPointF m_rightPress;
     bool m_rightDragged = false;
     bool m_stale = true;    ///< the scene has changed since the last frame was started
