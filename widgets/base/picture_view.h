@@ -11,12 +11,19 @@
 
 namespace teleta::base {
 
+enum class Provenance;
+
 /// A view of a picture: a value with a font and paint(QPainter&, const QSizeF&, const QPalette&), so that an
 /// exported figure keeps its own. Thread: GUI.
 template <typename Picture>
 class PictureView : public FigureView {
 public:
     [[nodiscard]] const Picture& picture() const { return m_picture; }
+    /// For a picture with a provenance.
+    void setProvenance(Provenance provenance) {
+        m_picture.provenance = provenance;
+        update();
+    }
 
 protected:
     using FigureView::FigureView;

@@ -44,11 +44,6 @@ void CameraView::setSnapshot(const pipeline::CameraSnapshot* snapshot) {
     update();
 }
 
-void CameraView::setProvenance(base::Provenance provenance) {
-    m_picture.provenance = provenance;
-    update();
-}
-
 void CameraView::setArrowsShown(bool shown) {
     m_picture.arrows = shown;
     update();

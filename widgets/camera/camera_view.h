@@ -20,7 +20,6 @@ public:
 
     /// Shows the newest snapshot unless the picture is frozen; null clears.
     void setSnapshot(const pipeline::CameraSnapshot* snapshot);
-    void setProvenance(base::Provenance provenance);
     void setArrowsShown(bool shown);
     void setPaused(bool paused);
 

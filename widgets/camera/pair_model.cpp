@@ -4,6 +4,8 @@
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
 
+#include <array>
+
 namespace teleta::camera {
 
 namespace {
@@ -57,22 +59,15 @@ QString PairModel::text(std::size_t pair, int column) const {
     case surfaceError:
         return base::threeDigits(residual.error_m ? std::optional(1e3 * *residual.error_m) : std::nullopt)
             .trimmed();
-    case condition:
-        break;
+    case condition: {
+        static constexpr std::array kStates{"", QT_TR_NOOP("kept"), QT_TR_NOOP("wrong"),
+                                            QT_TR_NOOP("excluded")};
+        const State state = m_pairs.state(pair);
+        return state == State::unknown ? QString() : tr(kStates[static_cast<std::size_t>(state)]);
+    }
     default:
         return {};
     }
-    switch (m_pairs.state(pair)) {
-    case State::unknown:
-        return {};
-    case State::kept:
-        return tr("kept");
-    case State::outlier:
-        return tr("wrong");
-    case State::excluded:
-        return tr("excluded");
-    }
-    return {};
 }
 
 QVariant PairModel::sortValue(std::size_t pair, int column) const {

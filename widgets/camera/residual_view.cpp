@@ -8,6 +8,8 @@
 #include <QKeyEvent>
 #include <QMenu>
 
+#include <array>
+
 namespace teleta::camera {
 
 namespace {
@@ -73,19 +75,10 @@ void ResidualView::select(std::optional<std::size_t> pair) {
 QString ResidualView::wordsFor(std::size_t pair) const {
     using State = CalibratedPairs::State;
     QString text = tr("Pair %1").arg(pair + 1);
-    switch (m_picture.shown.state(pair)) {
-    case State::unknown:
-        break;
-    case State::kept:
-        text += QStringLiteral(": ") + tr("kept");
-        break;
-    case State::outlier:
-        text += QStringLiteral(": ") + tr("left out as wrong");
-        break;
-    case State::excluded:
-        text += QStringLiteral(": ") + tr("excluded by you");
-        break;
-    }
+    static constexpr std::array kStates{"", QT_TR_NOOP("kept"), QT_TR_NOOP("left out as wrong"),
+                                        QT_TR_NOOP("excluded by you")};
+    if (const State state = m_picture.shown.state(pair); state != State::unknown)
+        text += QStringLiteral(": ") + tr(kStates[static_cast<std::size_t>(state)]);
     if (m_picture.shown.residuals.empty())
         return text;
     const vision::PairResidual& residual = m_picture.shown.residuals[pair];

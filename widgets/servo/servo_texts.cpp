@@ -73,20 +73,12 @@ QString ServoTexts::run(const QString& source, int number, bool unbalanced, bool
 }
 
 QString ServoTexts::feature(int row, bool edge) {
-    switch (row) {
-    case kX:
-        return tr("CoP x");
-    case kY:
-        return tr("CoP y");
-    case kZ:
-        return tr("Force");
-    case kWx:
-        return edge ? tr("\u2212DZMP x") : tr("CoC y");
-    case kWy:
-        return edge ? tr("\u2212DZMP y") : tr("CoC x");
-    default:
-        return tr("\u03b1 z");
-    }
+    static constexpr std::array kOfEdge{QT_TR_NOOP("CoP x"),        QT_TR_NOOP("CoP y"),
+                                        QT_TR_NOOP("Force"),        QT_TR_NOOP("\u2212DZMP x"),
+                                        QT_TR_NOOP("\u2212DZMP y"), QT_TR_NOOP("\u03b1 z")};
+    static constexpr std::array kOfPoint{QT_TR_NOOP("CoP x"), QT_TR_NOOP("CoP y"), QT_TR_NOOP("Force"),
+                                         QT_TR_NOOP("CoC y"), QT_TR_NOOP("CoC x"), QT_TR_NOOP("\u03b1 z")};
+    return tr((edge ? kOfEdge : kOfPoint)[static_cast<std::size_t>(row)]);
 }
 
 } // namespace teleta::servo

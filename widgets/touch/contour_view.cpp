@@ -37,11 +37,6 @@ void ContourView::clear() {
     shown();
 }
 
-void ContourView::setProvenance(base::Provenance provenance) {
-    m_picture.provenance = provenance;
-    update();
-}
-
 base::Figure ContourView::figure() {
     return figureOf(tr("contour"), m_picture, [picture = m_picture] { return picture.csv(); });
 }

@@ -17,7 +17,6 @@ public:
 
     void setContour(const pipeline::ExploredContour& contour);
     void clear();
-    void setProvenance(base::Provenance provenance);
 
     [[nodiscard]] base::Figure figure() override;
 

@@ -226,19 +226,17 @@ QString PatternMapTable::textNow() const {
                   : tr("Recognised: %1. Its pattern %2 is missing.").arg(rowName(*m_recognised), name);
 }
 
-void PatternMapTable::setRecognisedStiffness(int level) {
-    m_recognised = level >= 1 && level <= kLevels ? std::optional(level - 1) : std::nullopt;
+void PatternMapTable::recognise(std::optional<int> row) {
+    m_recognised = row;
     showRecognised();
+}
+
+void PatternMapTable::setRecognisedStiffness(int level) {
+    recognise(level >= 1 && level <= kLevels ? std::optional(level - 1) : std::nullopt);
 }
 
 void PatternMapTable::setRecognisedShape(contour::Shape shape) {
-    m_recognised = kLevels + static_cast<int>(shape);
-    showRecognised();
-}
-
-void PatternMapTable::clearRecognised() {
-    m_recognised.reset();
-    showRecognised();
+    recognise(kLevels + static_cast<int>(shape));
 }
 
 void PatternMapTable::take(const PatternMap& map) {

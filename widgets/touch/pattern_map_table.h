@@ -48,7 +48,7 @@ public:
 
     void setRecognisedStiffness(int level);
     void setRecognisedShape(contour::Shape shape);
-    void clearRecognised();
+    void clearRecognised() { recognise(std::nullopt); }
     [[nodiscard]] std::optional<int> recognisedRow() const { return m_recognised; }
     /// Id of the pattern that would be played now; empty: none.
     [[nodiscard]] std::string patternNow() const;
@@ -80,6 +80,7 @@ private:
     void askForFile(bool save);
     void fillBoxes();
     void showMap();
+    void recognise(std::optional<int> row);
     void showRecognised();
     void retranslate();
 

@@ -41,20 +41,18 @@ QString sourceName(base::Provenance provenance) {
     return QString::fromLatin1(kNames[static_cast<std::size_t>(provenance)]);
 }
 
+QString noValue() {
+    return QChar(0x2014);
+}
+
 struct ContactText {
     Q_DECLARE_TR_FUNCTIONS(RunSheet)
 
 public:
     static QString of(contact::ContactType type) {
-        switch (type) {
-        case contact::ContactType::point:
-            return tr("point");
-        case contact::ContactType::edge:
-            return tr("edge");
-        case contact::ContactType::none:
-            break;
-        }
-        return QString(QChar(0x2014));
+        if (type == contact::ContactType::none)
+            return noValue();
+        return type == contact::ContactType::edge ? tr("edge") : tr("point");
     }
 };
 
@@ -183,7 +181,7 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
         return base::siQuantity(object.highestForce_N, QStringLiteral("N")).trimmed();
     case stiffness: {
         if (!object.stiffness)
-            return QString(QChar(0x2014));
+            return noValue();
         const QString interval = TouchTexts::interval(*object.stiffness);
         return interval.isEmpty()
                    ? TouchTexts::estimate(*object.stiffness)
@@ -193,12 +191,12 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
         return object.material ? QStringLiteral("%1, %2").arg(
                                      TouchTexts::material(*object.material),
                                      TouchTexts::safety(teleta::stiffness::isSafe(*object.material)))
-                               : QString(QChar(0x2014));
+                               : noValue();
     case shape:
         return object.recognition ? tr("%1 (%2 %)", "a recognised shape and its confidence")
                                         .arg(TouchTexts::shape(object.recognition->shape))
                                         .arg(std::lround(100.0 * object.recognition->confidence))
-                                  : QString(QChar(0x2014));
+                                  : noValue();
     default:
         return {};
     }

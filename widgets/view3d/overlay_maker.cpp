@@ -58,12 +58,10 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& ca
         content.loadRange = scene.loadRange_N();
         content.loadUnit = QString::fromStdString(scene.snapshot().loadUnit);
         if (scene.axesShown()) {
-            static const std::array<QString, 3> names = {QStringLiteral("x"), QStringLiteral("y"),
-                                                         QStringLiteral("z")};
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const Eigen::Vector3d beyond = 1.06 * scene.axes().tips()[axis];
                 if (const auto place = placeInPicture(*scene.renderer(), scene.toWorld(beyond)))
-                    content.labels.push_back({*place, names[axis], colours.axes[axis]});
+                    content.labels.push_back({*place, axisName(axis), colours.axes[axis]});
             }
         }
         if (request.contactLabels)

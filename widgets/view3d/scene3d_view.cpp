@@ -50,8 +50,6 @@ constexpr std::array<PresetAction, 4> kPresets = {
      {CameraPreset::side, ViewIcon::side, Qt::Key_3},
      {CameraPreset::isometric, ViewIcon::isometric, Qt::Key_4}}};
 
-constexpr std::size_t kLayers = 4;
-
 } // namespace
 
 struct Scene3dView::Parts {
@@ -90,11 +88,11 @@ struct Scene3dView::Parts {
     QActionGroup* surfaces = nullptr;
     QAction* plate = nullptr;
     QAction* cylinder = nullptr;
-    std::array<QAction*, kPresets.size()> presets{};
+    QList<QAction*> presets;
     QAction* reset = nullptr;
     QAction* follow = nullptr;
     QAction* parallel = nullptr;
-    std::array<QAction*, kLayers> layers{};
+    QList<QAction*> layers;
     QAction* copyPicture = nullptr;
     QAction* saveGeometry = nullptr;
 };
@@ -185,9 +183,9 @@ void Scene3dView::makeActions() {
     parts.plate->setChecked(true);
     connect(parts.plate, &QAction::triggered, this, [this] { setSurface(Surface::plate); });
     connect(parts.cylinder, &QAction::triggered, this, [this] { setSurface(Surface::cylinder); });
-    for (std::size_t i = 0; i < kPresets.size(); ++i) {
-        parts.presets[i] = make(kPresets[i].icon, {QKeySequence(kPresets[i].key)}, false);
-        connect(parts.presets[i], &QAction::triggered, this, [this, i] { look(kPresets[i].preset); });
+    for (const PresetAction& preset : kPresets) {
+        parts.presets << make(preset.icon, {QKeySequence(preset.key)}, false);
+        connect(parts.presets.back(), &QAction::triggered, this, [this, preset] { look(preset.preset); });
     }
     parts.reset = make(ViewIcon::reset, {QKeySequence(Qt::Key_Home), QKeySequence(Qt::Key_R)}, false);
     connect(parts.reset, &QAction::triggered, this, &Scene3dView::resetView);
@@ -199,9 +197,9 @@ void Scene3dView::makeActions() {
     parts.layers = {make(ViewIcon::grid, {}, true), make(ViewIcon::axes, {}, true),
                     make(ViewIcon::displacement, {}, true), new QAction(this)};
     parts.layers[3]->setCheckable(true);
-    constexpr std::array<const char*, kLayers> kNames{"grid", "axes", "displacement", "contactLabels"};
-    for (std::size_t i = 0; i < kLayers; ++i)
-        parts.layers[i]->setObjectName(QLatin1String(kNames[i]));
+    constexpr std::array kNames{"grid", "axes", "displacement", "contactLabels"};
+    for (std::size_t i = 0; i < kNames.size(); ++i)
+        parts.layers[static_cast<qsizetype>(i)]->setObjectName(QLatin1String(kNames[i]));
     for (QAction* layer : parts.layers) {
         layer->setChecked(true);
         connect(layer, &QAction::toggled, this, [this] {
@@ -228,8 +226,7 @@ void Scene3dView::makeToolBar() {
     parts.toolBar->setIconSize(QSize(side, side));
     parts.toolBar->addActions({parts.plate, parts.cylinder});
     parts.toolBar->addSeparator();
-    for (QAction* preset : parts.presets)
-        parts.toolBar->addAction(preset);
+    parts.toolBar->addActions(parts.presets);
     parts.toolBar->addAction(parts.reset);
     parts.toolBar->addSeparator();
     parts.toolBar->addActions({parts.follow, parts.parallel});
@@ -274,16 +271,14 @@ void Scene3dView::retranslate() {
 
 void Scene3dView::fillMenu(QMenu& menu) {
     Parts& parts = *m_parts;
-    for (QAction* preset : parts.presets)
-        menu.addAction(preset);
+    menu.addActions(parts.presets);
     menu.addAction(parts.reset);
     menu.addSeparator();
     menu.addActions({parts.plate, parts.cylinder});
     menu.addSeparator();
     menu.addActions({parts.follow, parts.parallel});
     menu.addSeparator();
-    for (QAction* layer : parts.layers)
-        menu.addAction(layer);
+    menu.addActions(parts.layers);
     menu.addSeparator();
     parts.figures.addActions(menu);
     menu.addAction(parts.saveGeometry);

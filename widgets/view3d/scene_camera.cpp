@@ -33,17 +33,13 @@ SceneCamera::SceneCamera(vtkRenderer* renderer)
 
 void SceneCamera::setScene(std::vector<Eigen::Vector3d> corners_m, bool refit) {
     m_corners_m = std::move(corners_m);
-    if (m_fitted && refit)
-        fit();
-    apply();
+    update(refit);
 }
 
 void SceneCamera::setAspect(double aspect) {
     if (aspect > 0.0 && aspect != m_aspect) {
         m_aspect = aspect;
-        if (m_fitted)
-            fit();
-        apply();
+        update(true);
     }
 }
 
@@ -76,9 +72,7 @@ void SceneCamera::zoom(double factor) {
 
 void SceneCamera::setParallel(bool parallel) {
     m_parallel = parallel;
-    if (m_fitted)
-        fit();
-    apply();
+    update(true);
 }
 
 void SceneCamera::follow(const Eigen::Vector3d& target_m, double elapsed_s) {
@@ -96,6 +90,12 @@ void SceneCamera::follow(const Eigen::Vector3d& target_m, double elapsed_s) {
 
 double SceneCamera::visibleHeight_m() const {
     return 2.0 * m_distance_m * std::tan(0.5 * kViewAngle_rad);
+}
+
+void SceneCamera::update(bool refit) {
+    if (m_fitted && refit)
+        fit();
+    apply();
 }
 
 void SceneCamera::fit() {

@@ -46,6 +46,8 @@ public:
     [[nodiscard]] double visibleHeight_m() const;
 
 private:
+    /// refit: fits the camera again, unless the user moved it.
+    void update(bool refit);
     void fit();
     void apply();
 

@@ -146,8 +146,6 @@ private:
         std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             return m_content.orientation[a][2] < m_content.orientation[b][2];
         });
-        static const std::array<QString, 3> names = {QStringLiteral("x"), QStringLiteral("y"),
-                                                     QStringLiteral("z")};
         for (const std::size_t axis : order) {
             const QPointF way(m_content.orientation[axis][0], -m_content.orientation[axis][1]);
             const QPointF tip = centre + arm * way;
@@ -155,7 +153,7 @@ private:
             m_painter.drawLine(centre, tip);
             const QPointF name = centre + (arm + 0.55 * m_em) * way;
             m_painter.drawText(QRectF(name - QPointF(m_em, m_em), QSizeF(2.0 * m_em, 2.0 * m_em)),
-                               Qt::AlignCenter, names[axis]);
+                               Qt::AlignCenter, axisName(axis));
         }
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(m_content.colours.text);

@@ -41,6 +41,11 @@ struct OverlayContent {
     std::array<std::array<double, 3>, 3> orientation{};
 };
 
+/// "x", "y", "z".
+[[nodiscard]] inline QString axisName(std::size_t axis) {
+    return QChar(static_cast<char16_t>(u'x' + axis));
+}
+
 void paintOverlay(QPainter& painter, const QSizeF& size, const OverlayContent& content);
 
 } // namespace teleta::view3d

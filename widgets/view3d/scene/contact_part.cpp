@@ -120,12 +120,6 @@ void ContactPart::drawWay(const ContactMark& mark, const Eigen::Vector2d& start_
 
 void ContactPart::outlineRegions(std::span<const std::int32_t> labels, const core::ArrayLayout& layout,
                                  const SensorPart& sensor) {
-    const auto colourOf = [&](std::int32_t region) -> const ContactMark* {
-        for (const ContactMark& mark : m_marks)
-            if (mark.contact.region == region)
-                return &mark;
-        return nullptr;
-    };
     const auto labelAt = [&](int row, int column) {
         const bool inside = row >= 0 && row < layout.rows && column >= 0 && column < layout.columns;
         return inside ? labels[static_cast<std::size_t>(row) * static_cast<std::size_t>(layout.columns) +
@@ -147,8 +141,9 @@ void ContactPart::outlineRegions(std::span<const std::int32_t> labels, const cor
             const std::int32_t region = labelAt(row, column);
             if (region <= 0)
                 continue;
-            const ContactMark* mark = colourOf(region);
-            if (mark == nullptr)
+            const auto mark = std::ranges::find_if(
+                m_marks, [&](const ContactMark& m) { return m.contact.region == region; });
+            if (mark == m_marks.end())
                 continue;
             const double height_m = sensor.heightOfCell(sensor.grid().cellOf(row, column)) + lift_m;
             for (const Side& side : kSides) {

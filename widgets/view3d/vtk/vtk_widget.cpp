@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/vtk/vtk_widget.h"
 
+#include "widgets/view3d/vtk/gl_setup.h"
+#include "widgets/view3d/vtk/vtk_canvas.h"
+
 #include <QEvent>
 #include <QLabel>
 #include <QLoggingCategory>
 #include <QVBoxLayout>
 
+#include <vtkCallbackCommand.h>
+#include <vtkGenericRenderWindowInteractor.h>
 #include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
@@ -18,6 +24,7 @@ namespace {
 
 Q_LOGGING_CATEGORY(view3dLog, "teleta.view3d")
 
+/// Sends VTK's messages to Qt's log.
 class QtLogWindow : public vtkOutputWindow {
 public:
     static QtLogWindow* New();
@@ -36,64 +43,88 @@ vtkStandardNewMacro(QtLogWindow);
 
 } // namespace
 
+struct VtkWidget::Parts {
+    vtkNew<GuestRenderWindow> window;
+    vtkNew<vtkGenericRenderWindowInteractor> interactor;
+    vtkNew<vtkCallbackCommand> onRender;
+    VtkCanvas* canvas = nullptr;
+    QLabel* fallback = nullptr;
+    GlProblem problem = GlProblem::none;
+};
+
 VtkWidget::VtkWidget(QWidget* parent)
-    : QWidget(parent) {
+    : QWidget(parent)
+    , m_parts(std::make_unique<Parts>()) {
     if (dynamic_cast<QtLogWindow*>(vtkOutputWindow::GetInstance()) == nullptr)
         vtkOutputWindow::SetInstance(vtkNew<QtLogWindow>());
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
 
     const vtkNew<vtkInteractorStyleTrackballCamera> style;
-    m_interactor->SetRenderWindow(m_window);
-    m_interactor->SetInteractorStyle(style);
+    m_parts->interactor->SetRenderWindow(m_parts->window);
+    m_parts->interactor->SetInteractorStyle(style);
     // A render event of VTK becomes a request: the widget draws only when it is painted.
-    m_interactor->EnableRenderOff();
-    m_onRender->SetClientData(this);
-    m_onRender->SetCallback(
+    m_parts->interactor->EnableRenderOff();
+    m_parts->onRender->SetClientData(this);
+    m_parts->onRender->SetCallback(
         [](vtkObject*, unsigned long, void* self, void*) { static_cast<VtkWidget*>(self)->requestRender(); });
-    m_interactor->AddObserver(vtkCommand::RenderEvent, m_onRender);
-    m_interactor->Initialize();
+    m_parts->interactor->AddObserver(vtkCommand::RenderEvent, m_parts->onRender);
+    m_parts->interactor->Initialize();
 
     if (findGlProblem() != GlProblem::none) {
         showFallback(findGlProblem());
         return;
     }
-    m_canvas = new VtkCanvas(m_window, m_interactor, this);
-    layout->addWidget(m_canvas);
-    setFocusProxy(m_canvas);
-    connect(m_canvas, &VtkCanvas::pixelScaleChanged, this, &VtkWidget::pixelScaleChanged);
-    connect(m_canvas, &VtkCanvas::menuRequested, this, &VtkWidget::menuRequested);
+    auto* canvas = new VtkCanvas(m_parts->window, m_parts->interactor, this);
+    m_parts->canvas = canvas;
+    layout->addWidget(canvas);
+    setFocusProxy(canvas);
+    connect(canvas, &VtkCanvas::pixelScaleChanged, this, &VtkWidget::pixelScaleChanged);
+    connect(canvas, &VtkCanvas::menuRequested, this, &VtkWidget::menuRequested);
     // Queued: the canvas is in the middle of its first repaint when it says so.
-    connect(m_canvas, &VtkCanvas::contextRefused, this, &VtkWidget::showFallback, Qt::QueuedConnection);
+    connect(canvas, &VtkCanvas::contextRefused, this, &VtkWidget::showFallback, Qt::QueuedConnection);
 }
 
 VtkWidget::~VtkWidget() {
-    m_interactor->RemoveObserver(m_onRender);
+    m_parts->interactor->RemoveObserver(m_parts->onRender);
     // Before the render window, which has resources in the canvas's context.
-    delete m_canvas;
-    m_interactor->SetRenderWindow(nullptr);
+    delete m_parts->canvas;
+    m_parts->interactor->SetRenderWindow(nullptr);
+}
+
+vtkRenderWindow* VtkWidget::renderWindow() const {
+    return m_parts->window;
+}
+
+vtkRenderWindowInteractor* VtkWidget::interactor() const {
+    return m_parts->interactor;
+}
+
+bool VtkWidget::canRender() const {
+    return m_parts->canvas != nullptr;
 }
 
 QString VtkWidget::fallbackText() const {
-    return m_fallback != nullptr ? m_fallback->text() : QString();
+    return m_parts->fallback != nullptr ? m_parts->fallback->text() : QString();
 }
 
 void VtkWidget::requestRender() {
-    if (m_canvas != nullptr)
-        m_canvas->requestRender();
+    if (m_parts->canvas != nullptr)
+        m_parts->canvas->requestRender();
 }
 
-void VtkWidget::setOverlay(VtkCanvas::Overlay overlay) {
-    if (m_canvas != nullptr)
-        m_canvas->setOverlay(std::move(overlay));
+void VtkWidget::setOverlay(Overlay overlay) {
+    if (m_parts->canvas != nullptr)
+        m_parts->canvas->setOverlay(std::move(overlay));
 }
 
 QImage VtkWidget::picture(double scale, PictureOverlay overlay) {
-    return m_canvas != nullptr ? m_canvas->picture(scale, overlay == PictureOverlay::with) : QImage();
+    return m_parts->canvas != nullptr ? m_parts->canvas->picture(scale, overlay == PictureOverlay::with)
+                                      : QImage();
 }
 
 std::uint64_t VtkWidget::framesRendered() const {
-    return m_canvas != nullptr ? m_canvas->framesRendered() : 0;
+    return m_parts->canvas != nullptr ? m_parts->canvas->framesRendered() : 0;
 }
 
 QSize VtkWidget::sizeHint() const {
@@ -111,26 +142,26 @@ void VtkWidget::changeEvent(QEvent* event) {
 }
 
 void VtkWidget::showFallback(GlProblem problem) {
-    m_problem = problem;
-    if (m_fallback == nullptr) {
+    m_parts->problem = problem;
+    if (m_parts->fallback == nullptr) {
         setFocusProxy(nullptr);
-        delete std::exchange(m_canvas, nullptr);
-        m_fallback = new QLabel(this);
-        m_fallback->setAlignment(Qt::AlignCenter);
-        m_fallback->setWordWrap(true);
-        m_fallback->setMargin(2 * fontMetrics().height());
-        m_fallback->setBackgroundRole(QPalette::Base);
-        m_fallback->setAutoFillBackground(true);
-        layout()->addWidget(m_fallback);
-        m_fallback->show();
+        delete std::exchange(m_parts->canvas, nullptr);
+        m_parts->fallback = new QLabel(this);
+        m_parts->fallback->setAlignment(Qt::AlignCenter);
+        m_parts->fallback->setWordWrap(true);
+        m_parts->fallback->setMargin(2 * fontMetrics().height());
+        m_parts->fallback->setBackgroundRole(QPalette::Base);
+        m_parts->fallback->setAutoFillBackground(true);
+        layout()->addWidget(m_parts->fallback);
+        m_parts->fallback->show();
     }
     writeFallback();
 }
 
 void VtkWidget::writeFallback() {
-    if (m_fallback != nullptr) {
-        m_fallback->setText(tr("The 3-D view is not available. %1\nAll other views work without it.")
-                                .arg(describe(m_problem)));
+    if (m_parts->fallback != nullptr) {
+        m_parts->fallback->setText(tr("The 3-D view is not available. %1\nAll other views work without it.")
+                                       .arg(describe(m_parts->problem)));
     }
 }
 

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/view3d/vtk/vtk_canvas.h"
+#include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QImage>
 #include <QWidget>
 
-#include <vtkCallbackCommand.h>
-#include <vtkGenericRenderWindowInteractor.h>
-#include <vtkNew.h>
-
 #include <cstdint>
+#include <functional>
+#include <memory>
 
-class QLabel;
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
 
 namespace teleta::view3d {
 
@@ -22,21 +21,23 @@ namespace teleta::view3d {
 class VtkWidget : public QWidget {
     Q_OBJECT
 public:
+    /// Draws over the finished 3-D picture, in logical pixels of a surface of `size`.
+    using Overlay = std::function<void(QPainter& painter, const QSizeF& size)>;
+
     explicit VtkWidget(QWidget* parent = nullptr);
     ~VtkWidget() override;
 
     /// Never null, even without OpenGL.
-    [[nodiscard]] vtkRenderWindow* renderWindow() const { return m_window; }
-    [[nodiscard]] vtkRenderWindowInteractor* interactor() const { return m_interactor; }
+    [[nodiscard]] vtkRenderWindow* renderWindow() const;
+    [[nodiscard]] vtkRenderWindowInteractor* interactor() const;
 
     /// False if VTK cannot use the display's OpenGL; then fallbackText() is shown.
-    [[nodiscard]] bool canRender() const { return m_canvas != nullptr; }
+    [[nodiscard]] bool canRender() const;
     [[nodiscard]] QString fallbackText() const;
 
     /// Draws the scene soon; views take turns (RenderTurns), and several calls make one frame.
     void requestRender();
-    /// Draws over the finished 3-D picture.
-    void setOverlay(VtkCanvas::Overlay overlay);
+    void setOverlay(Overlay overlay);
     enum class PictureOverlay { with, without };
     /// The scene at `scale` (> 0) times the device pixels shown, limited by the driver. Null if nothing can
     /// be drawn.
@@ -60,12 +61,8 @@ private:
     void showFallback(GlProblem problem);
     void writeFallback();
 
-    vtkNew<GuestRenderWindow> m_window;
-    vtkNew<vtkGenericRenderWindowInteractor> m_interactor;
-    vtkNew<vtkCallbackCommand> m_onRender;
-    VtkCanvas* m_canvas = nullptr;
-    QLabel* m_fallback = nullptr;
-    GlProblem m_problem = GlProblem::none;
+    struct Parts;
+    std::unique_ptr<Parts> m_parts;
 };
 
 } // namespace teleta::view3d
