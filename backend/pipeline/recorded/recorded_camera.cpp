@@ -60,12 +60,13 @@ recording::StreamInfo cameraStream(const std::string& name, const core::CameraDe
                                    const vision::CylinderCamera& camera,
                                    const vision::BumpDetector::Settings& bump, const std::string& reference) {
     const vision::CameraParameters& size = camera.camera().parameters();
+    const vision::CalibrationSummary unknown;
     const nlohmann::ordered_json details{
         {"simulated", description.simulated},
         {"reference_stream", reference},
         {"bump_speed_m_per_s", bump.speed_mPerS},
         {"bump_depth_m", bump.depth_m},
-        {"camera", vision::cameraJson({camera, {}, nlohmann::ordered_json::object()})}};
+        {"camera", vision::cameraJson({camera, unknown, nlohmann::ordered_json::object()})}};
     return {.name = name,
             .kind = recording::StreamKind::camera,
             .type = recording::ValueType::grey8,

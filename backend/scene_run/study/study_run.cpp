@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/study/study_run.h"
 
-#include "backend/core/elapsed.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "backend/scene_run/study/stimulus_bracelet.h"
