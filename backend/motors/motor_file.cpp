@@ -2,13 +2,12 @@
 #include "backend/motors/motor_file.h"
 
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/toml_string.h"
 #include "backend/core/data/toml_table.h"
 #include "backend/core/failure.h"
 #include "backend/core/number_text.h"
-#include "backend/motors/toml_string.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -35,10 +34,6 @@ constexpr double kLongest_s = 10.0;
 constexpr double kFastest_Hz = 1e4;
 const std::vector<std::string_view> kOrigins{"assumed", "answers", "recording"};
 
-NumberRange aboveZero(double high) {
-    return {.low = 0.0, .high = high, .lowOpen = true};
-}
-
 CalibratedMotor readMotor(TomlTable table) {
     CalibratedMotor motor;
     pattern::MotorProfile& profile = motor.profile;
@@ -47,10 +42,10 @@ CalibratedMotor readMotor(TomlTable table) {
     motor.lagFrom = static_cast<Origin>(table.choice("lag_from", kOrigins));
     profile.rangeAssumed = motor.startFrom == Origin::assumed;
     profile.assumed = motor.lagFrom == Origin::assumed;
-    profile.startDrive = table.number("start_drive", aboveZero(1.0));
-    profile.fullDrive = table.number("full_drive", aboveZero(1.0), 1.0);
-    profile.riseTime_s = table.number("rise_s", aboveZero(kLongest_s));
-    profile.fallTime_s = table.number("fall_s", aboveZero(kLongest_s));
+    profile.startDrive = table.number("start_drive", NumberRange::positiveUpTo(1.0));
+    profile.fullDrive = table.number("full_drive", NumberRange::positiveUpTo(1.0), 1.0);
+    profile.riseTime_s = table.number("rise_s", NumberRange::positiveUpTo(kLongest_s));
+    profile.fallTime_s = table.number("fall_s", NumberRange::positiveUpTo(kLongest_s));
     profile.overdrive = table.number("overdrive", NumberRange::between(1.0, 10.0), 1.0);
     profile.longestOverdrive_s =
         table.number("longest_overdrive_s", NumberRange::between(0.0, kLongest_s), 0.0);
@@ -74,28 +69,18 @@ CalibratedMotor readMotor(TomlTable table) {
 }
 
 core::Expected<MotorCalibration> readDocument(const TomlDocument& document) {
-    TomlTable root = document.root();
-    (void)root.choice("format", {kFormat});
-    if (root.integer("version", 1, 1'000'000) > kVersion)
-        root.fail("version", FileText::tr("the file was written by a newer version").toStdString(),
-                  std::to_string(kVersion));
     MotorCalibration calibration;
-    calibration.bracelet = root.text("bracelet");
-    const std::vector<TomlTable> motors = root.tables("motor", core::kTactors);
-    if (motors.size() > core::kTactors)
-        root.fail("motor", FileText::tr("there are %1 motors").arg(motors.size()).toStdString(),
-                  std::to_string(core::kTactors));
-    root.finish();
-    for (std::size_t i = 0; i < std::min(motors.size(), core::kTactors); ++i)
-        calibration.motors[i] = readMotor(motors[i]);
+    calibration.bracelet =
+        readBraceletFile(document, kFormat, [&](const TomlTable& table, std::size_t motor) {
+            calibration.motors[motor] = readMotor(table);
+        });
     if (document.firstError())
         return core::Unexpected(*document.firstError());
     return calibration;
 }
 
 std::string number(double value) {
-    const std::string text(core::NumberText(value).view());
-    return text;
+    return std::string(core::NumberText(value).view());
 }
 
 } // namespace
@@ -131,6 +116,24 @@ pattern::MotorProfile withStart(pattern::MotorProfile motor, double start) {
     return motor;
 }
 
+std::string readBraceletFile(const TomlDocument& document, const char* format,
+                             const std::function<void(TomlTable, std::size_t)>& read) {
+    TomlTable root = document.root();
+    (void)root.choice("format", {format});
+    if (root.integer("version", 1, 1'000'000) > kVersion)
+        root.fail("version", FileText::tr("the file was written by a newer version").toStdString(),
+                  std::to_string(kVersion));
+    std::string bracelet = root.text("bracelet");
+    const std::vector<TomlTable> motors = root.tables("motor", core::kTactors);
+    if (motors.size() > core::kTactors)
+        root.fail("motor", FileText::tr("there are %1 motors").arg(motors.size()).toStdString(),
+                  std::to_string(core::kTactors));
+    root.finish();
+    for (std::size_t i = 0; i < std::min(motors.size(), core::kTactors); ++i)
+        read(motors[i], i);
+    return bracelet;
+}
+
 core::Expected<MotorCalibration> readMotors(const std::string& path) {
     return TomlDocument::open(path).and_then(readDocument);
 }
@@ -144,19 +147,20 @@ std::string motorsText(const MotorCalibration& calibration) {
     const auto line = [&text](std::string_view key, const std::string& value) {
         (((text += key) += " = ") += value) += '\n';
     };
-    line("format", quotedToml(kFormat));
+    line("format", core::quotedToml(kFormat));
     line("version", std::to_string(kVersion));
-    line("bracelet", quotedToml(calibration.bracelet));
+    line("bracelet", core::quotedToml(calibration.bracelet));
     for (const CalibratedMotor& motor : calibration.motors) {
         const pattern::MotorProfile& profile = motor.profile;
         text += "\n[[motor]]\n";
         if (!profile.name.empty())
-            line("name", quotedToml(profile.name));
-        line("start_from", quotedToml(std::string(kOrigins[static_cast<std::size_t>(motor.startFrom)])));
+            line("name", core::quotedToml(profile.name));
+        line("start_from",
+             core::quotedToml(std::string(kOrigins[static_cast<std::size_t>(motor.startFrom)])));
         line("start_drive", number(profile.startDrive));
         line("start_error", number(motor.startError));
         line("full_drive", number(profile.fullDrive));
-        line("lag_from", quotedToml(std::string(kOrigins[static_cast<std::size_t>(motor.lagFrom)])));
+        line("lag_from", core::quotedToml(std::string(kOrigins[static_cast<std::size_t>(motor.lagFrom)])));
         line("rise_s", number(profile.riseTime_s));
         line("rise_error_s", number(motor.riseError_s));
         line("fall_s", number(profile.fallTime_s));
@@ -173,7 +177,7 @@ std::string motorsText(const MotorCalibration& calibration) {
 }
 
 core::Expected<void> writeMotors(const MotorCalibration& calibration, const std::string& path) {
-    QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
+    TELETA_CHECK(core::makeFolder(QFileInfo(QString::fromStdString(path)).absolutePath().toStdString()));
     return core::writeFile(path, motorsText(calibration));
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/data/toml_table.h"
 #include "backend/core/error.h"
 #include "backend/pattern/motors/motor_model.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +54,12 @@ struct MotorCalibration {
 [[nodiscard]] std::string motorsText(const MotorCalibration& calibration);
 /// Writes the file atomically; creates its folder.
 [[nodiscard]] core::Expected<void> writeMotors(const MotorCalibration& calibration, const std::string& path);
+
+/// Reads what the files of a bracelet's motors share: format, version, the bracelet's serial number, which it
+/// returns, and six tables [[motor]], for which it calls read(table, motor). The document keeps errors.
+[[nodiscard]] std::string
+readBraceletFile(const core::TomlDocument& document, const char* format,
+                 const std::function<void(core::TomlTable table, std::size_t motor)>& read);
 
 /// Path of the profile of a bracelet: "motors/SERIAL.toml" in the user's configuration folder, with
 /// characters that a file name cannot contain as %XX. Empty when the serial number is empty.

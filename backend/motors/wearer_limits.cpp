@@ -2,52 +2,35 @@
 #include "backend/motors/wearer_limits.h"
 
 #include "backend/core/data/output_file.h"
-#include "backend/core/data/toml_table.h"
+#include "backend/core/data/toml_string.h"
 #include "backend/core/failure.h"
 #include "backend/core/number_text.h"
 #include "backend/motors/motor_file.h"
-#include "backend/motors/toml_string.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QFileInfo>
 
-#include <algorithm>
-#include <utility>
-#include <vector>
+#include <string_view>
 
 namespace teleta::motors {
 
 namespace {
 
-using core::NumberRange;
 using core::TomlDocument;
-using core::TomlTable;
 
 struct LimitsText {
     Q_DECLARE_TR_FUNCTIONS(MotorFile)
 };
 
 constexpr const char* kLimitsFormat = "teleta-limits";
-constexpr long long kLimitsVersion = 1;
 
 core::Expected<WearerLimits> readLimitsDocument(const TomlDocument& document) {
-    TomlTable root = document.root();
-    (void)root.choice("format", {kLimitsFormat});
-    if (root.integer("version", 1, 1'000'000) > kLimitsVersion)
-        root.fail("version", LimitsText::tr("the file was written by a newer version").toStdString(),
-                  std::to_string(kLimitsVersion));
     WearerLimits limits;
-    limits.bracelet = root.text("bracelet");
-    std::vector<TomlTable> motors = root.tables("motor", core::kTactors);
-    if (motors.size() > core::kTactors)
-        root.fail("motor", LimitsText::tr("there are %1 motors").arg(motors.size()).toStdString(),
-                  std::to_string(core::kTactors));
-    root.finish();
-    for (std::size_t i = 0; i < std::min(motors.size(), core::kTactors); ++i) {
-        limits.strongest[i] = motors[i].number("strongest", NumberRange::between(0.0, 1.0));
-        motors[i].finish();
-    }
+    limits.bracelet =
+        readBraceletFile(document, kLimitsFormat, [&](core::TomlTable table, std::size_t motor) {
+            limits.strongest[motor] = table.number("strongest", core::NumberRange::between(0.0, 1.0));
+            table.finish();
+        });
     if (document.firstError())
         return core::Unexpected(*document.firstError());
     return limits;
@@ -64,9 +47,8 @@ core::Expected<WearerLimits> parseLimits(std::string_view text, const std::strin
 }
 
 std::string limitsText(const WearerLimits& limits) {
-    std::string text = "format = " + quotedToml(kLimitsFormat) +
-                       "\nversion = " + std::to_string(kLimitsVersion) +
-                       "\nbracelet = " + quotedToml(limits.bracelet) + "\n";
+    std::string text = "format = " + core::quotedToml(kLimitsFormat) +
+                       "\nversion = 1\nbracelet = " + core::quotedToml(limits.bracelet) + "\n";
     for (const double strongest : limits.strongest) {
         const core::NumberText number(strongest);
         ((text += "\n[[motor]]\nstrongest = ") += number.view()) += '\n';
@@ -75,7 +57,7 @@ std::string limitsText(const WearerLimits& limits) {
 }
 
 core::Expected<void> writeLimits(const WearerLimits& limits, const std::string& path) {
-    QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
+    TELETA_CHECK(core::makeFolder(QFileInfo(QString::fromStdString(path)).absolutePath().toStdString()));
     return core::writeFile(path, limitsText(limits));
 }
 

@@ -224,22 +224,16 @@ void PlaybackCycle::writeDue(std::int64_t now) {
     }
     // The clock stands still while the machine sleeps; the board does not.
     const std::int64_t slept_ns = m_config.clock->suspended_ns() - m_suspended_ns;
-    if (std::max(now - due_ns, slept_ns) > boardTimeout_ns()) {
-        end(PlayerEnding::stalled);
-        return;
-    }
+    if (std::max(now - due_ns, slept_ns) > boardTimeout_ns())
+        return end(PlayerEnding::stalled);
     const core::BraceletTelemetry telemetry = m_bracelet.telemetry();
     // Reports from before the playing say nothing of it.
     const std::int64_t heard_ns = std::max(telemetry.reported_ns, m_status.begun_ns);
-    if (now - heard_ns > m_config.longestSilence_ns) {
-        end(PlayerEnding::deviceLost);
-        return;
-    }
+    if (now - heard_ns > m_config.longestSilence_ns)
+        return end(PlayerEnding::deviceLost);
     // Also before the first frame: the bracelet told while it was idle.
-    if (telemetry.board.tooHot) {
-        end(PlayerEnding::tooHot);
-        return;
-    }
+    if (telemetry.board.tooHot)
+        return end(PlayerEnding::tooHot);
     core::Intensities wanted{};
     if (!evaluate(now, wanted))
         return;
@@ -248,25 +242,17 @@ void PlaybackCycle::writeDue(std::int64_t now) {
         m_limiter.step(wanted, sinceLastFrame_s(now), raw ? DriveRanges{} : m_config.ranges);
     const std::int64_t begun_ns = now_ns();
     // The program may have taken its time.
-    if (m_stopSwitch.engaged()) {
-        end(PlayerEnding::stopSwitch);
-        return;
-    }
-    if (begun_ns - now > boardTimeout_ns()) {
-        end(PlayerEnding::stalled);
-        return;
-    }
+    if (m_stopSwitch.engaged())
+        return end(PlayerEnding::stopSwitch);
+    if (begun_ns - now > boardTimeout_ns())
+        return end(PlayerEnding::stalled);
     const core::WriteResult result = m_bracelet.write(
         {.drive = drive, .timeout_ms = m_config.boardTimeout_ms, .connection = m_connection});
-    if (result.outcome != core::WriteOutcome::written) {
-        end(PlayerEnding::deviceLost);
-        return;
-    }
+    if (result.outcome != core::WriteOutcome::written)
+        return end(PlayerEnding::deviceLost);
     account(drive, begun_ns, result.time_ns);
-    if (result.time_ns - begun_ns > boardTimeout_ns()) {
-        end(PlayerEnding::stalled);
-        return;
-    }
+    if (result.time_ns - begun_ns > boardTimeout_ns())
+        return end(PlayerEnding::stalled);
     schedule(regular, std::max(now, result.time_ns));
     publish();
 }

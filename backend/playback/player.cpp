@@ -22,9 +22,7 @@ std::uint64_t Player::play(Program program, bool loop, double from_s) {
     command([&](PlayerCommands& commands) {
         number = commands.newest = ++m_programs;
         commands.start = ProgramRequest{std::move(program), loop, from_s, number};
-        commands.change.reset();
-        commands.loop.reset();
-        commands.seek_s.reset();
+        commands.dropChanges();
     });
     return number;
 }
@@ -48,9 +46,7 @@ void Player::change(std::uint64_t number, Program program, double shift_s) {
 void Player::startLive() {
     command([this](PlayerCommands& commands) {
         commands.start = LiveRequest{};
-        commands.change.reset();
-        commands.loop.reset();
-        commands.seek_s.reset();
+        commands.dropChanges();
         // What was posted before is not what is asked for now.
         [[maybe_unused]] const auto old = m_cycle.setpoints().take();
     });
@@ -60,9 +56,7 @@ void Player::stop() {
     command([](PlayerCommands& commands) {
         commands.stop = true;
         commands.start.reset();
-        commands.change.reset();
-        commands.loop.reset();
-        commands.seek_s.reset();
+        commands.dropChanges();
     });
 }
 
@@ -72,9 +66,7 @@ void Player::stop(std::uint64_t number) {
         if (request != nullptr && request->number == number) {
             // What came after it was for it.
             commands.start.reset();
-            commands.change.reset();
-            commands.loop.reset();
-            commands.seek_s.reset();
+            commands.dropChanges();
         }
         commands.stopProgram = number;
     });

@@ -135,8 +135,14 @@ struct PlayerCommands {
     std::optional<ProgramChange> change;
     std::optional<bool> loop;
     std::optional<double> seek_s;
-    std::uint64_t newest =
-        0; ///< number of the newest program that was asked for, also of one that was dropped
+    std::uint64_t newest = 0; ///< number of the newest program that was asked for, dropped ones too
+
+    /// Takes back what was asked for before another start or a stop.
+    void dropChanges() {
+        change.reset();
+        loop.reset();
+        seek_s.reset();
+    }
 };
 
 } // namespace teleta::playback

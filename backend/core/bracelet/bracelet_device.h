@@ -23,7 +23,7 @@ inline constexpr std::uint16_t kFullDrive = 4095;
 using Drive = std::array<std::uint16_t, kTactors>;
 
 [[nodiscard]] inline bool isOff(const Drive& drive) {
-    return std::all_of(drive.begin(), drive.end(), [](std::uint16_t value) { return value == 0; });
+    return std::ranges::all_of(drive, [](std::uint16_t value) { return value == 0; });
 }
 
 /// What a bracelet is; constant while it is open.

@@ -370,7 +370,7 @@ Expected<std::vector<std::size_t>> CsvReader::columns(std::span<const std::strin
     std::vector<std::size_t> found;
     std::vector<std::string_view> missing;
     for (const std::string_view name : names) {
-        const auto first = std::find(d->header.begin(), d->header.end(), name);
+        const auto first = std::ranges::find(d->header, name);
         if (first == d->header.end()) {
             missing.push_back(name);
             continue;

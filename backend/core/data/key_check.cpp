@@ -50,7 +50,7 @@ void KeyCheck::wholeNumber(std::string_view key, long long& value, const WholeRa
 }
 
 void KeyCheck::choose(std::string_view, std::size_t value, const KeyNames&, std::string_view, Need,
-                      const std::function<void(Keys&, std::size_t)>& describe) {
+                      const DescribeAt& describe) {
     describe(*this, value);
 }
 
@@ -66,8 +66,7 @@ void KeyCheck::table(std::string_view key, std::string_view, Need, const Describ
 }
 
 void KeyCheck::tableList(std::string_view key, std::size_t minimum, std::string_view, std::size_t count,
-                         const std::function<void(std::size_t)>&,
-                         const std::function<void(Keys&, std::size_t)>& describe) {
+                         const std::function<void(std::size_t)>&, const DescribeAt& describe) {
     if (count < minimum && !m_path.empty())
         refuse(key,
                CheckText::tr("\"%1\" has too few entries")

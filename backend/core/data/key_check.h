@@ -23,7 +23,7 @@ public:
     void flag(std::string_view, bool&, std::string_view) override {}
     void text(std::string_view, std::string&, std::string_view, Need) override {}
     void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,
-                Need need, const std::function<void(Keys&, std::size_t)>& describe) override;
+                Need need, const DescribeAt& describe) override;
     using Keys::table;
     void table(std::string_view key, std::string_view about, Need need, const Describe& describe) override;
     void oneOf(std::string_view, std::string_view, const std::string&, const std::string&) override {}
@@ -33,8 +33,7 @@ protected:
     void wholeNumber(std::string_view key, long long& value, const WholeRange& range, std::string_view about,
                      Need need) override;
     void tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t count,
-                   const std::function<void(std::size_t)>& resize,
-                   const std::function<void(Keys&, std::size_t)>& describe) override;
+                   const std::function<void(std::size_t)>& resize, const DescribeAt& describe) override;
     bool isThere(std::string_view, bool known) override { return known; }
 
 private:

@@ -128,8 +128,7 @@ void KeyReference::wholeNumber(std::string_view key, long long& value, const Who
 }
 
 void KeyReference::choose(std::string_view key, std::size_t value, const KeyNames& names,
-                          std::string_view about, Need need,
-                          const std::function<void(Keys&, std::size_t)>& describe) {
+                          std::string_view about, Need need, const DescribeAt& describe) {
     std::string accepts;
     for (const KeyName& name : names)
         accepts += (accepts.empty() ? "" : ", ") + code(name.name);
@@ -166,8 +165,7 @@ void KeyReference::table(std::string_view key, std::string_view about, Need need
 }
 
 void KeyReference::tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t,
-                             const std::function<void(std::size_t)>& resize,
-                             const std::function<void(Keys&, std::size_t)>& describe) {
+                             const std::function<void(std::size_t)>& resize, const DescribeAt& describe) {
     resize(1);
     addTable(key, m_words.tables + (minimum > 1 ? ", ≥ " + std::to_string(minimum) : std::string()),
              minimum > 0 ? Need::required : Need::optional, about, true,

@@ -54,7 +54,7 @@ public:
     void flag(std::string_view key, bool& value, std::string_view about) override;
     void text(std::string_view key, std::string& value, std::string_view about, Need need) override;
     void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,
-                Need need, const std::function<void(Keys&, std::size_t)>& describe) override;
+                Need need, const DescribeAt& describe) override;
     using Keys::table;
     void table(std::string_view key, std::string_view about, Need need, const Describe& describe) override;
     void oneOf(std::string_view, std::string_view, const std::string&, const std::string&) override {}
@@ -64,8 +64,7 @@ protected:
     void wholeNumber(std::string_view key, long long& value, const WholeRange& range, std::string_view about,
                      Need need) override;
     void tableList(std::string_view key, std::size_t minimum, std::string_view about, std::size_t count,
-                   const std::function<void(std::size_t)>& resize,
-                   const std::function<void(Keys&, std::size_t)>& describe) override;
+                   const std::function<void(std::size_t)>& resize, const DescribeAt& describe) override;
     bool isThere(std::string_view, bool) override { return m_unset = true; }
 
 private:

@@ -80,6 +80,10 @@ public:
     Keys(const Keys&) = delete;
     Keys& operator=(const Keys&) = delete;
 
+    using Describe = std::function<void(Keys&)>;
+    /// Describes the keys of one of several alternatives or tables.
+    using DescribeAt = std::function<void(Keys&, std::size_t)>;
+
     virtual void number(std::string_view key, double& value, const NumberRange& range, std::string_view about,
                         Need need = Need::required) = 0;
     /// A table of numbers: key = { a = 1, b = 2 }.
@@ -125,8 +129,7 @@ public:
     /// One of the names, on which the keys that follow depend: describe(keys, index) describes
     /// those of one name.
     virtual void choose(std::string_view key, std::size_t value, const KeyNames& names,
-                        std::string_view about, Need need,
-                        const std::function<void(Keys&, std::size_t)>& describe) = 0;
+                        std::string_view about, Need need, const DescribeAt& describe) = 0;
     /// One of the alternatives, whose names stand in their order, and the keys that it has.
     template <typename... Alternatives>
     void variant(std::string_view key, std::variant<Alternatives...>& value, const KeyNames& names,
@@ -137,7 +140,6 @@ public:
         });
     }
 
-    using Describe = std::function<void(Keys&)>;
     /// A table in the table.
     virtual void table(std::string_view key, std::string_view about, Need need, const Describe& describe) = 0;
     template <typename T>
@@ -183,7 +185,7 @@ protected:
                              std::string_view about, Need need) = 0;
     virtual void tableList(std::string_view key, std::size_t minimum, std::string_view about,
                            std::size_t count, const std::function<void(std::size_t)>& resize,
-                           const std::function<void(Keys&, std::size_t)>& describe) = 0;
+                           const DescribeAt& describe) = 0;
     /// Whether to describe a table that need not be there; known: the value has it.
     [[nodiscard]] virtual bool isThere(std::string_view key, bool known) = 0;
 

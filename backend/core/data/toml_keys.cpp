@@ -6,6 +6,15 @@
 
 namespace teleta::core {
 
+namespace {
+
+template <typename Value>
+std::optional<Value> fallback(const Value& value, Need need) {
+    return need == Need::required ? std::nullopt : std::optional(value);
+}
+
+} // namespace
+
 TomlKeys::TomlKeys(TomlTable table, Nested nested)
     : m_table(std::move(table))
     , m_nested(nested) {
@@ -19,7 +28,7 @@ void TomlKeys::finish() {
 
 void TomlKeys::number(std::string_view key, double& value, const NumberRange& range, std::string_view,
                       Need need) {
-    value = need == Need::required ? m_table.number(key, range) : m_table.number(key, range, value);
+    value = m_table.number(key, range, fallback(value, need));
 }
 
 void TomlKeys::numbers(std::string_view key, std::span<const std::string_view> names,
@@ -37,11 +46,11 @@ void TomlKeys::flag(std::string_view key, bool& value, std::string_view) {
 }
 
 void TomlKeys::text(std::string_view key, std::string& value, std::string_view, Need need) {
-    value = need == Need::required ? m_table.text(key) : m_table.text(key, value);
+    value = m_table.text(key, fallback(value, need));
 }
 
 void TomlKeys::choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view,
-                      Need need, const std::function<void(Keys&, std::size_t)>& describe) {
+                      Need need, const DescribeAt& describe) {
     if (need == Need::optional && !m_table.has(key))
         return describe(*this, value);
     std::vector<std::string_view> allowed;
@@ -60,8 +69,7 @@ void TomlKeys::table(std::string_view key, std::string_view, Need need, const De
 }
 
 void TomlKeys::tableList(std::string_view key, std::size_t minimum, std::string_view, std::size_t,
-                         const std::function<void(std::size_t)>& resize,
-                         const std::function<void(Keys&, std::size_t)>& describe) {
+                         const std::function<void(std::size_t)>& resize, const DescribeAt& describe) {
     const std::vector<TomlTable> tables = m_table.tables(key, minimum);
     resize(tables.size());
     readNow([tables, describe] {
@@ -86,8 +94,7 @@ void TomlKeys::refuse(std::string_view key, const std::string& message, const st
 
 void TomlKeys::wholeNumber(std::string_view key, long long& value, const WholeRange& range, std::string_view,
                            Need need) {
-    value = need == Need::required ? m_table.integer(key, range.low, range.high)
-                                   : m_table.integer(key, range.low, range.high, value);
+    value = m_table.integer(key, range.low, range.high, fallback(value, need));
 }
 
 bool TomlKeys::isThere(std::string_view key, bool) {

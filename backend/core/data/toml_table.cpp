@@ -59,22 +59,14 @@ struct TomlTable::Data {
     std::vector<std::string> asked;
     std::vector<std::string> missing;
 
-    void ask(std::string_view key) {
+    /// The node under a key; null when there is none, which is an error if it is required.
+    const toml::node* find(std::string_view key, bool required) {
         if (std::ranges::find(asked, key) == asked.end())
             asked.emplace_back(key);
-    }
-
-    /// The node under a key that must be there, or null.
-    const toml::node* required(std::string_view key) {
-        const toml::node* node = optional(key);
-        if (node == nullptr && table != nullptr)
+        const toml::node* node = table != nullptr ? table->get(key) : nullptr;
+        if (required && node == nullptr && table != nullptr)
             missing.emplace_back(key);
         return node;
-    }
-
-    const toml::node* optional(std::string_view key) {
-        ask(key);
-        return table != nullptr ? table->get(key) : nullptr;
     }
 
     void wrongType(std::string_view key, const toml::node& node, const QString& expected) {
@@ -189,41 +181,27 @@ const std::optional<Error>& TomlDocument::firstError() const {
 }
 
 bool TomlTable::has(std::string_view key) {
-    return m_data->optional(key) != nullptr;
+    return m_data->find(key, false) != nullptr;
 }
 
-std::string TomlTable::text(std::string_view key) {
-    const toml::node* node = m_data->required(key);
-    return node != nullptr ? m_data->text(key, *node) : std::string();
+std::string TomlTable::text(std::string_view key, const std::optional<std::string>& fallback) {
+    const toml::node* node = m_data->find(key, !fallback);
+    return node != nullptr ? m_data->text(key, *node) : fallback.value_or(std::string());
 }
 
-std::string TomlTable::text(std::string_view key, const std::string& fallback) {
-    const toml::node* node = m_data->optional(key);
-    return node != nullptr ? m_data->text(key, *node) : fallback;
+double TomlTable::number(std::string_view key, const NumberRange& range, std::optional<double> fallback) {
+    const toml::node* node = m_data->find(key, !fallback);
+    return node != nullptr ? m_data->number(key, *node, range) : fallback.value_or(0.0);
 }
 
-double TomlTable::number(std::string_view key, const NumberRange& range) {
-    const toml::node* node = m_data->required(key);
-    return node != nullptr ? m_data->number(key, *node, range) : 0.0;
-}
-
-double TomlTable::number(std::string_view key, const NumberRange& range, double fallback) {
-    const toml::node* node = m_data->optional(key);
-    return node != nullptr ? m_data->number(key, *node, range) : fallback;
-}
-
-long long TomlTable::integer(std::string_view key, long long low, long long high) {
-    const toml::node* node = m_data->required(key);
-    return node != nullptr ? m_data->integer(key, *node, low, high) : low;
-}
-
-long long TomlTable::integer(std::string_view key, long long low, long long high, long long fallback) {
-    const toml::node* node = m_data->optional(key);
-    return node != nullptr ? m_data->integer(key, *node, low, high) : fallback;
+long long TomlTable::integer(std::string_view key, long long low, long long high,
+                             std::optional<long long> fallback) {
+    const toml::node* node = m_data->find(key, !fallback);
+    return node != nullptr ? m_data->integer(key, *node, low, high) : fallback.value_or(low);
 }
 
 bool TomlTable::boolean(std::string_view key, bool fallback) {
-    const toml::node* node = m_data->optional(key);
+    const toml::node* node = m_data->find(key, false);
     if (node == nullptr)
         return fallback;
     const auto value = node->value_exact<bool>();
@@ -233,7 +211,7 @@ bool TomlTable::boolean(std::string_view key, bool fallback) {
 }
 
 std::size_t TomlTable::choice(std::string_view key, const std::vector<std::string_view>& names) {
-    const toml::node* node = m_data->required(key);
+    const toml::node* node = m_data->find(key, true);
     if (node == nullptr)
         return 0;
     const auto value = node->value_exact<std::string>();
@@ -258,7 +236,7 @@ std::size_t TomlTable::choice(std::string_view key, const std::vector<std::strin
 TomlTable TomlTable::table(std::string_view key) {
     auto data = std::make_shared<Data>();
     data->document = m_data->document;
-    if (const toml::node* node = m_data->required(key)) {
+    if (const toml::node* node = m_data->find(key, true)) {
         data->place = m_data->document->placeOf(node->source());
         data->table = node->as_table();
         if (data->table == nullptr)
@@ -268,7 +246,7 @@ TomlTable TomlTable::table(std::string_view key) {
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t minimum) {
-    const toml::node* node = minimum > 0 ? m_data->required(key) : m_data->optional(key);
+    const toml::node* node = m_data->find(key, minimum > 0);
     if (node == nullptr)
         return {};
     const toml::array* array = node->as_array();

@@ -47,18 +47,16 @@ public:
     /// True when the key is there; counts as asked for.
     [[nodiscard]] bool has(std::string_view key);
 
+    // A key without a fallback must be there.
+
     /// Text that is not empty.
-    [[nodiscard]] std::string text(std::string_view key);
-    [[nodiscard]] std::string text(std::string_view key, const std::string& fallback);
-
+    [[nodiscard]] std::string text(std::string_view key, const std::optional<std::string>& fallback = {});
     /// A number, whole or not.
-    [[nodiscard]] double number(std::string_view key, const NumberRange& range);
-    [[nodiscard]] double number(std::string_view key, const NumberRange& range, double fallback);
-
+    [[nodiscard]] double number(std::string_view key, const NumberRange& range,
+                                std::optional<double> fallback = {});
     /// A whole number, low .. high inclusive.
-    [[nodiscard]] long long integer(std::string_view key, long long low, long long high);
-    [[nodiscard]] long long integer(std::string_view key, long long low, long long high, long long fallback);
-
+    [[nodiscard]] long long integer(std::string_view key, long long low, long long high,
+                                    std::optional<long long> fallback = {});
     [[nodiscard]] bool boolean(std::string_view key, bool fallback);
 
     /// Index of the text among the allowed names; 0 when it is wrong.

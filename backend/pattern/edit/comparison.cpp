@@ -42,7 +42,7 @@ std::vector<double> corners(const Track& a, const Track& b, double duration_s) {
         for (const Breakpoint& point : *track)
             if (point.time_s > 0.0 && point.time_s < duration_s)
                 times_s.push_back(point.time_s);
-    std::sort(times_s.begin(), times_s.end());
+    std::ranges::sort(times_s);
     times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
     return times_s;
 }

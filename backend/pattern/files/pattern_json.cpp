@@ -33,7 +33,7 @@ UnknownKeys unknownKeys(const ordered_json& object, std::initializer_list<std::s
     if (!object.is_object())
         return unknown;
     for (const auto& [key, value] : object.items()) {
-        if (std::find(known.begin(), known.end(), key) == known.end())
+        if (std::ranges::find(known, key) == known.end())
             unknown.emplace_back(key, value.dump());
     }
     return unknown;
@@ -407,7 +407,7 @@ core::Expected<PatternMap> patternMapFromJson(std::string text, const std::strin
         map.shape[i] = reader.text(shape, kRecognisedShapes[i].data(), {});
     if (shape.is_object()) {
         for (const auto& [key, value] : shape.items()) {
-            if (std::find(kRecognisedShapes.begin(), kRecognisedShapes.end(), key) == kRecognisedShapes.end())
+            if (std::ranges::find(kRecognisedShapes, key) == kRecognisedShapes.end())
                 reader.fail(value, PatternText::tr("this name is unknown"),
                             "circle, rectangle, triangle, arc, line, point, unknown");
         }

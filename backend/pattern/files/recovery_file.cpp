@@ -39,7 +39,7 @@ core::Expected<void> writeRecovery(const std::string& file, const RecoveredPatte
 core::Expected<RecoveredPattern> readRecovery(const std::string& file) {
     core::Expected<Pattern> pattern = loadPattern(file);
     TELETA_CHECK(pattern);
-    const auto found = std::find_if(pattern->unknown.begin(), pattern->unknown.end(), isRecovery);
+    const auto found = std::ranges::find_if(pattern->unknown, isRecovery);
     if (found == pattern->unknown.end())
         return core::failed(core::ErrorKind::badInput, RecoveryText::tr("this is not a recovery file"),
                             RecoveryText::tr("the key \"recovery\""), {file, 0, 0});

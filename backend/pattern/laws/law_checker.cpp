@@ -174,9 +174,8 @@ private:
 
     /// Tactors that a phantom or a stroke may use; empty for other objects.
     static std::vector<int> movedBetween(const ObjectForm& form) {
-        if (const auto* phantom = std::get_if<Phantom>(&form))
-            return {phantom->first, phantom->second};
-        return std::holds_alternative<Stroke>(form) ? allTactors() : std::vector<int>();
+        const bool moves = std::holds_alternative<Phantom>(form) || std::holds_alternative<Stroke>(form);
+        return moves ? listedTactors(form) : std::vector<int>();
     }
 
     void checkSharing(const ObjectForm& form) {
@@ -190,7 +189,7 @@ private:
             const Span both{std::max(span.begin_s, theirs.begin_s), std::min(span.end_s, theirs.end_s)};
             std::vector<int> shared;
             for (const int tactor : movedBetween(before)) {
-                if (std::find(mine.begin(), mine.end(), tactor) != mine.end())
+                if (std::ranges::find(mine, tactor) != mine.end())
                     shared.push_back(tactor);
             }
             if (!shared.empty() && both.begin_s < both.end_s)
@@ -254,19 +253,9 @@ private:
             const Span theirs = spanOf(object.form);
             if (std::max(theirs.begin_s, span.begin_s) >= std::min(theirs.end_s, span.end_s))
                 return false;
-            const std::vector<int> used = tactorsOf(object.form);
+            const std::vector<int> used = listedTactors(object.form);
             return std::ranges::find(used, static_cast<int>(tactor)) != used.end();
         });
-    }
-
-    static std::vector<int> tactorsOf(const ObjectForm& form) {
-        if (const auto* sweep = std::get_if<Sweep>(&form))
-            return sweep->tactors;
-        if (const auto* ramp = std::get_if<Ramp>(&form))
-            return ramp->tactors;
-        if (const auto* train = std::get_if<PulseTrain>(&form))
-            return train->tactors;
-        return std::holds_alternative<Ring>(form) ? allTactors() : movedBetween(form);
     }
 
     /// Counts the periods of the beat of each pair while their speeds stay close together.

@@ -75,8 +75,7 @@ private:
         m_times_s.push_back(begin_s + length_s);
     }
     [[nodiscard]] bool has(const std::vector<int>& tactors) const {
-        return std::any_of(tactors.begin(), tactors.end(),
-                           [&](int i) { return core::wrappedTactor(i) == m_tactor; });
+        return std::ranges::find(tactors, m_tactor, core::wrappedTactor) != tactors.end();
     }
     [[nodiscard]] bool fits() const { return m_times_s.size() <= Pattern::kMostBreakpoints; }
 
@@ -147,19 +146,8 @@ bool touches(const ObjectForm& form, double duration_s, std::size_t tactor) {
     const Span span = spanOf(form);
     if (!(span.begin_s < span.end_s && span.begin_s < duration_s && span.end_s > 0.0))
         return false;
-    const auto has = [tactor](const std::vector<int>& tactors) {
-        return std::any_of(tactors.begin(), tactors.end(),
-                           [&](int i) { return core::wrappedTactor(i) == tactor; });
-    };
-    if (const auto* sweep = std::get_if<Sweep>(&form))
-        return has(sweep->tactors);
-    if (const auto* ramp = std::get_if<Ramp>(&form))
-        return has(ramp->tactors);
-    if (const auto* train = std::get_if<PulseTrain>(&form))
-        return has(train->tactors);
-    if (const auto* phantom = std::get_if<Phantom>(&form))
-        return has({phantom->first, phantom->second});
-    return true;
+    const std::vector<int> tactors = listedTactors(form);
+    return std::ranges::find(tactors, tactor, core::wrappedTactor) != tactors.end();
 }
 
 /// A track that the end of the pattern cuts off has a corner there, too.
@@ -178,7 +166,7 @@ core::Expected<Track> follow(const Pattern& pattern, std::size_t tactor,
             return tooMany();
     }
     std::erase_if(times_s, [&](double t_s) { return !(t_s >= 0.0 && t_s <= pattern.duration_s); });
-    std::sort(times_s.begin(), times_s.end());
+    std::ranges::sort(times_s);
     const auto same = [](double a, double b) { return b - a < 4.0 * kBeside_s; };
     times_s.erase(std::unique(times_s.begin(), times_s.end(), same), times_s.end());
 
@@ -194,7 +182,7 @@ core::Expected<Track> follow(const Pattern& pattern, std::size_t tactor,
 }
 
 bool straight(const Track& track) {
-    return std::all_of(track.begin(), track.end(), [](const Breakpoint& point) {
+    return std::ranges::all_of(track, [](const Breakpoint& point) {
         return point.easing == Easing::linear || point.easing == Easing::hold;
     });
 }
@@ -254,10 +242,9 @@ Track trimmed(const Track& lines) {
 core::Expected<Track> linearised(const Pattern& pattern, std::size_t tactor,
                                  const std::function<double(double)>& f) {
     const Track& track = pattern.tracks[tactor];
-    const bool withObject =
-        std::any_of(pattern.objects.begin(), pattern.objects.end(), [&](const PatternObject& object) {
-            return touches(object.form, pattern.duration_s, tactor);
-        });
+    const bool withObject = std::ranges::any_of(pattern.objects, [&](const PatternObject& object) {
+        return touches(object.form, pattern.duration_s, tactor);
+    });
     const bool exact = !withObject && straight(track) && f(0.25) == 0.25 && f(0.5) == 0.5 &&
                        (track.empty() || track.back().time_s <= pattern.duration_s);
     if (exact)
@@ -280,14 +267,13 @@ core::Expected<Pattern> bake(const Pattern& pattern, const std::vector<std::size
     Pattern part = pattern;
     part.objects.clear();
     for (std::size_t i = 0; i < pattern.objects.size(); ++i) {
-        const bool chosen = std::find(objects.begin(), objects.end(), i) != objects.end();
+        const bool chosen = std::ranges::find(objects, i) != objects.end();
         (chosen ? part : baked).objects.push_back(pattern.objects[i]);
     }
     for (std::size_t i = 0; i < core::kTactors; ++i) {
-        const bool touched =
-            std::any_of(part.objects.begin(), part.objects.end(), [&](const PatternObject& object) {
-                return touches(object.form, pattern.duration_s, i);
-            });
+        const bool touched = std::ranges::any_of(part.objects, [&](const PatternObject& object) {
+            return touches(object.form, pattern.duration_s, i);
+        });
         if (!touched)
             continue;
         TELETA_TRY(Track track, linearised(part, i));

@@ -93,9 +93,7 @@ core::Intensities valueOf(const PulseTrain& train, double t_s) {
 
 core::Intensities valueOf(const Stroke& stroke, double t_s) {
     const double time_s = t_s - stroke.start_s;
-    const auto next =
-        std::upper_bound(stroke.points.begin(), stroke.points.end(), time_s,
-                         [](double time, const StrokePoint& point) { return time < point.time_s; });
+    const auto next = std::ranges::upper_bound(stroke.points, time_s, {}, &StrokePoint::time_s);
     if (next == stroke.points.begin() || next == stroke.points.end())
         return {};
     const StrokePoint& a = *(next - 1);
@@ -127,6 +125,18 @@ Span spanOf(const Form& form) {
 
 Span spanOf(const ObjectForm& form) {
     return std::visit([](const auto& object) { return spanOf(object); }, form);
+}
+
+std::vector<int> listedTactors(const ObjectForm& form) {
+    if (const auto* sweep = std::get_if<Sweep>(&form))
+        return sweep->tactors;
+    if (const auto* ramp = std::get_if<Ramp>(&form))
+        return ramp->tactors;
+    if (const auto* train = std::get_if<PulseTrain>(&form))
+        return train->tactors;
+    if (const auto* phantom = std::get_if<Phantom>(&form))
+        return {phantom->first, phantom->second};
+    return {0, 1, 2, 3, 4, 5};
 }
 
 core::Intensities evaluate(const ObjectForm& form, double t_s) {

@@ -128,6 +128,9 @@ struct Span {
 /// From the start of the object to where it is off for good.
 [[nodiscard]] Span spanOf(const ObjectForm& form);
 
+/// The tactors that an object uses or may use, as the object numbers them.
+[[nodiscard]] std::vector<int> listedTactors(const ObjectForm& form);
+
 /// Intensities of one object at a time of the pattern; 0 outside its span. Tactors out of range are taken
 /// modulo 6; an object with non-finite values is off. Thread: any (pure).
 [[nodiscard]] core::Intensities evaluate(const ObjectForm& form, double t_s);

@@ -84,8 +84,7 @@ CompiledPattern::CompiledPattern(const Pattern& pattern)
         if (span.begin_s < span.end_s) // an object of zero duration is never on
             m_objects.push_back({object.form, span.begin_s, span.end_s});
     }
-    std::stable_sort(m_objects.begin(), m_objects.end(),
-                     [](const auto& a, const auto& b) { return a.begin_s < b.begin_s; });
+    std::ranges::stable_sort(m_objects, {}, &CompiledObject::begin_s);
     for (std::size_t i = 1; i < m_objects.size(); ++i)
         m_objects[i].latestEnd_s = std::max(m_objects[i].latestEnd_s, m_objects[i - 1].latestEnd_s);
 }
@@ -103,8 +102,7 @@ core::Intensities CompiledPattern::evaluate(double t_s) const {
             intensities[i] = between(m_breakpoints[index - 1], m_breakpoints[index], t_s);
         }
     }
-    auto object = std::upper_bound(m_objects.begin(), m_objects.end(), t_s,
-                                   [](double time_s, const auto& o) { return time_s < o.begin_s; });
+    auto object = std::ranges::upper_bound(m_objects, t_s, {}, &CompiledObject::begin_s);
     while (object != m_objects.begin() && (object - 1)->latestEnd_s > t_s) {
         --object;
         raise(intensities, pattern::evaluate(object->form, t_s));

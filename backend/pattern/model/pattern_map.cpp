@@ -25,7 +25,7 @@ const std::string& PatternMap::ofStiffness(int level) const {
 }
 
 const std::string& PatternMap::ofShape(std::string_view name) const {
-    const auto found = std::find(kRecognisedShapes.begin(), kRecognisedShapes.end(), name);
+    const auto found = std::ranges::find(kRecognisedShapes, name);
     return found == kRecognisedShapes.end()
                ? kNothing
                : shape[static_cast<std::size_t>(found - kRecognisedShapes.begin())];

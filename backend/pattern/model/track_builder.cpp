@@ -16,8 +16,7 @@ void TrackBuilder::add(std::size_t tactor, Track lines) {
 void TrackBuilder::build(Pattern& pattern) {
     for (std::size_t i = 0; i < core::kTactors; ++i) {
         std::vector<Track>& all = m_stretches[i];
-        std::stable_sort(all.begin(), all.end(),
-                         [](const Track& a, const Track& b) { return a.front().time_s < b.front().time_s; });
+        std::ranges::stable_sort(all, {}, [](const Track& lines) { return lines.front().time_s; });
         Track track;
         for (const Track& lines : all) {
             pattern.duration_s = std::max(pattern.duration_s, lines.back().time_s);

@@ -64,8 +64,8 @@ double steadySpeed_Hz(const MotorProfile& profile, double drive) {
     if (!(drive >= profile.startDrive))
         return 0.0;
     const auto& curve = profile.curve;
-    auto next = std::upper_bound(curve.begin() + 1, curve.end() - 1, drive,
-                                 [](double value, const SpeedPoint& point) { return value < point.drive; });
+    const auto next =
+        std::ranges::upper_bound(curve.begin() + 1, curve.end() - 1, drive, {}, &SpeedPoint::drive);
     return onLine(*(next - 1), *next, drive);
 }
 
@@ -74,9 +74,8 @@ double intensityOfSpeed(const MotorProfile& profile, double speed_Hz) {
     if (!(speed_Hz > lowest_Hz))
         return 0.0;
     const auto& curve = profile.curve;
-    auto next =
-        std::upper_bound(curve.begin() + 1, curve.end() - 1, speed_Hz,
-                         [](double value, const SpeedPoint& point) { return value < point.speed_Hz; });
+    const auto next =
+        std::ranges::upper_bound(curve.begin() + 1, curve.end() - 1, speed_Hz, {}, &SpeedPoint::speed_Hz);
     const SpeedPoint& a = *(next - 1);
     const double drive =
         a.drive + (speed_Hz - a.speed_Hz) / (next->speed_Hz - a.speed_Hz) * (next->drive - a.drive);

@@ -98,7 +98,7 @@ std::optional<Interval> bootstrapTransfer(std::span<const ConfusionMatrix> parti
     }
     if (values_bit.empty())
         return std::nullopt;
-    std::sort(values_bit.begin(), values_bit.end());
+    std::ranges::sort(values_bit);
     const double tail = (1.0 - confidence) / 2.0;
     return Interval{core::quantileOf(values_bit, tail), core::quantileOf(values_bit, 1.0 - tail)};
 }

@@ -35,7 +35,7 @@ double wilsonLow(double successes, double trials, double z) {
 }
 
 bool allFinite(std::span<const double> values) {
-    return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+    return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
 }
 
 } // namespace
@@ -86,7 +86,7 @@ std::optional<GroupMean> groupMean(std::span<const double> values, double confid
     for (const double v : values)
         correction += (v / scale - mean) / n;
     mean += correction;
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const auto [least, most] = std::ranges::minmax_element(values);
     const bool allAgree = *least == *most;
     GroupMean group{allAgree ? *least : mean * scale, std::nullopt, std::nullopt};
     if (values.size() < 2)

@@ -49,7 +49,7 @@ MatrixXd kronecker(const MatrixXd& a, const MatrixXd& b) {
 }
 
 bool hasMissing(const std::vector<double>& values) {
-    return std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
+    return std::ranges::any_of(values, [](double v) { return std::isnan(v); });
 }
 
 /// Complete participants, less their mean, scaled by the largest remaining value.

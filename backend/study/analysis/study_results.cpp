@@ -135,8 +135,8 @@ ParticipantCells TaskAnalysis::accuracies(const std::vector<std::size_t>& patter
                            std::vector<double>(columns, std::numeric_limits<double>::quiet_NaN()));
     for (const ParticipantSummary& participant : m_results.participants) {
         const auto row = std::lower_bound(m_people.begin(), m_people.end(), participant.participant);
-        const auto group = std::find_if(m_results.groups.begin(), m_results.groups.end(),
-                                        [&](const auto& g) { return g.condition == participant.condition; });
+        const auto group =
+            std::ranges::find(m_results.groups, participant.condition, &GroupSummary::condition);
         const auto condition = static_cast<std::size_t>(group - m_results.groups.begin());
         for (std::size_t j = 0; j < patterns.size(); ++j) {
             if (const std::optional<double> percent = participant.matrix.rowPercent(patterns[j], patterns[j]))
@@ -163,8 +163,8 @@ void TaskAnalysis::addLine(std::string effect, std::string stimulus, const Anova
 void TaskAnalysis::analyseVariance() {
     std::vector<std::size_t> presented;
     for (std::size_t i = 0; i < m_results.patterns.size(); ++i) {
-        if (std::any_of(m_results.groups.begin(), m_results.groups.end(),
-                        [&](const GroupSummary& group) { return group.matrix.rowTotal(i) > 0; }))
+        if (std::ranges::any_of(m_results.groups,
+                                [&](const GroupSummary& group) { return group.matrix.rowTotal(i) > 0; }))
             presented.push_back(i);
     }
     if (presented.empty())

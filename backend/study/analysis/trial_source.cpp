@@ -77,7 +77,7 @@ public:
 private:
     [[nodiscard]] std::optional<std::size_t> optionalColumn(std::string_view name) const {
         const auto& header = m_csv.header();
-        const auto found = std::find(header.begin(), header.end(), name);
+        const auto found = std::ranges::find(header, name);
         return found == header.end() ? std::nullopt
                                      : std::optional(static_cast<std::size_t>(found - header.begin()));
     }
@@ -251,7 +251,7 @@ core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, Tria
             const PlannedSession& planned = plan.at(session.planIndex);
             const StudyTask& task = head.protocol.tasks[planned.task];
             const auto counts = [](const StoredTrial& stored) { return stored.result.isComplete(); };
-            if (std::any_of(trials.begin(), trials.end(), counts)) {
+            if (std::ranges::any_of(trials, counts)) {
                 for (const StudyPattern& pattern : task.patterns)
                     tally.expectPattern(task.id, pattern.letter);
             }

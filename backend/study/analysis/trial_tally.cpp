@@ -21,8 +21,7 @@ bool TrialTally::add(const TalliedTrial& trial) {
     }
     Cell& cell = m_last->second;
     const std::pair answer(stimulus, response);
-    const auto found = std::find_if(cell.counts.begin(), cell.counts.end(),
-                                    [&](const auto& count) { return count.first == answer; });
+    const auto found = std::ranges::find(cell.counts, answer, &decltype(cell.counts)::value_type::first);
     if (found != cell.counts.end())
         ++found->second;
     else
@@ -65,7 +64,7 @@ const TrialTally::Alternatives* TrialTally::alternatives(std::string_view task) 
 }
 
 std::size_t TrialTally::indexOf(std::string_view name) {
-    const auto found = std::find(m_names.begin(), m_names.end(), name);
+    const auto found = std::ranges::find(m_names, name);
     const auto index = static_cast<std::size_t>(found - m_names.begin());
     if (found == m_names.end())
         m_names.emplace_back(name);

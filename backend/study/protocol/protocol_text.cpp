@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/toml_string.h"
+#include "backend/core/number_text.h"
 #include "backend/study/protocol/protocol.h"
 
-#include <array>
-#include <charconv>
-#include <cstdio>
 #include <utility>
 
 namespace teleta::study {
 
 namespace {
 
-/// A TOML basic string.
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            out += '\\';
-            out += c;
-        } else if (code < 0x20 || code == 0x7F) {
-            std::array<char, 8> escape{};
-            std::snprintf(escape.data(), escape.size(), "\\u%04X", static_cast<unsigned>(code));
-            out += escape.data();
-        } else {
-            out += c;
-        }
-    }
-    out += '"';
-    return out;
-}
-
 std::string number(double value) {
-    std::array<char, 32> digits{};
-    const auto [end, code] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    std::string text(digits.data(), end);
+    std::string text(core::NumberText(value).view());
     // A TOML float needs a decimal point or an exponent.
     if (text.find_first_of(".en") == std::string::npos)
         text.append(".0");
@@ -51,25 +28,27 @@ public:
         m_text.append(key).append(" = ").append(value).append("\n");
         return *this;
     }
-    Lines& text(const char* key, const std::string& value) { return this->value(key, quoted(value)); }
+    Lines& text(const char* key, const std::string& value) {
+        return this->value(key, core::quotedToml(value));
+    }
     Lines& count(const char* key, std::size_t value) { return this->value(key, std::to_string(value)); }
     Lines& truth(const char* key, bool value) { return this->value(key, value ? "true" : "false"); }
     /// An inline table of two strings, as a line of an array.
     Lines& pair(const char* key, const std::string& value, const char* otherKey,
                 const std::string& otherValue) {
-        m_text.append("    { ").append(key).append(" = ").append(quoted(value)).append(", ");
-        m_text.append(otherKey).append(" = ").append(quoted(otherValue)).append(" },\n");
+        m_text.append("    { ").append(key).append(" = ").append(core::quotedToml(value)).append(", ");
+        m_text.append(otherKey).append(" = ").append(core::quotedToml(otherValue)).append(" },\n");
         return *this;
     }
     /// An inline table, as a line of an array.
     Lines& pattern(const StudyPattern& pattern) {
         if (pattern.files.empty())
             return pair("letter", pattern.letter, "name", pattern.name);
-        m_text.append("    { letter = ").append(quoted(pattern.letter));
-        m_text.append(", name = ").append(quoted(pattern.name)).append(", stimulus = {");
+        m_text.append("    { letter = ").append(core::quotedToml(pattern.letter));
+        m_text.append(", name = ").append(core::quotedToml(pattern.name)).append(", stimulus = {");
         const char* separator = " ";
         for (const auto& [condition, file] : pattern.files) {
-            m_text.append(separator).append(condition).append(" = ").append(quoted(file));
+            m_text.append(separator).append(condition).append(" = ").append(core::quotedToml(file));
             separator = ", ";
         }
         m_text.append(" } },\n");
@@ -97,7 +76,7 @@ void addTask(Lines& lines, const StudyTask& task) {
     std::string conditions;
     for (const std::string& condition : task.conditions) {
         conditions.append(conditions.empty() ? "[{ id = " : ", { id = ");
-        conditions.append(quoted(condition)).append(" }");
+        conditions.append(core::quotedToml(condition)).append(" }");
     }
     conditions.append(conditions.empty() ? "[]" : "]");
     lines.value("condition", conditions).raw("pattern = [\n");

@@ -92,8 +92,7 @@ core::Expected<void> checkAnswer(const QuestionnaireItem& item, const std::optio
                           ItemText::tr("a number from 1 to %1").arg(item.points));
         break;
     case ItemKind::choice:
-        if (std::none_of(item.choices.begin(), item.choices.end(),
-                         [&](const ItemChoice& choice) { return choice.id == *value; }))
+        if (std::ranges::find(item.choices, *value, &ItemChoice::id) == item.choices.end())
             return misfit(item.id,
                           ItemText::tr("\"%1\" cannot be answered with \"%2\"")
                               .arg(question, QString::fromStdString(*value)),
@@ -135,22 +134,20 @@ void describeQuestionnaires(Keys& keys, std::vector<Questionnaire>& questionnair
 
 core::Expected<void> checkAnswers(const Questionnaire& questionnaire,
                                   const std::vector<ItemAnswer>& answers) {
-    for (std::size_t i = 0; i < questionnaire.items.size(); ++i) {
-        const QuestionnaireItem& item = questionnaire.items[i];
-        if (i >= answers.size() || answers[i].item != item.id)
-            return misfit(item.id, ItemText::tr("the answers do not match this questionnaire"),
+    const std::vector<QuestionnaireItem>& items = questionnaire.items;
+    for (std::size_t i = 0; i < std::max(items.size(), answers.size()); ++i) {
+        if (i >= items.size() || i >= answers.size() || answers[i].item != items[i].id)
+            return misfit(i < items.size() ? items[i].id : answers.back().item,
+                          ItemText::tr("the answers do not match this questionnaire"),
                           ItemText::tr("one answer per item, in order"));
-        TELETA_CHECK(checkAnswer(item, answers[i].value));
+        TELETA_CHECK(checkAnswer(items[i], answers[i].value));
     }
-    if (answers.size() > questionnaire.items.size())
-        return misfit(answers.back().item, ItemText::tr("the answers do not match this questionnaire"),
-                      ItemText::tr("one answer per item, in order"));
     return {};
 }
 
 std::string shownAnswer(const QuestionnaireItem& item, const std::optional<std::string>& value) {
-    const auto choice = std::find_if(item.choices.begin(), item.choices.end(),
-                                     [&](const ItemChoice& c) { return value && c.id == *value; });
+    const auto choice =
+        std::ranges::find_if(item.choices, [&](const ItemChoice& c) { return value && c.id == *value; });
     return choice != item.choices.end() ? choice->text : value.value_or(std::string());
 }
 

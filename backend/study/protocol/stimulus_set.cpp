@@ -36,8 +36,7 @@ void forEachStimulus(const Protocol& protocol, const Use& use) {
 }
 
 const OwnStimulus* findIn(const std::vector<OwnStimulus>& own, const std::string& id) {
-    const auto found =
-        std::find_if(own.begin(), own.end(), [&](const OwnStimulus& one) { return one.id == id; });
+    const auto found = std::ranges::find(own, id, &OwnStimulus::id);
     return found == own.end() ? nullptr : &*found;
 }
 

@@ -75,7 +75,7 @@ std::string sessionPath(ExportFormat format, const std::string& label, const std
 /// Psych-DS and BIDS reserve - and _.
 std::string alphanumeric(const std::string& text) {
     std::string kept;
-    std::copy_if(text.begin(), text.end(), std::back_inserter(kept), [](char c) {
+    std::ranges::copy_if(text, std::back_inserter(kept), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
     });
     return kept;
@@ -253,8 +253,7 @@ core::Expected<void> writeDescription(const StudyStore& store, ExportFormat form
 
 core::Expected<std::string> labelOf(const StudyStore& store, const Participant& participant) {
     TELETA_TRY(const std::vector<Participant> participants, store.participants());
-    const auto found = std::find_if(participants.begin(), participants.end(),
-                                    [&](const Participant& one) { return one.key == participant.key; });
+    const auto found = std::ranges::find(participants, participant.key, &Participant::key);
     if (found == participants.end())
         return core::failed(
             core::ErrorKind::notFound,

@@ -199,7 +199,7 @@ private:
                 if (person.condition == group.condition && person.medianTime_s)
                     medians_s.push_back(*person.medianTime_s);
             }
-            const auto [least, most] = std::minmax_element(medians_s.begin(), medians_s.end());
+            const auto [least, most] = std::ranges::minmax_element(medians_s);
             const bool none = medians_s.empty();
             table.row({text(group.condition), QString::number(medians_s.size()), fixed(median(medians_s), 3),
                        fixed(none ? std::nullopt : std::optional(*least), 3),

@@ -9,8 +9,6 @@
 
 namespace teleta::study {
 
-namespace {} // namespace
-
 std::vector<DueQuestionnaire> dueQuestionnaires(const Protocol& protocol, QuestionnaireTime when,
                                                 const SessionRecord& session,
                                                 const std::vector<StoredAnswer>& answers) {
@@ -21,7 +19,7 @@ std::vector<DueQuestionnaire> dueQuestionnaires(const Protocol& protocol, Questi
     std::vector<DueQuestionnaire> due;
     for (std::size_t i = 0; i < protocol.questionnaires.size(); ++i) {
         const Questionnaire& questionnaire = protocol.questionnaires[i];
-        const bool isKept = std::any_of(answers.begin(), answers.end(), [&](const StoredAnswer& answer) {
+        const bool isKept = std::ranges::any_of(answers, [&](const StoredAnswer& answer) {
             return answer.questionnaire == questionnaire.id && isOfThis(answer);
         });
         if (questionnaire.when == when && !isKept)

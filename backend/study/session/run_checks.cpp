@@ -194,7 +194,7 @@ std::vector<RunCheck> preRunChecks(const RunConditions& now) {
 }
 
 bool allPassed(const std::vector<RunCheck>& checks) {
-    return std::all_of(checks.begin(), checks.end(), [](const RunCheck& check) { return check.passed; });
+    return std::ranges::all_of(checks, &RunCheck::passed);
 }
 
 } // namespace teleta::study

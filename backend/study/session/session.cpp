@@ -69,8 +69,8 @@ core::Expected<Session> Session::create(const Protocol& protocol, const PlannedS
 /// Requeues the trial at the end of its phase.
 void Session::showAgain(PlannedTrial trial) {
     ++trial.attempt;
-    const auto next = std::find_if(m_queue.begin(), m_queue.end(),
-                                   [&](const PlannedTrial& other) { return other.phase > trial.phase; });
+    const auto next =
+        std::ranges::find_if(m_queue, [&](const PlannedTrial& other) { return other.phase > trial.phase; });
     m_queue.insert(next, trial);
 }
 

@@ -34,10 +34,9 @@ bool SessionFlow::isOver() const {
 SessionFlow::Progress SessionFlow::progress() const {
     const PlannedTrial* current = m_session.current();
     const Phase phase = current == nullptr ? Phase::test : current->phase;
-    return {phase, static_cast<std::size_t>(
-                       std::count_if(m_results.begin(), m_results.end(), [phase](const auto& result) {
-                           return result.planned.phase == phase && result.isComplete();
-                       }))};
+    return {phase, static_cast<std::size_t>(std::ranges::count_if(m_results, [phase](const auto& result) {
+                return result.planned.phase == phase && result.isComplete();
+            }))};
 }
 
 void SessionFlow::countAsRest() {

@@ -31,11 +31,10 @@ KeptAnswers compare(const std::vector<StoredAnswer>& all, const std::optional<Se
             (session && *stored.session != session->key))
             continue;
         ++kept;
-        same += static_cast<std::size_t>(
-            std::count_if(answers.begin(), answers.end(), [&](const ItemAnswer& answer) {
-                return answer.item == stored.item &&
-                       answer.value.value_or(std::string()) == stored.value.value_or(std::string());
-            }));
+        same += static_cast<std::size_t>(std::ranges::count_if(answers, [&](const ItemAnswer& answer) {
+            return answer.item == stored.item &&
+                   answer.value.value_or(std::string()) == stored.value.value_or(std::string());
+        }));
     }
     if (kept == 0)
         return KeptAnswers::none;
@@ -132,7 +131,7 @@ core::Expected<void> StudyStore::keepOnServer(const SessionRecord& session, cons
         return kept;
     const TrialJournal journal(folder(), session.key);
     TELETA_TRY(const std::vector<PendingTrial> pending, journal.read());
-    const bool isPending = std::any_of(pending.begin(), pending.end(), [&](const PendingTrial& other) {
+    const bool isPending = std::ranges::any_of(pending, [&](const PendingTrial& other) {
         return isSameTrial(other.result.planned, trial.result.planned);
     });
     if (!isPending) {

@@ -30,15 +30,30 @@ TrialCell numberCell(const std::optional<Number>& value) {
     return value ? numberCell(*value) : TrialCell{};
 }
 
+/// What rows of every table begin with. session: null for a participant as a whole.
+TrialRow firstCells(const StudyHead& head, const Participant& participant, const SessionRecord* session,
+                    const PlannedSession& plan) {
+    TrialRow row{numberCell(1), textCell(participant.id), {}, textCell(toString(head.mode)), {}, {}};
+    if (session != nullptr) {
+        const StudyTask& task = head.protocol.tasks[plan.task];
+        row[2] = textCell(session->id);
+        row[4] = textCell(task.id);
+        row[5] = textCell(task.conditions[plan.condition]);
+    }
+    return row;
+}
+
+TrialCell timeCell(const QDateTime& time) {
+    return textCell(time.toString(Qt::ISODateWithMs).toStdString());
+}
+
 /// Null if the protocol does not have them.
 std::pair<const Questionnaire*, const QuestionnaireItem*> itemOf(const Protocol& protocol,
                                                                  const StoredAnswer& answer) {
     for (const Questionnaire& questionnaire : protocol.questionnaires) {
         if (questionnaire.id != answer.questionnaire)
             continue;
-        const auto item =
-            std::find_if(questionnaire.items.begin(), questionnaire.items.end(),
-                         [&](const QuestionnaireItem& candidate) { return candidate.id == answer.item; });
+        const auto item = std::ranges::find(questionnaire.items, answer.item, &QuestionnaireItem::id);
         return {&questionnaire, item == questionnaire.items.end() ? nullptr : &*item};
     }
     return {nullptr, nullptr};
@@ -71,7 +86,7 @@ std::string field(const TrialCell& cell, const TableFormat& format) {
         return format.missing;
     std::string value = cell.text;
     if (cell.kind == TrialCell::Kind::number) {
-        std::replace(value.begin(), value.end(), '.', format.decimal);
+        std::ranges::replace(value, '.', format.decimal);
         return value;
     }
     if (format.guarded && needsGuard(value))
@@ -86,7 +101,7 @@ std::string field(const TrialCell& cell, const TableFormat& format) {
         return value;
     }
     // Leading and trailing blanks survive only in quotes.
-    const bool mustQuote = std::any_of(value.begin(), value.end(), isSpecial) || value.front() == ' ' ||
+    const bool mustQuote = std::ranges::any_of(value, isSpecial) || value.front() == ' ' ||
                            value.back() == ' ' || value.front() == '\t' || value.back() == '\t';
     if (!mustQuote)
         return value;
@@ -111,13 +126,8 @@ std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& partic
         const TrialResult& result = stored.result;
         const bool practice = result.planned.phase == Phase::practice;
         const bool feedback = (practice ? protocol.practice : protocol.test).feedback;
-        rows.push_back({
-            numberCell(1),
-            textCell(participant.id),
-            textCell(session.id),
-            textCell(toString(head.mode)),
-            textCell(task.id),
-            textCell(task.conditions[plan.condition]),
+        TrialRow row = firstCells(head, participant, &session, plan);
+        const std::initializer_list<TrialCell> others{
             numberCell(plan.conditionPosition + 1),
             numberCell(plan.sequenceRow + 1),
             textCell(toString(result.planned.phase)),
@@ -144,12 +154,13 @@ std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& partic
             numberCell(result.deviceFaults),
             numberCell(feedback ? 1 : 0),
             textCell(maskingNoise(protocol)),
-            textCell(stored.time.toString(Qt::ISODateWithMs).toStdString()),
+            timeCell(stored.time),
             textCell(std::to_string(plan.seed)),
             textCell(toString(protocol.order)),
             textCell(head.stimulusSetSha256),
-            textCell(head.appVersion),
-        });
+            textCell(head.appVersion)};
+        row.insert(row.end(), others);
+        rows.push_back(std::move(row));
     }
     return rows;
 }
@@ -161,16 +172,10 @@ std::vector<TrialRow> answerRows(const StudyHead& head, const Participant& parti
     const std::vector<PlannedSession> plans = planSessions(protocol, head.seed, participant.enrolment);
     std::vector<TrialRow> rows;
     for (const StoredAnswer& answer : answers) {
-        TrialRow row{numberCell(1), textCell(participant.id), {}, textCell(toString(head.mode)), {}, {}};
-        const auto session = std::find_if(sessions.begin(), sessions.end(), [&](const SessionRecord& record) {
-            return answer.session == record.key;
-        });
-        if (session != sessions.end()) {
-            const PlannedSession& plan = plans.at(session->planIndex);
-            row[2] = textCell(session->id);
-            row[4] = textCell(protocol.tasks[plan.task].id);
-            row[5] = textCell(protocol.tasks[plan.task].conditions[plan.condition]);
-        }
+        const auto session = std::ranges::find(sessions, answer.session, &SessionRecord::key);
+        const bool known = session != sessions.end();
+        TrialRow row = firstCells(head, participant, known ? &*session : nullptr,
+                                  known ? plans.at(session->planIndex) : PlannedSession());
         row.push_back(textCell(answer.questionnaire));
         const auto [questionnaire, item] = itemOf(protocol, answer);
         row.push_back(questionnaire != nullptr ? textCell(toString(questionnaire->when)) : TrialCell{});
@@ -179,7 +184,7 @@ std::vector<TrialRow> answerRows(const StudyHead& head, const Participant& parti
         row.push_back(item != nullptr ? textCell(item->question) : TrialCell{});
         row.push_back(textCell(answer.value.value_or(std::string())));
         row.push_back(item != nullptr ? textCell(shownAnswer(*item, answer.value)) : TrialCell{});
-        row.push_back(textCell(answer.time.toString(Qt::ISODateWithMs).toStdString()));
+        row.push_back(timeCell(answer.time));
         row.push_back(textCell(head.appVersion));
         rows.push_back(std::move(row));
     }
@@ -189,13 +194,12 @@ std::vector<TrialRow> answerRows(const StudyHead& head, const Participant& parti
 std::vector<TrialRow> noteRows(const StudyHead& head, const Participant& participant,
                                const SessionRecord& session, const PlannedSession& plan,
                                const std::vector<StoredNote>& notes) {
-    const StudyTask& task = head.protocol.tasks[plan.task];
     std::vector<TrialRow> rows;
-    for (const StoredNote& note : notes)
-        rows.push_back(
-            {numberCell(1), textCell(participant.id), textCell(session.id), textCell(toString(head.mode)),
-             textCell(task.id), textCell(task.conditions[plan.condition]), textCell(note.text),
-             textCell(note.time.toString(Qt::ISODateWithMs).toStdString()), textCell(head.appVersion)});
+    for (const StoredNote& note : notes) {
+        TrialRow row = firstCells(head, participant, &session, plan);
+        row.insert(row.end(), {textCell(note.text), timeCell(note.time), textCell(head.appVersion)});
+        rows.push_back(std::move(row));
+    }
     return rows;
 }
 

@@ -135,20 +135,8 @@ TimelineBands bandsOf(const TimelineCurves& curves, Span span, int columns) {
 
 std::vector<std::size_t> tactorsOf(const ObjectForm& form) {
     std::set<std::size_t> tactors;
-    const auto add = [&tactors](int tactor) { tactors.insert(core::wrappedTactor(tactor)); };
-    if (const auto* phantom = std::get_if<Phantom>(&form)) {
-        add(phantom->first);
-        add(phantom->second);
-    } else if (const auto* sweep = std::get_if<Sweep>(&form)) {
-        std::for_each(sweep->tactors.begin(), sweep->tactors.end(), add);
-    } else if (const auto* ramp = std::get_if<Ramp>(&form)) {
-        std::for_each(ramp->tactors.begin(), ramp->tactors.end(), add);
-    } else if (const auto* train = std::get_if<PulseTrain>(&form)) {
-        std::for_each(train->tactors.begin(), train->tactors.end(), add);
-    } else {
-        for (int i = 0; i < static_cast<int>(core::kTactors); ++i)
-            add(i);
-    }
+    for (const int tactor : listedTactors(form))
+        tactors.insert(core::wrappedTactor(tactor));
     return {tactors.begin(), tactors.end()};
 }
 

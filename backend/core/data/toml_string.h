@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace teleta::motors {
+namespace teleta::core {
 
 /// Formats a text as a TOML basic string, including the quotation marks. Thread: any (pure).
 [[nodiscard]] inline std::string quotedToml(const std::string& text) {
@@ -21,4 +21,4 @@ namespace teleta::motors {
     return result + '"';
 }
 
-} // namespace teleta::motors
+} // namespace teleta::core
