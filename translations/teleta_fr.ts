@@ -7229,10 +7229,6 @@ Run %2 --help for more.
         <translation>Fichier de caméra, tel que l’écrit calibrate</translation>
     </message>
     <message>
-        <source>the output would replace the input</source>
-        <translation>la sortie remplacerait l’entrée</translation>
-    </message>
-    <message>
         <source>the video has no frame that can be decoded</source>
         <translation>la vidéo n’a pas d’image décodable</translation>
     </message>

@@ -7219,10 +7219,6 @@ Run %2 --help for more.
         <translation>calibrateが書き込むカメラファイル</translation>
     </message>
     <message>
-        <source>the output would replace the input</source>
-        <translation>出力が入力を上書きしてしまいます</translation>
-    </message>
-    <message>
         <source>the video has no frame that can be decoded</source>
         <translation>動画に復号できるフレームがありません</translation>
     </message>

@@ -7219,10 +7219,6 @@ Run %2 --help for more.
         <translation>calibrate 写出的相机文件</translation>
     </message>
     <message>
-        <source>the output would replace the input</source>
-        <translation>输出会覆盖输入</translation>
-    </message>
-    <message>
         <source>the video has no frame that can be decoded</source>
         <translation>视频中没有可解码的帧</translation>
     </message>

@@ -4,53 +4,26 @@
 #include "app/cli/base/command.h"
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
-#include "app/cli/commands/camera/calibrate_command.h"
-#include "app/cli/commands/camera/track_command.h"
-#include "app/cli/commands/devices/devices_command.h"
-#include "app/cli/commands/devices/export_command.h"
-#include "app/cli/commands/devices/pattern_command.h"
-#include "app/cli/commands/devices/replay_command.h"
-#include "app/cli/commands/scenes/simulate_command.h"
-#include "app/cli/commands/scenes/study_command.h"
-#include "app/cli/commands/scenes/tradeoff_command.h"
-#include "app/cli/commands/tactile/contacts_command.h"
-#include "app/cli/commands/tactile/contour_command.h"
-#include "app/cli/commands/tactile/features_command.h"
-#include "app/cli/commands/tactile/gains_command.h"
-#include "app/cli/commands/tactile/locate_command.h"
-#include "app/cli/commands/tactile/stiffness_command.h"
+#include "app/cli/commands/camera/camera_commands.h"
+#include "app/cli/commands/devices/devices_commands.h"
+#include "app/cli/commands/scenes/scene_commands.h"
+#include "app/cli/commands/tactile/tactile_commands.h"
 
 #include <QCoreApplication>
 
 #include <CLI/CLI.hpp>
 
-#include <memory>
 #include <vector>
 
 namespace teleta::cli {
 
 namespace {
 
-/// All commands in the order of the help. A new one is its file under commands/, that file's line in
-/// CMakeLists.txt and a line here.
-std::vector<std::unique_ptr<Command>> makeCommands() {
-    std::vector<std::unique_ptr<Command>> commands;
-    commands.push_back(std::make_unique<FeaturesCommand>());
-    commands.push_back(std::make_unique<ContactsCommand>());
-    commands.push_back(std::make_unique<GainsCommand>());
-    commands.push_back(std::make_unique<StiffnessCommand>());
-    commands.push_back(std::make_unique<ContourCommand>());
-    commands.push_back(std::make_unique<CalibrateCommand>());
-    commands.push_back(std::make_unique<LocateCommand>());
-    commands.push_back(std::make_unique<TrackCommand>());
-    commands.push_back(std::make_unique<SimulateCommand>());
-    commands.push_back(std::make_unique<ReplayCommand>());
-    commands.push_back(std::make_unique<ExportCommand>());
-    commands.push_back(std::make_unique<PatternCommand>());
-    commands.push_back(std::make_unique<StudyCommand>());
-    commands.push_back(std::make_unique<TradeoffCommand>());
-    commands.push_back(std::make_unique<DevicesCommand>());
-    return commands;
+/// In the order of the help.
+std::vector<Command> allCommands() {
+    return {featuresCommand(),  contactsCommand(), gainsCommand(), stiffnessCommand(), contourCommand(),
+            calibrateCommand(), locateCommand(),   trackCommand(), simulateCommand(),  replayCommand(),
+            exportCommand(),    patternCommand(),  studyCommand(), tradeoffCommand(),  devicesCommand()};
 }
 
 struct ProgramText {
@@ -108,19 +81,19 @@ int runProgram(int argc, const char* const* argv) {
     app.failure_message(usageError);
     app.require_subcommand(1);
 
-    const std::vector<std::unique_ptr<Command>> commands = makeCommands();
-    for (const std::unique_ptr<Command>& command : commands) {
-        CLI::App* subcommand = app.add_subcommand(command->name(), command->summary().toStdString());
-        command->declare(*subcommand);
-        subcommand->footer("\n" + ProgramText::tr("Example:").toStdString() + "\n  " + command->example());
+    const std::vector<Command> commands = allCommands();
+    for (const Command& command : commands) {
+        CLI::App* subcommand = app.add_subcommand(command.name, command.summary.toStdString());
+        command.declare(*subcommand);
+        subcommand->footer("\n" + ProgramText::tr("Example:").toStdString() + "\n  " + command.example);
     }
 
     try {
         app.parse(argc, argv);
-        for (const std::unique_ptr<Command>& command : commands) {
-            if (!app.got_subcommand(command->name()))
+        for (const Command& command : commands) {
+            if (!app.got_subcommand(command.name))
                 continue;
-            const core::Expected<void> done = command->run();
+            const core::Expected<void> done = command.run();
             if (done)
                 return kDone;
             if (done.error().kind == core::ErrorKind::cancelled && readerIsGone())

@@ -5,6 +5,10 @@
 
 #include <QString>
 
+#include <functional>
+#include <memory>
+#include <utility>
+
 namespace CLI {
 class App;
 }
@@ -12,25 +16,23 @@ class App;
 namespace teleta::cli {
 
 /// One command of the program: `teleta NAME ...`.
-class Command {
-public:
-    virtual ~Command() = default;
-    Command() = default;
-    Command(const Command&) = delete;
-    Command& operator=(const Command&) = delete;
-
-    [[nodiscard]] virtual const char* name() const = 0;
-    /// One line for the list of commands; translated.
-    [[nodiscard]] virtual QString summary() const = 0;
-    /// Command lines that work as they are in an empty folder, shown under the command's help.
-    [[nodiscard]] virtual const char* example() const = 0;
-
-    /// Declares arguments and options, which are written into members of this object.
-    virtual void declare(CLI::App& app) = 0;
-
-    /// Does the work after the command line was parsed. The error decides the exit code (exitCode()); options
-    /// that contradict each other or the data throw CLI::ValidationError, which is wrong usage.
-    [[nodiscard]] virtual core::Expected<void> run() = 0;
+struct Command {
+    const char* name;
+    QString summary;     ///< one line for the list of commands; translated
+    const char* example; ///< command lines that work as they are in an empty folder, shown under the help
+    std::function<void(CLI::App&)> declare;
+    std::function<core::Expected<void>()> run;
 };
+
+/// A command that an object does. Its declare(CLI::App&) declares arguments and options, which are written into
+/// its members. Its run() does the work once the command line is parsed: the error decides the exit code
+/// (exitCode()); options that contradict each other or the data throw CLI::ValidationError, which is wrong
+/// usage.
+template <typename Work>
+Command makeCommand(const char* name, QString summary, const char* example) {
+    auto work = std::make_shared<Work>();
+    return {name, std::move(summary), example, [work](CLI::App& app) { work->declare(app); },
+            [work] { return work->run(); }};
+}
 
 } // namespace teleta::cli

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/base/command_io.h"
 
+#include "app/cli/base/options.h"
 #include "backend/core/number_text.h"
 #include "backend/core/steady_time.h"
 
 #include <QCoreApplication>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -34,17 +34,9 @@ std::string jsonString(std::string_view text) {
 } // namespace
 
 ExitCode exitCode(const core::Error& error) {
-    switch (error.kind) {
-    case core::ErrorKind::badInput:
-    case core::ErrorKind::notFound:
-        return kBadInput;
-    case core::ErrorKind::ioFailed:
-    case core::ErrorKind::refused:
-    case core::ErrorKind::cancelled:
-    case core::ErrorKind::unavailable:
-        break;
-    }
-    return kWorkFailed;
+    const bool isOfInput =
+        error.kind == core::ErrorKind::badInput || error.kind == core::ErrorKind::notFound;
+    return isOfInput ? kBadInput : kWorkFailed;
 }
 
 void printError(const core::Error& error) {
@@ -56,19 +48,21 @@ void warn(const QString& text) {
 }
 
 void declareJson(CLI::App& app, bool& json) {
-    app.add_flag("--json", json, OutputText::tr("Print one JSON document on standard output").toStdString());
+    addFlag(app, "--json", json, OutputText::tr("Print one JSON document on standard output"));
 }
 
 void declareOut(CLI::App& app, std::string& outPath) {
-    app.add_option(
-           "--out", outPath,
-           OutputText::tr("Write the CSV to this file, which appears when it is complete").toStdString())
-        ->type_name("FILE");
+    addOption(app, "--out", outPath,
+              OutputText::tr("Write the CSV to this file, which appears when it is complete"), "FILE");
 }
 
 QString forPeople(double value, int digits) {
     const core::NumberText text(value, digits);
     return QString::fromLatin1(text.view().data(), static_cast<qsizetype>(text.view().size()));
+}
+
+nlohmann::ordered_json orNull(const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
 core::Expected<void> printDocument(const nlohmann::ordered_json& document) {
@@ -78,7 +72,7 @@ core::Expected<void> printDocument(const nlohmann::ordered_json& document) {
     return output.finish();
 }
 
-core::Expected<void> printFields(std::span<const std::pair<QString, QString>> fields) {
+core::Expected<void> printFields(const Fields& fields) {
     qsizetype width = 0;
     for (const auto& [label, value] : fields)
         width = std::max(width, label.size());

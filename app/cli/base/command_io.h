@@ -43,11 +43,16 @@ void declareOut(CLI::App& app, std::string& outPath);
 /// A number in the C locale with so many significant digits, for people.
 [[nodiscard]] QString forPeople(double value, int digits = 4);
 
+/// A number for a JSON document; null without one.
+[[nodiscard]] nlohmann::ordered_json orNull(const std::optional<double>& value);
+
 /// Prints one JSON document on standard output; NaN and infinities become null.
 [[nodiscard]] core::Expected<void> printDocument(const nlohmann::ordered_json& document);
 
-/// Prints labels and values as a table of two columns on standard output.
-[[nodiscard]] core::Expected<void> printFields(std::span<const std::pair<QString, QString>> fields);
+/// Labels and values.
+using Fields = std::vector<std::pair<QString, QString>>;
+/// Prints them as a table of two columns on standard output.
+[[nodiscard]] core::Expected<void> printFields(const Fields& fields);
 
 /// Where the rows of a command go.
 struct RowOptions {

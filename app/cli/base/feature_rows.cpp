@@ -7,15 +7,10 @@ void writeFeatures(RowOutput& rows, double time_s, const contact::TactileFeature
     rows.number(time_s);
     rows.text(contact::toString(features.type));
     rows.number(features.force_N);
-    rows.number(features.copX_m);
-    rows.number(features.copY_m);
-    rows.number(features.cocX_m);
-    rows.number(features.cocY_m);
-    rows.number(features.dzmpX_m);
-    rows.number(features.dzmpY_m);
-    rows.number(features.alphaZ_rad);
-    rows.number(features.lambda1_m2);
-    rows.number(features.lambda2_m2);
+    for (const std::optional<double>& value :
+         {features.copX_m, features.copY_m, features.cocX_m, features.cocY_m, features.dzmpX_m,
+          features.dzmpY_m, features.alphaZ_rad, features.lambda1_m2, features.lambda2_m2})
+        rows.number(value);
     rows.integer(features.active);
     rows.endRow();
 }

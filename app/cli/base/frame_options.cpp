@@ -2,14 +2,12 @@
 #include "app/cli/base/frame_options.h"
 
 #include "app/cli/base/interruption.h"
+#include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
-#include "app/cli/base/validators.h"
 #include "backend/core/data/frame_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
 
 #include <QCoreApplication>
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 #include <filesystem>
@@ -25,13 +23,11 @@ struct FrameOptionText {
 
 /// What the options say of the array and its taxels.
 core::Expected<contact::ConditioningSettings> conditioning(const FrameOptions& options) {
-    core::Expected<contact::ConditioningSettings> settings = options.array.conditioning();
-    if (!settings)
-        return settings;
-    settings->gain = options.gain;
+    TELETA_TRY(contact::ConditioningSettings settings, options.array.conditioning());
+    settings.gain = options.gain;
     if (!options.gainsPath.empty()) {
         TELETA_TRY(const auto gains, equilibration::readTaxelGains(options.gainsPath, options.layout()));
-        settings->taxelGain = gains.values();
+        settings.taxelGain = gains.values();
     }
     return settings;
 }
@@ -39,27 +35,18 @@ core::Expected<contact::ConditioningSettings> conditioning(const FrameOptions& o
 } // namespace
 
 void ArrayOptions::declare(CLI::App& app) {
-    constexpr int kSide = core::ArrayLayout::kMaximumSide;
-    app.add_option("--rows", rows, FrameOptionText::tr("Rows of the array").toStdString())
-        ->check(between(1, kSide))
-        ->capture_default_str();
-    app.add_option("--columns", columns, FrameOptionText::tr("Columns of the array").toStdString())
-        ->check(between(1, kSide))
-        ->capture_default_str();
-    app.add_option("--pitch-mm", pitch_mm,
-                   FrameOptionText::tr("Distance of neighbouring taxels in mm").toStdString())
-        ->check(positive())
-        ->capture_default_str();
-    app.add_option(
-           "--tare", tarePath,
-           FrameOptionText::tr("Frames of the unloaded array; their mean is subtracted").toStdString())
-        ->type_name("FILE");
-    app.add_flag("--invert", inverted, FrameOptionText::tr("The raw values fall under load").toStdString());
-    app.add_option("--dead", dead,
-                   FrameOptionText::tr("Numbers of taxels to leave out, such as 0,17").toStdString())
+    const CLI::Validator side = between(1, core::ArrayLayout::kMaximumSide);
+    addOption(app, "--rows", rows, FrameOptionText::tr("Rows of the array"), side);
+    addOption(app, "--columns", columns, FrameOptionText::tr("Columns of the array"), side);
+    addOption(app, "--pitch-mm", pitch_mm, FrameOptionText::tr("Distance of neighbouring taxels in mm"),
+              positive());
+    addOption(app, "--tare", tarePath,
+              FrameOptionText::tr("Frames of the unloaded array; their mean is subtracted"), "FILE");
+    addFlag(app, "--invert", inverted, FrameOptionText::tr("The raw values fall under load"));
+    addOption(app, "--dead", dead, FrameOptionText::tr("Numbers of taxels to leave out, such as 0,17"),
+              "LIST")
         ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("LIST");
+        ->allow_extra_args(false);
 }
 
 core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning() const {
@@ -70,11 +57,9 @@ core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning() const
         settings.dead.assign(taxels, 0);
     for (const int taxel : dead) {
         if (taxel < 0 || static_cast<std::size_t>(taxel) >= taxels)
-            throw CLI::ValidationError("--dead",
-                                       FrameOptionText::tr("%1 is given, a taxel from 0 to %2 is expected")
-                                           .arg(taxel)
-                                           .arg(taxels - 1)
-                                           .toStdString());
+            refuse("--dead", FrameOptionText::tr("%1 is given, a taxel from 0 to %2 is expected")
+                                 .arg(taxel)
+                                 .arg(taxels - 1));
         settings.dead[static_cast<std::size_t>(taxel)] = 1;
     }
     if (!tarePath.empty()) {
@@ -88,75 +73,53 @@ void refuseToReplace(const std::string& output, std::span<const std::string> inp
     for (const std::string& input : inputs) {
         std::error_code missing;
         if (!output.empty() && std::filesystem::equivalent(input, output, missing))
-            throw CLI::ValidationError(
-                option, FrameOptionText::tr("the output would replace the input").toStdString());
+            refuse(option, FrameOptionText::tr("the output would replace the input"));
     }
 }
 
 void FrameOptions::declare(CLI::App& app) {
-    app.add_option("FRAMES.csv", path,
-                   FrameOptionText::tr("Recorded frames: time_s,t0,t1,... with one row a frame, row-major")
-                       .toStdString())
-        ->type_name("")
+    addOption(app, "FRAMES.csv", path,
+              FrameOptionText::tr("Recorded frames: time_s,t0,t1,... with one row a frame, row-major"), "")
         ->required();
     array.declare(app);
-    app.add_option("--threshold", threshold_N,
-                   FrameOptionText::tr("Load in N from which a taxel is in contact").toStdString())
-        ->check(positive())
-        ->capture_default_str();
-    app.add_option("--gain", gain, FrameOptionText::tr("N per raw unit").toStdString())
-        ->check(nonZero())
-        ->capture_default_str();
-    app.add_option("--gains", gainsPath,
-                   FrameOptionText::tr("Gains of the taxels, as \"teleta gains\" writes them").toStdString())
-        ->type_name("GAINS.csv");
-    app.add_flag(
-        "--weighted", weighted,
-        FrameOptionText::tr("Weight the taxels with their load to find the principal axis").toStdString());
-    app.add_flag(
-        "--auto-threshold", automaticThreshold,
-        FrameOptionText::tr("Find the threshold in each frame; --threshold is the least").toStdString());
-    app.add_flag(
-        "--active-only", activeOnly,
-        FrameOptionText::tr("Force and centre of pressure over taxels in contact, not over the whole array")
-            .toStdString());
-    app.add_option(
-           "--noise-height", noiseHeight,
-           FrameOptionText::tr(
-               "Summits that rise less than this share of the frame's peak are no contacts of their own")
-               .toStdString())
-        ->check(between(0.0, 1.0))
-        ->capture_default_str();
-    app.add_option("--min-taxels", minimumTaxels,
-                   FrameOptionText::tr("Contacts of fewer taxels are dropped").toStdString())
-        ->check(between(1, core::ArrayLayout::kMaximumSide * core::ArrayLayout::kMaximumSide))
-        ->capture_default_str();
+    addOption(app, "--threshold", threshold_N,
+              FrameOptionText::tr("Load in N from which a taxel is in contact"), positive());
+    addOption(app, "--gain", gain, FrameOptionText::tr("N per raw unit"), nonZero());
+    addOption(app, "--gains", gainsPath,
+              FrameOptionText::tr("Gains of the taxels, as \"teleta gains\" writes them"), "GAINS.csv");
+    addFlag(app, "--weighted", weighted,
+            FrameOptionText::tr("Weight the taxels with their load to find the principal axis"));
+    addFlag(app, "--auto-threshold", automaticThreshold,
+            FrameOptionText::tr("Find the threshold in each frame; --threshold is the least"));
+    addFlag(
+        app, "--active-only", activeOnly,
+        FrameOptionText::tr("Force and centre of pressure over taxels in contact, not over the whole array"));
+    addOption(app, "--noise-height", noiseHeight,
+              FrameOptionText::tr(
+                  "Summits that rise less than this share of the frame's peak are no contacts of their own"),
+              between(0.0, 1.0));
+    addOption(app, "--min-taxels", minimumTaxels, FrameOptionText::tr("Contacts of fewer taxels are dropped"),
+              between(1, core::ArrayLayout::kMaximumSide * core::ArrayLayout::kMaximumSide));
     declareJson(app, output.json);
     declareOut(app, output.outPath);
 }
 
 contact::FeatureSettings FrameOptions::featureSettings() const {
-    contact::FeatureSettings settings;
-    settings.threshold_N = threshold_N;
-    settings.automaticThreshold = automaticThreshold;
-    settings.orientation =
-        weighted ? contact::OrientationMode::weighted : contact::OrientationMode::binarised;
-    settings.range = activeOnly ? contact::MomentRange::active : contact::MomentRange::image;
-    return settings;
+    return {.threshold_N = threshold_N,
+            .automaticThreshold = automaticThreshold,
+            .orientation =
+                weighted ? contact::OrientationMode::weighted : contact::OrientationMode::binarised,
+            .range = activeOnly ? contact::MomentRange::active : contact::MomentRange::image};
 }
 
 contact::SegmentationSettings FrameOptions::segmentationSettings() const {
-    contact::SegmentationSettings settings;
-    settings.threshold_N = threshold_N;
-    settings.noiseHeight = noiseHeight;
-    settings.minimumTaxels = minimumTaxels;
-    return settings;
+    return {.threshold_N = threshold_N, .noiseHeight = noiseHeight, .minimumTaxels = minimumTaxels};
 }
 
 core::Expected<void> processFrames(const FrameOptions& options, std::span<const std::string_view> columns,
                                    const std::function<void(const ConditionedFrame&, RowOutput&)>& write) {
-    const std::array inputs{options.path, options.array.tarePath, options.gainsPath};
-    refuseToReplace(options.output.outPath, inputs);
+    refuseToReplace(options.output.outPath,
+                    std::array{options.path, options.array.tarePath, options.gainsPath});
     TELETA_TRY(contact::ConditioningSettings settings, conditioning(options));
     TELETA_TRY(core::FrameFile file, core::FrameFile::open(options.path, options.layout()));
     TELETA_TRY(RowOutput rows, RowOutput::open(columns, options.output));
@@ -186,10 +149,7 @@ core::Expected<void> processFrames(const FrameOptions& options, std::span<const 
         rows.flushIfDue();
         progress.update(static_cast<double>(file.offset()), total);
     }
-    const core::Expected<void> finished = rows.finish();
-    if (finished && stopped)
-        return core::Unexpected(interruption());
-    return finished;
+    return unlessCut(rows.finish(), stopped);
 }
 
 } // namespace teleta::cli

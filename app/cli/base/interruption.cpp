@@ -51,6 +51,10 @@ core::Error interruption() {
             {}};
 }
 
+core::Expected<void> unlessCut(core::Expected<void> completed, bool cut) {
+    return completed && cut ? core::Unexpected(interruption()) : completed;
+}
+
 bool readerIsGone() {
     pollfd output{STDOUT_FILENO, 0, 0};
     return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;

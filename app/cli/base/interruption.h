@@ -14,6 +14,8 @@ void catchInterruptions();
 
 /// The error with which interrupted work ends.
 [[nodiscard]] core::Error interruption();
+/// The outcome of completing the output: interruption() when that went well but the work was cut short.
+[[nodiscard]] core::Expected<void> unlessCut(core::Expected<void> completed, bool cut = interrupted());
 
 /// Standard output is a pipe that nobody reads any more.
 [[nodiscard]] bool readerIsGone();

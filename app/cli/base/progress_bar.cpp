@@ -15,6 +15,26 @@ namespace {
 constexpr std::int64_t kInterval_ns = 200'000'000;
 constexpr std::size_t kWidth = 30;
 
+struct UnitNames {
+    const char* amount;
+    const char* rate;
+};
+
+UnitNames namesOf(ProgressBar::Unit unit) {
+    switch (unit) {
+    case ProgressBar::Unit::bytes:
+        return {"MB", "MB/s"};
+    case ProgressBar::Unit::trials:
+        return {"trials", "trials/s"};
+    case ProgressBar::Unit::runs:
+        return {"runs", "runs/s"};
+    case ProgressBar::Unit::frames:
+        return {"frames", "frames/s"};
+    default:
+        return {"s", "x"};
+    }
+}
+
 } // namespace
 
 ProgressBar::ProgressBar(Unit unit, bool resultsOnTerminal)
@@ -38,18 +58,8 @@ void ProgressBar::update(double done, double total) {
         return;
     m_next_ns = now_ns + kInterval_ns;
     m_drawn = true;
-    const bool bytes = m_unit == Unit::bytes;
-    const double scale = bytes ? 1e-6 : 1.0;
-    const char* unit = bytes                    ? "MB"
-                       : m_unit == Unit::trials ? "trials"
-                       : m_unit == Unit::runs   ? "runs"
-                       : m_unit == Unit::frames ? "frames"
-                                                : "s";
-    const char* rateUnit = bytes                    ? "MB/s"
-                           : m_unit == Unit::trials ? "trials/s"
-                           : m_unit == Unit::runs   ? "runs/s"
-                           : m_unit == Unit::frames ? "frames/s"
-                                                    : "x";
+    const double scale = m_unit == Unit::bytes ? 1e-6 : 1.0;
+    const auto [unit, rateUnit] = namesOf(m_unit);
     const double rate = scale * done / (static_cast<double>(now_ns - m_start_ns) * 1e-9);
     if (!(total > 0.0)) {
         std::fprintf(stderr, "\r%.0f %s  %.0f %s\x1b[K", scale * done, unit, rate, rateUnit);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/commands/camera/calibrate_command.h"
-
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/frame_options.h"
 #include "app/cli/base/interruption.h"
-#include "app/cli/base/validators.h"
+#include "app/cli/base/options.h"
+#include "app/cli/commands/camera/camera_commands.h"
+#include "backend/vision/calibration/camera_calibration.h"
 #include "backend/vision/calibration/camera_file.h"
 
 #include <QCoreApplication>
@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,7 +45,7 @@ core::Expected<void> printTable(const Calibration& calibration) {
     const vision::CameraModel& camera = calibration.camera.camera();
     const vision::CameraParameters& parameters = camera.parameters();
     const Eigen::Vector3d& centre_m = camera.centre_m();
-    return printFields(std::vector<std::pair<QString, QString>>{
+    return printFields(Fields{
         {CalibrateText::tr("Pairs"), QString::number(calibration.residuals.size())},
         {CalibrateText::tr("Kept"), QString::number(calibration.kept)},
         {CalibrateText::tr("3D to 2D"),
@@ -72,99 +73,92 @@ core::Expected<void> printTable(const Calibration& calibration) {
              : CalibrateText::tr("without a pattern")}});
 }
 
+class CalibrateCommand {
+public:
+    void declare(CLI::App& app) {
+        addOption(app, "pairs", m_pairsPath,
+                  CalibrateText::tr("CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows"),
+                  "PAIRS.csv")
+            ->required();
+        addOption(app, "--width", m_settings.width_px, CalibrateText::tr("Width of the image, px"),
+                  between(1, vision::kLargestSide_px));
+        addOption(app, "--height", m_settings.height_px, CalibrateText::tr("Height of the image, px"),
+                  between(1, vision::kLargestSide_px));
+        addOption(app, "--radius-mm", m_radius_mm, CalibrateText::tr("Radius of the elastomer, mm"),
+                  positive());
+        addOption(app, "--length-mm", m_length_mm,
+                  CalibrateText::tr("Length of the elastomer, from z = 0 of the sensor frame, mm"),
+                  positive());
+        addOption(app, "--hole-factor", m_holeFactor,
+                  CalibrateText::tr("The points are holes of a shell: their x and y times this factor are on "
+                                    "the elastomer (the paper's shell: 0.97)"),
+                  positive());
+        addChoice(app, "--method", m_method,
+                  CalibrateText::tr("robust: camera and lens, wrong pairs are left out; paper: linear, "
+                                    "without a lens, drops pairs that are off by more than 2 mm"),
+                  {"robust", "paper"})
+            ->capture_default_str();
+        addOption(app, "--out", m_outPath, CalibrateText::tr("Write the camera to this file"), "CAMERA.json");
+        addOption(app, "--residuals", m_residualsPath,
+                  CalibrateText::tr("Write each pair and its residual as CSV"), "OUT.csv");
+        declareJson(app, m_json);
+    }
+
+    [[nodiscard]] core::Expected<void> run() {
+        refuseToReplace(m_outPath, std::array{m_pairsPath});
+        refuseToReplace(m_residualsPath, std::array{m_pairsPath}, "--residuals");
+        if (!m_outPath.empty() && m_outPath == m_residualsPath)
+            refuse("--residuals", CalibrateText::tr("the camera is written to this file"));
+        TELETA_TRY(std::vector<vision::CalibrationPair> pairs, vision::readPairs(m_pairsPath, interrupted));
+        for (vision::CalibrationPair& pair : pairs)
+            pair.p_Sensor_m.head<2>() *= m_holeFactor;
+        m_settings.surface.radius_m = 1e-3 * m_radius_mm;
+        m_settings.surface.highest_z_m = 1e-3 * m_length_mm;
+        const auto calibration = vision::calibrate(pairs, m_settings, *vision::calibrationMethod(m_method));
+        if (!calibration) {
+            core::Error error = vision::describe(calibration.error(), pairs.size());
+            error.where.file = m_pairsPath;
+            return core::Unexpected(error);
+        }
+        if (interrupted())
+            return core::Unexpected(interruption());
+        const CameraFile file{calibration->camera, vision::summaryOf(*calibration)};
+        if (!m_residualsPath.empty())
+            TELETA_CHECK(vision::writeResiduals(pairs, *calibration, m_residualsPath));
+        if (!m_outPath.empty()) {
+            TELETA_CHECK(vision::writeCamera(file, m_outPath));
+            if (calibration->method == vision::CalibrationMethod::paper) {
+                warn(CalibrateText::tr(
+                         "The camera that was written has no lens: it is off by %1 mm on average "
+                         "over the pairs that it kept (%2 of %3).")
+                         .arg(forPeople(1e3 * calibration->mean_error_m))
+                         .arg(calibration->kept)
+                         .arg(pairs.size()));
+            }
+        }
+        return m_json ? printDocument(toJson(*calibration, file)) : printTable(*calibration);
+    }
+
+private:
+    std::string m_pairsPath;
+    vision::CalibrationSettings m_settings;
+    double m_radius_mm = 1e3 * vision::CylinderSurface{}.radius_m;
+    double m_length_mm = 1e3 * vision::CylinderSurface{}.highest_z_m;
+    double m_holeFactor = 1.0;
+    std::string m_method = "robust";
+    std::string m_outPath;
+    std::string m_residualsPath;
+    bool m_json = false;
+};
+
 } // namespace
 
-QString CalibrateCommand::summary() const {
-    return CalibrateText::tr("Camera and lens of a tactile cylinder from pairs of pixels and points");
-}
-
-const char* CalibrateCommand::example() const {
-    return "teleta simulate vtacarm-calibration --duration 60 --out run\n"
-           "  teleta calibrate run/pairs.csv --out camera.json --residuals residuals.csv";
-}
-
-void CalibrateCommand::declare(CLI::App& app) {
-    const auto help = [](const char* text) { return CalibrateText::tr(text).toStdString(); };
-    app.add_option("pairs", m_pairsPath,
-                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
-                                          "CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows")))
-        ->type_name("PAIRS.csv")
-        ->required();
-    app.add_option("--width", m_settings.width_px,
-                   help(QT_TRANSLATE_NOOP("CalibrateCommand", "Width of the image, px")))
-        ->capture_default_str()
-        ->check(between(1, vision::kLargestSide_px));
-    app.add_option("--height", m_settings.height_px,
-                   help(QT_TRANSLATE_NOOP("CalibrateCommand", "Height of the image, px")))
-        ->capture_default_str()
-        ->check(between(1, vision::kLargestSide_px));
-    app.add_option("--radius-mm", m_radius_mm,
-                   help(QT_TRANSLATE_NOOP("CalibrateCommand", "Radius of the elastomer, mm")))
-        ->capture_default_str()
-        ->check(positive());
-    app.add_option("--length-mm", m_length_mm,
-                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
-                                          "Length of the elastomer, from z = 0 of the sensor frame, mm")))
-        ->capture_default_str()
-        ->check(positive());
-    app.add_option("--hole-factor", m_holeFactor,
-                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
-                                          "The points are holes of a shell: their x and y times this factor "
-                                          "are on the elastomer (the paper's shell: 0.97)")))
-        ->capture_default_str()
-        ->check(positive());
-    app.add_option("--method", m_method,
-                   help(QT_TRANSLATE_NOOP("CalibrateCommand",
-                                          "robust: camera and lens, wrong pairs are left out; paper: linear, "
-                                          "without a lens, drops pairs that are off by more than 2 mm")))
-        ->type_name("robust|paper")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"robust", "paper"}).description(""));
-    app.add_option("--out", m_outPath,
-                   help(QT_TRANSLATE_NOOP("CalibrateCommand", "Write the camera to this file")))
-        ->type_name("CAMERA.json");
-    app.add_option("--residuals", m_residualsPath,
-                   help(QT_TRANSLATE_NOOP("CalibrateCommand", "Write each pair and its residual as CSV")))
-        ->type_name("OUT.csv");
-    declareJson(app, m_json);
-}
-
-core::Expected<void> CalibrateCommand::run() {
-    refuseToReplace(m_outPath, std::array{m_pairsPath});
-    refuseToReplace(m_residualsPath, std::array{m_pairsPath}, "--residuals");
-    if (!m_outPath.empty() && m_outPath == m_residualsPath)
-        throw CLI::ValidationError("--residuals",
-                                   CalibrateText::tr("the camera is written to this file").toStdString());
-    TELETA_TRY(std::vector<vision::CalibrationPair> pairs, vision::readPairs(m_pairsPath, interrupted));
-    for (vision::CalibrationPair& pair : pairs)
-        pair.p_Sensor_m.head<2>() *= m_holeFactor;
-    m_settings.surface.radius_m = 1e-3 * m_radius_mm;
-    m_settings.surface.highest_z_m = 1e-3 * m_length_mm;
-    const auto calibration = vision::calibrate(pairs, m_settings, *vision::calibrationMethod(m_method));
-    if (!calibration) {
-        core::Error error = vision::describe(calibration.error(), pairs.size());
-        error.where.file = m_pairsPath;
-        return core::Unexpected(error);
-    }
-    if (interrupted())
-        return core::Unexpected(interruption());
-    const CameraFile file{calibration->camera, vision::summaryOf(*calibration)};
-    if (!m_residualsPath.empty()) {
-        if (const core::Expected<void> written = vision::writeResiduals(pairs, *calibration, m_residualsPath);
-            !written)
-            return written;
-    }
-    if (!m_outPath.empty()) {
-        TELETA_CHECK(vision::writeCamera(file, m_outPath));
-        if (calibration->method == vision::CalibrationMethod::paper) {
-            warn(CalibrateText::tr("The camera that was written has no lens: it is off by %1 mm on average "
-                                   "over the pairs that it kept (%2 of %3).")
-                     .arg(forPeople(1e3 * calibration->mean_error_m))
-                     .arg(calibration->kept)
-                     .arg(pairs.size()));
-        }
-    }
-    return m_json ? printDocument(toJson(*calibration, file)) : printTable(*calibration);
+Command calibrateCommand() {
+    return makeCommand<CalibrateCommand>(
+        "calibrate",
+        CalibrateText::tr("Camera and lens of a tactile cylinder from pairs of pixels and points"),
+        "teleta simulate vtacarm-calibration --duration 60 --out run\n"
+        "  teleta calibrate run/pairs.csv --out camera.json --residuals residuals.csv");
 }
 
 } // namespace teleta::cli

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/commands/devices/devices_command.h"
-
 #include "app/cli/base/command_io.h"
+#include "app/cli/base/options.h"
 #include "app/cli/commands/devices/device_files.h"
+#include "app/cli/commands/devices/devices_commands.h"
 #include "backend/core/data/output_file.h"
 #include "backend/core/data/toml_keys.h"
+#include "backend/core/failure.h"
 #include "backend/core/threads/stop_switch.h"
 #include "devices/bracelet/hid_bracelet.h"
 #include "devices/bracelet/hid_bracelet_file.h"
@@ -19,8 +20,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace teleta::cli {
 
@@ -28,6 +31,24 @@ namespace {
 
 struct DevicesText {
     Q_DECLARE_TR_FUNCTIONS(DevicesCommand)
+};
+
+/// One quantity that a device tells.
+struct DeviceValue {
+    std::string name;
+    double value = 0.0;
+    std::string unit;
+};
+
+/// A device that was found, or that was looked for in vain.
+struct FoundDevice {
+    std::string kind; ///< hid_bracelet, mouse3d, modbus, wts, camera
+    std::string name;
+    std::string where;                    ///< path or address
+    std::optional<core::Error> error{};   ///< why it cannot be used; nothing: it is connected
+    std::optional<double> frameRate_Hz{}; ///< frames of the motors, the array or the camera a second
+    std::optional<double> inputRate_Hz{}; ///< readings of all inputs a second
+    std::vector<DeviceValue> values{};
 };
 
 template <typename T>
@@ -140,11 +161,9 @@ core::Expected<FoundDevice> probeFile(const std::string& path) {
     // Without a kind the other keys say nothing either.
     if (!root.has("kind")) {
         root.finish();
-        return core::Unexpected(core::Error{
-            core::ErrorKind::badInput,
-            DevicesText::tr("\"kind\" is missing").toStdString(),
-            DevicesText::tr("kind = \"modbus\", \"wts\", \"camera\" or \"hid_bracelet\"").toStdString(),
-            {path, 1, 1}});
+        return core::failed(core::ErrorKind::badInput, DevicesText::tr("\"kind\" is missing"),
+                            DevicesText::tr("kind = \"modbus\", \"wts\", \"camera\" or \"hid_bracelet\""),
+                            {path, 1, 1});
     }
     if (kind == 0)
         return probeRegisters(path);
@@ -154,9 +173,6 @@ core::Expected<FoundDevice> probeFile(const std::string& path) {
 }
 
 nlohmann::ordered_json toJson(const FoundDevice& device) {
-    const auto orNull = [](const std::optional<double>& value) {
-        return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-    };
     nlohmann::ordered_json values = nlohmann::ordered_json::array();
     for (const DeviceValue& value : device.values)
         values.push_back({{"name", value.name}, {"value", value.value}, {"unit", value.unit}});
@@ -189,7 +205,7 @@ QString withUnit(const DeviceValue& value) {
 }
 
 core::Expected<void> printTable(const std::vector<FoundDevice>& devices) {
-    std::vector<std::pair<QString, QString>> fields;
+    Fields fields;
     for (const FoundDevice& device : devices) {
         if (!fields.empty())
             fields.emplace_back();
@@ -214,48 +230,53 @@ core::Expected<void> printTable(const std::vector<FoundDevice>& devices) {
     return printFields(fields);
 }
 
+class DevicesCommand {
+public:
+    void declare(CLI::App& app) {
+        addOption(app, "--probe", m_probePath,
+                  DevicesText::tr(
+                      "Connect to the device of this description and read it; its motors are set to zero"),
+                  "DEVICE.toml");
+        declareJson(app, m_json);
+    }
+
+    [[nodiscard]] core::Expected<void> run() {
+        std::vector<FoundDevice> devices;
+        if (m_probePath.empty()) {
+            devices = listDevices();
+        } else {
+            TELETA_TRY(auto found, probeFile(m_probePath));
+            devices.push_back(std::move(found));
+        }
+        if (m_json) {
+            nlohmann::ordered_json list = nlohmann::ordered_json::array();
+            for (const FoundDevice& device : devices)
+                list.push_back(toJson(device));
+            TELETA_CHECK(printDocument({{"devices", std::move(list)}}));
+        } else {
+            TELETA_CHECK(printTable(devices));
+        }
+        // A list tells what is there; a device that was asked for and is not there is a failure.
+        if (m_probePath.empty() || !devices.front().error)
+            return {};
+        core::Error error = *devices.front().error;
+        // The description was right: it is not the input's fault that a path or a host does not exist.
+        error.kind = core::ErrorKind::unavailable;
+        return core::Unexpected(std::move(error));
+    }
+
+private:
+    std::string m_probePath;
+    bool m_json = false;
+};
+
 } // namespace
 
-QString DevicesCommand::summary() const {
-    return DevicesText::tr("List connected devices, how fast they are, and why others cannot be used");
-}
-
-const char* DevicesCommand::example() const {
-    return "teleta devices --json";
-}
-
-void DevicesCommand::declare(CLI::App& app) {
-    app.add_option("--probe", m_probePath,
-                   DevicesText::tr(
-                       "Connect to the device of this description and read it; its motors are set to zero")
-                       .toStdString())
-        ->type_name("DEVICE.toml");
-    declareJson(app, m_json);
-}
-
-core::Expected<void> DevicesCommand::run() {
-    std::vector<FoundDevice> devices;
-    if (m_probePath.empty()) {
-        devices = listDevices();
-    } else {
-        TELETA_TRY(auto found, probeFile(m_probePath));
-        devices.push_back(std::move(found));
-    }
-    if (m_json) {
-        nlohmann::ordered_json list = nlohmann::ordered_json::array();
-        for (const FoundDevice& device : devices)
-            list.push_back(toJson(device));
-        TELETA_CHECK(printDocument({{"devices", std::move(list)}}));
-    } else if (const auto printed = printTable(devices); !printed) {
-        return printed;
-    }
-    // A list tells what is there; a device that was asked for and is not there is a failure.
-    if (m_probePath.empty() || !devices.front().error)
-        return {};
-    core::Error error = *devices.front().error;
-    // The description was right: it is not the input's fault that a path or a host does not exist.
-    error.kind = core::ErrorKind::unavailable;
-    return core::Unexpected(std::move(error));
+Command devicesCommand() {
+    return makeCommand<DevicesCommand>(
+        "devices",
+        DevicesText::tr("List connected devices, how fast they are, and why others cannot be used"),
+        "teleta devices --json");
 }
 
 } // namespace teleta::cli

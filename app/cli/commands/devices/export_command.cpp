@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/commands/devices/export_command.h"
-
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
+#include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
+#include "app/cli/commands/devices/devices_commands.h"
 #include "backend/recording/csv_export.h"
 
 #include <QCoreApplication>
@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,7 @@ core::Expected<void> printJson(const Recording& recording, const std::vector<Exp
 }
 
 core::Expected<void> printFiles(const Recording& recording, const std::vector<ExportedFile>& files) {
-    std::vector<std::pair<QString, QString>> fields;
+    Fields fields;
     for (const ExportedFile& file : files) {
         QString text = ExportText::tr("%n row(s)", nullptr, static_cast<int>(file.rows));
         if (file.damagedBlocks > 0)
@@ -52,55 +53,57 @@ core::Expected<void> printFiles(const Recording& recording, const std::vector<Ex
     return printFields(fields);
 }
 
+class ExportCommand {
+public:
+    void declare(CLI::App& app) {
+        addOption(app, "RECORDING", m_path, ExportText::tr("Recording of the console or of teleta simulate"),
+                  "")
+            ->required();
+        addOption(app, "--csv", m_folder, ExportText::tr("Folder for a CSV file a stream and events.csv"),
+                  "DIR")
+            ->required();
+        addFlag(app, "--force", m_force, ExportText::tr("Write over files that are there already"));
+        declareJson(app, m_json);
+    }
+
+    [[nodiscard]] core::Expected<void> run() {
+        TELETA_TRY(const Recording recording, Recording::open(m_path));
+        ProgressBar progress(ProgressBar::Unit::frames, false);
+        recording::ExportOptions options;
+        options.overwrite = m_force;
+        options.finishesWhenEnded = true;
+        bool stopped = false;
+        options.goOn = [&](double done, double all) {
+            progress.update(done, all);
+            stopped = interrupted();
+            return !stopped;
+        };
+        const auto exported = recording::exportCsv(recording, m_folder, options);
+        progress.erase();
+        if (!exported) {
+            core::Error error = exported.error();
+            if (error.kind == core::ErrorKind::refused)
+                error.expected = ExportText::tr("another folder, or --force").toStdString();
+            return core::Unexpected(std::move(error));
+        }
+        return unlessCut(m_json ? printJson(recording, *exported) : printFiles(recording, *exported),
+                         stopped);
+    }
+
+private:
+    std::string m_path;
+    std::string m_folder;
+    bool m_force = false;
+    bool m_json = false;
+};
+
 } // namespace
 
-QString ExportCommand::summary() const {
-    return ExportText::tr("Write the streams of a recording as CSV files");
-}
-
-const char* ExportCommand::example() const {
-    return "teleta simulate tactile-indenter --out run\n"
-           "  teleta export run/recording.teleta --csv run/csv";
-}
-
-void ExportCommand::declare(CLI::App& app) {
-    app.add_option("RECORDING", m_path,
-                   ExportText::tr("Recording of the console or of teleta simulate").toStdString())
-        ->type_name("")
-        ->required();
-    app.add_option("--csv", m_folder,
-                   ExportText::tr("Folder for a CSV file a stream and events.csv").toStdString())
-        ->type_name("DIR")
-        ->required();
-    app.add_flag("--force", m_force, ExportText::tr("Write over files that are there already").toStdString());
-    declareJson(app, m_json);
-}
-
-core::Expected<void> ExportCommand::run() {
-    TELETA_TRY(const Recording recording, Recording::open(m_path));
-    ProgressBar progress(ProgressBar::Unit::frames, false);
-    recording::ExportOptions options;
-    options.overwrite = m_force;
-    options.finishesWhenEnded = true;
-    bool stopped = false;
-    options.goOn = [&](double done, double all) {
-        progress.update(done, all);
-        stopped = interrupted();
-        return !stopped;
-    };
-    const auto exported = recording::exportCsv(recording, m_folder, options);
-    progress.erase();
-    if (!exported) {
-        core::Error error = exported.error();
-        if (error.kind == core::ErrorKind::refused)
-            error.expected = ExportText::tr("another folder, or --force").toStdString();
-        return core::Unexpected(std::move(error));
-    }
-    const core::Expected<void> printed =
-        m_json ? printJson(recording, *exported) : printFiles(recording, *exported);
-    if (printed && stopped)
-        return core::Unexpected(interruption());
-    return printed;
+Command exportCommand() {
+    return makeCommand<ExportCommand>("export",
+                                      ExportText::tr("Write the streams of a recording as CSV files"),
+                                      "teleta simulate tactile-indenter --out run\n"
+                                      "  teleta export run/recording.teleta --csv run/csv");
 }
 
 } // namespace teleta::cli

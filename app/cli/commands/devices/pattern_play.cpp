@@ -3,6 +3,7 @@
 
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
+#include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/core/threads/wakeup.h"
@@ -113,21 +114,15 @@ QString forPeopleUs(const Quantiles& quantiles) {
 core::Expected<void> endedWell(const playback::PlayerStatus& status) {
     switch (status.ending) {
     case PlayerEnding::deviceLost:
-        return core::Unexpected(core::Error{
-            core::ErrorKind::unavailable, PlayText::tr("The bracelet was lost.").toStdString(), {}, {}});
+        return core::failed(core::ErrorKind::unavailable, PlayText::tr("The bracelet was lost."));
     case PlayerEnding::sourceFailed:
         return core::Unexpected(core::Error{core::ErrorKind::refused, status.message, {}, {}});
     case PlayerEnding::stalled:
-        return core::Unexpected(
-            core::Error{core::ErrorKind::refused,
-                        PlayText::tr("A frame was so late that the bracelet had stopped.").toStdString(),
-                        {},
-                        {}});
+        return core::failed(core::ErrorKind::refused,
+                            PlayText::tr("A frame was so late that the bracelet had stopped."));
     case PlayerEnding::tooHot:
-        return core::Unexpected(core::Error{core::ErrorKind::refused,
-                                            PlayText::tr("The bracelet is too hot.").toStdString(),
-                                            PlayText::tr("let it cool down first").toStdString(),
-                                            {}});
+        return core::failed(core::ErrorKind::refused, PlayText::tr("The bracelet is too hot."),
+                            PlayText::tr("let it cool down first"));
     default:
         return {};
     }
@@ -185,7 +180,7 @@ core::Expected<void> print(const core::BraceletSource& bracelet, const playback:
                                 {"snapshot_to_frame", toJson(latency)}};
         return printDocument(document);
     }
-    std::vector<std::pair<QString, QString>> fields{
+    Fields fields{
         {PlayText::tr("Bracelet"), QString::fromStdString(bracelet.description().name)},
         {PlayText::tr("Rate"), PlayText::tr("%1 Hz, achieved %2 Hz")
                                    .arg(forPeople(player.rate_Hz()), forPeople(program.counters.rate_Hz))},
@@ -246,8 +241,7 @@ core::Expected<void> playPattern(const pattern::Pattern& drawn, const PlayOption
     const bool cut = interrupted();
     // Nothing is felt while whoever reads the output takes his time.
     player.stop();
-    TELETA_CHECK(print(bracelet, player, program, live, options.json));
-    return cut ? core::Expected<void>(core::Unexpected(interruption())) : core::Expected<void>();
+    return unlessCut(print(bracelet, player, program, live, options.json), cut);
 }
 
 } // namespace teleta::cli

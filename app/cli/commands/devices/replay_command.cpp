@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/commands/devices/replay_command.h"
-
+#include "app/cli/base/command_io.h"
 #include "app/cli/base/feature_rows.h"
 #include "app/cli/base/interruption.h"
+#include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
-#include "app/cli/base/tracker_losses.h"
-#include "app/cli/base/validators.h"
+#include "app/cli/base/tracker_rows.h"
+#include "app/cli/commands/devices/devices_commands.h"
+#include "backend/core/failure.h"
 #include "backend/core/threads/wakeup.h"
+#include "backend/pipeline/recorded/recorded_sources.h"
 #include "backend/pipeline/touch_channel.h"
+#include "backend/recording/recording.h"
 #include "backend/vision/contacts/contact_rows.h"
 #include "backend/vision/finders/contact_ladder.h"
 #include "backend/vision/finders/picture_view.h"
+#include "devices/replay/playback_config.h"
 #include "devices/replay/recorded_device.h"
 
 #include <QCoreApplication>
@@ -20,9 +24,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace teleta::cli {
@@ -55,194 +63,189 @@ core::Expected<void> finish(RowOutput& rows, const replay::RecordedControl& sour
         rows.flush();
         return core::Unexpected(source.error());
     }
-    const core::Expected<void> finished = rows.finish();
-    if (finished && interrupted())
-        return core::Unexpected(interruption());
-    return finished;
+    return unlessCut(rows.finish());
 }
+
+using Source = std::variant<pipeline::RecordedSource, pipeline::RecordedCamera>;
+
+class ReplayCommand {
+public:
+    void declare(CLI::App& app) {
+        addOption(app, "RECORDING", m_path, ReplayText::tr("Recording of the console or of teleta simulate"),
+                  "")
+            ->required();
+        addOption(app, "--stream", m_stream,
+                  ReplayText::tr("Name of the stream of an array or a camera; otherwise the first one"),
+                  "NAME");
+        addOption(app, "--speed", m_speed,
+                  ReplayText::tr("Times the recorded speed; otherwise as fast as possible"), "X")
+            ->check(between(0.01, 100.0));
+        addOption(app, "--threshold", m_threshold,
+                  ReplayText::tr("Load from which a taxel is in contact; otherwise as it was recorded"))
+            ->check(positive());
+        declareJson(app, m_output.json);
+        declareOut(app, m_output.outPath);
+    }
+
+    [[nodiscard]] core::Expected<void> run() {
+        TELETA_TRY(const recording::Recording recording, recording::Recording::open(m_path));
+        TELETA_TRY(Source source, chooseSource(recording));
+        if (const auto* camera = std::get_if<pipeline::RecordedCamera>(&source))
+            return replayCamera(recording, *camera);
+        auto array = std::get<pipeline::RecordedSource>(std::move(source));
+        if (pipeline::settingsChanged(recording.events(), recording.streams()[array.arrayStream].name))
+            warn(
+                ReplayText::tr("the settings changed during the recording; those of its beginning are used"));
+        return replayArray(std::move(array));
+    }
+
+private:
+    [[nodiscard]] core::Expected<Source> chooseSource(const recording::Recording& recording) const {
+        TELETA_TRY(auto sources, pipeline::recordedSources(recording));
+        QStringList names;
+        const auto isChosen = [&](std::size_t stream) {
+            const std::string& name = recording.streams()[stream].name;
+            names << QString::fromStdString(name);
+            return m_stream.empty() || name == m_stream;
+        };
+        for (pipeline::RecordedSource& source : sources.arrays)
+            if (isChosen(source.arrayStream))
+                return Source(std::move(source));
+        for (pipeline::RecordedCamera& source : sources.cameras)
+            if (isChosen(source.stream))
+                return Source(std::move(source));
+        // What is there under that name may not be described.
+        for (const recording::StreamInfo& stream : recording.streams()) {
+            if (stream.name != m_stream || stream.kind != recording::StreamKind::array)
+                continue;
+            TELETA_CHECK(pipeline::recordedArray(stream, recording.path()));
+        }
+        refuse("--stream", ReplayText::tr("the recording has the arrays and cameras %1")
+                               .arg(names.join(QStringLiteral(", "))));
+    }
+
+    /// Where the frames of a stream come from.
+    [[nodiscard]] replay::RecordedConfig configOf(std::size_t stream) const {
+        replay::RecordedConfig config;
+        config.path = m_path;
+        config.stream = stream;
+        config.speed = m_speed.value_or(std::numeric_limits<double>::infinity());
+        config.queueBlocks = kBlocksAtOnce;
+        return config;
+    }
+
+    [[nodiscard]] core::Expected<void> replayCamera(const recording::Recording& recording,
+                                                    const pipeline::RecordedCamera& source) {
+        if (m_threshold)
+            refuse("--threshold", ReplayText::tr("this is for arrays, but the stream \"%1\" is a camera's")
+                                      .arg(QString::fromStdString(recording.streams()[source.stream].name)));
+        TELETA_TRY(auto finder, vision::makeContactFinder(vision::contactLadder().front(), source.camera));
+        vision::CameraTracker tracker(std::move(finder), {.identities = {}, .bump = source.bump});
+        TELETA_TRY(const auto reference, pipeline::firstReference(recording, source));
+        if (!reference.isEmpty()) {
+            TELETA_CHECK(tracker.next(vision::viewOf(reference), 0.0));
+        }
+        replay::RecordedConfig config = configOf(source.stream);
+        config.camera = source.description;
+        config.referenceStream = source.referenceStream;
+        TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
+        TELETA_TRY(RowOutput rows, RowOutput::open(vision::kContactColumns, m_output));
+
+        core::Wakeup data;
+        replay::RecordedCamera camera(player);
+        ProgressBar progress(ProgressBar::Unit::frames, rows.onTerminal());
+        camera.start(data);
+        core::DeviceStatus status;
+        // The reference, wherever it is kept, is frame 0.
+        const long long first = reference.isEmpty() ? 0 : 1;
+        long long done = 0;
+        std::uint64_t lost = 0; // to a finder that is slower than the playing
+        for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
+            status = camera.status();
+            ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
+            if (!ended)
+                data.waitFor(kIdle);
+            core::CameraFrame frame;
+            while (!interrupted() && camera.pop(frame)) {
+                ++done;
+                lost += frame.passedOver;
+                if (frame.discontinuity && tracker.hasReference())
+                    tracker.forget();
+                if (!frame.reference.isEmpty()) {
+                    tracker.renewReference();
+                    (void)tracker.next(vision::viewOf(frame.reference), frame.capture_s); // counted by it
+                }
+                const auto contacts = tracker.next(vision::viewOf(frame.image), frame.capture_s);
+                if (!contacts)
+                    continue; // counted by the tracker
+                writeContacts(rows, first + static_cast<long long>(frame.number), frame.capture_s, tracker,
+                              *contacts);
+                rows.flushIfDue();
+                progress.update(static_cast<double>(done), static_cast<double>(camera.position().frames));
+            }
+        }
+        camera.stop();
+        progress.erase();
+        warnOfUnusableFrames(tracker);
+        return finish(rows, camera, status, lost + status.framesLost);
+    }
+
+    [[nodiscard]] core::Expected<void> replayArray(pipeline::RecordedSource source) {
+        pipeline::ChannelSettings settings = std::move(source.array.settings);
+        settings.features.threshold_N = m_threshold.value_or(settings.features.threshold_N);
+        replay::RecordedConfig config = configOf(source.arrayStream);
+        config.array = std::move(source.array.description);
+        TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
+        TELETA_TRY(RowOutput rows, RowOutput::open(kFeatureColumns, m_output));
+
+        core::Wakeup data;
+        auto made = std::make_unique<replay::RecordedArray>(player);
+        const replay::RecordedArray& array = *made;
+        pipeline::TouchChannel channel(std::move(made), std::move(settings));
+        ProgressBar progress(ProgressBar::Unit::frames, rows.onTerminal());
+        channel.start(data);
+        core::DeviceStatus status;
+        for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
+            status = channel.status();
+            ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
+            // Once more after the end: what was delivered before it.
+            if (!ended)
+                data.waitFor(kIdle);
+            channel.process();
+            pipeline::FeatureSample sample;
+            while (channel.popSample(sample))
+                writeFeatures(rows, sample.sourceTime_s, sample.features);
+            rows.flushIfDue();
+            progress.update(static_cast<double>(channel.framesProcessed()),
+                            static_cast<double>(channel.playback()->position().frames));
+        }
+        channel.stop();
+        progress.erase();
+        if (channel.samplesNotShown() > 0) {
+            rows.flush();
+            return core::failed(core::ErrorKind::ioFailed,
+                                ReplayText::tr("%n frame(s) were not printed", nullptr,
+                                               static_cast<int>(channel.samplesNotShown())),
+                                {}, {m_path});
+        }
+        return finish(rows, array, status, status.framesLost);
+    }
+
+    std::string m_path;
+    std::string m_stream;
+    std::optional<double> m_speed;
+    std::optional<double> m_threshold;
+    RowOptions m_output;
+};
 
 } // namespace
 
-QString ReplayCommand::summary() const {
-    return ReplayText::tr(
-        "Play a recording through the processing of a device and print its features, or a camera's contacts");
-}
-
-const char* ReplayCommand::example() const {
-    return "teleta simulate tactile-indenter --out run\n"
-           "  teleta replay run/recording.teleta --out features.csv";
-}
-
-void ReplayCommand::declare(CLI::App& app) {
-    app.add_option("RECORDING", m_path,
-                   ReplayText::tr("Recording of the console or of teleta simulate").toStdString())
-        ->type_name("")
-        ->required();
-    app.add_option("--stream", m_stream,
-                   ReplayText::tr("Name of the stream of an array or a camera; otherwise the first one")
-                       .toStdString())
-        ->type_name("NAME");
-    app.add_option("--speed", m_speed,
-                   ReplayText::tr("Times the recorded speed; otherwise as fast as possible").toStdString())
-        ->type_name("X")
-        ->check(between(0.01, 100.0));
-    app.add_option("--threshold", m_threshold,
-                   ReplayText::tr("Load from which a taxel is in contact; otherwise as it was recorded")
-                       .toStdString())
-        ->check(positive());
-    declareJson(app, m_output.json);
-    declareOut(app, m_output.outPath);
-}
-
-core::Expected<ReplayCommand::Source>
-ReplayCommand::chooseSource(const recording::Recording& recording) const {
-    TELETA_TRY(auto sources, pipeline::recordedSources(recording));
-    QStringList names;
-    const auto isChosen = [&](std::size_t stream) {
-        const std::string& name = recording.streams()[stream].name;
-        names << QString::fromStdString(name);
-        return m_stream.empty() || name == m_stream;
-    };
-    for (pipeline::RecordedSource& source : sources.arrays)
-        if (isChosen(source.arrayStream))
-            return Source(std::move(source));
-    for (pipeline::RecordedCamera& source : sources.cameras)
-        if (isChosen(source.stream))
-            return Source(std::move(source));
-    // What is there under that name may not be described.
-    for (const recording::StreamInfo& stream : recording.streams()) {
-        if (stream.name != m_stream || stream.kind != recording::StreamKind::array)
-            continue;
-        TELETA_CHECK(pipeline::recordedArray(stream, recording.path()));
-    }
-    throw CLI::ValidationError("--stream", ReplayText::tr("the recording has the arrays and cameras %1")
-                                               .arg(names.join(QStringLiteral(", ")))
-                                               .toStdString());
-}
-
-replay::RecordedConfig ReplayCommand::configOf(std::size_t stream) const {
-    replay::RecordedConfig config;
-    config.path = m_path;
-    config.stream = stream;
-    config.speed = m_speed.value_or(std::numeric_limits<double>::infinity());
-    config.queueBlocks = kBlocksAtOnce;
-    return config;
-}
-
-core::Expected<void> ReplayCommand::run() {
-    TELETA_TRY(const recording::Recording recording, recording::Recording::open(m_path));
-    TELETA_TRY(Source source, chooseSource(recording));
-    if (const auto* camera = std::get_if<pipeline::RecordedCamera>(&source))
-        return replayCamera(recording, *camera);
-    auto array = std::get<pipeline::RecordedSource>(std::move(source));
-    if (pipeline::settingsChanged(recording.events(), recording.streams()[array.arrayStream].name))
-        warn(ReplayText::tr("the settings changed during the recording; those of its beginning are used"));
-    return replayArray(std::move(array));
-}
-
-core::Expected<void> ReplayCommand::replayCamera(const recording::Recording& recording,
-                                                 const pipeline::RecordedCamera& source) {
-    if (m_threshold)
-        throw CLI::ValidationError("--threshold",
-                                   ReplayText::tr("this is for arrays, but the stream \"%1\" is a camera's")
-                                       .arg(QString::fromStdString(recording.streams()[source.stream].name))
-                                       .toStdString());
-    TELETA_TRY(auto finder, vision::makeContactFinder(vision::contactLadder().front(), source.camera));
-    vision::CameraTracker tracker(std::move(finder), {.identities = {}, .bump = source.bump});
-    TELETA_TRY(const auto reference, pipeline::firstReference(recording, source));
-    if (!reference.isEmpty()) {
-        TELETA_CHECK(tracker.next(vision::viewOf(reference), 0.0));
-    }
-    replay::RecordedConfig config = configOf(source.stream);
-    config.camera = source.description;
-    config.referenceStream = source.referenceStream;
-    TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
-    TELETA_TRY(RowOutput rows, RowOutput::open(vision::kContactColumns, m_output));
-
-    core::Wakeup data;
-    replay::RecordedCamera camera(player);
-    ProgressBar progress(ProgressBar::Unit::frames, rows.onTerminal());
-    camera.start(data);
-    core::DeviceStatus status;
-    // The reference, wherever it is kept, is frame 0.
-    const long long first = reference.isEmpty() ? 0 : 1;
-    long long done = 0;
-    std::uint64_t lost = 0; // to a finder that is slower than the playing
-    for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
-        status = camera.status();
-        ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
-        if (!ended)
-            data.waitFor(kIdle);
-        core::CameraFrame frame;
-        while (!interrupted() && camera.pop(frame)) {
-            ++done;
-            lost += frame.passedOver;
-            if (frame.discontinuity && tracker.hasReference())
-                tracker.forget();
-            if (!frame.reference.isEmpty()) {
-                tracker.renewReference();
-                (void)tracker.next(vision::viewOf(frame.reference), frame.capture_s); // counted by it
-            }
-            const auto contacts = tracker.next(vision::viewOf(frame.image), frame.capture_s);
-            if (!contacts)
-                continue; // counted by the tracker
-            const int bumped = tracker.bump() ? tracker.bump()->contact : 0;
-            for (const vision::FollowedContact& followed : *contacts) {
-                if (followed.seen || followed.event == vision::ContactEvent::ends)
-                    vision::writeContact(rows, first + static_cast<long long>(frame.number), frame.capture_s,
-                                         followed, bumped);
-            }
-            rows.flushIfDue();
-            progress.update(static_cast<double>(done), static_cast<double>(camera.position().frames));
-        }
-    }
-    camera.stop();
-    progress.erase();
-    warnOfUnusableFrames(tracker);
-    return finish(rows, camera, status, lost + status.framesLost);
-}
-
-core::Expected<void> ReplayCommand::replayArray(pipeline::RecordedSource source) {
-    pipeline::ChannelSettings settings = std::move(source.array.settings);
-    settings.features.threshold_N = m_threshold.value_or(settings.features.threshold_N);
-    replay::RecordedConfig config = configOf(source.arrayStream);
-    config.array = std::move(source.array.description);
-    TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
-    TELETA_TRY(RowOutput rows, RowOutput::open(kFeatureColumns, m_output));
-
-    core::Wakeup data;
-    auto made = std::make_unique<replay::RecordedArray>(player);
-    const replay::RecordedArray& array = *made;
-    pipeline::TouchChannel channel(std::move(made), std::move(settings));
-    ProgressBar progress(ProgressBar::Unit::frames, rows.onTerminal());
-    channel.start(data);
-    core::DeviceStatus status;
-    for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
-        status = channel.status();
-        ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
-        // Once more after the end: what was delivered before it.
-        if (!ended)
-            data.waitFor(kIdle);
-        channel.process();
-        pipeline::FeatureSample sample;
-        while (channel.popSample(sample))
-            writeFeatures(rows, sample.sourceTime_s, sample.features);
-        rows.flushIfDue();
-        progress.update(static_cast<double>(channel.framesProcessed()),
-                        static_cast<double>(channel.playback()->position().frames));
-    }
-    channel.stop();
-    progress.erase();
-    if (channel.samplesNotShown() > 0) {
-        rows.flush();
-        return core::Unexpected(core::Error{core::ErrorKind::ioFailed,
-                                            ReplayText::tr("%n frame(s) were not printed", nullptr,
-                                                           static_cast<int>(channel.samplesNotShown()))
-                                                .toStdString(),
-                                            {},
-                                            {m_path}});
-    }
-    return finish(rows, array, status, status.framesLost);
+Command replayCommand() {
+    return makeCommand<ReplayCommand>("replay",
+                                      ReplayText::tr("Play a recording through the processing of a device "
+                                                     "and print its features, or a camera's contacts"),
+                                      "teleta simulate tactile-indenter --out run\n"
+                                      "  teleta replay run/recording.teleta --out features.csv");
 }
 
 } // namespace teleta::cli

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/commands/tactile/contour_command.h"
-
 #include "app/cli/base/column_reader.h"
 #include "app/cli/base/command_io.h"
-#include "app/cli/base/validators.h"
+#include "app/cli/base/options.h"
+#include "app/cli/commands/tactile/tactile_commands.h"
+#include "backend/contour/cubic_spline.h"
+#include "backend/contour/shape_recogniser.h"
 #include "backend/core/data/csv_writer.h"
 
 #include <QCoreApplication>
@@ -15,9 +16,11 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <string>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace teleta::cli {
 
@@ -88,7 +91,7 @@ nlohmann::ordered_json toJson(std::size_t points, const Recognition& seen, doubl
 
 core::Expected<void> printTable(std::size_t points, const Recognition& seen, double length_m,
                                 double curvature_perM) {
-    std::vector<std::pair<QString, QString>> fields{
+    Fields fields{
         {ContourText::tr("Points"), QString::number(points)},
         {ContourText::tr("Shape"),
          ContourText::tr("%1 (confidence %2)").arg(shapeName(seen.shape), forPeople(seen.confidence, 3))},
@@ -110,107 +113,104 @@ core::Expected<void> printTable(std::size_t points, const Recognition& seen, dou
     return printFields(fields);
 }
 
+class ContourCommand {
+public:
+    void declare(CLI::App& app) {
+        addOption(app, "points", m_pointsPath,
+                  ContourText::tr("CSV with the columns x_m,y_m, in the order of touch"), "POINTS.csv")
+            ->required();
+        addChoice(app, "--spline", m_spline,
+                  ContourText::tr("approximating: the points are the control points; interpolating: the "
+                                  "curve passes through them"),
+                  {"approximating", "interpolating"})
+            ->capture_default_str();
+        addFlag(app, "--closed", m_closed,
+                ContourText::tr("The contour is closed; otherwise the program decides"));
+        addOption(app, "--samples", m_samples,
+                  ContourText::tr("Points of the curve, for the CSV and the largest curvature"),
+                  between(2, 1e7), "N");
+        addOption(app, "--resolution-m", m_resolution_m,
+                  ContourText::tr("A contour smaller than this is a point, m"), positive(), "M");
+        addOption(app, "--curve", m_curvePath,
+                  ContourText::tr("Write the curve as CSV t,x_m,y_m,curvature_per_m, t from 0 to 1"),
+                  "OUT.csv");
+        declareJson(app, m_json);
+    }
+
+    [[nodiscard]] core::Expected<void> run() {
+        TELETA_TRY(const std::vector<Point> points, readPoints());
+
+        contour::RecognitionSettings settings;
+        settings.resolution_m = m_resolution_m;
+        if (m_closed)
+            settings.closed = true;
+        const std::optional<Recognition> seen = contour::recogniseShape(points, settings);
+        std::optional<CubicSpline> spline;
+        if (seen)
+            spline = CubicSpline::fit(
+                points, m_spline == "interpolating" ? SplineKind::interpolating : SplineKind::approximating,
+                seen->closed);
+        if (!spline) {
+            core::Error error;
+            error.where.file = m_pointsPath;
+            error.message = points.empty()
+                                ? ContourText::tr("the file has no points").toStdString()
+                                : ContourText::tr("a coordinate is too large to compute with").toStdString();
+            error.expected = ContourText::tr("a row for each contact point, in metres").toStdString();
+            return core::Unexpected(error);
+        }
+        if (!m_curvePath.empty()) {
+            TELETA_CHECK(writeCurve(*spline));
+        }
+        const double length_m = spline->length_m();
+        const double curvature_perM = largestCurvature_perM(*spline, m_samples);
+        return m_json ? printDocument(toJson(points.size(), *seen, length_m, curvature_perM))
+                      : printTable(points.size(), *seen, length_m, curvature_perM);
+    }
+
+private:
+    [[nodiscard]] core::Expected<std::vector<Point>> readPoints() const {
+        constexpr std::array<std::string_view, 2> kNames{"x_m", "y_m"};
+        TELETA_TRY(ColumnReader reader, ColumnReader::open(m_pointsPath, kNames));
+        std::vector<Point> points;
+        TELETA_CHECK(reader.forEachRow(isatty(STDOUT_FILENO) != 0, [&](std::span<const double> row) {
+            points.emplace_back(row[0], row[1]);
+            return true;
+        }));
+        return points;
+    }
+
+    [[nodiscard]] core::Expected<void> writeCurve(const CubicSpline& spline) const {
+        constexpr std::array<std::string_view, 4> kColumns{"t", "x_m", "y_m", "curvature_per_m"};
+        TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(m_curvePath, kColumns));
+        for (int i = 0; i < m_samples && !csv.failed(); ++i) {
+            const double t = parameter(spline, i, m_samples);
+            const Point p = spline.position_m(t);
+            csv.number(static_cast<double>(i) / (m_samples - 1));
+            csv.number(p.x());
+            csv.number(p.y());
+            csv.number(spline.curvature_perM(t));
+            csv.endRow();
+        }
+        return csv.finish();
+    }
+
+    std::string m_pointsPath;
+    std::string m_spline = "approximating";
+    std::string m_curvePath;
+    double m_resolution_m = contour::RecognitionSettings{}.resolution_m;
+    int m_samples = 200;
+    bool m_closed = false;
+    bool m_json = false;
+};
+
 } // namespace
 
-QString ContourCommand::summary() const {
-    return ContourText::tr("Shape, vertices and spline of a series of contact points");
-}
-
-const char* ContourCommand::example() const {
-    return "teleta simulate teleta-contour-circle --out run\n"
-           "  teleta contour run/contour.csv --closed --curve curve.csv";
-}
-
-void ContourCommand::declare(CLI::App& app) {
-    const auto help = [](const char* text) { return ContourText::tr(text).toStdString(); };
-    app.add_option("points", m_pointsPath,
-                   help(QT_TRANSLATE_NOOP("ContourCommand", "CSV with the columns x_m,y_m, in the order of "
-                                                            "touch")))
-        ->type_name("POINTS.csv")
-        ->required();
-    app.add_option("--spline", m_spline,
-                   help(QT_TRANSLATE_NOOP("ContourCommand",
-                                          "approximating: the points are the control points; interpolating: "
-                                          "the curve passes through them")))
-        ->type_name("approximating|interpolating")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"approximating", "interpolating"}).description(""));
-    app.add_flag(
-        "--closed", m_closed,
-        help(QT_TRANSLATE_NOOP("ContourCommand", "The contour is closed; otherwise the program decides")));
-    app.add_option("--samples", m_samples,
-                   help(QT_TRANSLATE_NOOP("ContourCommand",
-                                          "Points of the curve, for the CSV and the largest curvature")))
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(between(2, 1e7));
-    app.add_option("--resolution-m", m_resolution_m,
-                   help(QT_TRANSLATE_NOOP("ContourCommand", "A contour smaller than this is a point, m")))
-        ->type_name("M")
-        ->capture_default_str()
-        ->check(positive());
-    app.add_option("--curve", m_curvePath,
-                   help(QT_TRANSLATE_NOOP("ContourCommand",
-                                          "Write the curve as CSV t,x_m,y_m,curvature_per_m, t from 0 to 1")))
-        ->type_name("OUT.csv");
-    declareJson(app, m_json);
-}
-
-core::Expected<void> ContourCommand::run() {
-    TELETA_TRY(const std::vector<Point> points, readPoints());
-
-    contour::RecognitionSettings settings;
-    settings.resolution_m = m_resolution_m;
-    if (m_closed)
-        settings.closed = true;
-    const std::optional<Recognition> seen = contour::recogniseShape(points, settings);
-    std::optional<CubicSpline> spline;
-    if (seen)
-        spline = CubicSpline::fit(
-            points, m_spline == "interpolating" ? SplineKind::interpolating : SplineKind::approximating,
-            seen->closed);
-    if (!spline) {
-        core::Error error;
-        error.where.file = m_pointsPath;
-        error.message = points.empty()
-                            ? ContourText::tr("the file has no points").toStdString()
-                            : ContourText::tr("a coordinate is too large to compute with").toStdString();
-        error.expected = ContourText::tr("a row for each contact point, in metres").toStdString();
-        return core::Unexpected(error);
-    }
-    if (!m_curvePath.empty()) {
-        TELETA_CHECK(writeCurve(*spline));
-    }
-    const double length_m = spline->length_m();
-    const double curvature_perM = largestCurvature_perM(*spline, m_samples);
-    return m_json ? printDocument(toJson(points.size(), *seen, length_m, curvature_perM))
-                  : printTable(points.size(), *seen, length_m, curvature_perM);
-}
-
-core::Expected<std::vector<Point>> ContourCommand::readPoints() const {
-    constexpr std::array<std::string_view, 2> kNames{"x_m", "y_m"};
-    TELETA_TRY(ColumnReader reader, ColumnReader::open(m_pointsPath, kNames));
-    std::vector<Point> points;
-    TELETA_CHECK(reader.forEachRow(isatty(STDOUT_FILENO) != 0, [&](std::span<const double> row) {
-        points.emplace_back(row[0], row[1]);
-        return true;
-    }));
-    return points;
-}
-
-core::Expected<void> ContourCommand::writeCurve(const CubicSpline& spline) const {
-    constexpr std::array<std::string_view, 4> kColumns{"t", "x_m", "y_m", "curvature_per_m"};
-    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(m_curvePath, kColumns));
-    for (int i = 0; i < m_samples && !csv.failed(); ++i) {
-        const double t = parameter(spline, i, m_samples);
-        const Point p = spline.position_m(t);
-        csv.number(static_cast<double>(i) / (m_samples - 1));
-        csv.number(p.x());
-        csv.number(p.y());
-        csv.number(spline.curvature_perM(t));
-        csv.endRow();
-    }
-    return csv.finish();
+Command contourCommand() {
+    return makeCommand<ContourCommand>(
+        "contour", ContourText::tr("Shape, vertices and spline of a series of contact points"),
+        "teleta simulate teleta-contour-circle --out run\n"
+        "  teleta contour run/contour.csv --closed --curve curve.csv");
 }
 
 } // namespace teleta::cli

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/commands/tactile/gains_command.h"
-
 #include "app/cli/base/command_io.h"
+#include "app/cli/base/frame_options.h"
 #include "app/cli/base/interruption.h"
+#include "app/cli/base/options.h"
+#include "app/cli/commands/tactile/tactile_commands.h"
 #include "backend/core/data/frame_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
 
@@ -12,7 +13,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace teleta::cli {
 
@@ -55,7 +58,7 @@ nlohmann::ordered_json toJson(const TaxelGains& gains) {
 core::Expected<void> printTable(const TaxelGains& gains) {
     const equilibration::GainRange range = gains.range().value_or(equilibration::GainRange());
     const auto percent = [](double share) { return forPeople(100.0 * share, 3); };
-    std::vector<std::pair<QString, QString>> fields{
+    Fields fields{
         {GainsText::tr("Frames under load"), QString::number(gains.frames)},
         {GainsText::tr("Taxels used"), GainsText::tr("%1 of %2").arg(gains.good()).arg(gains.taxels.size())},
         {GainsText::tr("Gains"),
@@ -92,57 +95,59 @@ void warnOf(const TaxelGains& gains) {
                  .arg(forPeople(100.0 * gains.tilt_x, 3), forPeople(100.0 * gains.tilt_y, 3)));
 }
 
+class GainsCommand {
+public:
+    void declare(CLI::App& app) {
+        addOption(app, "FRAMES.csv", m_paths,
+                  GainsText::tr("Recorded frames in which an even load presses on the whole array, a file a "
+                                "press: time_s,t0,t1,..."),
+                  "")
+            ->required();
+        m_array.declare(app);
+        declareJson(app, m_output.json);
+        declareOut(app, m_output.outPath);
+    }
+
+    [[nodiscard]] core::Expected<void> run() {
+        std::vector<std::string> inputs = m_paths;
+        inputs.push_back(m_array.tarePath);
+        refuseToReplace(m_output.outPath, inputs);
+        TELETA_TRY(const contact::ConditioningSettings settings, m_array.conditioning());
+        std::vector<std::vector<float>> presses;
+        for (const std::string& path : m_paths) {
+            core::Expected<std::vector<float>> press =
+                core::readFrames(path, m_array.layout(), [] { return !interrupted(); });
+            if (!press)
+                return core::Unexpected(interrupted() ? interruption() : press.error());
+            presses.push_back(std::move(*press));
+        }
+        std::vector<equilibration::GainPress> read;
+        for (const std::vector<float>& press : presses)
+            read.push_back({press, settings});
+        TELETA_TRY(const TaxelGains gains, equilibration::findTaxelGains(m_array.layout(), read));
+        if (interrupted())
+            return core::Unexpected(interruption());
+        warnOf(gains);
+        if (!m_output.outPath.empty())
+            TELETA_CHECK(equilibration::writeTaxelGains(gains, m_output.outPath));
+        if (m_output.json)
+            return printDocument(toJson(gains));
+        return m_output.outPath.empty() ? printRows(gains) : printTable(gains);
+    }
+
+private:
+    std::vector<std::string> m_paths;
+    ArrayOptions m_array;
+    RowOptions m_output;
+};
+
 } // namespace
 
-QString GainsCommand::summary() const {
-    return GainsText::tr("Gain of each taxel from frames under an even load");
-}
-
-const char* GainsCommand::example() const {
-    return "teleta simulate tactile-even-load --out run\n"
-           "  teleta gains run/frames.csv --out gains.csv";
-}
-
-void GainsCommand::declare(CLI::App& app) {
-    app.add_option("FRAMES.csv", m_paths,
-                   GainsText::tr("Recorded frames in which an even load presses on the whole array, a file a "
-                                 "press: time_s,t0,t1,...")
-                       .toStdString())
-        ->type_name("")
-        ->required();
-    m_array.declare(app);
-    declareJson(app, m_output.json);
-    declareOut(app, m_output.outPath);
-}
-
-core::Expected<void> GainsCommand::run() {
-    std::vector<std::string> inputs = m_paths;
-    inputs.push_back(m_array.tarePath);
-    refuseToReplace(m_output.outPath, inputs);
-    TELETA_TRY(const contact::ConditioningSettings settings, m_array.conditioning());
-    std::vector<std::vector<float>> presses;
-    for (const std::string& path : m_paths) {
-        core::Expected<std::vector<float>> press =
-            core::readFrames(path, m_array.layout(), [] { return !interrupted(); });
-        if (!press)
-            return core::Unexpected(interrupted() ? interruption() : press.error());
-        presses.push_back(std::move(*press));
-    }
-    std::vector<equilibration::GainPress> read;
-    for (const std::vector<float>& press : presses)
-        read.push_back({press, settings});
-    TELETA_TRY(const TaxelGains gains, equilibration::findTaxelGains(m_array.layout(), read));
-    if (interrupted())
-        return core::Unexpected(interruption());
-    warnOf(gains);
-    if (!m_output.outPath.empty()) {
-        if (const core::Expected<void> written = equilibration::writeTaxelGains(gains, m_output.outPath);
-            !written)
-            return written;
-    }
-    if (m_output.json)
-        return printDocument(toJson(gains));
-    return m_output.outPath.empty() ? printRows(gains) : printTable(gains);
+Command gainsCommand() {
+    return makeCommand<GainsCommand>("gains",
+                                     GainsText::tr("Gain of each taxel from frames under an even load"),
+                                     "teleta simulate tactile-even-load --out run\n"
+                                     "  teleta gains run/frames.csv --out gains.csv");
 }
 
 } // namespace teleta::cli

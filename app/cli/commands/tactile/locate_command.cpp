@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/commands/tactile/locate_command.h"
-
 #include "app/cli/base/column_reader.h"
+#include "app/cli/base/command_io.h"
+#include "app/cli/base/options.h"
+#include "app/cli/commands/tactile/tactile_commands.h"
 #include "backend/vision/calibration/camera_file.h"
 
 #include <QCoreApplication>
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 namespace teleta::cli {
 
@@ -35,47 +33,50 @@ void writePoint(const vision::CylinderCamera& camera, const Eigen::Vector2d& pix
     rows.endRow();
 }
 
+class LocateCommand {
+public:
+    void declare(CLI::App& app) {
+        addOption(app, "camera", m_cameraPath,
+                  LocateText::tr("Camera file that teleta calibrate has written"), "CAMERA.json")
+            ->required();
+        addOption(app, "pixels", m_pixelsPath, LocateText::tr("CSV with the columns u_px,v_px"),
+                  "PIXELS.csv")
+            ->required();
+        declareOut(app, m_output.outPath);
+        declareJson(app, m_output.json);
+    }
+
+    [[nodiscard]] core::Expected<void> run() const {
+        TELETA_TRY(const vision::CameraFile file, vision::readCamera(m_cameraPath));
+        constexpr std::array<std::string_view, 2> kNames{"u_px", "v_px"};
+        TELETA_TRY(ColumnReader reader, ColumnReader::open(m_pixelsPath, kNames));
+        constexpr std::array<std::string_view, 4> kColumns{"x_m", "y_m", "z_m", "sd_m"};
+        TELETA_TRY(RowOutput rows, RowOutput::open(kColumns, m_output));
+
+        const core::Expected<void> read =
+            reader.forEachRow(rows.onTerminal(), [&](std::span<const double> pixel) {
+                writePoint(file.camera, {pixel[0], pixel[1]}, rows);
+                rows.flushIfDue();
+                return !rows.failed();
+            });
+        // What was located before the work was cut short is kept.
+        const core::Expected<void> finished = rows.finish();
+        return read ? finished : read;
+    }
+
+private:
+    std::string m_cameraPath;
+    std::string m_pixelsPath;
+    RowOptions m_output;
+};
+
 } // namespace
 
-QString LocateCommand::summary() const {
-    return LocateText::tr("Points on the tactile cylinder that belong to pixels of its camera");
-}
-
-const char* LocateCommand::example() const {
-    return "teleta simulate vtacarm-calibration --duration 60 --out run\n"
-           "  teleta locate run/camera.json run/pairs.csv --out points.csv";
-}
-
-void LocateCommand::declare(CLI::App& app) {
-    const auto help = [](const char* text) { return LocateText::tr(text).toStdString(); };
-    app.add_option("camera", m_cameraPath,
-                   help(QT_TRANSLATE_NOOP("LocateCommand", "Camera file that teleta calibrate has written")))
-        ->type_name("CAMERA.json")
-        ->required();
-    app.add_option("pixels", m_pixelsPath,
-                   help(QT_TRANSLATE_NOOP("LocateCommand", "CSV with the columns u_px,v_px")))
-        ->type_name("PIXELS.csv")
-        ->required();
-    declareOut(app, m_output.outPath);
-    declareJson(app, m_output.json);
-}
-
-core::Expected<void> LocateCommand::run() {
-    TELETA_TRY(const vision::CameraFile file, vision::readCamera(m_cameraPath));
-    constexpr std::array<std::string_view, 2> kNames{"u_px", "v_px"};
-    TELETA_TRY(ColumnReader reader, ColumnReader::open(m_pixelsPath, kNames));
-    constexpr std::array<std::string_view, 4> kColumns{"x_m", "y_m", "z_m", "sd_m"};
-    TELETA_TRY(RowOutput rows, RowOutput::open(kColumns, m_output));
-
-    const core::Expected<void> read =
-        reader.forEachRow(rows.onTerminal(), [&](std::span<const double> pixel) {
-            writePoint(file.camera, {pixel[0], pixel[1]}, rows);
-            rows.flushIfDue();
-            return !rows.failed();
-        });
-    // What was located before the work was cut short is kept.
-    const core::Expected<void> finished = rows.finish();
-    return read ? finished : read;
+Command locateCommand() {
+    return makeCommand<LocateCommand>(
+        "locate", LocateText::tr("Points on the tactile cylinder that belong to pixels of its camera"),
+        "teleta simulate vtacarm-calibration --duration 60 --out run\n"
+        "  teleta locate run/camera.json run/pairs.csv --out points.csv");
 }
 
 } // namespace teleta::cli

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/commands/tactile/stiffness_command.h"
-
 #include "app/cli/base/column_reader.h"
 #include "app/cli/base/command_io.h"
-#include "app/cli/base/validators.h"
+#include "app/cli/base/options.h"
+#include "app/cli/commands/tactile/tactile_commands.h"
+#include "backend/core/failure.h"
+#include "backend/stiffness/stiffness_estimator.h"
 
 #include <QCoreApplication>
 
@@ -14,9 +15,11 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <string>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace teleta::cli {
 
@@ -32,10 +35,6 @@ using stiffness::TouchStiffness;
 struct StiffnessText {
     Q_DECLARE_TR_FUNCTIONS(StiffnessCommand)
 };
-
-nlohmann::ordered_json orNull(const std::optional<double>& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
 
 nlohmann::ordered_json toJson(const TouchStiffness& touch) {
     return {{"method", stiffness::toString(touch.method)},
@@ -90,7 +89,7 @@ core::Expected<void> printTable(const TouchStiffness& touch) {
     const QString method =
         touch.method == Method::twoPoint ? StiffnessText::tr("two-point") : StiffnessText::tr("regression");
     const auto samples = static_cast<int>(touch.samples);
-    const std::array<std::pair<QString, QString>, 7> fields{{
+    return printFields({
         {StiffnessText::tr("Method"), method},
         {StiffnessText::tr("Samples"), QString::number(samples)},
         {StiffnessText::tr("Rotation"), StiffnessText::tr("%1 rad").arg(forPeople(touch.deltaTheta_rad))},
@@ -101,158 +100,140 @@ core::Expected<void> printTable(const TouchStiffness& touch) {
          (stiffness::isSafe(touch.material) ? StiffnessText::tr("%1, safe to touch, level %2 of 5")
                                             : StiffnessText::tr("%1, danger, level %2 of 5"))
              .arg(materialName(touch.material), QString::number(stiffness::level(touch.material)))},
-    }};
-    return printFields(fields);
+    });
 }
 
-} // namespace
-
-QString StiffnessCommand::summary() const {
-    return StiffnessText::tr(
-        "Stiffness and material of an object from joint angle and torque during a touch");
-}
-
-const char* StiffnessCommand::example() const {
-    return "teleta simulate teleta-touch --duration 8 --out run\n"
-           "  cut -d, -f1,5,9 run/joints.csv | sed '1s/.*/time_s,joint_angle_rad,joint_torque_nm/' "
-           ">touch.csv\n"
-           "  teleta stiffness touch.csv --contact-distance 0.1695";
-}
-
-void StiffnessCommand::declare(CLI::App& app) {
-    const auto help = [](const char* text) { return StiffnessText::tr(text).toStdString(); };
-    app.add_option("log", m_logPath,
-                   help(QT_TRANSLATE_NOOP("StiffnessCommand",
-                                          "CSV with the columns time_s,joint_angle_rad,joint_torque_nm")))
-        ->type_name("LOG.csv")
-        ->required();
-    app.add_option("--contact-distance", m_settings.contactDistance_m,
-                   help(QT_TRANSLATE_NOOP("StiffnessCommand",
-                                          "Distance of the contact from the joint's axis along the link, m")))
-        ->type_name("M")
-        ->required()
-        ->check(positive());
-    app.add_option(
-           "--link-half-thickness", m_linkHalfThickness_m,
-           help(QT_TRANSLATE_NOOP("StiffnessCommand",
-                                  "Half the thickness of the link, m; it cancels out of the stiffness")))
-        ->type_name("M")
-        ->check(finite());
-    app.add_option("--link-stiffness", m_settings.linkStiffness_NPerM,
-                   help(QT_TRANSLATE_NOOP("StiffnessCommand", "The link's own stiffness, N/m")))
-        ->type_name("N_PER_M")
-        ->capture_default_str()
-        ->check(positive());
-    app.add_option("--method", m_method,
-                   help(QT_TRANSLATE_NOOP("StiffnessCommand",
-                                          "two-point: the samples nearest to both borders of the window; "
-                                          "regression: all samples in it")))
-        ->type_name("two-point|regression")
-        ->capture_default_str()
-        ->check(
-            CLI::IsMember({stiffness::toString(Method::twoPoint), stiffness::toString(Method::regression)})
-                .description(""));
-    app.add_option(
-           "--window", m_window_Nm,
-           help(QT_TRANSLATE_NOOP("StiffnessCommand", "Torques between which the touch is evaluated, Nm")))
-        ->type_name("LO,HI")
-        ->delimiter(',')
-        ->expected(2)
-        ->default_str("0.02,0.05")
-        ->check(finite());
-    declareJson(app, m_json);
-}
-
-core::Expected<void> StiffnessCommand::run() {
-    if (m_linkHalfThickness_m < 0.0)
-        throw CLI::ValidationError("--link-half-thickness",
-                                   StiffnessText::tr("0 or more is expected").toStdString());
-    if (m_window_Nm.size() == 2) {
-        m_settings.window = {m_window_Nm[0], m_window_Nm[1]};
-        if (m_window_Nm[0] < 0.0 || m_window_Nm[1] <= m_window_Nm[0])
-            throw CLI::ValidationError(
-                "--window",
-                StiffnessText::tr("a lower border of 0 or more and a higher upper one are expected")
-                    .toStdString());
-    }
-    m_settings.method = *stiffness::methodFromString(m_method);
-
-    TELETA_TRY(const std::vector<JointSample> log, readLog());
-    const tl::expected<TouchStiffness, Refusal> touch = stiffness::estimateStiffness(log, m_settings);
-    if (!touch)
-        return core::Unexpected(explain(touch.error(), log));
-    if (touch->stifferThanLink)
-        warn(StiffnessText::tr(
-            "the touch is stiffer than the link allows: check contact distance and link stiffness"));
-    return m_json ? printDocument(toJson(*touch)) : printTable(*touch);
-}
-
-core::Expected<std::vector<JointSample>> StiffnessCommand::readLog() const {
-    constexpr std::array<std::string_view, 3> kNames{"time_s", "joint_angle_rad", "joint_torque_nm"};
-    TELETA_TRY(ColumnReader reader, ColumnReader::open(m_logPath, kNames));
-    std::vector<JointSample> log;
-    TELETA_CHECK(reader.forEachRow(isatty(STDOUT_FILENO) != 0, [&](std::span<const double> row) {
-        log.push_back({row[0], row[1], row[2]});
-        return true;
-    }));
-    return log;
-}
-
-core::Error StiffnessCommand::explain(Refusal refusal, const std::vector<JointSample>& log) const {
-    core::Error error;
-    error.kind = core::ErrorKind::refused;
-    error.where.file = m_logPath;
+/// Why a log tells no stiffness, and what it has to have instead.
+core::Expected<void> explain(Refusal refusal, const std::vector<JointSample>& log,
+                             const stiffness::TouchSettings& settings, const std::string& path) {
     double largest_Nm = 0.0;
     for (const JointSample& sample : log)
         largest_Nm = std::max(largest_Nm, std::abs(sample.torque_Nm));
-    const QString low = forPeople(m_settings.window.low_Nm);
-    const QString high = forPeople(m_settings.window.high_Nm);
-    const auto say = [&error](const QString& message, const QString& expected = {}) {
-        error.message = message.toStdString();
-        error.expected = expected.toStdString();
+    const QString low = forPeople(settings.window.low_Nm);
+    const QString high = forPeople(settings.window.high_Nm);
+    const auto refused = [&path](const QString& message, const QString& expected) {
+        return core::failed(core::ErrorKind::refused, message, expected, {path});
     };
     switch (refusal) {
     case Refusal::noSamples:
-        error.kind = core::ErrorKind::badInput;
-        say(StiffnessText::tr("the log has no samples"),
-            StiffnessText::tr("a row for each sample of the touch"));
-        break;
+        return core::failed(core::ErrorKind::badInput, StiffnessText::tr("the log has no samples"),
+                            StiffnessText::tr("a row for each sample of the touch"), {path});
     case Refusal::windowNotReached:
-        if (m_settings.method == Method::twoPoint && largest_Nm >= m_settings.window.low_Nm)
-            say(StiffnessText::tr("one half of the torque window has no sample; the largest torque is %1 Nm")
+        if (settings.method == Method::twoPoint && largest_Nm >= settings.window.low_Nm)
+            return refused(
+                StiffnessText::tr("one half of the torque window has no sample; the largest torque is %1 Nm")
                     .arg(forPeople(largest_Nm)),
                 StiffnessText::tr("samples near %1 Nm and near %2 Nm").arg(low, high));
-        else
-            say(StiffnessText::tr("no sample reaches the torque window; the largest torque is %1 Nm")
-                    .arg(forPeople(largest_Nm)),
-                StiffnessText::tr("torques from %1 to %2 Nm").arg(low, high));
-        break;
+        return refused(StiffnessText::tr("no sample reaches the torque window; the largest torque is %1 Nm")
+                           .arg(forPeople(largest_Nm)),
+                       StiffnessText::tr("torques from %1 to %2 Nm").arg(low, high));
     case Refusal::tooFewSamples:
-        say(StiffnessText::tr("only one sample lies in the torque window"),
-            StiffnessText::tr("two or more samples from %1 to %2 Nm").arg(low, high));
-        break;
+        return refused(StiffnessText::tr("only one sample lies in the torque window"),
+                       StiffnessText::tr("two or more samples from %1 to %2 Nm").arg(low, high));
     case Refusal::torqueUnchanged:
-        say(StiffnessText::tr("the torque does not change within the window"),
-            StiffnessText::tr("torque that rises from %1 to %2 Nm").arg(low, high));
-        break;
+        return refused(StiffnessText::tr("the torque does not change within the window"),
+                       StiffnessText::tr("torque that rises from %1 to %2 Nm").arg(low, high));
     case Refusal::angleOpposesTorque:
-        say(StiffnessText::tr("the joint turns against the rising torque"),
+        return refused(
+            StiffnessText::tr("the joint turns against the rising torque"),
             StiffnessText::tr("angle and torque that rise together; the sign of one column may be turned"));
-        break;
     case Refusal::tooQuick:
-        say(StiffnessText::tr("the torque rises so quickly that the arm's inertia is part of it"),
-            StiffnessText::tr("a slower touch"));
-        break;
+        return refused(StiffnessText::tr("the torque rises so quickly that the arm's inertia is part of it"),
+                       StiffnessText::tr("a slower touch"));
     case Refusal::notFinite:
     case Refusal::notPositive:
     case Refusal::negativeUncertainty:
     case Refusal::outOfRange:
     case Refusal::badWindow:
-        say(StiffnessText::tr("the numbers are too large or too small to compute with"),
-            StiffnessText::tr("SI units"));
         break;
     }
-    return error;
+    return refused(StiffnessText::tr("the numbers are too large or too small to compute with"),
+                   StiffnessText::tr("SI units"));
+}
+
+class StiffnessCommand {
+public:
+    void declare(CLI::App& app) {
+        addOption(app, "log", m_logPath,
+                  StiffnessText::tr("CSV with the columns time_s,joint_angle_rad,joint_torque_nm"), "LOG.csv")
+            ->required();
+        addOption(app, "--contact-distance", m_settings.contactDistance_m,
+                  StiffnessText::tr("Distance of the contact from the joint's axis along the link, m"), "M")
+            ->required()
+            ->check(positive());
+        addOption(app, "--link-half-thickness", m_linkHalfThickness_m,
+                  StiffnessText::tr("Half the thickness of the link, m; it cancels out of the stiffness"),
+                  "M")
+            ->check(finite());
+        addOption(app, "--link-stiffness", m_settings.linkStiffness_NPerM,
+                  StiffnessText::tr("The link's own stiffness, N/m"), positive(), "N_PER_M");
+        addOption(
+            app, "--method", m_method,
+            StiffnessText::tr("two-point: the samples nearest to both borders of the window; regression: all "
+                              "samples in it"),
+            CLI::IsMember({stiffness::toString(Method::twoPoint), stiffness::toString(Method::regression)})
+                .description(""),
+            "two-point|regression");
+        addOption(app, "--window", m_window_Nm,
+                  StiffnessText::tr("Torques between which the touch is evaluated, Nm"), "LO,HI")
+            ->delimiter(',')
+            ->expected(2)
+            ->default_str("0.02,0.05")
+            ->check(finite());
+        declareJson(app, m_json);
+    }
+
+    [[nodiscard]] core::Expected<void> run() {
+        if (m_linkHalfThickness_m < 0.0)
+            refuse("--link-half-thickness", StiffnessText::tr("0 or more is expected"));
+        if (m_window_Nm.size() == 2) {
+            m_settings.window = {m_window_Nm[0], m_window_Nm[1]};
+            if (m_window_Nm[0] < 0.0 || m_window_Nm[1] <= m_window_Nm[0])
+                refuse("--window",
+                       StiffnessText::tr("a lower border of 0 or more and a higher upper one are expected"));
+        }
+        m_settings.method = *stiffness::methodFromString(m_method);
+
+        TELETA_TRY(const std::vector<JointSample> log, readLog());
+        const tl::expected<TouchStiffness, Refusal> touch = stiffness::estimateStiffness(log, m_settings);
+        if (!touch)
+            return explain(touch.error(), log, m_settings, m_logPath);
+        if (touch->stifferThanLink)
+            warn(StiffnessText::tr(
+                "the touch is stiffer than the link allows: check contact distance and link stiffness"));
+        return m_json ? printDocument(toJson(*touch)) : printTable(*touch);
+    }
+
+private:
+    [[nodiscard]] core::Expected<std::vector<JointSample>> readLog() const {
+        constexpr std::array<std::string_view, 3> kNames{"time_s", "joint_angle_rad", "joint_torque_nm"};
+        TELETA_TRY(ColumnReader reader, ColumnReader::open(m_logPath, kNames));
+        std::vector<JointSample> log;
+        TELETA_CHECK(reader.forEachRow(isatty(STDOUT_FILENO) != 0, [&](std::span<const double> row) {
+            log.push_back({row[0], row[1], row[2]});
+            return true;
+        }));
+        return log;
+    }
+
+    stiffness::TouchSettings m_settings;
+    std::string m_logPath;
+    std::string m_method = stiffness::toString(stiffness::Method::regression);
+    std::vector<double> m_window_Nm;
+    double m_linkHalfThickness_m = 0.0;
+    bool m_json = false;
+};
+
+} // namespace
+
+Command stiffnessCommand() {
+    return makeCommand<StiffnessCommand>(
+        "stiffness",
+        StiffnessText::tr("Stiffness and material of an object from joint angle and torque during a touch"),
+        "teleta simulate teleta-touch --duration 8 --out run\n"
+        "  cut -d, -f1,5,9 run/joints.csv | sed '1s/.*/time_s,joint_angle_rad,joint_torque_nm/' "
+        ">touch.csv\n"
+        "  teleta stiffness touch.csv --contact-distance 0.1695");
 }
 
 } // namespace teleta::cli

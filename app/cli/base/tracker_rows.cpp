@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/base/tracker_losses.h"
+#include "app/cli/base/tracker_rows.h"
 
-#include "app/cli/base/command_io.h"
-#include "backend/vision/contacts/camera_tracker.h"
+#include "backend/vision/contacts/contact_rows.h"
 
 #include <QCoreApplication>
 
@@ -15,6 +14,14 @@ struct TrackText {
 };
 
 } // namespace
+
+void writeContacts(RowOutput& rows, long long frame, double time_s, const vision::CameraTracker& tracker,
+                   std::span<const vision::FollowedContact> contacts) {
+    const int bumped = tracker.bump() ? tracker.bump()->contact : 0;
+    for (const vision::FollowedContact& followed : contacts)
+        if (followed.seen || followed.event == vision::ContactEvent::ends)
+            vision::writeContact(rows, frame, time_s, followed, bumped);
+}
 
 void warnOfUnusableFrames(const vision::CameraTracker& tracker) {
     if (tracker.unusableFrames() > 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/base/validators.h"
+#include "app/cli/base/options.h"
 
 #include "app/cli/base/command_io.h"
 
@@ -8,10 +8,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <string>
 #include <system_error>
+#include <utility>
 
 namespace teleta::cli {
 
@@ -39,6 +38,22 @@ CLI::Validator numberThat(const std::function<bool(double)>& accepted, const QSt
 }
 
 } // namespace
+
+CLI::Option* addFlag(CLI::App& app, const char* name, bool& value, const QString& help) {
+    return app.add_flag(name, value, help.toStdString());
+}
+
+void refuse(const char* option, const QString& text) {
+    throw CLI::ValidationError(option, text.toStdString());
+}
+
+CLI::App& CommandGroup::addPart(CLI::App& app, const char* name, const QString& summary,
+                                std::function<core::Expected<void>()> run) {
+    app.require_subcommand(1);
+    CLI::App* part = app.add_subcommand(name, summary.toStdString());
+    part->callback([this, run = std::move(run)] { m_run = run; });
+    return *part;
+}
 
 CLI::Validator finite() {
     return numberThat([](double) { return true; }, ValidatorText::tr("a number"));

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/base/command.h"
+
+namespace teleta::cli {
+
+/// Camera, lens and handedness from pairs of pixels and points on the cylinder.
+[[nodiscard]] Command calibrateCommand();
+/// Contacts on the soft tube in a video, or in what a camera sees now, a row a contact of a frame.
+[[nodiscard]] Command trackCommand();
+
+} // namespace teleta::cli
