@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/base/recording_request.h"
 
+#include "backend/core/failure.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/camera_channel.h"
 #include "backend/pipeline/recorded/recorded_sources.h"
@@ -90,12 +91,10 @@ core::Expected<std::shared_ptr<pipeline::Channel>> openRecording(const Recording
     for (const pipeline::RecordedCamera& source : sources.cameras)
         if (isIt(source.stream))
             return openCamera(std::move(config), recording, source, stop);
-    return core::Unexpected(core::Error{core::ErrorKind::refused,
-                                        PlaybackText::tr("the recording has no stream \"%1\" to play")
-                                            .arg(QString::fromStdString(request.stream))
-                                            .toStdString(),
-                                        {},
-                                        {request.path}});
+    return core::failed(core::ErrorKind::refused,
+                        PlaybackText::tr("the recording has no stream \"%1\" to play")
+                            .arg(QString::fromStdString(request.stream)),
+                        {}, {request.path});
 }
 
 } // namespace teleta::console

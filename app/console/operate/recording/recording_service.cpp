@@ -3,6 +3,7 @@
 
 #include "app/common/scene_file.h"
 #include "app/console/bracelet/bracelet_service.h"
+#include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/event_words.h"
@@ -97,10 +98,8 @@ RecordingService::Started RecordingService::startRecorder(const QString& path, r
                                                           const std::string& sceneFile) {
     const QFileInfo file(path);
     if (!QDir().mkpath(file.path()))
-        return core::Unexpected(core::Error{core::ErrorKind::ioFailed,
-                                            tr("the folder cannot be made").toStdString(),
-                                            tr("a folder that can be written to").toStdString(),
-                                            {file.path().toStdString()}});
+        return core::failed(core::ErrorKind::ioFailed, tr("the folder cannot be made"),
+                            tr("a folder that can be written to"), {file.path().toStdString()});
     if (!sceneFile.empty())
         head.sceneText = app::readSceneText(sceneFile);
     constexpr int kMostNumbers = 1000;

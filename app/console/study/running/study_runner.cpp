@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/running/study_runner.h"
 
+#include "backend/core/failure.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -41,11 +43,9 @@ core::Expected<void> StudyRunner::begin(StimulusOutput& output, const study::Pro
         const std::string id = study::stimulusId(task, pattern, task.conditions[plan.condition]);
         stimuli.push_back(set.find(id));
         if (stimuli.back() == nullptr)
-            return core::Unexpected(core::Error{
-                core::ErrorKind::notFound,
-                tr("there is no tactile pattern \"%1\"").arg(QString::fromStdString(id)).toStdString(),
-                tr("a protocol that names a file for each pattern that is not built in").toStdString(),
-                {}});
+            return core::failed(core::ErrorKind::notFound,
+                                tr("there is no tactile pattern \"%1\"").arg(QString::fromStdString(id)),
+                                tr("a protocol that names a file for each pattern that is not built in"));
     }
     TELETA_TRY(study::SessionFlow flow, study::SessionFlow::create(protocol, plan, kept, began_ns));
     clear();
