@@ -34,8 +34,7 @@ std::string jsonString(std::string_view text) {
 } // namespace
 
 ExitCode exitCode(const core::Error& error) {
-    const bool isOfInput =
-        error.kind == core::ErrorKind::badInput || error.kind == core::ErrorKind::notFound;
+    const bool isOfInput = error.kind == core::ErrorKind::badInput || error.kind == core::ErrorKind::notFound;
     return isOfInput ? kBadInput : kWorkFailed;
 }
 

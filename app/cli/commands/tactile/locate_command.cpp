@@ -39,8 +39,7 @@ public:
         addOption(app, "camera", m_cameraPath,
                   LocateText::tr("Camera file that teleta calibrate has written"), "CAMERA.json")
             ->required();
-        addOption(app, "pixels", m_pixelsPath, LocateText::tr("CSV with the columns u_px,v_px"),
-                  "PIXELS.csv")
+        addOption(app, "pixels", m_pixelsPath, LocateText::tr("CSV with the columns u_px,v_px"), "PIXELS.csv")
             ->required();
         declareOut(app, m_output.outPath);
         declareJson(app, m_output.json);
