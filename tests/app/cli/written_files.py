@@ -13,7 +13,7 @@ output is compared where it is CSV or JSON. Left out, because it differs from ru
     ablation                the columns own_time_s, run_s and run_with_all_s
     recordings, studies     SQLite pages: each table is dumped row by row, without the version of the program, comments
                             and descriptions of the scene or protocol; frames of a recording without their cut into blocks
-    times of the clock      in recordings; in studies they count from its beginning; dates of PDF
+    times of the clock      in recordings; in studies they count from its beginning; dates of PDF and HJIF
 Not run, because their files are times: tradeoff, pattern play. Not run, because they need a device or server: devices,
 study --store. Libraries are kept from choosing faster code on newer processors, so that sums hold on every x86-64.
 """
@@ -32,6 +32,7 @@ import sqlite3
 import subprocess
 import sys
 import tempfile
+import zlib
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
@@ -183,10 +184,56 @@ def study_job(runner):
     runner.run("study", "noise", "--seed", 2, "--out", "noise.wav")
 
 
+def read_grey_png(path):
+    """Width and rows of a PNG of 8-bit grey levels without interlace."""
+    content, position, packed = path.read_bytes(), 8, b""
+    width = int.from_bytes(content[16:20], "big")
+    while position < len(content):
+        length = int.from_bytes(content[position:position + 4], "big")
+        if content[position + 4:position + 8] == b"IDAT":
+            packed += content[position + 8:position + 8 + length]
+        position += length + 12
+    raw, rows, above = zlib.decompress(packed), [], bytearray(width)
+    for start in range(0, len(raw), width + 1):
+        kind, row = raw[start], bytearray(raw[start + 1:start + 1 + width])
+        for i in range(width):
+            left, up, corner = (row[i - 1], above[i], above[i - 1]) if i else (0, above[i], 0)
+            nearest = min((left, up, corner), key=lambda value: abs(left + up - corner - value))
+            row[i] = (row[i] + (0, left, up, (left + up) // 2, nearest)[kind]) % 256
+        rows.append(row)
+        above = row
+    return width, rows
+
+
+def track_job(runner):
+    """Two pictures of the camera scene: at rest, and with the dots of one place pushed apart as by a press."""
+    scene = ROOT / "resources/scenes/vtacarm-multicontact.toml"
+    runner.run("simulate", scene, "--duration", 0.1, "--seed", 1, "--out", "track/scene")
+    runner.run("simulate", ROOT / "resources/scenes/vtacarm-calibration.toml", "--duration", 60, "--seed", 1, "--out",
+               "track/tube")
+    runner.run("calibrate", "track/tube/pairs.csv", "--out", "track/camera.json")
+    folder = runner.folder / "track"
+    width, rows = read_grey_png(folder / "scene/reference.png")
+    u, v, reach, push = 400, 400, 60, 14
+    pressed = [bytearray(row) for row in rows]
+    for y in range(v - reach, v + reach):
+        for x in range(u - reach, u + reach):
+            distance = math.hypot(x - u, y - v)
+            if 0 < distance < reach:
+                share = push / reach * (1 - distance / reach)
+                pressed[y][x] = rows[round(y - share * (y - v))][round(x - share * (x - u))]
+    for number, picture in enumerate((rows, rows, pressed, pressed)):
+        (folder / f"frame_{number}.pgm").write_bytes(b"P5 %d %d 255\n" % (width, len(picture)) + b"".join(picture))
+    for preset in ("dots", "paper", "medium-2"):
+        runner.run("track", folder / "frame_%d.pgm", "--camera", "track/camera.json", "--preset", preset, "--out",
+                   f"track/{preset}.csv")
+
+
 def write_all(program, folder, whole):
     runner = Runner(program, folder, whole)
     jobs = [*scene_jobs(runner), *pattern_jobs(runner)]
-    jobs += [lambda job=job: job(runner) for job in (stiffness_job, ablation_job, mat_job, study_job)]
+    jobs += [lambda job=job: job(runner) for job in (stiffness_job, ablation_job, mat_job, study_job,
+                                                  track_job)]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for done in [pool.submit(job) for job in jobs]:
             done.result()
@@ -277,6 +324,8 @@ def normalised(path, content):
         return json.dumps(without_times(json.loads(content)), indent=1).encode()
     if name == "ablation.csv":
         return b"\n".join(b",".join(line.split(b",")[:-3]) for line in content.splitlines())
+    if path.suffix == ".hjif":
+        return re.sub(rb'"date": "[0-9-]+"', b'"date": "DATE"', content)
     if path.suffix == ".pdf":
         return re.sub(rb"/(CreationDate|ModDate) \([^)]*\)", b"", content)
     return content
