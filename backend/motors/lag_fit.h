@@ -37,7 +37,7 @@ struct LagFit {
 /// fitted together (Levenberg-Marquardt; the model is integrated exactly between samples), so a level need
 /// not have settled. Standard errors come from the residuals, widened by their autocorrelation. levels: at
 /// least two, rising, with first guesses of the speeds. ignored: samples whose measured speed is taken over;
-/// unknown samples are not used. Empty when the equations are singular (nothing depends on a time constant).
+/// unknown samples are not used. Empty when the equations are singular: nothing depends on a time constant.
 /// Thread: any (pure).
 [[nodiscard]] std::optional<LagFit> fitLag(const MotorRecording& recording, double start,
                                            const std::vector<SpeedLevel>& levels,

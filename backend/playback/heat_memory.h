@@ -11,9 +11,9 @@
 
 namespace teleta::playback {
 
-/// Remembers how hot each bracelet's motors were when it was turned off: one that is chosen again continues
-/// from there. It lasts no longer than the program: a bracelet that it does not know begins cold, also one
-/// that another program has driven until now, as `teleta pattern play` in a loop does. Thread: any.
+/// Remembers how hot each bracelet's motors were when it was turned off, so that one that is chosen again
+/// continues from there. It lasts as long as the program: a bracelet that another program drove until now
+/// begins cold, as with `teleta pattern play` in a loop. Thread: any.
 class HeatMemory {
 public:
     struct Kept {

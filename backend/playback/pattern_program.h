@@ -7,17 +7,16 @@
 
 namespace teleta::playback {
 
-/// A pattern compiled for many evaluations. Later changes of the pattern do not affect
-/// it. Thread: any.
+/// A pattern compiled for many evaluations; later changes to the pattern do not affect it. Thread: any.
 [[nodiscard]] Program programOf(const pattern::Pattern& pattern);
 
-/// Where to start a program so that it is felt as soon as possible: at the second frame when only the first
-/// one is off, else at 0. rate_Hz: of the frames, > 0. Without evaluate: 0. Thread: any; calls evaluate,
-/// whose exceptions are left to the playing.
+/// Where to start a program so that it is felt as soon as possible: at the second frame if only the first one
+/// is off, otherwise at 0. rate_Hz: of the frames, > 0. Calls evaluate; 0 if there is none or if it throws.
+/// Thread: any.
 [[nodiscard]] double promptBegin_s(const Program& program, double rate_Hz);
 
-/// How the player maps intensities for these motors: from start to full drive where somebody has measured
-/// them, else the board's own way. Thread: any (pure).
+/// How the player maps intensities for these motors: from start to full drive where they were measured,
+/// otherwise in the board's own way. Thread: any (pure).
 [[nodiscard]] DriveRanges rangesOf(const pattern::MotorProfiles& motors);
 
 } // namespace teleta::playback

@@ -90,7 +90,7 @@ void PlaybackCycle::close() {
 
 PlayerCounters PlaybackCycle::counters() const {
     const core::BraceletTelemetry telemetry = m_bracelet.telemetry();
-    // A bracelet that was started anew counts from 0.
+    // A bracelet that was started again counts from 0.
     const auto since = [](std::uint64_t now, std::uint64_t before) {
         return now >= before ? now - before : now;
     };
@@ -98,7 +98,7 @@ PlayerCounters PlaybackCycle::counters() const {
     PlayerCounters counters = m_counters;
     counters.framesLost = since(telemetry.framesLost, m_lostBefore);
     counters.framesRefused = since(telemetry.framesRefused, m_refusedBefore);
-    // A board that refuses what drives it understands the zero frame at the end all the same.
+    // A board that refuses driving frames still understands the zero frame at the end.
     counters.confirmed = telemetry.newestEchoed > m_sentBefore && counters.framesRefused == 0;
     counters.setpointsReplaced = m_setpoints.replaced() - m_replacedBefore;
     counters.writeMedian_ns = m_timings.write.quantile_ns(0.5);
@@ -120,7 +120,7 @@ void PlaybackCycle::begin(ProgramRequest request) {
     m_status.loop = request.loop;
     m_status.program = request.number;
     beginAny(PlayerMode::program);
-    // The same instant as the first deadline's, so that the cycles fill the program exactly.
+    // Begins at the first deadline, so that the cycles fill the program exactly.
     m_anchorPosition_s = 0.0;
     m_anchor_ns = m_epoch_ns;
     moveTo(request.from_s, m_epoch_ns);
@@ -178,7 +178,7 @@ void PlaybackCycle::change(ProgramChange change) {
         moveTo(0.0, now);
 }
 
-/// A time that is no number, or the end of an endless program, changes nothing.
+/// NaN, or the end of an endless program, changes nothing.
 void PlaybackCycle::moveTo(double position_s, std::int64_t now) {
     position_s = std::clamp(position_s, 0.0, m_status.duration_s);
     if (m_mode != PlayerMode::program || !std::isfinite(position_s))
@@ -192,7 +192,7 @@ void PlaybackCycle::end(PlayerEnding ending, std::string message) {
     if (m_config.heat)
         m_config.heat->keep(m_bracelet.description().serial, {m_limiter.heat(), m_lastFrame_ns});
     m_mode = PlayerMode::idle;
-    // A bracelet that is gone is told by its own time-out, and again when it comes back.
+    // A bracelet that is gone stops by its own time-out, and is zeroed when it comes back.
     m_bracelet.write({.drive = {}, .timeout_ms = m_config.boardTimeout_ms, .connection = m_connection});
     m_program = {};
     m_status.ended_ns = now_ns();
@@ -208,7 +208,7 @@ bool PlaybackCycle::takeSetpoint() {
     if (!setpoint)
         return false;
     m_setpoint = *setpoint;
-    // A time of the future would outlast its maker.
+    // A time in the future would keep it alive too long.
     m_setpoint.made_ns = std::min(m_setpoint.made_ns, now_ns());
     m_anySetpoint = true;
     m_freshSetpoint = true;
@@ -227,11 +227,11 @@ void PlaybackCycle::writeDue(std::int64_t now) {
     if (std::max(now - due_ns, slept_ns) > boardTimeout_ns())
         return end(PlayerEnding::stalled);
     const core::BraceletTelemetry telemetry = m_bracelet.telemetry();
-    // Reports from before the playing say nothing of it.
+    // Reports from before the playing do not count.
     const std::int64_t heard_ns = std::max(telemetry.reported_ns, m_status.begun_ns);
     if (now - heard_ns > m_config.longestSilence_ns)
         return end(PlayerEnding::deviceLost);
-    // Also before the first frame: the bracelet told while it was idle.
+    // The bracelet may have reported it while it was idle, before the first frame.
     if (telemetry.board.tooHot)
         return end(PlayerEnding::tooHot);
     core::Intensities wanted{};
@@ -241,7 +241,7 @@ void PlaybackCycle::writeDue(std::int64_t now) {
     const core::Drive drive =
         m_limiter.step(wanted, sinceLastFrame_s(now), raw ? DriveRanges{} : m_config.ranges);
     const std::int64_t begun_ns = now_ns();
-    // The program may have taken its time.
+    // The program may have been slow.
     if (m_stopSwitch.engaged())
         return end(PlayerEnding::stopSwitch);
     if (begun_ns - now > boardTimeout_ns())
@@ -275,7 +275,7 @@ bool PlaybackCycle::programAt(std::int64_t now, core::Intensities& wanted) {
             end(PlayerEnding::finished);
             return false;
         }
-        // The turn is the new origin: without the loop it is played to its own end.
+        // The turn is the new origin, so that it is played to its end if the loop is turned off.
         position_s = std::fmod(position_s, duration_s);
         m_anchor_ns = now;
         m_anchorPosition_s = position_s;
@@ -301,7 +301,7 @@ void PlaybackCycle::liveAt(std::int64_t now, core::Intensities& wanted) {
         ++m_counters.watchdogTrips;
     }
     m_status.silent = silent;
-    // No number is off at once; a zero would be eased by the limit of falling.
+    // NaN is off at once; a zero would be slowed down by the limit of falling.
     if (silent)
         wanted.fill(std::numeric_limits<double>::quiet_NaN());
     else
@@ -327,7 +327,7 @@ void PlaybackCycle::schedule(bool regular, std::int64_t now) {
     m_extraWritten = !regular;
     if (!regular)
         return;
-    // To the next deadline that has not passed: frames are never written in a row to catch up.
+    // Frames are never written in a row to catch up.
     const std::int64_t next = std::max(m_cycle + 1, firstDeadlineAfter(now));
     countMisses(m_cycle + 1, next);
     m_cycle = next;

@@ -16,16 +16,15 @@ namespace teleta::playback {
 
 /// The work of the playback thread, one call per cycle:
 ///   STOP -> commands -> frame if one is due -> time of the next deadline, t0 + k dt
-/// A late frame is evaluated at the true time and deadlines that passed meanwhile are counted, not caught up.
-/// A live setpoint does not wait for the next deadline; one frame a period is written for it out of turn.
+/// A late frame is evaluated at the true time; missed deadlines are counted, not made up for. A live setpoint
+/// does not wait for the next deadline: one frame a period is written for it out of turn.
 /// Thread: run() and close() from one; setpoint box, status() and counters() by any.
 class PlaybackCycle {
 public:
     /// bracelet and stopSwitch must outlive the cycle.
     PlaybackCycle(core::BraceletSource& bracelet, const core::StopSwitch& stopSwitch, PlayerConfig config);
 
-    /// Carries out what is due. Returns the time of its next call; PacingClock::kNever_ns: when a
-    /// command comes.
+    /// Does what is due. Returns the time of the next call; PacingClock::kNever_ns: when a command comes.
     [[nodiscard]] std::int64_t run(PlayerCommands commands);
     /// Ends the playback.
     void close();

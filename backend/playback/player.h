@@ -14,13 +14,13 @@
 
 namespace teleta::playback {
 
-/// Drives a bracelet from one playback thread: plays programs, or follows live setpoints, below the safety
-/// limits. Whatever ends a playing writes a zero frame; nothing plays again unless asked:
+/// Drives a bracelet from one playback thread: plays programs, or follows live setpoints, within the safety
+/// limits. Playing always ends with a zero frame, and nothing plays again unless asked:
 ///   idle -> program -> idle (finished, stopped, stopSwitch, deviceLost, sourceFailed, stalled, tooHot)
 ///   idle -> live    -> idle (the same but finished)
-/// Without a setpoint for PlayerConfig::setpointLifetime_ns all is off; live goes on with the next one.
-/// Thread: any for every call; each returns at once and is carried out in the next cycle, the latest one
-/// wins. The destructor, from one controlling thread, waits for the thread.
+/// Without a setpoint for PlayerConfig::setpointLifetime_ns all is off; live continues with the next one.
+/// Thread: any. Calls return at once and take effect in the next cycle; the latest one wins. The destructor,
+/// from one controlling thread, waits for the playback thread.
 class Player {
 public:
     /// bracelet and stopSwitch must outlive the player; the bracelet is started and stopped by its owner.
@@ -29,33 +29,32 @@ public:
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;
 
-    /// Replaces what is played. Returns the number of the program, counted from 1, by which PlayerStatus
-    /// tells whether it is this one that plays.
+    /// Replaces what is played. Returns the number of the program, counted from 1, as in PlayerStatus.
     std::uint64_t play(Program program, bool loop = false, double from_s = 0.0);
-    /// Goes on with another program without a break when the one with that number plays, else nothing
-    /// happens. shift_s: of the position, for a program that begins elsewhere in the same pattern; a position
-    /// before its begin becomes its begin, one after its end ends it or begins it anew.
+    /// Continues with another program without a break if the one with that number is playing; otherwise does
+    /// nothing. shift_s: of the position, for a program that begins elsewhere in the same pattern; a position
+    /// before its start becomes its start, one after its end ends it or starts it again.
     void change(std::uint64_t number, Program program, double shift_s = 0.0);
     /// Follows setpoints from now on.
     void startLive();
     void stop();
-    /// Ends the program with that number, or drops it before it begins. What else is played goes on.
+    /// Ends the program with that number, or drops it before it begins. Anything else continues.
     void stop(std::uint64_t number);
-    /// Clamped to the program; NaN and anything but a program that plays: ignored.
+    /// Clamped to the program. Ignored for NaN, and when no program plays.
     void seek(double time_s);
     void setLoop(bool loop);
     void setLimits(const SafetyLimits& limits);
     /// How intensities are mapped to drives of the device, from the next frame on.
     void setRanges(const DriveRanges& ranges);
 
-    /// made_ns: steady time of what it was made from, by which its age counts; one of the future counts as
-    /// now. Ignored while not live.
+    /// made_ns: steady time of what it was made from, which sets its age; a time in the future counts as now.
+    /// Ignored while not live.
     void post(const core::Intensities& intensities, std::int64_t made_ns);
 
     [[nodiscard]] PlayerStatus status() const { return m_cycle.status(); }
     [[nodiscard]] PlayerCounters counters() const { return m_cycle.counters(); }
     [[nodiscard]] PlayerTimings timings() const { return m_cycle.timings(); }
-    /// What the system permits the playback thread.
+    /// Of the playback thread.
     [[nodiscard]] core::ThreadUrgency urgency() const { return m_urgency; }
     /// Of the frames: the configured one, or the highest of the bracelet.
     [[nodiscard]] double rate_Hz() const { return m_cycle.rate_Hz(); }

@@ -26,23 +26,23 @@ struct Program {
 };
 
 struct PlayerConfig {
-    /// Of the frames: at least 20, at most what the bracelet can take. A bracelet that cannot take 20 misses
+    /// Of the frames: at least 20, at most what the bracelet can take. One that cannot take 20 misses
     /// deadlines.
     double rate_Hz = 200.0;
     /// Lifetime of a live setpoint.
     std::int64_t setpointLifetime_ns = 100'000'000;
-    /// Time without a frame after which the board stops by itself, at least three periods; a cycle that is
-    /// later than this ends the playing, since the bracelet stood still meanwhile. The board's own limit of
-    /// it counts for both.
+    /// Time without a frame after which the board stops by itself: at least three periods, at most the
+    /// board's own limit. A cycle that is later than this ends the playing, since the bracelet has stood
+    /// still.
     std::uint16_t boardTimeout_ms = 100;
-    /// A bracelet that answers no frame for this long counts as lost: its frames wait somewhere and
+    /// A bracelet that answers no frame for this long counts as lost: its frames are queued somewhere and
     /// would play when it wakes.
     std::int64_t longestSilence_ns = 1'000'000'000;
     SafetyLimits limits{};
     DriveRanges ranges{};
     std::shared_ptr<core::PacingClock> clock = std::make_shared<core::PacingClock>();
-    /// Shared by the players of copies of this: one after the other goes on from the heat of its bracelet.
-    /// Null: motors begin cold.
+    /// Shared by players with copies of this, each of which continues from the heat of its bracelet. Null:
+    /// motors begin cold.
     std::shared_ptr<HeatMemory> heat = std::make_shared<HeatMemory>();
 };
 
@@ -58,24 +58,24 @@ enum class PlayerEnding {
     finished,     ///< the program came to its end
     stopped,      ///< stop() or the end of the player
     stopSwitch,   ///< STOP is, or was, engaged
-    deviceLost,   ///< there is no bracelet, it was unplugged, or it answers no more
+    deviceLost,   ///< there is no bracelet, it was unplugged, or it no longer answers
     sourceFailed, ///< the program threw an exception; PlayerStatus::message has its text
     stalled,      ///< a cycle was later than the board's time-out, or the program, a write or the machine's
                   ///< sleep took longer
-    tooHot,       ///< the board says that it is too hot; nothing is played until it is not any more
+    tooHot,       ///< the board reports that it is too hot; nothing is played until it has cooled down
 };
 
 struct PlayerStatus {
     PlayerMode mode = PlayerMode::idle;
     PlayerEnding ending = PlayerEnding::none;
     std::string message;       ///< with sourceFailed: text of the exception, not translated
-    std::int64_t begun_ns = 0; ///< steady time at which the playing began; tells one from another
+    std::int64_t begun_ns = 0; ///< steady time at which the playing began; identifies it
     std::int64_t ended_ns = 0; ///< steady time of the zero frame that ended it; 0 while it runs
     std::uint64_t program = 0; ///< number of the newest program that began, see Player::play
     std::uint64_t settled = 0; ///< number of the newest program that began or was dropped before it could
     double position_s = 0.0;   ///< in the program, of the newest frame
     double duration_s = 0.0;   ///< of the program
-    bool loop = false;         ///< the program begins anew at its end
+    bool loop = false;         ///< the program starts again at its end
     bool silent = false;       ///< live, but the last setpoint is too old: all is off
     core::Intensities given{}; ///< after the safety limits
 };
@@ -85,9 +85,9 @@ struct PlayerCounters {
     std::uint64_t framesWritten = 0;
     std::uint64_t deadlineMisses = 0;    ///< deadlines that passed without a frame of their own
     std::uint64_t framesLost = 0;        ///< not confirmed by the board
-    std::uint64_t framesRefused = 0;     ///< of these those that the board did not understand
+    std::uint64_t framesRefused = 0;     ///< lost ones that the board did not understand
     bool confirmed = false;              ///< the board confirmed a frame of this playing and refused none
-    std::uint64_t watchdogTrips = 0;     ///< times that setpoints stayed away
+    std::uint64_t watchdogTrips = 0;     ///< times that no setpoint came
     std::uint64_t setpointsReplaced = 0; ///< by a newer one before a frame took them
     double rate_Hz = 0.0;                ///< achieved
     std::int64_t writeMedian_ns = 0;

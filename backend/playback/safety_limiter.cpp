@@ -18,7 +18,7 @@ SafetyLimits sane(SafetyLimits limits) {
     for (double& limit : limits.userLimit)
         limit = clamped(limit, 0.0, 1.0);
     limits.rise_perS = clamped(limits.rise_perS, 0.0, kInfinity);
-    // What cannot be told falls at once.
+    // An unknown limit of falling is none.
     limits.fall_perS = limits.fall_perS > 0.0 ? limits.fall_perS : kInfinity;
     limits.heatBudget = clamped(limits.heatBudget, 0.0, 1.0);
     if (!(limits.heatTime_s > 0.0) || std::isinf(limits.heatTime_s)) {
@@ -28,7 +28,7 @@ SafetyLimits sane(SafetyLimits limits) {
     return limits;
 }
 
-/// Without a limit also in no time.
+/// Without a limit, any way, even in no time.
 double way(double speed_perS, double time_s) {
     return std::isinf(speed_perS) ? speed_perS : speed_perS * time_s;
 }
@@ -76,13 +76,13 @@ core::Drive SafetyLimiter::step(const core::Intensities& wanted, double elapsed_
         intensity = std::min(intensity, m_limits.userLimit[i]);
         if (!std::isnan(wanted[i]))
             intensity = std::max(intensity, m_output[i] - fall);
-        // A fall is eased, but not above a limit that was lowered.
+        // A fall is slowed down, but not above a limit that was lowered.
         intensity = std::min({intensity, m_output[i] + rise, m_limits.userLimit[i]});
         const DriveRange range = sane(ranges[i]);
         intensity = withinHeat(i, intensity, range);
         m_drive[i] = driveOf(range, intensity);
         drive[i] = toDrive(m_drive[i]);
-        // The slew goes on from what was asked for: whole counts would hold a slow rise at 0 for ever.
+        // The slew continues from what was asked for: whole counts would hold a slow rise at 0 forever.
         m_output[i] = intensity;
     }
     return drive;
@@ -94,7 +94,7 @@ double SafetyLimiter::withinHeat(std::size_t motor, double intensity, const Driv
     const double budget = m_limits.heatBudget;
     if (heat <= kRestedShare * budget)
         m_resting[motor] = false;
-    // With a lower start it can be driven for ever, close to its budget.
+    // With a lower start it can be driven forever, close to its budget.
     const bool tires = range.start * range.start > kRestedShare * budget;
     if (tires && m_resting[motor])
         return 0.0;
@@ -102,7 +102,7 @@ double SafetyLimiter::withinHeat(std::size_t motor, double intensity, const Driv
     const double highestDrive = std::sqrt(std::max(heat + (budget - heat) / share, 0.0));
     if (driveOf(range, intensity) <= highestDrive)
         return intensity;
-    // Of a motor that would not turn with what is left nothing is asked.
+    // A motor that would not turn with what is left is turned off.
     m_resting[motor] = tires && highestDrive <= range.start;
     return intensityOf(range, highestDrive);
 }

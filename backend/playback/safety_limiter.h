@@ -9,17 +9,16 @@
 
 namespace teleta::playback {
 
-/// Limits of a tactor's drive. A value out of range, or NaN, is replaced by the nearest one on the safe
-/// side: NaN allows nothing.
+/// Limits of a tactor's drive. A value out of range is replaced by the nearest safe one; NaN allows nothing.
 struct SafetyLimits {
     /// Highest intensity of each tactor that the wearer wants, 0 .. 1.
     core::Intensities userLimit{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-    /// Fastest rise of the intensity, > 0: full strength takes 1/rise. Falling is not limited by default,
+    /// Fastest rise of the intensity, > 0: full strength takes 1/rise. Falls are not limited by default,
     /// since less is never unsafe.
     double rise_perS = 50.0;
     double fall_perS = std::numeric_limits<double>::infinity();
-    /// Heat of a motor: h' = (u^2 - h) / heatTime_s with the drive u. h never exceeds heatBudget, the
-    /// share of the full power that a motor bears for ever, 0 .. 1.
+    /// Heat of a motor: h' = (u^2 - h) / heatTime_s with the drive u. h never exceeds heatBudget, the share
+    /// of the full power that a motor can bear forever, 0 .. 1.
     double heatTime_s = 30.0;
     double heatBudget = 0.5;
 
@@ -29,8 +28,8 @@ struct SafetyLimits {
 /// What the device is told for the weakest intensity above 0 and for intensity 1, as shares of its full
 /// drive:
 ///   drive = start + intensity (full - start)
-/// The default passes intensities on: the board has a start voltage of its own. Values out of 0 .. 1, NaN,
-/// and a full drive below the start are taken as that default.
+/// The default passes intensities on, since the board has a start voltage of its own. It also stands in for
+/// values out of 0 .. 1, NaN, and a full drive below the start.
 struct DriveRange {
     double start = 0.0;
     double full = 1.0;
@@ -39,14 +38,12 @@ struct DriveRange {
 };
 using DriveRanges = std::array<DriveRange, core::kTactors>;
 
-/// The last thing before a frame, below every source of intensities. In this order:
+/// The last step before a frame, whatever the source of the intensities. In this order:
 ///   clamp to 0 .. 1 (NaN is off) -> user's limit -> slew limit -> heat budget -> integer, rounded down
-/// Heat is that of the drive that was really given, over the time that it was given: u is the drive. From
-/// rest at full drive the budget is reached after t = -heatTime ln(1 - heatBudget); then the drive is
-/// sqrt(heatBudget). A motor that does not turn at that is off until its heat is down to
-///   kRestedShare heatBudget
-/// and then may be driven again: it rests for seconds instead of being switched with every frame.
-/// Pure, nothing is allocated. Thread: one.
+/// The heat is that of the drive that was really given. From rest at full drive the budget is reached after
+/// t = -heatTime ln(1 - heatBudget); then the drive is sqrt(heatBudget). A motor that does not turn at that
+/// drive is off until its heat is down to kRestedShare heatBudget, so that it rests for seconds instead of
+/// being switched with every frame. Nothing is allocated. Thread: one.
 class SafetyLimiter {
 public:
     /// Share of the heat budget at which a motor that had to rest may be driven again.
@@ -57,17 +54,16 @@ public:
 
     void setLimits(const SafetyLimits& limits);
 
-    /// The intensities that may be sent now.
-    /// elapsed_s: since the last call; the last output held for so long. The slew limit counts no more than
-    /// two periods of it: after a pause tactors rise from rest. Not above 0, or NaN: no time has passed.
-    /// NaN among the intensities is off at once, however slow a fall may be.
+    /// The drives that may be sent now. elapsed_s: since the last call, for which the last output held; at
+    /// most two periods count for the slew limit, so that tactors rise from rest after a pause. 0, negative
+    /// or NaN: no time has passed. An intensity of NaN is off at once, however slow a fall may be.
     [[nodiscard]] core::Drive step(const core::Intensities& wanted, double elapsed_s,
                                    const DriveRanges& ranges = {});
 
     /// All off, at once, whatever the limits are.
     void off(double elapsed_s);
 
-    /// Goes on from a heat that the motors had elapsed_s ago; all have been off since.
+    /// Continues from the heat of the motors elapsed_s ago; all have been off since.
     void resume(const core::Intensities& heat, double elapsed_s);
 
     /// Intensities of the last output.

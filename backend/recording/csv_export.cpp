@@ -173,7 +173,7 @@ constexpr char kEvents[] = "events";
 
 /// The files of the streams, in their order, and that of the events.
 std::vector<std::string> filePaths(const Recording& recording, const std::string& folder) {
-    // Also where a file system takes capital and small letters for the same.
+    // Some file systems ignore case.
     std::set<QString> taken{QString::fromLatin1(kEvents)};
     std::vector<std::string> paths;
     for (const StreamInfo& stream : recording.streams()) {

@@ -5,8 +5,8 @@
 
 namespace teleta::recording {
 
-/// The words for what happened while a recording was made, as its file has them: RecordingEvent::kind. The
-/// text of an event is the name of its source, if it has one.
+/// The words in RecordingEvent::kind for what happened during a recording. The text of an event is the name
+/// of its source, if it has one.
 
 inline constexpr char kSourceJoined[] = "source_joined";
 inline constexpr char kSourceLeft[] = "source_left";
@@ -22,7 +22,7 @@ inline constexpr char kFollows[] = "follows";
 inline constexpr char kReference[] = "reference";
 inline constexpr char kRestart[] = "restart";
 
-/// A source is in another state; empty: that is no event.
+/// For the new state of a source; empty: no event.
 [[nodiscard]] constexpr const char* stateWord(core::DeviceState state) {
     switch (state) {
     case core::DeviceState::live:

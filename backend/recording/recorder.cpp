@@ -181,7 +181,7 @@ core::Expected<void> Recorder::drain(std::size_t stream, RecordingWriter& writer
     return {};
 }
 
-/// Nothing is taken any more.
+/// From now on nothing is taken.
 void Recorder::end() {
     const std::scoped_lock lock(m_mutex);
     m_ended = true;

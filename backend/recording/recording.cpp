@@ -94,14 +94,14 @@ std::optional<StreamReader::Position> StreamReader::place(const char* rule, cons
     return placeOf<Position>(*query);
 }
 
-/// An unreadable page only costs the block that it belongs to, which the index tells. If the index cannot be
-/// read either, or the file is gone, the stream ends.
+/// An unreadable page costs only its block, which the index names. If the index cannot be read either, or the
+/// file is gone, the stream ends.
 core::Unexpected StreamReader::passOver(core::Unexpected error) {
     m_query.reset();
     m_canGoOn = false;
     if (error.value().kind == core::ErrorKind::badInput) {
         const std::optional<Position> lost = place(kForwards, m_after);
-        // Also a damaged index leads forwards only.
+        // Even a damaged index must lead forwards.
         if (lost && *lost > m_after) {
             m_after = *lost;
             m_canGoOn = true;
@@ -175,7 +175,7 @@ core::Expected<bool> StreamReader::previous(core::TappedFrames& block) {
             read = m_database->failed(query->lastError());
         if (read)
             return false;
-        // As passOver(), the other way.
+        // As passOver(), backwards.
         const std::optional<Position> lost =
             read.error().kind == core::ErrorKind::badInput ? place(kBackwards, before) : std::nullopt;
         if (!lost || *lost >= before)

@@ -59,7 +59,7 @@ struct WriteResult {
     std::int64_t time_ns = 0; ///< steady time at which the write returned
 };
 
-/// What the board says of itself in answer to a frame.
+/// What the board reports in answer to a frame.
 struct BoardReport {
     std::uint16_t sequence = 0; ///< of the frame that it answers
     bool driving = false;       ///< a motor is on
@@ -81,12 +81,12 @@ struct BraceletTelemetry {
     std::uint64_t newestEchoed = 0;   ///< number of the newest frame that the board confirmed; 0: none
     std::uint64_t framesLost = 0;     ///< never confirmed: refused, before a later one, in flight at a loss
     std::uint64_t framesRefused = 0;  ///< of the lost ones those that the board did not understand
-    std::uint64_t strayEchoes = 0;    ///< answers to no frame that waits for one
+    std::uint64_t strayEchoes = 0;    ///< answers that no frame waits for
     std::uint64_t damagedReports = 0; ///< reports that were not understood
     std::uint64_t zeroedByDevice = 0; ///< times the device turned the motors off because no frame came
 };
 
-/// What a bracelet that measures its motors knows of them at one instant.
+/// What a bracelet with sensors measures of its motors at one instant.
 struct MotorSpeeds {
     std::int64_t time_ns = 0; ///< steady time of the measurement
     Drive drive{};            ///< what the motors were told then

@@ -8,14 +8,14 @@
 
 namespace teleta::core {
 
-/// What an array is likely to be of which only the number of taxels is known.
+/// What an array is likely to be, given only the number of its taxels.
 struct ArrayGuess {
     ArrayLayout layout;
     std::string unit; ///< of its values
 };
 
-/// A known array with so many taxels, or else the most square layout. The values of one that is not known are
-/// counts until somebody says otherwise. Thread: any (pure).
+/// A known array with this many taxels, otherwise the most nearly square layout, with counts as values.
+/// Thread: any (pure).
 [[nodiscard]] ArrayGuess guessArray(std::size_t taxels);
 
 /// The recording of the unloaded array beside a recording: "array_left1.csv" -> "array_empty*.csv"; empty:

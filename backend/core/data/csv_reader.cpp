@@ -121,91 +121,55 @@ bool parseNumber(const char* begin, const char* end, double& value) {
     return matches(code);
 }
 
+Unexpected badInput(const QString& message, const QString& expected, SourcePlace where) {
+    return failed(ErrorKind::badInput, message, expected, std::move(where));
+}
+
 } // namespace
 
-class CsvReader::Private {
-public:
-    ~Private() {
-        if (file >= 0)
-            ::close(file);
-    }
+Unexpected CsvReader::systemError(ErrorKind kind, const QString& what, int code) const {
+    return failed(kind, what.arg(QString::fromStdString(std::generic_category().message(code))), {},
+                  {m_path});
+}
 
-    [[nodiscard]] const char* row() const { return buffer.data() + rowBegin; }
-    [[nodiscard]] const char* rowEnd() const { return row() + rowLength; }
-
-    [[nodiscard]] Unexpected systemError(ErrorKind kind, const QString& what, int code) const {
-        return failed(kind, what.arg(QString::fromStdString(std::generic_category().message(code))), {},
-                      {path});
-    }
-
-    [[nodiscard]] Unexpected badInput(const QString& message, const QString& expected,
-                                      SourcePlace where) const {
-        return failed(ErrorKind::badInput, message, expected, std::move(where));
-    }
-
-    [[nodiscard]] SourcePlace placeOf(const char* position) const {
-        SourcePlace place{path, line, 1};
-        for (const char* p = row(); p < position; ++p) {
-            if (*p == '\n') {
-                ++place.line;
-                place.column = 1;
-            } else if ((static_cast<unsigned char>(*p) & 0xC0U) != 0x80U) {
-                ++place.column; // UTF-8 continuation bytes belong to the character before
-            }
+SourcePlace CsvReader::placeOf(const char* position) const {
+    SourcePlace place{m_path, m_line, 1};
+    for (const char* p = row(); p < position; ++p) {
+        if (*p == '\n') {
+            ++place.line;
+            place.column = 1;
+        } else if ((static_cast<unsigned char>(*p) & 0xC0U) != 0x80U) {
+            ++place.column; // UTF-8 continuation bytes belong to the character before
         }
-        return place;
     }
+    return place;
+}
 
-    [[nodiscard]] Unexpected tooLong(const char* position) const {
-        return badInput(CsvReaderText::tr("the row is too long: more than %1 values").arg(header.size()),
-                        CsvReaderText::tr("one value per column: %1").arg(header.size()), placeOf(position));
+Unexpected CsvReader::tooLong(const char* position) const {
+    return badInput(CsvReaderText::tr("the row is too long: more than %1 values").arg(m_header.size()),
+                    CsvReaderText::tr("one value per column: %1").arg(m_header.size()), placeOf(position));
+}
+
+Unexpected CsvReader::tooShort(std::size_t values, const char* position) const {
+    return badInput(
+        CsvReaderText::tr("the row is too short: %1 of %2 values").arg(values).arg(m_header.size()),
+        CsvReaderText::tr("one value per column: %1").arg(m_header.size()), placeOf(position));
+}
+
+SourcePlace CsvReader::place(std::size_t column) const {
+    const char* p = row();
+    for (; column > 0; --column) {
+        p = readField(p, rowEnd()).end;
+        if (p == rowEnd())
+            break;
+        ++p;
     }
+    return placeOf(p);
+}
 
-    [[nodiscard]] Unexpected tooShort(std::size_t values, const char* position) const {
-        return badInput(
-            CsvReaderText::tr("the row is too short: %1 of %2 values").arg(values).arg(header.size()),
-            CsvReaderText::tr("one value per column: %1").arg(header.size()), placeOf(position));
-    }
-
-    [[nodiscard]] SourcePlace placeOfField(std::size_t index) const {
-        const char* p = row();
-        for (; index > 0; --index) {
-            p = readField(p, rowEnd()).end;
-            if (p == rowEnd())
-                break;
-            ++p;
-        }
-        return placeOf(p);
-    }
-
-    Expected<void> openFile();
-    Expected<void> readHeader();
-    Expected<void> fill();
-    Expected<bool> readRow();
-    Expected<double> slowField(const char* begin, const char*& end, bool allowNonFinite) const;
-
-    std::string path;
-    int file = -1;
-    bool seekable = false;
-    std::uint64_t size = 0;
-
-    std::vector<char> buffer;
-    std::uint64_t bufferOffset = 0; ///< file position of buffer[0]
-    std::size_t begin = 0;          ///< next byte to read in the buffer
-    std::size_t end = 0;            ///< bytes in the buffer
-    bool atEnd = false;
-
-    std::size_t rowBegin = 0;
-    std::size_t rowLength = 0;
-    long long line = 0;
-    long long nextLine = 1;
-    std::vector<std::string> header;
-    std::deque<std::string> quoted; ///< texts of the last row that were in quotes
-};
-
-Expected<void> CsvReader::Private::openFile() {
-    file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) {
+Expected<void> CsvReader::openFile() {
+    m_file.reset(std::fopen(m_path.c_str(), "re"));
+    if (!m_file) {
         const int code = errno;
         if (code == EINTR)
             return systemError(ErrorKind::cancelled, CsvReaderText::tr("opening was interrupted: %1"), code);
@@ -213,32 +177,33 @@ Expected<void> CsvReader::Private::openFile() {
                            CsvReaderText::tr("cannot open the file: %1"), code);
     }
     struct stat status = {};
-    if (::fstat(file, &status) != 0)
+    if (::fstat(::fileno(m_file.get()), &status) != 0)
         return systemError(ErrorKind::ioFailed, CsvReaderText::tr("cannot read the file: %1"), errno);
     if (S_ISDIR(status.st_mode))
-        return badInput(CsvReaderText::tr("this is a folder"), CsvReaderText::tr("a CSV file"), {path});
+        return badInput(CsvReaderText::tr("this is a folder"), CsvReaderText::tr("a CSV file"), {m_path});
     if (S_ISREG(status.st_mode)) {
-        seekable = true;
-        size = static_cast<std::uint64_t>(status.st_size);
-        ::posix_fadvise(file, 0, 0, POSIX_FADV_SEQUENTIAL);
+        m_seekable = true;
+        m_size = static_cast<std::uint64_t>(status.st_size);
+        ::posix_fadvise(::fileno(m_file.get()), 0, 0, POSIX_FADV_SEQUENTIAL);
     }
-    buffer.resize(kFirstBuffer);
+    m_buffer.resize(kFirstBuffer);
     return {};
 }
 
-Expected<void> CsvReader::Private::readHeader() {
+Expected<void> CsvReader::readHeader() {
     TELETA_TRY(const bool any, readRow());
     if (!any)
         return badInput(CsvReaderText::tr("the file is empty"),
-                        CsvReaderText::tr("a header line with the names of the columns"), {path, 1, 1});
-    if (rowLength >= 2 && (std::memcmp(row(), "\xFF\xFE", 2) == 0 || std::memcmp(row(), "\xFE\xFF", 2) == 0))
-        return badInput(CsvReaderText::tr("the file is UTF-16"), CsvReaderText::tr("UTF-8"), {path, 1, 1});
+                        CsvReaderText::tr("a header line with the names of the columns"), {m_path, 1, 1});
+    if (m_rowLength >= 2 &&
+        (std::memcmp(row(), "\xFF\xFE", 2) == 0 || std::memcmp(row(), "\xFE\xFF", 2) == 0))
+        return badInput(CsvReaderText::tr("the file is UTF-16"), CsvReaderText::tr("UTF-8"), {m_path, 1, 1});
     for (const char* p = row();; ++p) {
         Field field = readField(p, rowEnd());
         if (!field.wellFormed)
             return badInput(CsvReaderText::tr("text outside the quotes of a column name"),
                             CsvReaderText::tr("a comma after the closing quote"), placeOf(p));
-        header.push_back(std::move(field.text));
+        m_header.push_back(std::move(field.text));
         p = field.end;
         if (p == rowEnd())
             break;
@@ -247,35 +212,35 @@ Expected<void> CsvReader::Private::readHeader() {
 }
 
 /// Gets more bytes behind the ones that are not used yet.
-Expected<void> CsvReader::Private::fill() {
-    if (begin > 0) {
-        std::memmove(buffer.data(), buffer.data() + begin, end - begin);
-        bufferOffset += begin;
-        end -= begin;
-        begin = 0;
+Expected<void> CsvReader::fill() {
+    if (m_begin > 0) {
+        std::memmove(m_buffer.data(), m_buffer.data() + m_begin, m_end - m_begin);
+        m_bufferOffset += m_begin;
+        m_end -= m_begin;
+        m_begin = 0;
     }
-    if (end == buffer.size())
-        buffer.resize(std::min(buffer.size() * 2, kMaximumLine + kFirstBuffer));
-    const ssize_t count = ::read(file, buffer.data() + end, buffer.size() - end);
+    if (m_end == m_buffer.size())
+        m_buffer.resize(std::min(m_buffer.size() * 2, kMaximumLine + kFirstBuffer));
+    const ssize_t count = ::read(::fileno(m_file.get()), m_buffer.data() + m_end, m_buffer.size() - m_end);
     if (count < 0) {
         const int code = errno;
         return systemError(code == EINTR ? ErrorKind::cancelled : ErrorKind::ioFailed,
                            CsvReaderText::tr("cannot read the file: %1"), code);
     }
-    end += static_cast<std::size_t>(count);
-    atEnd = count == 0;
+    m_end += static_cast<std::size_t>(count);
+    m_atEnd = count == 0;
     return {};
 }
 
 /// Finds the next row that is not empty. A line feed inside quotes belongs to the row.
-Expected<bool> CsvReader::Private::readRow() {
+Expected<bool> CsvReader::readRow() {
     for (;;) {
         std::size_t scanned = 0;
         std::ptrdiff_t quotes = 0;
         const char* lineFeed = nullptr;
         for (;;) {
-            const char* from = buffer.data() + begin + scanned;
-            const std::size_t unscanned = end - begin - scanned;
+            const char* from = m_buffer.data() + m_begin + scanned;
+            const std::size_t unscanned = m_end - m_begin - scanned;
             lineFeed =
                 unscanned == 0 ? nullptr : static_cast<const char*>(std::memchr(from, '\n', unscanned));
             const char* to = lineFeed != nullptr ? lineFeed : from + unscanned;
@@ -285,12 +250,12 @@ Expected<bool> CsvReader::Private::readRow() {
                 return badInput(CsvReaderText::tr("the line is longer than 16 MiB"),
                                 quotes % 2 != 0 ? CsvReaderText::tr("a closing quote")
                                                 : CsvReaderText::tr("a line end"),
-                                {path, nextLine});
+                                {m_path, m_nextLine});
             if (lineFeed != nullptr) {
                 if (quotes % 2 == 0)
                     break;
                 ++scanned;
-            } else if (atEnd) {
+            } else if (m_atEnd) {
                 break;
             } else if (const Expected<void> filled = fill(); !filled) {
                 return Unexpected(filled.error());
@@ -299,66 +264,51 @@ Expected<bool> CsvReader::Private::readRow() {
         if (scanned == 0 && lineFeed == nullptr)
             return false;
 
-        if (bufferOffset + begin == 0 && scanned >= 3 && std::memcmp(buffer.data(), "\xEF\xBB\xBF", 3) == 0) {
-            begin = 3;
+        if (m_bufferOffset + m_begin == 0 && scanned >= 3 &&
+            std::memcmp(m_buffer.data(), "\xEF\xBB\xBF", 3) == 0) {
+            m_begin = 3;
             scanned -= 3;
         }
-        rowBegin = begin;
-        rowLength = scanned;
-        line = nextLine;
-        begin += scanned + (lineFeed != nullptr ? 1 : 0);
-        nextLine += (lineFeed != nullptr ? 1 : 0) + (quotes > 0 ? std::count(row(), rowEnd(), '\n') : 0);
+        m_rowBegin = m_begin;
+        m_rowLength = scanned;
+        m_line = m_nextLine;
+        m_begin += scanned + (lineFeed != nullptr ? 1 : 0);
+        m_nextLine += (lineFeed != nullptr ? 1 : 0) + (quotes > 0 ? std::count(row(), rowEnd(), '\n') : 0);
         if (quotes % 2 != 0)
             return badInput(CsvReaderText::tr("a quote is not closed"), CsvReaderText::tr("a closing quote"),
                             placeOf(std::find(row(), rowEnd(), '"')));
-        if (rowLength > 0 && rowEnd()[-1] == '\r')
-            --rowLength;
+        if (m_rowLength > 0 && rowEnd()[-1] == '\r')
+            --m_rowLength;
         if (!std::all_of(row(), rowEnd(), isBlank))
             return true;
     }
 }
 
 /// A field that is not a plain number followed by a comma: quoted, NA, out of range, or wrong.
-Expected<double> CsvReader::Private::slowField(const char* begin_, const char*& end_,
-                                               bool allowNonFinite) const {
-    const Field field = readField(begin_, rowEnd());
-    end_ = field.end;
+Expected<double> CsvReader::slowField(const char* begin, const char*& end, bool allowNonFinite) const {
+    const Field field = readField(begin, rowEnd());
+    end = field.end;
     const QString wanted =
         allowNonFinite ? CsvReaderText::tr("a number, nan, inf or NA") : CsvReaderText::tr("a finite number");
     const char* text = field.text.c_str();
     double value = std::numeric_limits<double>::quiet_NaN();
     if (field.text.empty())
-        return badInput(CsvReaderText::tr("the field is empty"), wanted, placeOf(begin_));
+        return badInput(CsvReaderText::tr("the field is empty"), wanted, placeOf(begin));
     if (!field.wellFormed || (field.text != "NA" && !parseNumber(text, text + field.text.size(), value)))
-        return badInput(CsvReaderText::tr("%1 is not a number").arg(shown({begin_, field.end})), wanted,
-                        placeOf(begin_));
+        return badInput(CsvReaderText::tr("%1 is not a number").arg(shown({begin, field.end})), wanted,
+                        placeOf(begin));
     if (!allowNonFinite && !std::isfinite(value))
         return badInput(CsvReaderText::tr("%1 is not a finite number").arg(shown(field.text)), wanted,
-                        placeOf(begin_));
+                        placeOf(begin));
     return value;
 }
 
-CsvReader::CsvReader(std::unique_ptr<Private> p)
-    : d(std::move(p)) {
-}
-CsvReader::~CsvReader() = default;
-CsvReader::CsvReader(CsvReader&&) noexcept = default;
-CsvReader& CsvReader::operator=(CsvReader&&) noexcept = default;
-
 Expected<CsvReader> CsvReader::open(const std::string& path) {
-    auto d = std::make_unique<Private>();
-    d->path = path;
-    TELETA_CHECK(d->openFile());
-    TELETA_CHECK(d->readHeader());
-    return CsvReader(std::move(d));
-}
-
-const std::vector<std::string>& CsvReader::header() const {
-    return d->header;
-}
-
-const std::string& CsvReader::path() const {
-    return d->path;
+    CsvReader reader;
+    reader.m_path = path;
+    TELETA_CHECK(reader.openFile());
+    TELETA_CHECK(reader.readHeader());
+    return reader;
 }
 
 Expected<std::size_t> CsvReader::column(std::string_view name) const {
@@ -370,124 +320,103 @@ Expected<std::vector<std::size_t>> CsvReader::columns(std::span<const std::strin
     std::vector<std::size_t> found;
     std::vector<std::string_view> missing;
     for (const std::string_view name : names) {
-        const auto first = std::ranges::find(d->header, name);
-        if (first == d->header.end()) {
+        const auto first = std::ranges::find(m_header, name);
+        if (first == m_header.end()) {
             missing.push_back(name);
             continue;
         }
-        if (std::find(first + 1, d->header.end(), name) != d->header.end())
-            return d->badInput(CsvReaderText::tr("the column %1 appears twice").arg(shown(name)),
-                               CsvReaderText::tr("each name only once"), {d->path, 1, 1});
-        found.push_back(static_cast<std::size_t>(first - d->header.begin()));
+        if (std::find(first + 1, m_header.end(), name) != m_header.end())
+            return badInput(CsvReaderText::tr("the column %1 appears twice").arg(shown(name)),
+                            CsvReaderText::tr("each name only once"), {m_path, 1, 1});
+        found.push_back(static_cast<std::size_t>(first - m_header.begin()));
     }
     if (!missing.empty())
-        return d->badInput(CsvReaderText::tr("missing columns: %1; the file has: %2")
-                               .arg(shownNames(missing), shownNames(d->header)),
-                           CsvReaderText::tr("the columns %1").arg(shownNames(names)), {d->path, 1, 1});
+        return badInput(CsvReaderText::tr("missing columns: %1; the file has: %2")
+                            .arg(shownNames(missing), shownNames(m_header)),
+                        CsvReaderText::tr("the columns %1").arg(shownNames(names)), {m_path, 1, 1});
     return found;
 }
 
 Expected<bool> CsvReader::next(std::vector<double>& values, bool allowNonFinite) {
-    const Expected<bool> any = d->readRow();
+    const Expected<bool> any = readRow();
     if (!any || !*any)
         return any;
-    const std::size_t columns = d->header.size();
+    const std::size_t columns = m_header.size();
     values.resize(columns);
-    const char* const rowEnd = d->rowEnd();
-    const char* p = d->row();
+    const char* const end = rowEnd();
+    const char* p = row();
     for (std::size_t i = 0;; ++i, ++p) {
         if (i == columns)
-            return d->tooLong(p);
-        const auto [stop, code] = std::from_chars(p, rowEnd, values[i]);
-        if (matches(code) && (stop == rowEnd || *stop == ',') &&
-            (allowNonFinite || std::isfinite(values[i]))) {
+            return tooLong(p);
+        const auto [stop, code] = std::from_chars(p, end, values[i]);
+        if (matches(code) && (stop == end || *stop == ',') && (allowNonFinite || std::isfinite(values[i]))) {
             p = stop;
         } else {
-            TELETA_TRY(const double value, d->slowField(p, p, allowNonFinite));
+            TELETA_TRY(const double value, slowField(p, p, allowNonFinite));
             values[i] = value;
         }
-        if (p == rowEnd) {
+        if (p == end) {
             if (i + 1 < columns)
-                return d->tooShort(i + 1, p);
+                return tooShort(i + 1, p);
             return true;
         }
     }
 }
 
 Expected<bool> CsvReader::nextText(std::vector<std::string_view>& fields) {
-    const Expected<bool> any = d->readRow();
+    const Expected<bool> any = readRow();
     if (!any || !*any)
         return any;
-    const std::size_t columns = d->header.size();
+    const std::size_t columns = m_header.size();
     fields.resize(columns);
-    d->quoted.clear();
-    const char* const rowEnd = d->rowEnd();
-    const char* p = d->row();
+    m_quoted.clear();
+    const char* const end = rowEnd();
+    const char* p = row();
     for (std::size_t i = 0;; ++i, ++p) {
         if (i == columns)
-            return d->tooLong(p);
-        const char* first = std::find_if_not(p, rowEnd, isBlank);
-        if (first != rowEnd && *first == '"') {
-            Field field = readField(p, rowEnd);
+            return tooLong(p);
+        const char* first = std::find_if_not(p, end, isBlank);
+        if (first != end && *first == '"') {
+            Field field = readField(p, end);
             if (!field.wellFormed)
-                return d->badInput(CsvReaderText::tr("text outside the quotes of a value"),
-                                   CsvReaderText::tr("a comma after the closing quote"), d->placeOf(p));
+                return badInput(CsvReaderText::tr("text outside the quotes of a value"),
+                                CsvReaderText::tr("a comma after the closing quote"), placeOf(p));
             p = field.end;
-            fields[i] = d->quoted.emplace_back(std::move(field.text));
+            fields[i] = m_quoted.emplace_back(std::move(field.text));
         } else {
-            const void* comma = std::memchr(first, ',', static_cast<std::size_t>(rowEnd - first));
-            p = comma != nullptr ? static_cast<const char*>(comma) : rowEnd;
+            const void* comma = std::memchr(first, ',', static_cast<std::size_t>(end - first));
+            p = comma != nullptr ? static_cast<const char*>(comma) : end;
             const char* last = p;
             while (last > first && isBlank(last[-1]))
                 --last;
             fields[i] = {first, static_cast<std::size_t>(last - first)};
         }
-        if (p == rowEnd) {
+        if (p == end) {
             if (i + 1 < columns)
-                return d->tooShort(i + 1, p);
+                return tooShort(i + 1, p);
             return true;
         }
     }
 }
 
-SourcePlace CsvReader::place(std::size_t column) const {
-    return d->placeOfField(column);
-}
-
-long long CsvReader::line() const {
-    return d->line;
-}
-
-long long CsvReader::nextLine() const {
-    return d->nextLine;
-}
-
-std::uint64_t CsvReader::bytesRead() const {
-    return d->bufferOffset + d->begin;
-}
-
-std::uint64_t CsvReader::bytesTotal() const {
-    return d->size;
-}
-
 Expected<void> CsvReader::seek(std::uint64_t byteOffset, long long line) {
-    if (!d->seekable)
+    if (!m_seekable)
         return failed(ErrorKind::refused, CsvReaderText::tr("a pipe cannot be rewound"),
-                      CsvReaderText::tr("a file"), {d->path});
-    if (byteOffset >= d->bufferOffset && byteOffset - d->bufferOffset <= d->end) {
-        d->begin = static_cast<std::size_t>(byteOffset - d->bufferOffset);
+                      CsvReaderText::tr("a file"), {m_path});
+    if (byteOffset >= m_bufferOffset && byteOffset - m_bufferOffset <= m_end) {
+        m_begin = static_cast<std::size_t>(byteOffset - m_bufferOffset);
     } else {
-        if (::lseek(d->file, static_cast<off_t>(byteOffset), SEEK_SET) < 0)
-            return d->systemError(ErrorKind::ioFailed, CsvReaderText::tr("cannot read the file: %1"), errno);
-        d->bufferOffset = byteOffset;
-        d->begin = 0;
-        d->end = 0;
+        if (::lseek(::fileno(m_file.get()), static_cast<off_t>(byteOffset), SEEK_SET) < 0)
+            return systemError(ErrorKind::ioFailed, CsvReaderText::tr("cannot read the file: %1"), errno);
+        m_bufferOffset = byteOffset;
+        m_begin = 0;
+        m_end = 0;
     }
-    d->atEnd = false;
-    d->rowBegin = d->begin;
-    d->rowLength = 0;
-    d->line = line;
-    d->nextLine = line;
+    m_atEnd = false;
+    m_rowBegin = m_begin;
+    m_rowLength = 0;
+    m_line = line;
+    m_nextLine = line;
     return {};
 }
 

@@ -4,11 +4,15 @@
 #include "backend/core/error.h"
 
 #include <cstdint>
+#include <cstdio>
+#include <deque>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+class QString;
 
 namespace teleta::core {
 
@@ -22,15 +26,11 @@ namespace teleta::core {
 /// Thread: one.
 class CsvReader {
 public:
-    ~CsvReader();
-    CsvReader(CsvReader&&) noexcept;
-    CsvReader& operator=(CsvReader&&) noexcept;
-
     /// Opens the file and reads its header line.
     [[nodiscard]] static Expected<CsvReader> open(const std::string& path);
 
-    [[nodiscard]] const std::vector<std::string>& header() const;
-    [[nodiscard]] const std::string& path() const;
+    [[nodiscard]] const std::vector<std::string>& header() const { return m_header; }
+    [[nodiscard]] const std::string& path() const { return m_path; }
 
     /// Index of a named column; an Error that lists the columns that are there when it is missing or there
     /// twice.
@@ -51,19 +51,50 @@ public:
     /// values.
     [[nodiscard]] SourcePlace place(std::size_t column) const;
 
-    [[nodiscard]] long long line() const;           ///< line of the row that was read last, from 1
-    [[nodiscard]] long long nextLine() const;       ///< line at which reading goes on: that of bytesRead()
-    [[nodiscard]] std::uint64_t bytesRead() const;  ///< position behind the row that was read last
-    [[nodiscard]] std::uint64_t bytesTotal() const; ///< file size; 0 when unknown (a pipe)
+    /// Line of the row that was read last, from 1.
+    [[nodiscard]] long long line() const { return m_line; }
+    /// Line at which reading goes on, that of bytesRead().
+    [[nodiscard]] long long nextLine() const { return m_nextLine; }
+    /// Position behind the row that was read last.
+    [[nodiscard]] std::uint64_t bytesRead() const { return m_bufferOffset + m_begin; }
+    /// Size of the file; 0 when unknown (a pipe).
+    [[nodiscard]] std::uint64_t bytesTotal() const { return m_size; }
 
     /// Goes to a row start that was reported by bytesRead() before; line is what nextLine() was then.
     /// Error: refused for a pipe.
     [[nodiscard]] Expected<void> seek(std::uint64_t byteOffset, long long line);
 
 private:
-    class Private;
-    explicit CsvReader(std::unique_ptr<Private> d);
-    std::unique_ptr<Private> d;
+    CsvReader() = default;
+    [[nodiscard]] const char* row() const { return m_buffer.data() + m_rowBegin; }
+    [[nodiscard]] const char* rowEnd() const { return row() + m_rowLength; }
+    [[nodiscard]] Expected<void> openFile();
+    [[nodiscard]] Expected<void> readHeader();
+    [[nodiscard]] Expected<void> fill();
+    [[nodiscard]] Expected<bool> readRow();
+    [[nodiscard]] Expected<double> slowField(const char* begin, const char*& end, bool allowNonFinite) const;
+    [[nodiscard]] SourcePlace placeOf(const char* position) const;
+    [[nodiscard]] Unexpected systemError(ErrorKind kind, const QString& what, int code) const;
+    [[nodiscard]] Unexpected tooLong(const char* position) const;
+    [[nodiscard]] Unexpected tooShort(std::size_t values, const char* position) const;
+
+    std::string m_path;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> m_file{nullptr, &std::fclose};
+    bool m_seekable = false;
+    std::uint64_t m_size = 0;
+
+    std::vector<char> m_buffer;
+    std::uint64_t m_bufferOffset = 0; ///< file position of m_buffer[0]
+    std::size_t m_begin = 0;          ///< next byte to read in the buffer
+    std::size_t m_end = 0;            ///< bytes in the buffer
+    bool m_atEnd = false;
+
+    std::size_t m_rowBegin = 0;
+    std::size_t m_rowLength = 0;
+    long long m_line = 0;
+    long long m_nextLine = 1;
+    std::vector<std::string> m_header;
+    std::deque<std::string> m_quoted; ///< texts of the last row that were in quotes
 };
 
 } // namespace teleta::core

@@ -12,7 +12,7 @@ namespace teleta::core {
 /// time_ns: steady clock at the read of each frame, one entry a frame, never decreasing.
 /// sourceTime_s: the stream's own time (recording or simulated time), one entry a frame.
 /// firstFrame: number of the first frame in the stream since it was opened; a gap between blocks is a loss.
-/// discontinuity: the stream jumped before this block (seek, loop, reconnect); trackers start anew.
+/// discontinuity: the stream jumped before this block (seek, loop, reconnect); trackers start over.
 struct SampleBlock {
     std::uint64_t firstFrame = 0;
     std::size_t channels = 0;

@@ -36,9 +36,9 @@ struct CameraFrame {
     std::int64_t time_ns = 0;     ///< steady clock at the read
     double capture_s = 0.0;       ///< the source's own time, from the first frame of the connection
     std::uint64_t number = 0;     ///< since the source was started; a gap is a loss
-    bool discontinuity = false;   ///< connected again, or the source begins anew
-    std::uint64_t passedOver = 0; ///< frames before it that were dropped since a newer one was there
-    /// What this frame and those after it are compared with, of a recording that tells; empty: as before.
+    bool discontinuity = false;   ///< connected again, or the source starts over
+    std::uint64_t passedOver = 0; ///< frames dropped before it because a newer one was there
+    /// What this frame and those after it are compared with, if a recording says so; empty: as before.
     GreyImage reference = {};
 
     /// Takes the place of an older frame that nobody will look at.
@@ -80,8 +80,8 @@ class CameraGenerator {
 public:
     virtual ~CameraGenerator() = default;
     [[nodiscard]] virtual const CameraDescription& description() const = 0;
-    /// Advances by one frame. held: STOP is engaged, what carries the camera stands still. Returns true when
-    /// the frame does not go on from the one before: the world has begun anew.
+    /// Advances by one frame. held: STOP is engaged, and what carries the camera stands still. Returns true
+    /// if the frame does not follow from the one before: the world has started over.
     virtual bool next(GreyImage& image, bool held) = 0;
     [[nodiscard]] virtual double time_s() const = 0;
 };

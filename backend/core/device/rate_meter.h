@@ -16,7 +16,7 @@ public:
     /// time.
     explicit RateMeter(std::int64_t window_ns = 1'000'000'000, std::size_t maximumSamples = 1024);
 
-    /// Registers one arrival. time_ns must not decrease; a decreasing time starts the window anew.
+    /// Registers one arrival. time_ns must not decrease; a decreasing time empties the window.
     void add(std::int64_t time_ns);
     [[nodiscard]] double rate_Hz(std::int64_t now_ns) const;
     void reset();

@@ -22,8 +22,7 @@ public:
 
     [[nodiscard]] virtual std::int64_t now_ns() const { return steadyNow_ns(); }
 
-    /// How long the machine has slept since it was started. now_ns() stands still meanwhile: what was due
-    /// before is due after the waking as if nothing had been.
+    /// How long the machine has slept since it was started; now_ns() stands still meanwhile.
     [[nodiscard]] virtual std::int64_t suspended_ns() const { return suspendedSinceBoot_ns(); }
 
     /// Waits until the condition is notified or the deadline has passed; it may also return without either.
@@ -36,8 +35,8 @@ public:
             condition.wait_until(lock, toTimePoint(deadline_ns));
     }
 
-    /// Waits until the deadline has passed, however often the condition is notified; false as soon as stop is
-    /// requested, of which a notification tells.
+    /// Waits until the deadline has passed, however often the condition is notified. False as soon as stop is
+    /// requested and the condition notified.
     bool sleepUntil(std::condition_variable& condition, std::unique_lock<std::mutex>& lock,
                     std::int64_t deadline_ns, const std::stop_token& stop) {
         while (!stop.stop_requested() && now_ns() < deadline_ns)

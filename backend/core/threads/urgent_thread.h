@@ -10,7 +10,7 @@ enum class ThreadUrgency {
     ordinary, ///< the system permits nothing more
 };
 
-/// Makes the calling thread run as soon as its waits are over: with the highest Urgency that the user is
+/// Makes the calling thread run as soon as its waits are over: with the highest urgency that the user is
 /// allowed, and with timers that fire on time (the kernel may otherwise delay them by 50 us). Threads that it
 /// starts do not inherit this. Returns what was reached.
 [[nodiscard]] ThreadUrgency makeThreadUrgent();

@@ -8,7 +8,7 @@
 
 #include <cmath>
 #include <functional>
-#include <utility>
+#include <type_traits>
 
 namespace teleta::pattern {
 
@@ -66,41 +66,27 @@ Pattern moved(const Pattern& pattern, const Move& move) {
     return result;
 }
 
-struct StretchForm {
-    double factor;
-
-    void operator()(Sweep& sweep) const {
-        sweep.start_s *= factor;
-        sweep.burst_s *= factor;
-        if (sweep.onset_s)
-            *sweep.onset_s *= factor;
-    }
-    void operator()(Ring& ring) const {
-        ring.start_s *= factor;
-        ring.duration_s *= factor;
-        if (ring.burst_s)
-            *ring.burst_s *= factor;
-    }
-    void operator()(Phantom& phantom) const { both(phantom); }
-    void operator()(Ramp& ramp) const { both(ramp); }
-    void operator()(PulseTrain& train) const {
-        both(train);
-        train.period_s *= factor;
-        train.width_s *= factor;
-    }
-    void operator()(Stroke& stroke) const {
-        stroke.start_s *= factor;
-        for (StrokePoint& point : stroke.points)
+/// Multiplies all times of an object.
+template <typename Form>
+void stretch(Form& form, double factor) {
+    form.start_s *= factor;
+    if constexpr (requires { form.duration_s; })
+        form.duration_s *= factor;
+    if constexpr (std::is_same_v<Form, Sweep>) {
+        form.burst_s *= factor;
+        if (form.onset_s)
+            *form.onset_s *= factor;
+    } else if constexpr (std::is_same_v<Form, Ring>) {
+        if (form.burst_s)
+            *form.burst_s *= factor;
+    } else if constexpr (std::is_same_v<Form, PulseTrain>) {
+        form.period_s *= factor;
+        form.width_s *= factor;
+    } else if constexpr (std::is_same_v<Form, Stroke>) {
+        for (StrokePoint& point : form.points)
             point.time_s *= factor;
     }
-
-private:
-    template <typename Form>
-    void both(Form& form) const {
-        form.start_s *= factor;
-        form.duration_s *= factor;
-    }
-};
+}
 
 } // namespace
 
@@ -135,7 +121,7 @@ core::Expected<Pattern> stretched(const Pattern& pattern, double factor) {
             point.time_s *= factor;
     }
     for (PatternObject& object : result.objects)
-        std::visit(StretchForm{factor}, object.form);
+        std::visit([factor](auto& form) { stretch(form, factor); }, object.form);
     return result;
 }
 

@@ -18,8 +18,8 @@ struct RecoveredPattern {
 
 /// A recovery file is a pattern file in the program's own format with one more key,
 ///   "recovery": {"path", "edited_ms"}
-/// so that every reader of patterns can read it. It is written atomically and durably: a program that is
-/// killed leaves the previous file. Error: ioFailed. Thread: any.
+/// so that every reader of patterns can read it. It is written atomically and durably. Error: ioFailed.
+/// Thread: any.
 [[nodiscard]] core::Expected<void> writeRecovery(const std::string& file, const RecoveredPattern& recovered);
 /// Error: as loadPattern(); badInput without the key.
 [[nodiscard]] core::Expected<RecoveredPattern> readRecovery(const std::string& file);

@@ -21,44 +21,38 @@ void raise(core::Intensities& intensities, int tactor, double value) {
     intensity = std::max(intensity, limitedIntensity(value));
 }
 
-/// Indices of the bursts [k onset, k onset + burst) that may contain the time, with one extra on either side.
-std::pair<int, int> burstsAround(double time_s, double onset_s, double burst_s, int count) {
-    if (!(onset_s > 0.0) || !std::isfinite(onset_s) || !std::isfinite(burst_s))
-        return {0, count};
-    const double first = std::floor((time_s - burst_s) / onset_s) - 1.0;
-    const double last = std::floor(time_s / onset_s) + 2.0;
-    return {static_cast<int>(std::clamp(first, 0.0, static_cast<double>(count))),
-            static_cast<int>(std::clamp(last, 0.0, static_cast<double>(count)))};
-}
-
-core::Intensities valueOf(const Sweep& sweep, double t_s) {
+/// Raises the tactors whose bursts [k onset, k onset + burst) contain the time. tactorOf(k): that of burst k.
+template <typename TactorOf>
+core::Intensities burstsAt(double time_s, double onset_s, double burst_s, int count, double intensity,
+                           const TactorOf& tactorOf) {
     core::Intensities intensities{};
-    const double onset_s = onsetOf_s(sweep);
-    const double time_s = t_s - sweep.start_s;
-    const auto [first, last] =
-        burstsAround(time_s, onset_s, sweep.burst_s, static_cast<int>(sweep.tactors.size()));
-    for (int k = first; k < last; ++k) {
-        const double begin_s = k * onset_s;
-        if (time_s >= begin_s && time_s < begin_s + sweep.burst_s)
-            raise(intensities, sweep.tactors[static_cast<std::size_t>(k)], sweep.intensity);
+    int first = 0;
+    int last = count;
+    if (onset_s > 0.0 && std::isfinite(onset_s) && std::isfinite(burst_s)) {
+        // One more on either side, since the quotients are rounded.
+        const auto index = [&](double k) { return static_cast<int>(std::clamp(k, 0.0, 1.0 * count)); };
+        first = index(std::floor((time_s - burst_s) / onset_s) - 1.0);
+        last = index(std::floor(time_s / onset_s) + 2.0);
     }
-    return intensities;
-}
-
-core::Intensities valueOf(const Ring& ring, double t_s) {
-    core::Intensities intensities{};
-    const double onset_s = onsetOf_s(ring);
-    const double burst_s = burstOf_s(ring);
-    const double time_s = t_s - ring.start_s;
-    const int direction = ring.counterClockwise ? 1 : -1;
-    const int turns = std::clamp(ring.turns, 0, kMostTurns);
-    const auto [first, last] = burstsAround(time_s, onset_s, burst_s, kRing * turns);
     for (int k = first; k < last; ++k) {
         const double begin_s = k * onset_s;
         if (time_s >= begin_s && time_s < begin_s + burst_s)
-            raise(intensities, ring.firstTactor % kRing + direction * (k % kRing), ring.intensity);
+            raise(intensities, tactorOf(k), intensity);
     }
     return intensities;
+}
+
+core::Intensities valueOf(const Sweep& sweep, double t_s) {
+    return burstsAt(t_s - sweep.start_s, onsetOf_s(sweep), sweep.burst_s,
+                    static_cast<int>(sweep.tactors.size()), sweep.intensity,
+                    [&](int k) { return sweep.tactors[static_cast<std::size_t>(k)]; });
+}
+
+core::Intensities valueOf(const Ring& ring, double t_s) {
+    const int direction = ring.counterClockwise ? 1 : -1;
+    const int turns = std::clamp(ring.turns, 0, kMostTurns);
+    return burstsAt(t_s - ring.start_s, onsetOf_s(ring), burstOf_s(ring), kRing * turns, ring.intensity,
+                    [&](int k) { return ring.firstTactor % kRing + direction * (k % kRing); });
 }
 
 core::Intensities valueOf(const Phantom& phantom, double t_s) {

@@ -32,7 +32,7 @@ struct SampleOptions {
     std::optional<MotorProfiles> motors; ///< sample what these are predicted to do; empty: what is commanded
 };
 
-/// CSV time_s,t1..t6. Writes CSV with the columns time_s,t1..t6. Error: refused: a rate outside
+/// Writes CSV with the columns time_s,t1..t6. Error: refused: a rate outside
 /// [kLowestRate_Hz, kHighestRate_Hz], a profile that is not valid(); ioFailed. Thread: any.
 [[nodiscard]] core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path,
                                             const SampleOptions& options = {});

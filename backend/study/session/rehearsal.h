@@ -13,7 +13,7 @@
 namespace teleta::study {
 
 struct RehearsalProgress {
-    std::size_t participants = 0; ///< who have finished all their sessions
+    std::size_t participants = 0; ///< those who have finished all their sessions
     std::size_t trials = 0;       ///< kept in this run
     std::size_t trialsBefore = 0; ///< kept before it
     double simulated_s = 0.0;     ///< in the sessions of this run

@@ -124,7 +124,7 @@ void SessionFlow::goOn() {
     m_hold = Hold::none;
     m_reason.clear();
     m_session.goOn();
-    // Whatever held the session was a rest, and whoever lets it go on after the practice begins the test.
+    // Whatever held the session counts as a rest, and going on after the practice begins the test.
     if (m_session.stage() == Stage::ready)
         m_passed = progress();
     else

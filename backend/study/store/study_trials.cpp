@@ -125,7 +125,7 @@ core::Expected<void> StudyStore::keepOnServer(const SessionRecord& session, cons
             kept = insertUnlessKept(session.key, trial);
     }
     const bool isAway = !kept && kept.error().kind == core::ErrorKind::unavailable;
-    // Another error, between two attempts, does not tell either.
+    // Another error between two attempts leaves that open too.
     m_unsure = isAway || (m_unsure && !kept);
     if (!isAway)
         return kept;

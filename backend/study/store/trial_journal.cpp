@@ -89,7 +89,7 @@ core::Unexpected journalFailed(const QString& message, const std::string& path) 
     return core::failed(core::ErrorKind::ioFailed, message, {}, {path});
 }
 
-/// Makes a directory entry as durable as its file.
+/// Makes the entry of a file in its folder as durable as the file.
 bool syncFolder(const QString& folder) {
     const int descriptor = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     const bool done = descriptor >= 0 && fsync(descriptor) == 0;
