@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/bracelet/bracelet_worker.h"
+#include "backend/core/bracelet/bracelet_link.h"
 
 #include "backend/core/device/backoff.h"
 #include "backend/core/device/device_state.h"
@@ -23,8 +23,8 @@ std::string lostMessage() {
 
 } // namespace
 
-BraceletWorker::BraceletWorker(OpenedBracelet opened, BraceletOpener opener, const StopSwitch& stopSwitch,
-                               BraceletLinkConfig config)
+BraceletLink::BraceletLink(OpenedBracelet opened, BraceletOpener opener, const StopSwitch& stopSwitch,
+                           BraceletLinkConfig config)
     : m_description(std::move(opened.description))
     , m_opener(std::move(opener))
     , m_stopSwitch(stopSwitch)
@@ -35,7 +35,7 @@ BraceletWorker::BraceletWorker(OpenedBracelet opened, BraceletOpener opener, con
     m_description.longestTimeout_ms = std::max<std::uint16_t>(m_description.longestTimeout_ms, 1);
 }
 
-void BraceletWorker::open(Wakeup& consumer) {
+void BraceletLink::open(Wakeup& consumer) {
     const std::scoped_lock lock(m_mutex);
     m_ledger = {};
     m_telemetryNow = {};
@@ -43,7 +43,7 @@ void BraceletWorker::open(Wakeup& consumer) {
     m_status.open(consumer, now_ns());
 }
 
-void BraceletWorker::run(const std::stop_token& stop) {
+void BraceletLink::run(const std::stop_token& stop) {
     Lock lock(m_mutex);
     if (m_port)
         adopt(std::move(m_port));
@@ -68,12 +68,12 @@ void BraceletWorker::run(const std::stop_token& stop) {
     setState(DeviceState::closed);
 }
 
-void BraceletWorker::wake() {
+void BraceletLink::wake() {
     const std::scoped_lock lock(m_mutex);
     m_condition.notify_all();
 }
 
-WriteResult BraceletWorker::write(const BraceletFrame& frame) {
+WriteResult BraceletLink::write(const BraceletFrame& frame) {
     const std::scoped_lock lock(m_mutex);
     if (!m_connected)
         return {WriteOutcome::lost, now_ns()};
@@ -95,7 +95,7 @@ WriteResult BraceletWorker::write(const BraceletFrame& frame) {
 }
 
 /// False: stop was requested.
-bool BraceletWorker::reconnect(Lock& lock, const std::stop_token& stop) {
+bool BraceletLink::reconnect(Lock& lock, const std::stop_token& stop) {
     m_port.reset();
     Backoff retry(m_config.firstRetry_ns, m_config.longestRetry_ns);
     for (bool atOnce = m_status.state() == DeviceState::connecting;; atOnce = false) {
@@ -120,7 +120,7 @@ bool BraceletWorker::reconnect(Lock& lock, const std::stop_token& stop) {
     }
 }
 
-void BraceletWorker::adopt(std::unique_ptr<BraceletPort> port) {
+void BraceletLink::adopt(std::unique_ptr<BraceletPort> port) {
     m_port = std::move(port);
     m_connected = true;
     setState(DeviceState::connecting);
@@ -129,7 +129,7 @@ void BraceletWorker::adopt(std::unique_ptr<BraceletPort> port) {
         m_publishedConnection.store(++m_connections, std::memory_order_release);
 }
 
-void BraceletWorker::lose() {
+void BraceletLink::lose() {
     m_connected = false;
     m_publishedConnection.store(0, std::memory_order_release);
     m_ledger.endConnection();
@@ -139,7 +139,7 @@ void BraceletWorker::lose() {
     m_condition.notify_all();
 }
 
-bool BraceletWorker::send(const Drive& drive, std::uint16_t timeout_ms) {
+bool BraceletLink::send(const Drive& drive, std::uint16_t timeout_ms) {
     const bool taken = m_port->write(
         m_ledger.send(), drive, std::clamp<std::uint16_t>(timeout_ms, 1, m_description.longestTimeout_ms));
     m_lastWrite_ns = now_ns();
@@ -153,7 +153,7 @@ bool BraceletWorker::send(const Drive& drive, std::uint16_t timeout_ms) {
     return true;
 }
 
-void BraceletWorker::writeZeroIfDue() {
+void BraceletLink::writeZeroIfDue() {
     const bool driven = !isOff(m_telemetryNow.written);
     const bool silent = now_ns() - m_lastWrite_ns >= m_config.idleWrite_ns;
     if (!silent && !(driven && m_stopSwitch.engaged()))
@@ -163,7 +163,7 @@ void BraceletWorker::writeZeroIfDue() {
     (void)send({}, kIdleTimeout_ms);
 }
 
-void BraceletWorker::readReports() {
+void BraceletLink::readReports() {
     BoardReport report;
     bool any = false;
     for (int i = 0; m_connected && i < kReportsAtOnce; ++i) {
@@ -197,22 +197,22 @@ void BraceletWorker::readReports() {
     }
 }
 
-void BraceletWorker::checkAge() {
+void BraceletLink::checkAge() {
     if (m_status.state() == DeviceState::live && now_ns() - m_status.current().lastData_ns > m_staleAfter_ns)
         setState(DeviceState::stale);
 }
 
-void BraceletWorker::setState(DeviceState state, std::string message) {
+void BraceletLink::setState(DeviceState state, std::string message) {
     publishTelemetry();
     m_status.setState(state, now_ns(), std::move(message));
 }
 
-void BraceletWorker::publish() {
+void BraceletLink::publish() {
     publishTelemetry();
     m_status.publish();
 }
 
-void BraceletWorker::publishTelemetry() {
+void BraceletLink::publishTelemetry() {
     m_telemetryNow.framesEchoed = m_ledger.echoed();
     m_telemetryNow.newestSent = m_ledger.sent();
     m_telemetryNow.newestEchoed = m_ledger.newestEchoed();
