@@ -717,10 +717,6 @@
         <source>less bias</source>
         <translation>sans biais</translation>
     </message>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>impossible de créer le dossier</translation>
-    </message>
 </context>
 <context>
     <name>ConfusionPicture</name>
@@ -2615,14 +2611,6 @@ Exemples&#xa0;:
 <context>
     <name>MotorFile</name>
     <message>
-        <source>there are %1 motors</source>
-        <translation>il y a %1 moteurs</translation>
-    </message>
-    <message>
-        <source>the file was written by a newer version</source>
-        <translation>le fichier est d’une version plus récente</translation>
-    </message>
-    <message>
         <source>the limits belong to the bracelet &quot;%1&quot;</source>
         <translation>les limites sont celles du bracelet «&#xa0;%1&#xa0;»</translation>
     </message>
@@ -2857,6 +2845,10 @@ Exemples&#xa0;:
     <message>
         <source>standard output</source>
         <translation>sortie standard</translation>
+    </message>
+    <message>
+        <source>cannot make the folder</source>
+        <translation>impossible de créer le dossier</translation>
     </message>
 </context>
 <context>
@@ -4224,10 +4216,6 @@ Run %2 --help for more.
         <source>SIMULATED: these answers were made by a program, not by people.</source>
         <translation>SIMULÉ&#xa0;: ces réponses ont été données par un programme, non par des personnes.</translation>
     </message>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>impossible de créer le dossier</translation>
-    </message>
 </context>
 <context>
     <name>ResidualPicture</name>
@@ -5432,10 +5420,6 @@ Run %2 --help for more.
         <translation>%1, processus %2</translation>
     </message>
     <message>
-        <source>cannot make the folder of the study</source>
-        <translation>impossible de créer le dossier de l’étude</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; cannot name a participant</source>
         <translation>«&#xa0;%1&#xa0;» ne peut pas désigner un participant</translation>
     </message>
@@ -5962,10 +5946,6 @@ Run %2 --help for more.
 <context>
     <name>StudyExport</name>
     <message>
-        <source>cannot make the folder</source>
-        <translation>impossible de créer le dossier</translation>
-    </message>
-    <message>
         <source>the study has no participant &quot;%1&quot;</source>
         <translation>l’étude n’a pas de participant «&#xa0;%1&#xa0;»</translation>
     </message>
@@ -5983,13 +5963,6 @@ Run %2 --help for more.
     <message>
         <source>SIMULATED</source>
         <translation>SIMULÉ</translation>
-    </message>
-</context>
-<context>
-    <name>StudyFiles</name>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>impossible de créer le dossier</translation>
     </message>
 </context>
 <context>
@@ -6520,10 +6493,6 @@ Run %2 --help for more.
     <message>
         <source>cannot use the study: %1</source>
         <translation>impossible d’utiliser l’étude&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>cannot make the folder of the study</source>
-        <translation>impossible de créer le dossier de l’étude</translation>
     </message>
     <message>
         <source>there is no study here</source>

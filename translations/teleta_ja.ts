@@ -717,10 +717,6 @@
         <source>less bias</source>
         <translation>バイアス除去後</translation>
     </message>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>フォルダーを作成できません</translation>
-    </message>
 </context>
 <context>
     <name>ConfusionPicture</name>
@@ -2611,14 +2607,6 @@ Examples:
 <context>
     <name>MotorFile</name>
     <message>
-        <source>there are %1 motors</source>
-        <translation>モーターが%1個あります</translation>
-    </message>
-    <message>
-        <source>the file was written by a newer version</source>
-        <translation>ファイルのバージョンが新しすぎます</translation>
-    </message>
-    <message>
         <source>the limits belong to the bracelet &quot;%1&quot;</source>
         <translation>この上限はブレスレット「%1」のものです</translation>
     </message>
@@ -2853,6 +2841,10 @@ Examples:
     <message>
         <source>standard output</source>
         <translation>標準出力</translation>
+    </message>
+    <message>
+        <source>cannot make the folder</source>
+        <translation>フォルダーを作成できません</translation>
     </message>
 </context>
 <context>
@@ -4215,10 +4207,6 @@ Run %2 --help for more.
         <source>SIMULATED: these answers were made by a program, not by people.</source>
         <translation>シミュレーション: これらの回答は人ではなくプログラムによるものです。</translation>
     </message>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>フォルダーを作成できません</translation>
-    </message>
 </context>
 <context>
     <name>ResidualPicture</name>
@@ -5423,10 +5411,6 @@ Run %2 --help for more.
         <translation>%1、プロセス%2</translation>
     </message>
     <message>
-        <source>cannot make the folder of the study</source>
-        <translation>実験のフォルダーを作成できません</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; cannot name a participant</source>
         <translation>「%1」は参加者の名前に使えません</translation>
     </message>
@@ -5953,10 +5937,6 @@ Run %2 --help for more.
 <context>
     <name>StudyExport</name>
     <message>
-        <source>cannot make the folder</source>
-        <translation>フォルダーを作成できません</translation>
-    </message>
-    <message>
         <source>the study has no participant &quot;%1&quot;</source>
         <translation>実験に参加者「%1」がいません</translation>
     </message>
@@ -5974,13 +5954,6 @@ Run %2 --help for more.
     <message>
         <source>SIMULATED</source>
         <translation>シミュレーション</translation>
-    </message>
-</context>
-<context>
-    <name>StudyFiles</name>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>フォルダーを作成できません</translation>
     </message>
 </context>
 <context>
@@ -6510,10 +6483,6 @@ Run %2 --help for more.
     <message>
         <source>cannot use the study: %1</source>
         <translation>実験を使用できません: %1</translation>
-    </message>
-    <message>
-        <source>cannot make the folder of the study</source>
-        <translation>実験のフォルダーを作成できません</translation>
     </message>
     <message>
         <source>there is no study here</source>

@@ -717,10 +717,6 @@
         <source>less bias</source>
         <translation>减去偏差</translation>
     </message>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>无法创建文件夹</translation>
-    </message>
 </context>
 <context>
     <name>ConfusionPicture</name>
@@ -2611,14 +2607,6 @@ Examples:
 <context>
     <name>MotorFile</name>
     <message>
-        <source>there are %1 motors</source>
-        <translation>有 %1 个电机</translation>
-    </message>
-    <message>
-        <source>the file was written by a newer version</source>
-        <translation>文件版本较新</translation>
-    </message>
-    <message>
         <source>the limits belong to the bracelet &quot;%1&quot;</source>
         <translation>这些上限属于手环“%1”</translation>
     </message>
@@ -2853,6 +2841,10 @@ Examples:
     <message>
         <source>standard output</source>
         <translation>标准输出</translation>
+    </message>
+    <message>
+        <source>cannot make the folder</source>
+        <translation>无法创建文件夹</translation>
     </message>
 </context>
 <context>
@@ -4215,10 +4207,6 @@ Run %2 --help for more.
         <source>SIMULATED: these answers were made by a program, not by people.</source>
         <translation>模拟：这些回答由程序生成，并非来自真人。</translation>
     </message>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>无法创建文件夹</translation>
-    </message>
 </context>
 <context>
     <name>ResidualPicture</name>
@@ -5423,10 +5411,6 @@ Run %2 --help for more.
         <translation>%1，进程 %2</translation>
     </message>
     <message>
-        <source>cannot make the folder of the study</source>
-        <translation>无法创建研究的文件夹</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; cannot name a participant</source>
         <translation>“%1”不能作为被试的名称</translation>
     </message>
@@ -5953,10 +5937,6 @@ Run %2 --help for more.
 <context>
     <name>StudyExport</name>
     <message>
-        <source>cannot make the folder</source>
-        <translation>无法创建文件夹</translation>
-    </message>
-    <message>
         <source>the study has no participant &quot;%1&quot;</source>
         <translation>研究中没有被试“%1”</translation>
     </message>
@@ -5974,13 +5954,6 @@ Run %2 --help for more.
     <message>
         <source>SIMULATED</source>
         <translation>模拟</translation>
-    </message>
-</context>
-<context>
-    <name>StudyFiles</name>
-    <message>
-        <source>cannot make the folder</source>
-        <translation>无法创建文件夹</translation>
     </message>
 </context>
 <context>
@@ -6510,10 +6483,6 @@ Run %2 --help for more.
     <message>
         <source>cannot use the study: %1</source>
         <translation>无法使用研究：%1</translation>
-    </message>
-    <message>
-        <source>cannot make the folder of the study</source>
-        <translation>无法创建研究的文件夹</translation>
     </message>
     <message>
         <source>there is no study here</source>
