@@ -9,14 +9,12 @@
 
 namespace teleta::base {
 
-/// The pool for work without a pool of its own. It is not Qt's global pool: Qt's painter fills large areas
-/// there and waits for them, so a pool full of long computations would stop windows from being painted.
-/// Thread: any.
+/// The pool for work without a pool of its own. Not Qt's global pool: Qt's painter waits for areas that it
+/// fills there, so long computations would stop windows from being painted. Thread: any.
 [[nodiscard]] QThreadPool& backgroundPool();
 
-/// Runs work on a thread of a pool and passes its result to done on the receiver's thread; the result is
-/// dropped if the receiver is gone by then. For files and long computations that the GUI thread must not wait
-/// for. A pool with one thread keeps the order.
+/// Runs work on a thread of a pool and passes its result to done on the receiver's thread; drops the result
+/// if the receiver is gone by then. A pool with one thread keeps the order.
 template <typename Work, typename Done>
 void runInBackground(QThreadPool& pool, QObject* receiver, Work work, Done done) {
     pool.start([guard = QPointer<QObject>(receiver), context = receiver->thread(), work = std::move(work),

@@ -20,8 +20,6 @@
 #include <QSvgGenerator>
 #include <QWidget>
 
-#include <cmath>
-
 namespace teleta::base {
 
 namespace {
@@ -29,13 +27,10 @@ namespace {
 constexpr int kScreen_dpi = 96;
 
 core::Unexpected writeError(const QString& path, const QString& reason) {
-    core::Error error;
-    error.kind = core::ErrorKind::ioFailed;
-    error.message = QCoreApplication::translate("FigureExport", "The file could not be written: %1")
-                        .arg(reason)
-                        .toStdString();
-    error.where.file = path.toStdString();
-    return core::Unexpected(std::move(error));
+    const QString message =
+        QCoreApplication::translate("FigureExport", "The file could not be written: %1").arg(reason);
+    return core::Unexpected(
+        core::Error{core::ErrorKind::ioFailed, message.toStdString(), {}, {path.toStdString()}});
 }
 
 void paintSvg(const Figure& figure, QIODevice& device) {
@@ -92,40 +87,20 @@ core::Expected<void> writeWhole(const QString& path, Write&& write) {
 
 } // namespace
 
-core::Expected<void> saveSvg(const Figure& figure, const QString& path) {
-    return writeWhole(path, [&](QIODevice& device) { paintSvg(figure, device); });
-}
-
-core::Expected<void> savePdf(const Figure& figure, const QString& path) {
-    return writeWhole(path, [&](QIODevice& device) { paintPdf(figure, device); });
-}
-
-core::Expected<void> savePng(const Figure& figure, const QString& path) {
-    return writeWhole(path, [&](QIODevice& device) { imageOf(figure).save(&device, "PNG"); });
-}
-
-core::Expected<void> saveCsv(const Figure& figure, const QString& path) {
-    return writeWhole(path, [&](QIODevice& device) { device.write(figure.csv().toUtf8()); });
-}
-
 core::Expected<void> saveFigure(const Figure& figure, const QString& path) {
     const QString extension = QFileInfo(path).suffix().toLower();
     if (extension == QLatin1String("svg"))
-        return saveSvg(figure, path);
+        return writeWhole(path, [&](QIODevice& device) { paintSvg(figure, device); });
     if (extension == QLatin1String("pdf"))
-        return savePdf(figure, path);
+        return writeWhole(path, [&](QIODevice& device) { paintPdf(figure, device); });
     if (extension == QLatin1String("png"))
-        return savePng(figure, path);
+        return writeWhole(path, [&](QIODevice& device) { imageOf(figure).save(&device, "PNG"); });
     if (extension == QLatin1String("csv"))
-        return saveCsv(figure, path);
-    core::Error error;
-    error.kind = core::ErrorKind::badInput;
-    error.message = QCoreApplication::translate("FigureExport", "Unknown picture format \"%1\"")
-                        .arg(extension)
-                        .toStdString();
-    error.expected = "svg, pdf, png, csv";
-    error.where.file = path.toStdString();
-    return core::Unexpected(std::move(error));
+        return writeWhole(path, [&](QIODevice& device) { device.write(figure.csv().toUtf8()); });
+    const QString message =
+        QCoreApplication::translate("FigureExport", "Unknown picture format \"%1\"").arg(extension);
+    return core::Unexpected(core::Error{
+        core::ErrorKind::badInput, message.toStdString(), "svg, pdf, png, csv", {path.toStdString()}});
 }
 
 void copyPicture(const Figure& figure) {
@@ -157,6 +132,16 @@ void FigureExport::addActions(QMenu& menu) {
     menu.addAction(tr("Copy &data"), this, [this] { copyData(m_make()); });
     menu.addAction(tr("&Save picture…"), this, [this] { askAndSave(true); });
     menu.addAction(tr("Save da&ta…"), this, [this] { askAndSave(false); });
+}
+
+void FigureExport::setContextMenu() {
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_view, &QWidget::customContextMenuRequested, this, [this](const QPoint& position) {
+        auto* menu = new QMenu(m_view);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        addActions(*menu);
+        menu->popup(m_view->mapToGlobal(position));
+    });
 }
 
 void FigureExport::addDataActions(QMenu& menu) {

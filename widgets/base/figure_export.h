@@ -26,22 +26,16 @@ struct Figure {
     QByteArray svg = {};                  ///< complete SVG of the same picture; empty: made by paint
 };
 
-/// Writes a figure. The file is written under another name and then renamed, so it is never incomplete.
-/// Error: ioFailed with the path.
-[[nodiscard]] core::Expected<void> saveSvg(const Figure& figure, const QString& path);
-[[nodiscard]] core::Expected<void> savePdf(const Figure& figure, const QString& path);
-/// At twice the resolution of the screen (192 dots per inch).
-[[nodiscard]] core::Expected<void> savePng(const Figure& figure, const QString& path);
-[[nodiscard]] core::Expected<void> saveCsv(const Figure& figure, const QString& path);
-/// Format by extension: svg, pdf, png, csv. Error: badInput for another one.
+/// Writes a figure in the format of the extension: svg, pdf, png (at 192 dots per inch, twice the resolution
+/// of the screen) or csv. The file is written under another name and then renamed, so it is never incomplete.
+/// Error: badInput for another extension; ioFailed with the path.
 [[nodiscard]] core::Expected<void> saveFigure(const Figure& figure, const QString& path);
 
 /// Puts the picture (PNG and SVG) or the data (text and CSV) on the clipboard.
 void copyPicture(const Figure& figure);
 void copyData(const Figure& figure);
 
-/// The actions in the context menu of every chart and matrix. They return at once: the result of saving is a
-/// signal. Thread: GUI.
+/// The actions of every chart and matrix. They return at once; a signal tells how saving ended. Thread: GUI.
 class FigureExport : public QObject {
     Q_OBJECT
 public:
@@ -50,6 +44,8 @@ public:
 
     /// Appends Copy Picture, Copy Data, Save Picture, Save Data.
     void addActions(QMenu& menu);
+    /// Makes these actions the view's context menu.
+    void setContextMenu();
     /// Only Copy Data and Save Data, for tables.
     void addDataActions(QMenu& menu);
 

@@ -11,8 +11,8 @@
 
 namespace teleta::base {
 
-FigureView::FigureView(QWidget* parent)
-    : QWidget(parent)
+FigureView::FigureView(QWidget* parent, QSizeF usual_em, QSizeF smallest_em)
+    : SizedView(parent, usual_em, smallest_em)
     , m_export(this, [this] { return figure(); }) {
     setFocusPolicy(Qt::StrongFocus);
     setAutoFillBackground(true);

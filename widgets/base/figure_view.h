@@ -2,9 +2,9 @@
 #pragma once
 
 #include "widgets/base/figure_export.h"
+#include "widgets/base/sized_view.h"
 
 #include <QPoint>
-#include <QWidget>
 
 #include <optional>
 
@@ -14,7 +14,7 @@ namespace teleta::base {
 
 /// A self-painted view whose picture and data can be copied and saved: Ctrl+C copies the picture, the context
 /// menu offers the rest. It takes the focus and has the background of text fields. Thread: GUI.
-class FigureView : public QWidget {
+class FigureView : public SizedView {
     Q_OBJECT
 public:
     /// The picture on white with its data; independent of later changes to the view.
@@ -30,7 +30,7 @@ signals:
     void exportFailed(const QString& message);
 
 protected:
-    explicit FigureView(QWidget* parent);
+    explicit FigureView(QWidget* parent, QSizeF usual_em = {}, QSizeF smallest_em = {});
 
     /// Preferred and smallest size in em; without them those of the layout.
     void setSizes_em(const QSizeF& preferred, const QSizeF& smallest);

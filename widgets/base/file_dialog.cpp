@@ -21,22 +21,22 @@ QFileDialog* makeDialog(QWidget* parent, const FileQuestion& question, QFileDial
     return dialog;
 }
 
-} // namespace
-
-QFileDialog* askToOpen(QWidget* parent, const FileQuestion& question,
-                       std::function<void(const QString&)> chosen) {
-    QFileDialog* dialog = makeDialog(parent, question, QFileDialog::ExistingFile);
+QFileDialog* openDialog(QFileDialog* dialog, QWidget* parent, std::function<void(const QString&)> chosen) {
     QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
     dialog->open();
     return dialog;
 }
 
+} // namespace
+
+QFileDialog* askToOpen(QWidget* parent, const FileQuestion& question,
+                       std::function<void(const QString&)> chosen) {
+    return openDialog(makeDialog(parent, question, QFileDialog::ExistingFile), parent, std::move(chosen));
+}
+
 QFileDialog* askForFolder(QWidget* parent, const FileQuestion& question,
                           std::function<void(const QString&)> chosen) {
-    QFileDialog* dialog = makeDialog(parent, question, QFileDialog::Directory);
-    QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
-    dialog->open();
-    return dialog;
+    return openDialog(makeDialog(parent, question, QFileDialog::Directory), parent, std::move(chosen));
 }
 
 QFileDialog* askToOpenSeveral(QWidget* parent, const FileQuestion& question,
@@ -57,9 +57,7 @@ QFileDialog* askToSave(QWidget* parent, const FileQuestion& question,
         });
     if (!question.name.isEmpty())
         dialog->selectFile(question.name);
-    QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
-    dialog->open();
-    return dialog;
+    return openDialog(dialog, parent, std::move(chosen));
 }
 
 } // namespace teleta::base

@@ -8,8 +8,6 @@
 #include <QPixmap>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace teleta::base {
 
@@ -21,222 +19,139 @@ void playTriangle(QPainterPath& path, double left, double right) {
     addLine(path, {{left, 5.0}, {right, 12.0}, {left, 19.0}}, true);
 }
 
-Drawing operateIcon() { // a taxel array under a fingertip
-    Drawing d;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) {
-            const QRectF cell(3.5 + 6.0 * column, 3.5 + 6.0 * row, 4.6, 4.6);
-            const bool touched =
-                (row == 1 && column == 1) || (row == 1 && column == 2) || (row == 0 && column == 1);
-            (touched ? d.fills : d.strokes).addRect(cell);
-        }
-    return d;
-}
-
-Drawing patternsIcon() { // breakpoints of a lane
-    Drawing d;
-    addLine(d.strokes, {{3.0, 18.0}, {8.0, 7.0}, {14.0, 14.0}, {21.0, 5.0}});
-    for (const QPointF& p : {QPointF(8.0, 7.0), QPointF(14.0, 14.0)})
-        d.fills.addEllipse(p, 2.2, 2.2);
-    addLine(d.strokes, {{3.0, 21.0}, {21.0, 21.0}});
-    return d;
-}
-
-Drawing studyIcon() { // two people
-    Drawing d;
-    d.strokes.addEllipse(QPointF(9.0, 8.0), 3.6, 3.6);
-    d.strokes.moveTo(2.5, 20.5);
-    d.strokes.cubicTo(2.5, 12.0, 15.5, 12.0, 15.5, 20.5);
-    d.strokes.arcMoveTo(QRectF(13.0, 4.9, 6.4, 6.4), 110.0);
-    d.strokes.arcTo(QRectF(13.0, 4.9, 6.4, 6.4), 110.0, -220.0);
-    d.strokes.moveTo(17.5, 14.2);
-    d.strokes.cubicTo(20.5, 15.0, 21.5, 17.5, 21.5, 20.5);
-    return d;
-}
-
-Drawing calibrateIcon() { // cross hair on a ring
-    Drawing d;
-    d.strokes.addEllipse(QPointF(12.0, 12.0), 6.5, 6.5);
-    for (const auto& [from, to] :
-         {std::pair(QPointF(12, 2.5), QPointF(12, 8.5)), std::pair(QPointF(12, 15.5), QPointF(12, 21.5)),
-          std::pair(QPointF(2.5, 12), QPointF(8.5, 12)), std::pair(QPointF(15.5, 12), QPointF(21.5, 12))})
-        addLine(d.strokes, {from, to});
-    d.fills.addEllipse(QPointF(12.0, 12.0), 1.4, 1.4);
-    return d;
-}
-
-Drawing costIcon() { // error falls with time
-    Drawing d;
-    addLine(d.strokes, {{3.5, 3.0}, {3.5, 20.5}, {21.0, 20.5}});
-    d.strokes.moveTo(6.5, 5.0);
-    d.strokes.cubicTo(8.0, 14.0, 12.0, 16.5, 20.5, 17.0);
-    d.fills.addEllipse(QPointF(10.0, 13.2), 2.2, 2.2);
-    return d;
-}
-
-Drawing settingsIcon() { // sliders
-    Drawing d;
-    for (const auto& [y, x] : {std::pair(6.0, 15.0), std::pair(12.0, 8.0), std::pair(18.0, 13.0)}) {
-        addLine(d.strokes, {{3.0, y}, {21.0, y}});
-        d.fills.addEllipse(QPointF(x, y), 2.6, 2.6);
-    }
-    return d;
-}
-
-Drawing loopIcon() {
-    Drawing d;
-    d.strokes.moveTo(5.0, 11.0);
-    d.strokes.cubicTo(5.0, 7.0, 8.0, 6.0, 10.0, 6.0);
-    d.strokes.lineTo(18.0, 6.0);
-    addLine(d.strokes, {{15.0, 3.0}, {18.5, 6.0}, {15.0, 9.0}});
-    d.strokes.moveTo(19.0, 13.0);
-    d.strokes.cubicTo(19.0, 17.0, 16.0, 18.0, 14.0, 18.0);
-    d.strokes.lineTo(6.0, 18.0);
-    addLine(d.strokes, {{9.0, 15.0}, {5.5, 18.0}, {9.0, 21.0}});
-    return d;
-}
-
-Drawing infoIcon() {
-    Drawing d;
-    d.strokes.addEllipse(QPointF(12.0, 12.0), 9.0, 9.0);
-    addLine(d.strokes, {{12.0, 11.0}, {12.0, 17.0}});
-    d.fills.addEllipse(QPointF(12.0, 7.3), 1.3, 1.3);
-    return d;
-}
-
-Drawing warningIcon() {
-    Drawing d;
-    addLine(d.strokes, {{12.0, 3.5}, {21.5, 20.5}, {2.5, 20.5}}, true);
-    addLine(d.strokes, {{12.0, 9.5}, {12.0, 14.5}});
-    d.fills.addEllipse(QPointF(12.0, 17.5), 1.2, 1.2);
-    return d;
-}
-
-Drawing errorIcon() {
-    Drawing d;
-    addLine(d.strokes,
-            {{8.3, 3.0},
-             {15.7, 3.0},
-             {21.0, 8.3},
-             {21.0, 15.7},
-             {15.7, 21.0},
-             {8.3, 21.0},
-             {3.0, 15.7},
-             {3.0, 8.3}},
-            true);
-    addLine(d.strokes, {{8.8, 8.8}, {15.2, 15.2}});
-    addLine(d.strokes, {{15.2, 8.8}, {8.8, 15.2}});
-    return d;
-}
-
-Drawing sceneIcon() { // a box in space
-    Drawing d;
-    addLine(d.strokes, {{12.0, 3.0}, {20.0, 7.5}, {20.0, 16.5}, {12.0, 21.0}, {4.0, 16.5}, {4.0, 7.5}}, true);
-    addLine(d.strokes, {{4.0, 7.5}, {12.0, 12.0}, {20.0, 7.5}});
-    addLine(d.strokes, {{12.0, 12.0}, {12.0, 21.0}});
-    return d;
-}
-
-Drawing recordingIcon() { // a page with a trace
-    Drawing d;
-    addLine(d.strokes, {{5.0, 3.0}, {14.5, 3.0}, {19.0, 7.5}, {19.0, 21.0}, {5.0, 21.0}}, true);
-    addLine(d.strokes, {{14.5, 3.0}, {14.5, 7.5}, {19.0, 7.5}});
-    addLine(d.strokes, {{7.5, 15.0}, {9.5, 15.0}, {11.0, 11.0}, {13.0, 18.0}, {14.5, 15.0}, {16.5, 15.0}});
-    return d;
-}
-
-Drawing sensorIcon() { // plug
-    Drawing d;
-    addLine(d.strokes, {{9.0, 3.0}, {9.0, 8.0}});
-    addLine(d.strokes, {{15.0, 3.0}, {15.0, 8.0}});
-    addLine(d.strokes, {{6.0, 8.0}, {18.0, 8.0}});
-    d.strokes.moveTo(7.0, 8.0);
-    d.strokes.lineTo(7.0, 11.0);
-    d.strokes.cubicTo(7.0, 18.0, 17.0, 18.0, 17.0, 11.0);
-    d.strokes.lineTo(17.0, 8.0);
-    addLine(d.strokes, {{12.0, 16.5}, {12.0, 21.0}});
-    return d;
-}
-
-Drawing markIcon() { // flag
-    Drawing d;
-    addLine(d.strokes, {{6.0, 21.0}, {6.0, 4.0}});
-    addLine(d.fills, {{6.0, 4.0}, {18.5, 8.0}, {6.0, 12.0}}, true);
-    return d;
-}
-
-Drawing stripsIcon() {
-    Drawing d;
-    for (const double y : {6.0, 12.0, 18.0})
-        addLine(d.strokes,
-                {{3.0, y + 1.5}, {8.0, y + 1.5}, {11.0, y - 1.5}, {15.0, y + 1.0}, {21.0, y - 1.0}});
-    return d;
-}
-
 Drawing drawingOf(Icon icon) {
     Drawing d;
     switch (icon) {
-    case Icon::operate:
-        return operateIcon();
-    case Icon::patterns:
-        return patternsIcon();
-    case Icon::study:
-        return studyIcon();
-    case Icon::calibrate:
-        return calibrateIcon();
-    case Icon::cost:
-        return costIcon();
-    case Icon::settings:
-        return settingsIcon();
+    case Icon::operate: // a taxel array under a fingertip
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 3; ++column) {
+                const QRectF cell(3.5 + 6.0 * column, 3.5 + 6.0 * row, 4.6, 4.6);
+                const bool touched =
+                    (row == 1 && column == 1) || (row == 1 && column == 2) || (row == 0 && column == 1);
+                (touched ? d.fills : d.strokes).addRect(cell);
+            }
+        break;
+    case Icon::patterns: // breakpoints of a lane
+        addLine(d.strokes, {{3.0, 18.0}, {8.0, 7.0}, {14.0, 14.0}, {21.0, 5.0}});
+        for (const QPointF& p : {QPointF(8.0, 7.0), QPointF(14.0, 14.0)})
+            d.fills.addEllipse(p, 2.2, 2.2);
+        addLine(d.strokes, {{3.0, 21.0}, {21.0, 21.0}});
+        break;
+    case Icon::study: // two people
+        d.strokes.addEllipse(QPointF(9.0, 8.0), 3.6, 3.6);
+        d.strokes.moveTo(2.5, 20.5);
+        d.strokes.cubicTo(2.5, 12.0, 15.5, 12.0, 15.5, 20.5);
+        d.strokes.arcMoveTo(QRectF(13.0, 4.9, 6.4, 6.4), 110.0);
+        d.strokes.arcTo(QRectF(13.0, 4.9, 6.4, 6.4), 110.0, -220.0);
+        d.strokes.moveTo(17.5, 14.2);
+        d.strokes.cubicTo(20.5, 15.0, 21.5, 17.5, 21.5, 20.5);
+        break;
+    case Icon::calibrate: // cross hair on a ring
+        d.strokes.addEllipse(QPointF(12.0, 12.0), 6.5, 6.5);
+        for (const auto& [from, to] :
+             {std::pair(QPointF(12, 2.5), QPointF(12, 8.5)), std::pair(QPointF(12, 15.5), QPointF(12, 21.5)),
+              std::pair(QPointF(2.5, 12), QPointF(8.5, 12)), std::pair(QPointF(15.5, 12), QPointF(21.5, 12))})
+            addLine(d.strokes, {from, to});
+        d.fills.addEllipse(QPointF(12.0, 12.0), 1.4, 1.4);
+        break;
+    case Icon::cost: // error falls with time
+        addLine(d.strokes, {{3.5, 3.0}, {3.5, 20.5}, {21.0, 20.5}});
+        d.strokes.moveTo(6.5, 5.0);
+        d.strokes.cubicTo(8.0, 14.0, 12.0, 16.5, 20.5, 17.0);
+        d.fills.addEllipse(QPointF(10.0, 13.2), 2.2, 2.2);
+        break;
     case Icon::play:
         playTriangle(d.fills, 7.0, 19.0);
-        return d;
+        break;
     case Icon::pause:
         d.fills.addRect(6.5, 5.0, 4.0, 14.0);
         d.fills.addRect(13.5, 5.0, 4.0, 14.0);
-        return d;
+        break;
     case Icon::stepBack:
         playTriangle(d.fills, 15.0, 5.5);
         d.fills.addRect(16.5, 5.0, 2.5, 14.0);
-        return d;
+        break;
     case Icon::stepForward:
         playTriangle(d.fills, 9.0, 18.5);
         d.fills.addRect(5.0, 5.0, 2.5, 14.0);
-        return d;
+        break;
     case Icon::toStart:
         playTriangle(d.fills, 19.0, 8.5);
         d.fills.addRect(5.0, 5.0, 2.5, 14.0);
-        return d;
-    case Icon::toEnd:
-        playTriangle(d.fills, 5.0, 15.5);
-        d.fills.addRect(16.5, 5.0, 2.5, 14.0);
-        return d;
+        break;
     case Icon::loop:
-        return loopIcon();
+        d.strokes.moveTo(5.0, 11.0);
+        d.strokes.cubicTo(5.0, 7.0, 8.0, 6.0, 10.0, 6.0);
+        d.strokes.lineTo(18.0, 6.0);
+        addLine(d.strokes, {{15.0, 3.0}, {18.5, 6.0}, {15.0, 9.0}});
+        d.strokes.moveTo(19.0, 13.0);
+        d.strokes.cubicTo(19.0, 17.0, 16.0, 18.0, 14.0, 18.0);
+        d.strokes.lineTo(6.0, 18.0);
+        addLine(d.strokes, {{9.0, 15.0}, {5.5, 18.0}, {9.0, 21.0}});
+        break;
     case Icon::info:
-        return infoIcon();
+        d.strokes.addEllipse(QPointF(12.0, 12.0), 9.0, 9.0);
+        addLine(d.strokes, {{12.0, 11.0}, {12.0, 17.0}});
+        d.fills.addEllipse(QPointF(12.0, 7.3), 1.3, 1.3);
+        break;
     case Icon::warning:
-        return warningIcon();
+        addLine(d.strokes, {{12.0, 3.5}, {21.5, 20.5}, {2.5, 20.5}}, true);
+        addLine(d.strokes, {{12.0, 9.5}, {12.0, 14.5}});
+        d.fills.addEllipse(QPointF(12.0, 17.5), 1.2, 1.2);
+        break;
     case Icon::error:
-        return errorIcon();
+        addLine(d.strokes,
+                {{8.3, 3.0},
+                 {15.7, 3.0},
+                 {21.0, 8.3},
+                 {21.0, 15.7},
+                 {15.7, 21.0},
+                 {8.3, 21.0},
+                 {3.0, 15.7},
+                 {3.0, 8.3}},
+                true);
+        addLine(d.strokes, {{8.8, 8.8}, {15.2, 15.2}});
+        addLine(d.strokes, {{15.2, 8.8}, {8.8, 15.2}});
+        break;
     case Icon::close:
         addLine(d.strokes, {{6.0, 6.0}, {18.0, 18.0}});
         addLine(d.strokes, {{18.0, 6.0}, {6.0, 18.0}});
-        return d;
-    case Icon::scene:
-        return sceneIcon();
-    case Icon::recording:
-        return recordingIcon();
-    case Icon::sensor:
-        return sensorIcon();
-    case Icon::mark:
-        return markIcon();
+        break;
+    case Icon::scene: // a box in space
+        addLine(d.strokes, {{12.0, 3.0}, {20.0, 7.5}, {20.0, 16.5}, {12.0, 21.0}, {4.0, 16.5}, {4.0, 7.5}},
+                true);
+        addLine(d.strokes, {{4.0, 7.5}, {12.0, 12.0}, {20.0, 7.5}});
+        addLine(d.strokes, {{12.0, 12.0}, {12.0, 21.0}});
+        break;
+    case Icon::recording: // a page with a trace
+        addLine(d.strokes, {{5.0, 3.0}, {14.5, 3.0}, {19.0, 7.5}, {19.0, 21.0}, {5.0, 21.0}}, true);
+        addLine(d.strokes, {{14.5, 3.0}, {14.5, 7.5}, {19.0, 7.5}});
+        addLine(d.strokes,
+                {{7.5, 15.0}, {9.5, 15.0}, {11.0, 11.0}, {13.0, 18.0}, {14.5, 15.0}, {16.5, 15.0}});
+        break;
+    case Icon::sensor: // plug
+        addLine(d.strokes, {{9.0, 3.0}, {9.0, 8.0}});
+        addLine(d.strokes, {{15.0, 3.0}, {15.0, 8.0}});
+        addLine(d.strokes, {{6.0, 8.0}, {18.0, 8.0}});
+        d.strokes.moveTo(7.0, 8.0);
+        d.strokes.lineTo(7.0, 11.0);
+        d.strokes.cubicTo(7.0, 18.0, 17.0, 18.0, 17.0, 11.0);
+        d.strokes.lineTo(17.0, 8.0);
+        addLine(d.strokes, {{12.0, 16.5}, {12.0, 21.0}});
+        break;
+    case Icon::mark: // flag
+        addLine(d.strokes, {{6.0, 21.0}, {6.0, 4.0}});
+        addLine(d.fills, {{6.0, 4.0}, {18.5, 8.0}, {6.0, 12.0}}, true);
+        break;
     case Icon::strips:
-        return stripsIcon();
+        for (const double y : {6.0, 12.0, 18.0})
+            addLine(d.strokes,
+                    {{3.0, y + 1.5}, {8.0, y + 1.5}, {11.0, y - 1.5}, {15.0, y + 1.0}, {21.0, y - 1.0}});
+        break;
     case Icon::more:
         for (const double x : {5.5, 12.0, 18.5})
             d.fills.addEllipse(QPointF(x, 12.0), 1.8, 1.8);
-        return d;
+        break;
     }
     return d;
 }

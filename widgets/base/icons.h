@@ -11,21 +11,18 @@ class QPainter;
 
 namespace teleta::base {
 
-/// The console's line icons. They are drawn at run time, so they follow the palette and are sharp at any
-/// scale.
+/// The console's line icons, drawn at run time in the colours of the palette.
 enum class Icon {
     operate,
     patterns,
     study,
     calibrate,
     cost,
-    settings,
     play,
     pause,
     stepBack,
     stepForward,
     toStart,
-    toEnd,
     loop,
     info,
     warning,

@@ -7,12 +7,10 @@
 
 namespace teleta::base {
 
-/// A part of a widget that is slow to paint and seldom changes: painted once into a pixmap for each place,
-/// scale, palette and font. Thread: GUI.
+/// A slow part of a widget, painted once for each place, scale, palette and font. Thread: GUI.
 class KeptPicture {
 public:
-    /// paint(QPainter&, const QRectF&) is called if the kept picture is not that of this rect. Call forget()
-    /// when anything else changes.
+    /// Calls paint(QPainter&, const QRectF&) if necessary. Call forget() when anything else changes.
     template <typename Paint>
     void draw(QPainter& painter, const QRectF& rect, const QWidget& widget, const Paint& paint) {
         const QRect whole = rect.toAlignedRect();

@@ -9,8 +9,7 @@
 
 namespace teleta::base {
 
-/// Calls update whenever the widget gets one of these events (LanguageChange, PaletteChange, FontChange ...),
-/// instead of an overridden changeEvent(). Thread: GUI.
+/// Calls update when the widget gets one of these events (LanguageChange, PaletteChange ...). Thread: GUI.
 void onChange(QWidget* widget, std::function<void()> update, std::initializer_list<QEvent::Type> kinds);
 
 /// The same for a member function of the widget.

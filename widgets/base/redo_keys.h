@@ -8,8 +8,7 @@ class QKeyEvent;
 
 namespace teleta::base {
 
-/// The desktop's keys for Redo, and Ctrl+Y, which many users know and most desktops leave out. The first key
-/// is the desktop's; menus show it. Thread: GUI.
+/// The desktop's keys for Redo, and Ctrl+Y, which most desktops leave out. Menus show the first. Thread: GUI.
 [[nodiscard]] QList<QKeySequence> redoKeys();
 [[nodiscard]] bool isRedo(const QKeyEvent& key);
 

@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace teleta::base {
@@ -16,44 +17,20 @@ using core::DeviceState;
 
 QColor statusColour(DeviceState state, const QPalette& palette) {
     const StatusColours& colours = statusColours(palette);
-    switch (state) {
-    case DeviceState::live:
-        return colours.live;
-    case DeviceState::stale:
-        return colours.stale;
-    case DeviceState::lost:
-    case DeviceState::reconnecting:
-        return colours.lost;
-    case DeviceState::closed:
-    case DeviceState::connecting:
-    case DeviceState::paused:
-    case DeviceState::finished:
-        break;
-    }
-    return colours.neutral;
+    return state == DeviceState::live                                         ? colours.live
+           : state == DeviceState::stale                                      ? colours.stale
+           : state == DeviceState::lost || state == DeviceState::reconnecting ? colours.lost
+                                                                              : colours.neutral;
 }
 
 QString statusWord(DeviceState state) {
-    const auto word = [](const char* text) { return QCoreApplication::translate("DeviceState", text); };
-    switch (state) {
-    case DeviceState::closed:
-        return word(QT_TRANSLATE_NOOP("DeviceState", "closed"));
-    case DeviceState::connecting:
-        return word(QT_TRANSLATE_NOOP("DeviceState", "connecting"));
-    case DeviceState::live:
-        return word(QT_TRANSLATE_NOOP("DeviceState", "live"));
-    case DeviceState::paused:
-        return word(QT_TRANSLATE_NOOP("DeviceState", "paused"));
-    case DeviceState::stale:
-        return word(QT_TRANSLATE_NOOP("DeviceState", "stale"));
-    case DeviceState::lost:
-        return word(QT_TRANSLATE_NOOP("DeviceState", "lost"));
-    case DeviceState::reconnecting:
-        return word(QT_TRANSLATE_NOOP("DeviceState", "reconnecting"));
-    case DeviceState::finished:
-        return word(QT_TRANSLATE_NOOP("DeviceState", "finished"));
-    }
-    return {};
+    // In the order of DeviceState.
+    static constexpr std::array kWords{
+        QT_TRANSLATE_NOOP("DeviceState", "closed"),       QT_TRANSLATE_NOOP("DeviceState", "connecting"),
+        QT_TRANSLATE_NOOP("DeviceState", "live"),         QT_TRANSLATE_NOOP("DeviceState", "paused"),
+        QT_TRANSLATE_NOOP("DeviceState", "stale"),        QT_TRANSLATE_NOOP("DeviceState", "lost"),
+        QT_TRANSLATE_NOOP("DeviceState", "reconnecting"), QT_TRANSLATE_NOOP("DeviceState", "finished")};
+    return QCoreApplication::translate("DeviceState", kWords[static_cast<std::size_t>(state)]);
 }
 
 QString ageText(double age_s) {
@@ -80,54 +57,50 @@ void paintStatusGlyph(QPainter& painter, const QRectF& square, DeviceState state
 
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    const QPen outline(colour, stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    const auto setOutline = [&](double width) {
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setBrush(Qt::NoBrush);
+    };
     const double ring = radius - 0.5 * stroke;
     switch (state) {
     case DeviceState::live:
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(colour);
         painter.drawEllipse(centre, radius, radius);
         break;
     case DeviceState::stale: {
         painter.setPen(QPen(colour, 0.6 * stroke, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.setBrush(colour);
         const double r = radius * 0.95;
         painter.drawPolygon(QPolygonF{centre + QPointF(0.0, -r), centre + QPointF(r, 0.8 * r),
                                       centre + QPointF(-r, 0.8 * r)});
         break;
     }
     case DeviceState::lost:
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(colour);
         painter.drawEllipse(centre, radius, radius);
         painter.setPen(QPen(readableOn(colour), stroke, Qt::SolidLine, Qt::RoundCap));
         cross(0.42 * radius);
         break;
     case DeviceState::reconnecting:
-        painter.setPen(outline);
+        setOutline(stroke);
         painter.drawEllipse(centre, ring, ring);
         cross(0.35 * radius);
         break;
     case DeviceState::connecting:
-        painter.setPen(outline);
+        setOutline(stroke);
         painter.drawArc(QRectF(centre - QPointF(ring, ring), QSizeF(2.0 * ring, 2.0 * ring)), 60 * 16,
                         270 * 16);
         break;
     case DeviceState::paused:
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(colour);
         for (const double x : {-0.6 * radius, 0.6 * radius})
             painter.drawRect(QRectF(centre.x() + x - 0.28 * radius, centre.y() - radius * 0.85, 0.56 * radius,
                                     1.7 * radius));
         break;
     case DeviceState::finished:
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(colour);
         painter.drawRect(
             QRectF(centre - QPointF(0.75 * radius, 0.75 * radius), QSizeF(1.5 * radius, 1.5 * radius)));
         break;
     case DeviceState::closed:
-        painter.setPen(QPen(colour, 0.7 * stroke));
+        setOutline(0.7 * stroke);
         painter.drawEllipse(centre, ring, ring);
         break;
     }

@@ -5,7 +5,7 @@
 
 #include <QApplication>
 #include <QFontMetricsF>
-#include <QStyle>
+#include <QPainter>
 #include <QWidget>
 
 #include <algorithm>
@@ -15,86 +15,26 @@ namespace teleta::base {
 
 namespace {
 
-struct PaletteColours {
-    QRgb window, base, alternate, text, faintText, disabledText;
-    QRgb button, light, midlight, mid, dark, shadow;
-    QRgb accent, onAccent, link, visited, tipBase, tipText;
+/// A role's colour on a light and on a dark background.
+struct RoleColours {
+    QPalette::ColorRole role;
+    QRgb light, dark;
 };
 
-constexpr PaletteColours kLight{
-    .window = 0xffeceef1,
-    .base = 0xffffffff,
-    .alternate = 0xfff4f6f8,
-    .text = 0xff1b2026,
-    .faintText = 0xff6a737d,
-    .disabledText = 0xff8b939c,
-    .button = 0xffe6e9ed,
-    .light = 0xffffffff,
-    .midlight = 0xffdfe3e8,
-    .mid = 0xffc2c8d0,
-    .dark = 0xff98a1ab,
-    .shadow = 0xff5c6670,
-    .accent = 0xff1a66b3,
-    .onAccent = 0xffffffff,
-    .link = 0xff1a66b3,
-    .visited = 0xff6b4a9e,
-    .tipBase = 0xfffdfdfd,
-    .tipText = 0xff1b2026,
+constexpr RoleColours kColours[]{
+    {QPalette::Window, 0xffeceef1, 0xff24282d},      {QPalette::WindowText, 0xff1b2026, 0xffe2e6ea},
+    {QPalette::Base, 0xffffffff, 0xff1b1e22},        {QPalette::AlternateBase, 0xfff4f6f8, 0xff21252a},
+    {QPalette::Text, 0xff1b2026, 0xffe2e6ea},        {QPalette::PlaceholderText, 0xff6a737d, 0xff98a2ad},
+    {QPalette::Button, 0xffe6e9ed, 0xff31363d},      {QPalette::ButtonText, 0xff1b2026, 0xffe2e6ea},
+    {QPalette::BrightText, 0xffffffff, 0xffffffff},  {QPalette::Light, 0xffffffff, 0xff4b525b},
+    {QPalette::Midlight, 0xffdfe3e8, 0xff3a4048},    {QPalette::Mid, 0xffc2c8d0, 0xff454c55},
+    {QPalette::Dark, 0xff98a1ab, 0xff15181b},        {QPalette::Shadow, 0xff5c6670, 0xff0c0e10},
+    {QPalette::Highlight, 0xff1a66b3, 0xff2e74be},   {QPalette::HighlightedText, 0xffffffff, 0xffffffff},
+    {QPalette::Link, 0xff1a66b3, 0xff6db3f7},        {QPalette::LinkVisited, 0xff6b4a9e, 0xffb596e8},
+    {QPalette::ToolTipBase, 0xfffdfdfd, 0xff31363d}, {QPalette::ToolTipText, 0xff1b2026, 0xffe2e6ea},
 };
-
-constexpr PaletteColours kDark{
-    .window = 0xff24282d,
-    .base = 0xff1b1e22,
-    .alternate = 0xff21252a,
-    .text = 0xffe2e6ea,
-    .faintText = 0xff98a2ad,
-    .disabledText = 0xff6e7781,
-    .button = 0xff31363d,
-    .light = 0xff4b525b,
-    .midlight = 0xff3a4048,
-    .mid = 0xff454c55,
-    .dark = 0xff15181b,
-    .shadow = 0xff0c0e10,
-    .accent = 0xff2e74be,
-    .onAccent = 0xffffffff,
-    .link = 0xff6db3f7,
-    .visited = 0xffb596e8,
-    .tipBase = 0xff31363d,
-    .tipText = 0xffe2e6ea,
-};
-
-QPalette paletteOf(const PaletteColours& c) {
-    QPalette palette;
-    const auto all = [&palette](QPalette::ColorRole role, QRgb colour) {
-        palette.setColor(role, QColor(colour));
-    };
-    all(QPalette::Window, c.window);
-    all(QPalette::WindowText, c.text);
-    all(QPalette::Base, c.base);
-    all(QPalette::AlternateBase, c.alternate);
-    all(QPalette::Text, c.text);
-    all(QPalette::PlaceholderText, c.faintText);
-    all(QPalette::Button, c.button);
-    all(QPalette::ButtonText, c.text);
-    all(QPalette::BrightText, c.onAccent);
-    all(QPalette::Light, c.light);
-    all(QPalette::Midlight, c.midlight);
-    all(QPalette::Mid, c.mid);
-    all(QPalette::Dark, c.dark);
-    all(QPalette::Shadow, c.shadow);
-    all(QPalette::Highlight, c.accent);
-    all(QPalette::HighlightedText, c.onAccent);
-    all(QPalette::Link, c.link);
-    all(QPalette::LinkVisited, c.visited);
-    all(QPalette::ToolTipBase, c.tipBase);
-    all(QPalette::ToolTipText, c.tipText);
-    for (const auto role :
-         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::PlaceholderText})
-        palette.setColor(QPalette::Disabled, role, QColor(c.disabledText));
-    palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(c.mid));
-    palette.setColor(QPalette::Disabled, QPalette::HighlightedText, QColor(c.text));
-    return palette;
-}
+constexpr QRgb kDisabledLight = 0xff8b939c;
+constexpr QRgb kDisabledDark = 0xff6e7781;
 
 double luminance(const QColor& colour) {
     const auto linear = [](double v) {
@@ -107,7 +47,15 @@ double luminance(const QColor& colour) {
 } // namespace
 
 QPalette designedPalette(bool dark) {
-    return paletteOf(dark ? kDark : kLight);
+    QPalette palette;
+    for (const auto& [role, onLight, onDark] : kColours)
+        palette.setColor(role, QColor(dark ? onDark : onLight));
+    for (const auto role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::PlaceholderText})
+        palette.setColor(QPalette::Disabled, role, QColor(dark ? kDisabledDark : kDisabledLight));
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, palette.color(QPalette::Mid));
+    palette.setColor(QPalette::Disabled, QPalette::HighlightedText, palette.color(QPalette::Text));
+    return palette;
 }
 
 bool isDark(const QPalette& palette) {
@@ -162,11 +110,21 @@ QFont sized(const QFont& font, double factor) {
     return result;
 }
 
+QFont bold(QFont font) {
+    font.setBold(true);
+    return font;
+}
+
 QColor mixed(const QColor& a, const QColor& b, double share) {
     const auto s = static_cast<float>(std::clamp(share, 0.0, 1.0));
     const auto mix = [s](float x, float y) { return x + s * (y - x); };
     return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()),
                             mix(a.alphaF(), b.alphaF()));
+}
+
+QColor translucent(QColor colour, float opacity) {
+    colour.setAlphaF(opacity);
+    return colour;
 }
 
 double contrast(const QColor& a, const QColor& b) {
@@ -178,6 +136,20 @@ double contrast(const QColor& a, const QColor& b) {
 QColor readableOn(const QColor& background) {
     return contrast(background, Qt::white) >= contrast(background, Qt::black) ? QColor(Qt::white)
                                                                               : QColor(Qt::black);
+}
+
+void setTextColour(QWidget* widget, const QColor& colour) {
+    QPalette palette = widget->palette();
+    palette.setColor(QPalette::WindowText, colour);
+    widget->setPalette(palette);
+}
+
+void paintFocusFrame(QPainter& painter, const QWidget& view) {
+    if (!view.hasFocus())
+        return;
+    painter.setPen(QPen(view.palette().color(QPalette::Highlight), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(view.rect().adjusted(0, 0, -1, -1));
 }
 
 } // namespace teleta::base

@@ -4,7 +4,6 @@
 #include "backend/vision/finders/contact_ladder.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/on_change.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/camera_view.h"
 #include "widgets/camera/stage_bar.h"

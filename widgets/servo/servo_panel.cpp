@@ -2,7 +2,6 @@
 #include "widgets/servo/servo_panel.h"
 
 #include "widgets/base/on_change.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/servo/force_strip.h"
 #include "widgets/servo/servo_picture.h"

@@ -5,7 +5,6 @@
 #include "widgets/base/background.h"
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/file_dialog.h"
-#include "widgets/base/focus_frame.h"
 #include "widgets/base/theme.h"
 
 #include <QEvent>

@@ -2,7 +2,6 @@
 #include "widgets/tactile/heatmap_view.h"
 
 #include "widgets/base/controls/inline_edit.h"
-#include "widgets/base/focus_frame.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 

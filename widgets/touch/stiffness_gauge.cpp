@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/stiffness_gauge.h"
 
-#include "widgets/base/focus_frame.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 

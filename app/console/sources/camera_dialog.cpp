@@ -2,7 +2,7 @@
 #include "app/console/sources/camera_dialog.h"
 
 #include "devices/camera/camera_device.h"
-#include "widgets/base/controls/form_row.h"
+#include "widgets/base/compose.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 

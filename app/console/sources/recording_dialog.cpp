@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/recording_dialog.h"
 
-#include "widgets/base/controls/form_row.h"
+#include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>

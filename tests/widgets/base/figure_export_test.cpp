@@ -46,7 +46,7 @@ private slots:
 
     void svgIsAPictureOfTheSameSizeAndContent() {
         const QString path = m_directory.filePath(QStringLiteral("a.svg"));
-        QVERIFY(saveSvg(redSquare(), path));
+        QVERIFY(saveFigure(redSquare(), path));
         QSvgRenderer renderer(path);
         QVERIFY(renderer.isValid());
         QCOMPARE(renderer.viewBoxF(), QRectF(0, 0, 200, 100));
@@ -61,7 +61,7 @@ private slots:
 
     void pdfHasOnePageOfTheFigureSize() {
         const QString path = m_directory.filePath(QStringLiteral("a.pdf"));
-        QVERIFY(savePdf(redSquare(), path));
+        QVERIFY(saveFigure(redSquare(), path));
         const QByteArray content = contentOf(path);
         QVERIFY(content.startsWith("%PDF-"));
         const QRegularExpressionMatch box =
@@ -75,7 +75,7 @@ private slots:
 
     void pngIsSharpAtTwiceTheSize() {
         const QString path = m_directory.filePath(QStringLiteral("a.png"));
-        QVERIFY(savePng(redSquare(), path));
+        QVERIFY(saveFigure(redSquare(), path));
         const QImage image(path);
         QCOMPARE(image.size(), QSize(400, 200));
         QCOMPARE(image.pixelColor(40, 40), QColor(Qt::red));

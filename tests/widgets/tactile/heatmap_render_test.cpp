@@ -329,7 +329,7 @@ private slots:
         const base::Figure figure = picture.view.figure();
         QTemporaryDir directory;
         const QString path = directory.filePath(QStringLiteral("a.svg"));
-        QVERIFY(base::saveSvg(figure, path));
+        QVERIFY(base::saveFigure(figure, path));
         QImage paper(figure.size_px.toSize(), QImage::Format_RGB32);
         paper.fill(Qt::white);
         QPainter painter(&paper);

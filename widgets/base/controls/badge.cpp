@@ -11,25 +11,17 @@ namespace teleta::base {
 namespace {
 
 QFont badgeFont(const QFont& font) {
-    QFont result = sized(font, kSmallText);
-    result.setBold(true);
-    return result;
+    return bold(sized(font, kSmallText));
 }
 
 } // namespace
 
 QString provenanceText(Provenance provenance) {
-    switch (provenance) {
-    case Provenance::simulated:
-        return QCoreApplication::translate("Provenance", "SIMULATED");
-    case Provenance::recorded:
-        return QCoreApplication::translate("Provenance", "RECORDED");
-    case Provenance::recordedSimulation:
-        return QCoreApplication::translate("Provenance", "RECORDED SIMULATION");
-    case Provenance::live:
-        break;
-    }
-    return {};
+    return provenance == Provenance::simulated  ? QCoreApplication::translate("Provenance", "SIMULATED")
+           : provenance == Provenance::recorded ? QCoreApplication::translate("Provenance", "RECORDED")
+           : provenance == Provenance::recordedSimulation
+               ? QCoreApplication::translate("Provenance", "RECORDED SIMULATION")
+               : QString();
 }
 
 QSizeF badgeSize(const QFont& font, const QString& text) {

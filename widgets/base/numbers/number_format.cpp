@@ -2,7 +2,6 @@
 #include "widgets/base/numbers/number_format.h"
 
 #include "widgets/base/numbers/quantity_text.h"
-#include "widgets/base/numbers/si_number.h"
 #include "widgets/base/numbers/tabular_text.h"
 
 #include <array>
@@ -19,6 +18,12 @@ QString filled(QString text) {
     return text.rightJustified(kNumberWidth, kFigureSpace);
 }
 
+/// Step between two neighbouring texts of threeDigits().
+double threeDigitResolution(double value) {
+    constexpr std::array<double, 3> kSteps{1.0, 0.1, 0.01};
+    return kSteps[static_cast<std::size_t>(threeDigitDecimals(value))];
+}
+
 QString undefinedText() {
     return filled(QString(QChar(0x2014)));
 }
@@ -31,11 +36,6 @@ QString threeDigits(std::optional<double> value) {
     if (std::isinf(*value))
         return filled(*value < 0.0 ? QString(kMinus) + QChar(0x221e) : QString(QChar(0x221e)));
     return filled(fixedDigits(*value, threeDigitDecimals(*value)));
-}
-
-double threeDigitResolution(double value) {
-    constexpr std::array<double, 3> kSteps{1.0, 0.1, 0.01};
-    return kSteps[static_cast<std::size_t>(threeDigitDecimals(value))];
 }
 
 QString wholeNumber(std::optional<double> value) {

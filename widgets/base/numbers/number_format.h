@@ -15,13 +15,10 @@ inline constexpr int kNumberWidth = 5;
 /// "1234"). Right-aligned with figure spaces; the minus is U+2212; decimal sign of the user's locale.
 /// Undefined: an em dash.
 [[nodiscard]] QString threeDigits(std::optional<double> value);
-/// Step between two neighbouring texts of threeDigits() near value: 0.01, 0.1 or 1.
-[[nodiscard]] double threeDigitResolution(double value);
 /// Value rounded to an integer, filled up like threeDigits().
 [[nodiscard]] QString wholeNumber(std::optional<double> value);
 
-/// Value with three significant digits and an SI prefix from pico to tera: "12.3 mN". The same width in every
-/// decade.
+/// Value with three significant digits and an SI prefix from pico to tera: "12.3 mN"; always equally wide.
 [[nodiscard]] QString siQuantity(std::optional<double> value, const QString& unit);
 
 /// number, a no-break space and the unit; without the space before a degree sign and when the unit is empty.
@@ -30,8 +27,7 @@ inline constexpr int kNumberWidth = 5;
 /// A count in at most four characters: "0", "999", "1.23 k", "45.6 M". Rounded down: it never overstates.
 [[nodiscard]] QString shortCount(quint64 count);
 
-/// A displayed number that does not flicker: it changes only when the value has moved by a full step of the
-/// displayed text. Thread: one.
+/// A number that does not flicker: it follows the value in full steps of its text. Thread: one.
 class SteadyNumber {
 public:
     /// resolution: step of the text, > 0; 0 takes that of threeDigits().

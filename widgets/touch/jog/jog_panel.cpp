@@ -4,7 +4,6 @@
 #include "backend/arm/jog_rates.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/jog/drive_sign.h"
 #include "widgets/touch/jog/hold_button.h"

@@ -12,7 +12,6 @@
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/on_change.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/pair_model.h"
 #include "widgets/camera/residual_view.h"

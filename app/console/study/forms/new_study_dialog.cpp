@@ -4,7 +4,7 @@
 #include "app/console/base/background.h"
 #include "app/console/study/forms/server_fields.h"
 #include "backend/study/protocol/stimulus_set.h"
-#include "widgets/base/controls/form_row.h"
+#include "widgets/base/compose.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 

@@ -7,7 +7,7 @@
 #include "backend/core/data/output_file.h"
 #include "backend/study/protocol/protocol.h"
 #include "backend/study/protocol/stimulus_set.h"
-#include "widgets/base/controls/form_row.h"
+#include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>
