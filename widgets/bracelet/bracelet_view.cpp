@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/bracelet/bracelet_view.h"
 
-#include "widgets/base/focus_frame.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/tabular_text.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
 #include <QHelpEvent>
@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace teleta::bracelet {
 
@@ -60,11 +61,11 @@ std::optional<std::size_t> BraceletLayout::tactorAt(const QPointF& point) const 
 }
 
 BraceletView::BraceletView(QWidget* parent)
-    : QWidget(parent) {
+    : SizedView(parent, {24, 13}, {14, 9}) {
     setFocusPolicy(Qt::StrongFocus);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
-    retranslate();
+    base::keepTranslated(this, &BraceletView::retranslate);
 }
 
 void BraceletView::retranslate() {
@@ -98,17 +99,15 @@ void BraceletView::setIntensities(const core::Intensities& intensities) {
 }
 
 void BraceletView::setTitle(const QString& title) {
-    if (title == m_title)
+    if (std::exchange(m_title, title) == title)
         return;
-    m_title = title;
     describe();
     update();
 }
 
 void BraceletView::setNote(const QString& note) {
-    if (note == m_note)
+    if (std::exchange(m_note, note) == note)
         return;
-    m_note = note;
     describe();
     update();
 }
@@ -125,23 +124,14 @@ void BraceletView::setHoldable(bool holdable) {
 }
 
 void BraceletView::hold(std::optional<std::size_t> tactor) {
-    if (tactor == m_held)
+    if (std::exchange(m_held, tactor) == tactor)
         return;
-    m_held = tactor;
     emit held(tactor);
     update();
 }
 
 BraceletLayout BraceletView::layoutNow() const {
     return {QRectF(rect()), font()};
-}
-
-QSize BraceletView::sizeHint() const {
-    return {base::em(this, 24), base::em(this, 13)};
-}
-
-QSize BraceletView::minimumSizeHint() const {
-    return {base::em(this, 14), base::em(this, 9)};
 }
 
 void BraceletView::paintEvent(QPaintEvent*) {
@@ -214,7 +204,7 @@ bool BraceletView::event(QEvent* event) {
                            this);
         return true;
     }
-    if (event->type() == QEvent::WindowDeactivate)
+    if (event->type() == QEvent::WindowDeactivate || (event->type() == QEvent::EnabledChange && !isEnabled()))
         hold(std::nullopt);
     return QWidget::event(event);
 }
@@ -258,14 +248,6 @@ void BraceletView::focusOutEvent(QFocusEvent* event) {
 void BraceletView::hideEvent(QHideEvent* event) {
     hold(std::nullopt);
     QWidget::hideEvent(event);
-}
-
-void BraceletView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::EnabledChange && !isEnabled())
-        hold(std::nullopt);
 }
 
 } // namespace teleta::bracelet

@@ -3,11 +3,11 @@
 
 #include "backend/core/bracelet/tactors.h"
 #include "widgets/base/controls/badge.h"
+#include "widgets/base/sized_view.h"
 
 #include <QPointF>
 #include <QRectF>
 #include <QString>
-#include <QWidget>
 
 #include <array>
 #include <cstddef>
@@ -31,7 +31,7 @@ struct BraceletLayout {
 /// shifted along the arm. The fuller a disc, the stronger the tactor vibrates. Where holding is allowed, a
 /// tactor vibrates while the mouse or its key 1..6 is held; losing the focus or hiding the window ends that.
 /// Thread: GUI.
-class BraceletView : public QWidget {
+class BraceletView : public base::SizedView {
     Q_OBJECT
 public:
     explicit BraceletView(QWidget* parent = nullptr);
@@ -48,8 +48,6 @@ public:
     void setHoldable(bool holdable);
 
     [[nodiscard]] BraceletLayout layoutNow() const;
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     /// The held tactor, 0..5, changed; empty: none.
@@ -64,7 +62,6 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void hideEvent(QHideEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void retranslate();

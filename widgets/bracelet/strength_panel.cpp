@@ -10,7 +10,6 @@
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -35,11 +34,8 @@ void setQuietly(QSlider* slider, int value) {
 
 StrengthPanel::StrengthPanel(QWidget* parent)
     : QWidget(parent)
-    , m_all(makeRow(this))
-    , m_eachButton(new QToolButton(this))
-    , m_eachPart(new QWidget(this)) {
+    , m_all(makeRow(this)) {
     m_all.slider->setObjectName(QStringLiteral("all"));
-    m_eachButton->setObjectName(QStringLiteral("each"));
     m_eachButton->setCheckable(true);
     m_eachButton->setArrowType(Qt::RightArrow);
     m_eachButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -2,20 +2,19 @@
 #pragma once
 
 #include "backend/core/bracelet/tactors.h"
+#include "widgets/base/compose.h"
 
+#include <QToolButton>
 #include <QWidget>
 
 #include <array>
-#include <cstddef>
 
 class QLabel;
 class QSlider;
-class QToolButton;
 
 namespace teleta::bracelet {
 
-/// Limit of the motors' intensity in whole percent: one slider for all, or, unfolded by a button, one per
-/// motor. Thread: GUI.
+/// Limits of the motors' intensities in whole percent, for all or, unfolded, for each motor. Thread: GUI.
 class StrengthPanel : public QWidget {
     Q_OBJECT
 public:
@@ -42,8 +41,8 @@ private:
 
     core::Intensities m_strongest{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     Row m_all;
-    QToolButton* m_eachButton;
-    QWidget* m_eachPart;
+    QToolButton* m_eachButton = base::named<QToolButton>("each", this);
+    QWidget* m_eachPart = new QWidget(this);
     std::array<Row, core::kTactors> m_each;
 };
 

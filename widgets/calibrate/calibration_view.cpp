@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/calibrate/calibration_view.h"
 
-#include "widgets/base/controls/elided_label.h"
 #include "widgets/base/redo_keys.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QShortcut>
 #include <QUndoCommand>
-#include <QUndoStack>
-#include <QVBoxLayout>
 
 #include <utility>
 
@@ -35,15 +31,8 @@ private:
 } // namespace
 
 CalibrationView::CalibrationView(std::initializer_list<const char*> tools, QWidget* parent)
-    : QWidget(parent)
-    , m_changes(new QUndoStack(this))
-    , m_page(new QVBoxLayout(this))
-    , m_title(new base::ElidedLabel(this))
-    , m_state(new base::ElidedLabel(this))
-    , m_verdict(new QLabel(this)) {
+    : QWidget(parent) {
     m_title->setFont(base::sized(font(), base::kLargeText));
-    m_state->setObjectName(QStringLiteral("state"));
-    m_verdict->setObjectName(QStringLiteral("verdict"));
     m_verdict->setWordWrap(true);
     m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* top = new QHBoxLayout;

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/compose.h"
 #include "widgets/base/controls/badge.h"
+#include "widgets/base/controls/elided_label.h"
 
+#include <QLabel>
 #include <QString>
+#include <QUndoStack>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include <functional>
 #include <initializer_list>
 
 class QColor;
-class QLabel;
 class QPushButton;
-class QUndoStack;
-class QVBoxLayout;
 
 namespace teleta::calibrate {
 
@@ -35,8 +37,7 @@ signals:
     void exportFailed(const QString& message);
 
 protected:
-    /// tools: object names of the buttons beside the title; must contain "undo", "redo", "load" and "save",
-    /// which are connected here.
+    /// tools: names of the buttons beside the title, with "undo", "redo", "load" and "save", connected here.
     CalibrationView(std::initializer_list<const char*> tools, QWidget* parent);
 
     /// Layout for the rest of the page.
@@ -63,11 +64,11 @@ protected:
     virtual void refresh() = 0;
 
 private:
-    QUndoStack* m_changes;
-    QVBoxLayout* m_page;
-    QLabel* m_title;
-    QLabel* m_state;
-    QLabel* m_verdict;
+    QUndoStack* m_changes = new QUndoStack(this);
+    QVBoxLayout* m_page = new QVBoxLayout(this);
+    QLabel* m_title = new base::ElidedLabel(this);
+    QLabel* m_state = base::named<base::ElidedLabel>("state", this);
+    QLabel* m_verdict = base::named<QLabel>("verdict", this);
 };
 
 } // namespace teleta::calibrate

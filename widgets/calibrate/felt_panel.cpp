@@ -7,9 +7,6 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -17,22 +14,7 @@
 namespace teleta::calibrate {
 
 FeltPanel::FeltPanel(QWidget* parent)
-    : QWidget(parent)
-    , m_title(new QLabel(this))
-    , m_question(new QLabel(this))
-    , m_trouble(new QLabel(this))
-    , m_progress(new QProgressBar(this))
-    , m_play(new QPushButton(this))
-    , m_yes(new QPushButton(this))
-    , m_no(new QPushButton(this))
-    , m_undo(new QPushButton(this))
-    , m_cancel(new QPushButton(this)) {
-    m_play->setObjectName(QStringLiteral("play"));
-    m_yes->setObjectName(QStringLiteral("yes"));
-    m_no->setObjectName(QStringLiteral("no"));
-    m_undo->setObjectName(QStringLiteral("undoAnswer"));
-    m_cancel->setObjectName(QStringLiteral("giveUp"));
-    m_question->setObjectName(QStringLiteral("question"));
+    : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     m_title->setFont(base::sized(font(), base::kLargeText));
     m_question->setFont(base::sized(font(), base::kLargeText));
@@ -58,10 +40,7 @@ FeltPanel::FeltPanel(QWidget* parent)
     }
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(base::grid(this));
-    layout->addWidget(m_title);
-    layout->addWidget(m_progress);
-    layout->addWidget(m_play);
-    layout->addWidget(m_question);
+    base::addWidgets(layout, {m_title, m_progress, m_play, m_question});
     layout->addLayout(answers);
     layout->addWidget(m_trouble);
     layout->addStretch(1);
@@ -85,9 +64,8 @@ void FeltPanel::begin(FeltTask task) {
 }
 
 void FeltPanel::setReady(bool ready) {
-    if (ready == m_ready)
+    if (std::exchange(m_ready, ready) == ready)
         return;
-    m_ready = ready;
     // A burst cut off by STOP or by the loss of the bracelet does not count as presented.
     if (!ready)
         m_presented = false;
@@ -131,9 +109,9 @@ void FeltPanel::conclude() {
     if (const auto threshold = m_task->threshold(); m_task->kind() == FeltTask::Kind::start && threshold)
         verdict = tr("Motor %1 starts at %2 % of the full drive (95 %: %3 to %4 %).")
                       .arg(m_task->motor() + 1)
-                      .arg(base::fixedDigits(100.0 * threshold->drive, 1))
-                      .arg(base::fixedDigits(100.0 * threshold->lower, 1))
-                      .arg(base::fixedDigits(100.0 * threshold->upper, 1));
+                      .arg(base::fixedDigits(100.0 * threshold->drive, 1),
+                           base::fixedDigits(100.0 * threshold->lower, 1),
+                           base::fixedDigits(100.0 * threshold->upper, 1));
     end();
     emit finished(*result, verdict);
 }

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/compose.h"
 #include "widgets/calibrate/felt_task.h"
 
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
 #include <QWidget>
 
 #include <optional>
 
-class QLabel;
-class QProgressBar;
-class QPushButton;
-
 namespace teleta::calibrate {
 
-/// Presents bursts one by one and asks the wearer what was felt. Keys: Space presents again, Y and Right
-/// answer yes, N and Left no, Backspace undoes the last answer. An answer needs a presentation first. Thread:
-/// GUI.
+/// Presents bursts one by one and asks the wearer what was felt; only then can it be answered. Keys: Space
+/// presents again, Y and Right answer yes, N and Left no, Backspace undoes the last answer. Thread: GUI.
 class FeltPanel : public QWidget {
     Q_OBJECT
 public:
@@ -55,11 +54,15 @@ private:
     std::optional<FeltTask> m_task;
     bool m_ready = false;
     bool m_presented = false;
-    QLabel* m_title;
-    QLabel* m_question;
-    QLabel* m_trouble;
-    QProgressBar* m_progress;
-    QPushButton *m_play, *m_yes, *m_no, *m_undo, *m_cancel;
+    QLabel* m_title = new QLabel(this);
+    QLabel* m_question = base::named<QLabel>("question", this);
+    QLabel* m_trouble = new QLabel(this);
+    QProgressBar* m_progress = new QProgressBar(this);
+    QPushButton* m_play = base::named<QPushButton>("play", this);
+    QPushButton* m_yes = base::named<QPushButton>("yes", this);
+    QPushButton* m_no = base::named<QPushButton>("no", this);
+    QPushButton* m_undo = base::named<QPushButton>("undoAnswer", this);
+    QPushButton* m_cancel = base::named<QPushButton>("giveUp", this);
 };
 
 } // namespace teleta::calibrate

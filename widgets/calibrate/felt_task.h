@@ -12,8 +12,7 @@
 
 namespace teleta::calibrate {
 
-/// The questions of a calibration by feel, presentation by presentation, and what the answers say about the
-/// motors.
+/// The presentations and questions of a calibration by feel, and what the answers say about the motors.
 ///   start    one motor: was it felt?
 ///   balance  motors 2 to 6 in turn: was the second burst (that motor) stronger than the first (motor 1)?
 /// Thread: one.

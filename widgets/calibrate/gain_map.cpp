@@ -35,19 +35,11 @@ struct MapText {
 };
 
 QString stateText(TaxelState state) {
-    switch (state) {
-    case TaxelState::dead:
-        return MapText::tr("dead");
-    case TaxelState::weak:
-        return MapText::tr("too weak");
-    case TaxelState::strong:
-        return MapText::tr("too strong");
-    case TaxelState::stuck:
-        return MapText::tr("stuck");
-    case TaxelState::good:
-        break;
-    }
-    return {};
+    return state == TaxelState::dead     ? MapText::tr("dead")
+           : state == TaxelState::weak   ? MapText::tr("too weak")
+           : state == TaxelState::strong ? MapText::tr("too strong")
+           : state == TaxelState::stuck  ? MapText::tr("stuck")
+                                         : QString();
 }
 
 /// Layout of the picture.
@@ -175,8 +167,7 @@ QString gainsCsv(const TaxelGains& gains) {
 } // namespace
 
 GainMap::GainMap(QWidget* parent)
-    : FigureView(parent) {
-    setSizes_em({46, 20}, {20, 9});
+    : FigureView(parent, {46, 20}, {20, 9}) {
     setAutoFillBackground(false);
     setMouseTracking(true);
 }
@@ -200,10 +191,8 @@ QString GainMap::readout() const {
                               .arg(*m_cursor % columns);
     if (!taxel.isGood())
         return place + QStringLiteral(": ") + MapText::tr("%1, not used").arg(stateText(taxel.state));
-    if (!(taxel.error > 0.0))
-        return place + QStringLiteral(": \u00d7 ") + base::fixedDigits(taxel.gain, 3);
-    return place + QStringLiteral(": \u00d7 ") + base::fixedDigits(taxel.gain, 3) +
-           QStringLiteral(" \u00b1 ") + base::fixedDigits(taxel.error, 3);
+    const QString gain = place + QStringLiteral(": \u00d7 ") + base::fixedDigits(taxel.gain, 3);
+    return taxel.error > 0.0 ? gain + QStringLiteral(" \u00b1 ") + base::fixedDigits(taxel.error, 3) : gain;
 }
 
 QRectF GainMap::taxelRect(std::size_t taxel) const {

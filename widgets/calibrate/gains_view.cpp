@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/calibrate/gains_view.h"
 
-#include "widgets/base/controls/elided_label.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/on_change.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
-#include "widgets/calibrate/gain_map.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QStringList>
 #include <QUndoStack>
@@ -40,14 +35,7 @@ int countOf(const TaxelGains& gains, TaxelState state) {
 } // namespace
 
 GainsView::GainsView(QWidget* parent)
-    : CalibrationView({"undo", "redo", "load", "reset", "save"}, parent)
-    , m_tareText(new QLabel(this))
-    , m_pressText(new QLabel(this))
-    , m_loadText(new QLabel(this))
-    , m_progress(new QProgressBar(this))
-    , m_map(new GainMap(this))
-    , m_readout(new base::ElidedLabel(this))
-    , m_none(new QLabel(this)) {
+    : CalibrationView({"undo", "redo", "load", "reset", "save"}, parent) {
     m_progress->setRange(0, kProgressSteps);
     m_progress->setTextVisible(false);
     m_none->setWordWrap(true);
@@ -64,7 +52,7 @@ GainsView::GainsView(QWidget* parent)
     body->addLayout(picture, 3);
     page().addLayout(body, 1);
 
-    connect(m_map, &GainMap::readoutChanged, this, &GainsView::showReadout);
+    connect(m_map, &GainMap::readoutChanged, m_readout, &QLabel::setText);
     connect(m_map, &GainMap::exportFailed, this, &GainsView::exportFailed);
     const auto act = [this](const char* name, auto slot) {
         connect(button(name), &QPushButton::clicked, this, slot);
@@ -109,10 +97,8 @@ QWidget* GainsView::makeSteps() {
 }
 
 void GainsView::setFacts(const ArrayFacts& facts) {
-    if (facts == m_facts)
-        return;
-    m_facts = facts;
-    refresh();
+    if (std::exchange(m_facts, facts) != facts)
+        refresh();
 }
 
 void GainsView::setCalibration(const GainCalibration& calibration, bool isSaved) {
@@ -202,10 +188,6 @@ QString GainsView::describeGains() const {
     return lines.join(QLatin1Char('\n'));
 }
 
-void GainsView::showReadout() {
-    m_readout->setText(m_map->readout());
-}
-
 void GainsView::refresh() {
     const bool open = !m_facts.name.isEmpty();
     const bool hasGains = m_calibration.gains != nullptr;
@@ -234,16 +216,12 @@ void GainsView::refresh() {
         text += QLatin1Char(' ') + tr("%n press(es) so far.", nullptr, presses);
     m_pressText->setText(text);
     QString load;
-    if (open && m_facts.usable > 0)
-        load = tr("%1 of %2 taxels are under load.").arg(m_facts.loaded).arg(m_facts.usable);
     if (m_pressing)
         load = m_pressing->waiting ? tr("Waiting for a load on more than half of the taxels: %1 of %2 now.")
-                                         .arg(m_facts.loaded)
-                                         .arg(m_facts.usable)
-                                   : tr("Keep pressing: %1 of %2 taxels are under load.")
-                                         .arg(m_facts.loaded)
-                                         .arg(m_facts.usable);
-    m_loadText->setText(load);
+                                   : tr("Keep pressing: %1 of %2 taxels are under load.");
+    else if (open && m_facts.usable > 0)
+        load = tr("%1 of %2 taxels are under load.");
+    m_loadText->setText(load.isEmpty() ? load : load.arg(m_facts.loaded).arg(m_facts.usable));
     m_progress->setVisible(m_pressing.has_value());
     verdict()->setText(m_trouble.isEmpty() ? describeGains() : m_trouble);
     base::setTextColour(verdict(), !m_trouble.isEmpty() ? status.lost
@@ -267,7 +245,7 @@ void GainsView::refresh() {
     m_map->setGains(m_calibration.gains);
     m_map->setVisible(hasGains);
     m_none->setVisible(!hasGains);
-    showReadout();
+    m_readout->setText(m_map->readout());
 }
 
 void GainsView::retranslate() {

@@ -3,8 +3,12 @@
 
 #include "backend/contact/frame_conditioner.h"
 #include "backend/equilibration/taxel_gains.h"
+#include "widgets/base/controls/elided_label.h"
 #include "widgets/calibrate/calibration_view.h"
+#include "widgets/calibrate/gain_map.h"
 
+#include <QLabel>
+#include <QProgressBar>
 #include <QString>
 
 #include <cstddef>
@@ -12,12 +16,7 @@
 #include <optional>
 #include <vector>
 
-class QLabel;
-class QProgressBar;
-
 namespace teleta::calibrate {
-
-class GainMap;
 
 /// State of the array.
 struct ArrayFacts {
@@ -52,8 +51,7 @@ struct GainCalibration {
 };
 
 /// Calibrates an array's taxels: tare it, press on the whole array any number of times, look at the gains.
-/// Every added press can be undone. The view collects and computes nothing itself: it emits requests. Thread:
-/// GUI.
+/// Every added press can be undone. The view computes nothing itself: it emits requests. Thread: GUI.
 class GainsView : public CalibrationView {
     Q_OBJECT
 public:
@@ -89,7 +87,6 @@ private:
     void redo() override;
     void refresh() override;
     void retranslate();
-    void showReadout();
     [[nodiscard]] QString describeGains() const;
 
     ArrayFacts m_facts;
@@ -97,13 +94,13 @@ private:
     std::optional<PressProgress> m_pressing;
     bool m_busy = false;
     QString m_trouble;
-    QLabel* m_tareText;
-    QLabel* m_pressText;
-    QLabel* m_loadText;
-    QProgressBar* m_progress;
-    GainMap* m_map;
-    QLabel* m_readout;
-    QLabel* m_none;
+    QLabel* m_tareText = new QLabel(this);
+    QLabel* m_pressText = new QLabel(this);
+    QLabel* m_loadText = new QLabel(this);
+    QProgressBar* m_progress = new QProgressBar(this);
+    GainMap* m_map = new GainMap(this);
+    QLabel* m_readout = new base::ElidedLabel(this);
+    QLabel* m_none = new QLabel(this);
 };
 
 } // namespace teleta::calibrate

@@ -8,11 +8,8 @@
 
 #include <qcustomplot.h>
 #include <QHBoxLayout>
-#include <QMenu>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <initializer_list>
 #include <utility>
 
@@ -64,7 +61,7 @@ QCPGraph* addGraph(QCustomPlot* plot, const QPen& pen, const QString& name) {
 } // namespace
 
 MotorChart::MotorChart(QWidget* parent)
-    : QWidget(parent)
+    : SizedView(parent, {60, 18}, {})
     , m_curve(new QCustomPlot(this))
     , m_recording(new QCustomPlot(this)) {
     auto* layout = new QHBoxLayout(this);
@@ -78,23 +75,13 @@ MotorChart::MotorChart(QWidget* parent)
     const auto addMenu = [this](QCustomPlot* plot, base::Figure (MotorChart::*make)()) {
         auto* exporter = new base::FigureExport(plot, [this, make] { return (this->*make)(); });
         connect(exporter, &base::FigureExport::failed, this, &MotorChart::exportFailed);
-        plot->setContextMenuPolicy(Qt::CustomContextMenu);
-        connect(plot, &QWidget::customContextMenuRequested, this, [plot, exporter](const QPoint& point) {
-            auto* menu = new QMenu(plot);
-            menu->setAttribute(Qt::WA_DeleteOnClose);
-            exporter->addActions(*menu);
-            menu->popup(plot->mapToGlobal(point));
-        });
+        exporter->setContextMenu();
     };
     addMenu(m_curve, &MotorChart::curveFigure);
     addMenu(m_recording, &MotorChart::recordingFigure);
     restyle(palette());
     base::onChange(this, &MotorChart::draw, {QEvent::LanguageChange});
     base::onChange(this, [this] { restyle(palette()); }, {QEvent::PaletteChange, QEvent::FontChange});
-}
-
-QSize MotorChart::sizeHint() const {
-    return {base::em(this, 60), base::em(this, 18)};
 }
 
 void MotorChart::setMotor(std::size_t number, const motors::CalibratedMotor& motor,
@@ -141,10 +128,8 @@ void MotorChart::drawCurve() {
     const double high =
         m_evidence ? m_evidence->fit.startHigh : profile.startDrive + 2.0 * m_motor.startError;
     auto* band = new QCPItemRect(m_curve);
-    QColor fill = base::statusColours(colours).stale;
-    fill.setAlphaF(0.35F);
     band->setPen(Qt::NoPen);
-    band->setBrush(fill);
+    band->setBrush(base::translucent(base::statusColours(colours).stale, 0.35F));
     band->topLeft->setTypeY(QCPItemPosition::ptAxisRectRatio);
     band->bottomRight->setTypeY(QCPItemPosition::ptAxisRectRatio);
     const double narrowest = 0.004;
@@ -222,21 +207,14 @@ void MotorChart::drawRecording() {
                  m_provenance == base::Provenance::simulated ? tr("measured (simulated)") : tr("measured"));
     QCPGraph* model = addGraph(m_recording, QPen(colours.color(QPalette::Highlight), 2.0), tr("model"));
     QCPGraph* residual = addGraph(m_recording, QPen(base::statusColours(colours).lost, 1.0), tr("residual"));
-    QVector<double> times_s;
-    QVector<double> speeds_Hz;
-    QVector<double> models_Hz;
-    QVector<double> residuals_Hz;
     for (std::size_t i = 0; i < recording.size(); ++i) {
-        times_s.push_back(recording.time_s[i]);
+        const double time_s = recording.time_s[i];
         // Missing sensor values are gaps.
         const double speed_Hz = recording.isKnown(i) ? recording.speed_Hz[i] : qQNaN();
-        speeds_Hz.push_back(speed_Hz);
-        models_Hz.push_back(predicted_Hz[i]);
-        residuals_Hz.push_back(speed_Hz - predicted_Hz[i]);
+        measured->addData(time_s, speed_Hz);
+        model->addData(time_s, predicted_Hz[i]);
+        residual->addData(time_s, speed_Hz - predicted_Hz[i]);
     }
-    measured->setData(times_s, speeds_Hz, true);
-    model->setData(times_s, models_Hz, true);
-    residual->setData(times_s, residuals_Hz, true);
     m_recording->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -6,11 +6,10 @@
 #include "backend/motors/motor_recording.h"
 #include "widgets/base/controls/badge.h"
 #include "widgets/base/figure_export.h"
+#include "widgets/base/sized_view.h"
 
 #include <QPalette>
-#include <QWidget>
 
-#include <optional>
 
 class QCPItemText;
 class QCustomPlot;
@@ -20,7 +19,7 @@ namespace teleta::calibrate {
 /// Two charts of one motor: speed over drive (measured levels with their 95 % intervals, the curve, the
 /// interval of the start), and the recording behind it next to the model's prediction, with the residuals.
 /// Wheel and drag zoom and move the recording; a double click shows all of it. Thread: GUI.
-class MotorChart : public QWidget {
+class MotorChart : public base::SizedView {
     Q_OBJECT
 public:
     struct Evidence {
@@ -33,8 +32,6 @@ public:
     /// evidence: null when the motor was not measured in this session.
     void setMotor(std::size_t number, const motors::CalibratedMotor& motor,
                   std::shared_ptr<const Evidence> evidence, base::Provenance provenance);
-
-    [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] base::Figure curveFigure();
     [[nodiscard]] base::Figure recordingFigure();
 

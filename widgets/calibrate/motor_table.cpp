@@ -7,8 +7,6 @@
 
 #include <QHeaderView>
 
-#include <array>
-
 namespace teleta::calibrate {
 
 namespace {
@@ -58,15 +56,9 @@ void MotorTable::selectMotor(std::size_t motor) {
 
 void MotorTable::fill() {
     const auto originText = [](Origin origin) {
-        switch (origin) {
-        case Origin::assumed:
-            return tr("assumed");
-        case Origin::answers:
-            return tr("by feel");
-        case Origin::recording:
-            return tr("measured");
-        }
-        return QString();
+        return origin == Origin::assumed   ? tr("assumed")
+               : origin == Origin::answers ? tr("by feel")
+                                           : tr("measured");
     };
     // Colours of the enabled table: it is also filled while a measurement disables it.
     const QColor faint = palette().color(QPalette::Active, QPalette::PlaceholderText);
@@ -109,16 +101,15 @@ void MotorTable::retranslate() {
     setAccessibleName(tr("Motors of the bracelet"));
     setHorizontalHeaderLabels({tr("Motor"), tr("Start (%)"), tr("Full (%)"), tr("Rise (ms)"), tr("Fall (ms)"),
                                tr("Speed (Hz)"), tr("Source")});
-    const std::array<QString, kColumns> tips{
-        QString(),
-        tr("Drive at which the motor begins to turn, with its standard error"),
-        tr("Drive of intensity 1, so that all motors are equally strong"),
-        tr("From rest to 90 % of a speed"),
-        tr("From a speed to 10 % of it"),
-        tr("Speed at the full drive of this motor"),
-        QString()};
+    const QStringList tips{QString(),
+                           tr("Drive at which the motor begins to turn, with its standard error"),
+                           tr("Drive of intensity 1, so that all motors are equally strong"),
+                           tr("From rest to 90 % of a speed"),
+                           tr("From a speed to 10 % of it"),
+                           tr("Speed at the full drive of this motor"),
+                           QString()};
     for (int column = 0; column < kColumns; ++column)
-        horizontalHeaderItem(column)->setToolTip(tips[static_cast<std::size_t>(column)]);
+        horizontalHeaderItem(column)->setToolTip(tips[column]);
     fill();
 }
 

@@ -9,8 +9,7 @@
 
 namespace teleta::calibrate {
 
-/// The six motors of a bracelet with their known values and standard errors; assumed values are grey and
-/// marked by a word. One motor is selected. Thread: GUI.
+/// The motors of a bracelet with their values and standard errors; assumed ones are grey. Thread: GUI.
 class MotorTable : public QTableWidget {
     Q_OBJECT
 public:

@@ -6,18 +6,12 @@
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
-#include "widgets/calibrate/felt_panel.h"
-#include "widgets/calibrate/motor_table.h"
 
 #include <QCoreApplication>
 #include <QGridLayout>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSplitter>
-#include <QStackedWidget>
 #include <QUndoStack>
 #include <QVBoxLayout>
 
@@ -58,15 +52,7 @@ QString limitsText(const core::Intensities& strongest) {
 } // namespace
 
 MotorsView::MotorsView(QWidget* parent)
-    : CalibrationView({"undo", "redo", "load", "copy", "reset", "save"}, parent)
-    , m_table(new MotorTable(this))
-    , m_steps(new QStackedWidget(this))
-    , m_heading(new QLabel(this))
-    , m_speed(new QLabel(this))
-    , m_measureText(new QLabel(this))
-    , m_progress(new QProgressBar(this))
-    , m_felt(new FeltPanel(this))
-    , m_chart(new MotorChart(this)) {
+    : CalibrationView({"undo", "redo", "load", "copy", "reset", "save"}, parent) {
     m_heading->setFont(base::sized(font(), base::kLargeText));
     m_steps->addWidget(makeSteps());
     m_steps->addWidget(m_felt);
@@ -277,13 +263,12 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
         tr("Motor %1: starts at %2 to %3 % of the drive, rises in %4 \u00b1 %5 ms, falls in %6 \u00b1 "
            "%7 ms, reaches %8 Hz.")
             .arg(motor + 1)
-            .arg(base::fixedDigits(100.0 * fit->startLow, 1))
-            .arg(base::fixedDigits(100.0 * fit->startHigh, 1))
-            .arg(base::fixedDigits(1e3 * fit->profile.riseTime_s, 1))
-            .arg(base::fixedDigits(1e3 * fit->riseError_s, 1))
-            .arg(base::fixedDigits(1e3 * fit->profile.fallTime_s, 1))
-            .arg(base::fixedDigits(1e3 * fit->fallError_s, 1))
-            .arg(base::fixedDigits(fit->profile.curve.back().speed_Hz, 0)));
+            .arg(base::fixedDigits(100.0 * fit->startLow, 1), base::fixedDigits(100.0 * fit->startHigh, 1),
+                 base::fixedDigits(1e3 * fit->profile.riseTime_s, 1),
+                 base::fixedDigits(1e3 * fit->riseError_s, 1),
+                 base::fixedDigits(1e3 * fit->profile.fallTime_s, 1),
+                 base::fixedDigits(1e3 * fit->fallError_s, 1),
+                 base::fixedDigits(fit->profile.curve.back().speed_Hz, 0)));
 }
 
 void MotorsView::refresh() {

@@ -5,7 +5,13 @@
 #include "backend/motors/motor_file.h"
 #include "backend/playback/player_types.h"
 #include "widgets/calibrate/calibration_view.h"
+#include "widgets/calibrate/felt_panel.h"
 #include "widgets/calibrate/motor_chart.h"
+#include "widgets/calibrate/motor_table.h"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QStackedWidget>
 
 #include <array>
 #include <cstddef>
@@ -13,15 +19,9 @@
 #include <optional>
 #include <vector>
 
-class QLabel;
-class QProgressBar;
-class QStackedWidget;
-
 namespace teleta::calibrate {
 
-class FeltPanel;
 class FeltTask;
-class MotorTable;
 
 /// State of the bracelet.
 struct BraceletFacts {
@@ -90,14 +90,14 @@ private:
     motors::MotorCalibration m_calibration;
     std::array<std::shared_ptr<const MotorChart::Evidence>, core::kTactors> m_evidence;
     std::optional<std::size_t> m_measuring;
-    MotorTable* m_table;
-    QStackedWidget* m_steps;
-    QLabel* m_heading;
-    QLabel* m_speed;
-    QLabel* m_measureText;
-    QProgressBar* m_progress;
-    FeltPanel* m_felt;
-    MotorChart* m_chart;
+    MotorTable* m_table = new MotorTable(this);
+    QStackedWidget* m_steps = new QStackedWidget(this);
+    QLabel* m_heading = new QLabel(this);
+    QLabel* m_speed = new QLabel(this);
+    QLabel* m_measureText = new QLabel(this);
+    QProgressBar* m_progress = new QProgressBar(this);
+    FeltPanel* m_felt = new FeltPanel(this);
+    MotorChart* m_chart = new MotorChart(this);
 };
 
 } // namespace teleta::calibrate

@@ -20,12 +20,10 @@ void ValuePanel::setInk(const QFont& font, const QColor& text, const QColor& fai
 
 void ValuePanel::draw(QCPPainter* painter) {
     const QRectF area = rect();
-    QFont bold = m_font;
-    bold.setBold(true);
     const QFontMetricsF metrics(m_font);
     const double em = metrics.height();
     double y = area.top();
-    painter->setFont(bold);
+    painter->setFont(base::bold(m_font));
     painter->setPen(m_text);
     painter->drawText(QRectF(area.left(), y, area.width(), em), Qt::AlignLeft | Qt::AlignVCenter, m_title);
     y += 1.15 * em;

@@ -6,7 +6,6 @@
 #include <QPalette>
 #include <QString>
 
-#include <functional>
 #include <vector>
 
 namespace teleta::charts {
@@ -130,8 +129,7 @@ void styleAxes(QCPAxisRect* rect, const QFont& font, const QPalette& palette);
 /// Ticks at round numbers, with a true minus sign and without rounding noise around zero.
 class RoundTicker : public QCPAxisTicker {
 public:
-    /// fixedStep: distance of the ticks; 0 chooses a round one for about tickCount() ticks. suffix: appended
-    /// to each label.
+    /// fixedStep: distance of the ticks; 0: a round one for about tickCount() ticks. suffix: of each label.
     explicit RoundTicker(double fixedStep = 0.0, const QString& suffix = {})
         : m_fixedStep(fixedStep)
         , m_suffix(suffix) {}

@@ -4,8 +4,9 @@
 #include "backend/pipeline/touch/touch_snapshot.h"
 #include "widgets/charts/sample_history.h"
 
+#include <QString>
+
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace teleta::charts {
@@ -28,8 +29,7 @@ enum class Channel {
 };
 inline constexpr std::size_t kChannels = 13;
 
-/// The newest feature samples of one stream. Undefined values are NaN. append() does not allocate. Thread:
-/// one.
+/// The newest feature samples of a stream; undefined values are NaN. append() does not allocate. Thread: one.
 class FeatureHistory : public SampleHistory {
 public:
     explicit FeatureHistory(std::size_t capacity = 65536);
@@ -46,8 +46,7 @@ private:
     std::vector<contact::ContactType> m_types;
 };
 
-/// Samples first..last (exclusive) as CSV with the columns of `teleta features`, C locale, NA where
-/// undefined.
-[[nodiscard]] std::string featuresCsv(const FeatureHistory& history, std::size_t first, std::size_t last);
+/// Samples first..last (exclusive) as CSV with the columns of `teleta features`; NA where undefined.
+[[nodiscard]] QString featuresCsv(const FeatureHistory& history, std::size_t first, std::size_t last);
 
 } // namespace teleta::charts

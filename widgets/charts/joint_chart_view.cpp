@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/joint_chart_view.h"
 
-#include "backend/core/number_text.h"
 #include "widgets/base/icons.h"
+#include "widgets/base/numbers/quantity_text.h"
 
 #include <QMenu>
-#include <QToolButton>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace teleta::charts {
@@ -129,26 +127,18 @@ bool JointChartView::showTouch(std::uint64_t number) {
 }
 
 QString JointChartView::csv(std::size_t first, std::size_t last) const {
-    std::string text = "time_s";
+    QString text = QStringLiteral("time_s");
     for (std::size_t joint = 1; joint <= m_joints->joints(); ++joint)
-        text += ",joint" + std::to_string(joint) + "_angle_rad,joint" + std::to_string(joint) + "_torque_nm";
-    text += '\n';
-    const auto put = [&text](double value) {
-        if (std::isfinite(value))
-            text += core::NumberText(value).view();
-        else
-            text += "NA";
-    };
+        text += QStringLiteral(",joint%1_angle_rad,joint%1_torque_nm").arg(joint);
+    text += QLatin1Char('\n');
     for (std::size_t i = first; i < last; ++i) {
-        put(m_history.sourceTime_s(i));
+        text += base::csvNumber(m_history.sourceTime_s(i));
         for (std::size_t joint = 0; joint < m_joints->joints(); ++joint)
-            for (const std::size_t column : {m_joints->joints() + joint, joint}) {
-                text += ',';
-                put(m_history.value(column, i));
-            }
-        text += '\n';
+            for (const std::size_t column : {m_joints->joints() + joint, joint})
+                text += QLatin1Char(',') + base::csvNumber(m_history.value(column, i));
+        text += QLatin1Char('\n');
     }
-    return QString::fromStdString(text);
+    return text;
 }
 
 void JointChartView::addOwnActions(QMenu& menu, const QPoint& position) {

@@ -8,7 +8,6 @@
 #include "widgets/charts/time_chart_view.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 

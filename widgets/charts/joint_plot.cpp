@@ -99,8 +99,7 @@ void JointPlot::colourExtras(const QPalette& palette) {
     const QColor accent = palette.color(QPalette::Highlight);
     const QFont small = base::sized(font(), base::kSmallText);
     const bool dark = base::isDark(palette);
-    QColor window = accent; // translucent: a touch stays visible behind it
-    window.setAlphaF(dark ? 0.30F : 0.16F);
+    const QColor window = base::translucent(accent, dark ? 0.30F : 0.16F); // a touch stays visible behind it
     m_window->setInk(small, window, QPen(base::mixed(ground, accent, 0.8), 1.0, Qt::DashLine), text);
     m_touches->setInk(small, base::mixed(ground, text, dark ? 0.12 : 0.08),
                       QPen(base::mixed(ground, text, 0.45), 1.0), base::mixed(text, ground, 0.2));

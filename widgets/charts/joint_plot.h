@@ -10,8 +10,7 @@
 namespace teleta::charts {
 
 /// The joint chart: torques in mNm and optionally angles in degrees of an arm's joints, one lane each. A
-/// history has the torques first, then the angles.
-/// Thread: GUI.
+/// history has the torques first, then the angles. Thread: GUI.
 class JointPlot : public TimePlot {
     Q_OBJECT
 public:

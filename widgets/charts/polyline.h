@@ -1,13 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/charts/feature_history.h"
+#include "widgets/charts/sample_history.h"
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace teleta::charts {
+
+/// Conversion of a channel's SI value to the number on the axis.
+struct Display {
+    double scale = 1.0;
+    bool root = false; ///< take the square root before scaling: eigenvalues are shown as standard deviations
+
+    [[nodiscard]] double of(double value) const { return scale * (root ? std::sqrt(value) : value); }
+};
+
+/// How a column of a history is drawn.
+struct CurveStyle {
+    std::size_t column = 0;
+    Display display;
+    int colour = 1;      ///< identity colour; 0 the colour of faint text
+    bool dashed = false; ///< a reference, not a measurement
+    double period = 0.0; ///< of the SI value, for angles
+    bool whole = false;  ///< a count
+};
 
 struct PolylinePoint {
     double time_s = 0.0;
@@ -29,11 +48,6 @@ struct ValueRange {
 std::optional<ValueRange> makePolyline(const SampleHistory& history, std::size_t column, double from_s,
                                        double to_s, double bucket_s, double period,
                                        std::vector<PolylinePoint>& line);
-inline std::optional<ValueRange> makePolyline(const FeatureHistory& history, Channel channel, double from_s,
-                                              double to_s, double bucket_s, double period,
-                                              std::vector<PolylinePoint>& line) {
-    return makePolyline(history, static_cast<std::size_t>(channel), from_s, to_s, bucket_s, period, line);
-}
 
 /// Clips a line to a range of values, exactly at its ends; it is interrupted outside. range.low < range.high.
 /// Thread: any (pure).

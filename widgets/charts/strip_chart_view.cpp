@@ -5,7 +5,6 @@
 #include "widgets/charts/strip_plot.h"
 
 #include <QKeyEvent>
-#include <QMenu>
 #include <QToolButton>
 
 #include <algorithm>
@@ -29,7 +28,6 @@ StripChartView::StripChartView(QWidget* parent)
 StripChartView::StripChartView(StripPlot* plot, QWidget* parent)
     : TimeChartView(plot, kShortestSpan_s, parent)
     , m_strips(plot)
-    , m_stripsMenu(new QMenu(this))
     , m_mark(new QAction(base::themeIcon(base::Icon::mark), {}, this))
     , m_stripsButton(addTool()) {
     makeActions();
@@ -68,7 +66,7 @@ void StripChartView::retranslate() {
     m_stripsButton->setAccessibleName(tr("Choose strips"));
     m_stripsMenu->setTitle(tr("&Strips"));
     for (const Strip strip : kAllStrips)
-        stripAction(strip)->setText(StripTexts::title(strip));
+        stripAction(strip)->setText(titleOf(strip));
     m_mark->setText(tr("Mark"));
     m_mark->setToolTip(tr("Mark this moment (M)"));
 }
@@ -163,7 +161,7 @@ void StripChartView::requestMark() {
 }
 
 QString StripChartView::csv(std::size_t first, std::size_t last) const {
-    return QString::fromStdString(featuresCsv(m_history, first, last));
+    return featuresCsv(m_history, first, last);
 }
 
 void StripChartView::addOwnActions(QMenu& menu, const QPoint& position) {

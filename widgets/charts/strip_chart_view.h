@@ -6,9 +6,10 @@
 #include "widgets/charts/strips.h"
 #include "widgets/charts/time_chart_view.h"
 
+#include <QMenu>
+
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,8 +42,7 @@ public:
     [[nodiscard]] QAction* stripAction(Strip strip) const;
     [[nodiscard]] std::vector<Strip> shownStrips() const;
 
-    /// Draws a vertical line with a label at a time of the stream. Returns false if that time is no longer
-    /// stored.
+    /// Draws a labelled line at a time of the stream. Returns false if that time is no longer stored.
     bool addMark(double sourceTime_s, const QString& label);
     /// The same at a time of the steady clock.
     bool addMarkAt(std::int64_t time_ns, const QString& label);
@@ -80,7 +80,7 @@ private:
     FeatureHistory m_history;
     std::vector<Mark> m_marks;
     StripPlot* m_strips;
-    QMenu* m_stripsMenu;
+    QMenu* m_stripsMenu = new QMenu(this);
     std::array<QAction*, kStrips> m_stripActions{};
     QAction* m_mark;
     QToolButton* m_stripsButton;

@@ -61,15 +61,16 @@ ValueRange StripPlot::automaticRange(Lane& lane, std::optional<ValueRange> exten
 }
 
 QString StripPlot::laneTitle(int lane) const {
-    return StripTexts::title(stripOfLane(lane));
+    return titleOf(stripOfLane(lane));
 }
 
 QString StripPlot::laneUnit(int lane) const {
-    return StripTexts::unit(stripOfLane(lane), m_loadUnit);
+    const Strip strip = stripOfLane(lane);
+    return strip == Strip::force ? m_loadUnit : QString::fromUtf8(definitionOf(strip).unit);
 }
 
 QString StripPlot::curveName(int lane, std::size_t curve) const {
-    return StripTexts::name(static_cast<Channel>(definitionOf(stripOfLane(lane)).curves[curve].column));
+    return nameOf(static_cast<Channel>(definitionOf(stripOfLane(lane)).curves[curve].column));
 }
 
 } // namespace teleta::charts

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/strips.h"
 
+#include <QCoreApplication>
+
 #include <numbers>
 
 namespace teleta::charts {
@@ -11,6 +13,27 @@ constexpr Display kMillimetres{.scale = 1e3};
 constexpr Display kMillimetresOfRoot{.scale = 1e3, .root = true};
 constexpr Display kDegrees{.scale = 180.0 / std::numbers::pi};
 
+/// By channel.
+constexpr std::array<StripText, kChannels> kNames{{
+    {QT_TRANSLATE_NOOP("StripTexts", "force")},
+    QT_TRANSLATE_NOOP3("StripTexts", "threshold", "of one taxel"),
+    QT_TRANSLATE_NOOP3("StripTexts", "CoP", "centre of pressure"),
+    QT_TRANSLATE_NOOP3("StripTexts", "CoP", "centre of pressure"),
+    QT_TRANSLATE_NOOP3("StripTexts", "CoC", "centre of contact"),
+    QT_TRANSLATE_NOOP3("StripTexts", "CoC", "centre of contact"),
+    {"x"},
+    {"y"},
+    {"\u03b1"},
+    {"\u221a\u03bb\u2081"},
+    {"\u221a\u03bb\u2082"},
+    {"\u03bb\u2081/\u03bb\u2082"},
+    {QT_TRANSLATE_NOOP("StripTexts", "active")},
+}};
+
+QString translated(const StripText& text) {
+    return QCoreApplication::translate("StripTexts", text.text, text.comment);
+}
+
 constexpr std::size_t column(Channel channel) {
     return static_cast<std::size_t>(channel);
 }
@@ -18,23 +41,34 @@ constexpr std::size_t column(Channel channel) {
 std::array<StripDefinition, kStrips> makeDefinitions() {
     return {{
         {.strip = Strip::force,
+         .title = {QT_TRANSLATE_NOOP("StripTexts", "Force")},
          .curves = {{.column = column(Channel::force), .display = {}, .colour = 1},
                     {.column = column(Channel::threshold), .display = {}, .colour = 0, .dashed = true}},
          .minimumSpan = 1.0,
          .fromZero = true},
         {.strip = Strip::positionX,
+         .title = {QT_TRANSLATE_NOOP("StripTexts", "Position x")},
+         .unit = "mm",
          .curves = {{.column = column(Channel::copX), .display = kMillimetres, .colour = 1},
                     {.column = column(Channel::cocX), .display = kMillimetres, .colour = 2}},
          .minimumSpan = 2.0},
         {.strip = Strip::positionY,
+         .title = {QT_TRANSLATE_NOOP("StripTexts", "Position y")},
+         .unit = "mm",
          .curves = {{.column = column(Channel::copY), .display = kMillimetres, .colour = 1},
                     {.column = column(Channel::cocY), .display = kMillimetres, .colour = 2}},
          .minimumSpan = 2.0},
         {.strip = Strip::dzmp,
+         .title = QT_TRANSLATE_NOOP3(
+             "StripTexts", "DZMP",
+             "deviation of the zero moment point: centre of pressure minus centre of contact"),
+         .unit = "mm",
          .curves = {{.column = column(Channel::dzmpX), .display = kMillimetres, .colour = 1},
                     {.column = column(Channel::dzmpY), .display = kMillimetres, .colour = 2}},
          .minimumSpan = 1.0},
         {.strip = Strip::orientation,
+         .title = {QT_TRANSLATE_NOOP("StripTexts", "Orientation")},
+         .unit = "\u00b0",
          .curves = {{.column = column(Channel::alphaZ),
                      .display = kDegrees,
                      .colour = 1,
@@ -43,17 +77,23 @@ std::array<StripDefinition, kStrips> makeDefinitions() {
          .fixedHigh = 90.0,
          .fixedStep = 45.0},
         {.strip = Strip::spread,
+         .title = QT_TRANSLATE_NOOP3("StripTexts", "Spread",
+                                     "standard deviations of the touched area along its principal axes"),
+         .unit = "mm",
          .curves = {{.column = column(Channel::lambda1), .display = kMillimetresOfRoot, .colour = 1},
                     {.column = column(Channel::lambda2), .display = kMillimetresOfRoot, .colour = 2}},
          .minimumSpan = 2.0,
          .fromZero = true,
          .shownAtFirst = false},
         {.strip = Strip::ratio,
+         .title =
+             QT_TRANSLATE_NOOP3("StripTexts", "Edge ratio", "ratio of the eigenvalues of the touched area"),
          .curves = {{.column = column(Channel::ratio), .display = {}, .colour = 1}},
          .minimumSpan = 2.0,
          .fromZero = true,
          .shownAtFirst = false},
         {.strip = Strip::active,
+         .title = {QT_TRANSLATE_NOOP("StripTexts", "Active taxels")},
          .curves = {{.column = column(Channel::active), .display = {}, .colour = 1, .whole = true}},
          .minimumSpan = 5.0,
          .fromZero = true,
@@ -68,80 +108,12 @@ const StripDefinition& definitionOf(Strip strip) {
     return definitions[static_cast<std::size_t>(strip)];
 }
 
-QString StripTexts::title(Strip strip) {
-    switch (strip) {
-    case Strip::force:
-        return tr("Force");
-    case Strip::positionX:
-        return tr("Position x");
-    case Strip::positionY:
-        return tr("Position y");
-    case Strip::dzmp:
-        return tr("DZMP", "deviation of the zero moment point: centre of pressure minus centre of contact");
-    case Strip::orientation:
-        return tr("Orientation");
-    case Strip::spread:
-        return tr("Spread", "standard deviations of the touched area along its principal axes");
-    case Strip::ratio:
-        return tr("Edge ratio", "ratio of the eigenvalues of the touched area");
-    case Strip::active:
-        return tr("Active taxels");
-    }
-    return {};
+QString titleOf(Strip strip) {
+    return translated(definitionOf(strip).title);
 }
 
-QString StripTexts::unit(Strip strip, const QString& loadUnit) {
-    switch (strip) {
-    case Strip::force:
-        return loadUnit;
-    case Strip::positionX:
-    case Strip::positionY:
-    case Strip::dzmp:
-    case Strip::spread:
-        return QStringLiteral("mm");
-    case Strip::orientation:
-        return QStringLiteral("\u00b0");
-    case Strip::ratio:
-    case Strip::active:
-        break;
-    }
-    return {};
-}
-
-QString StripTexts::name(Channel channel) {
-    switch (channel) {
-    case Channel::force:
-        return tr("force");
-    case Channel::threshold:
-        return tr("threshold", "of one taxel");
-    case Channel::copX:
-    case Channel::copY:
-        return tr("CoP", "centre of pressure");
-    case Channel::cocX:
-    case Channel::cocY:
-        return tr("CoC", "centre of contact");
-    case Channel::dzmpX:
-        return QStringLiteral("x");
-    case Channel::dzmpY:
-        return QStringLiteral("y");
-    case Channel::alphaZ:
-        return QStringLiteral("\u03b1");
-    case Channel::lambda1:
-        return QStringLiteral("\u221a\u03bb\u2081");
-    case Channel::lambda2:
-        return QStringLiteral("\u221a\u03bb\u2082");
-    case Channel::ratio:
-        return QStringLiteral("\u03bb\u2081/\u03bb\u2082");
-    case Channel::active:
-        return tr("active");
-    }
-    return {};
-}
-
-QString StripTexts::key(Strip strip) {
-    constexpr std::array<const char*, kStrips> kKeys{"force",       "position_x", "position_y", "dzmp",
-                                                     "orientation", "spread",     "edge_ratio", "active"};
-    return QString::fromLatin1(kKeys[static_cast<std::size_t>(strip)]);
+QString nameOf(Channel channel) {
+    return translated(kNames[static_cast<std::size_t>(channel)]);
 }
 
 } // namespace teleta::charts

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/charts/display.h"
 #include "widgets/charts/feature_history.h"
+#include "widgets/charts/polyline.h"
 
-#include <QCoreApplication>
 #include <QString>
 
 #include <array>
@@ -20,9 +19,17 @@ inline constexpr std::array<Strip, kStrips> kAllStrips{Strip::force, Strip::posi
                                                        Strip::dzmp,  Strip::orientation, Strip::spread,
                                                        Strip::ratio, Strip::active};
 
+/// A text, and how it is told from others for its translators.
+struct StripText {
+    const char* text = nullptr;
+    const char* comment = nullptr;
+};
+
 /// Constant description of a strip.
 struct StripDefinition {
     Strip strip = Strip::force;
+    StripText title;
+    const char* unit = ""; ///< on the axis; forces have that of the load
     std::vector<CurveStyle> curves;
     double minimumSpan = 1.0;               ///< of the automatic axis, in displayed units
     bool fromZero = false;                  ///< the automatic axis contains 0
@@ -34,16 +41,7 @@ struct StripDefinition {
 [[nodiscard]] const StripDefinition& definitionOf(Strip strip);
 
 /// Texts of the strips, translated on every call.
-class StripTexts {
-    Q_DECLARE_TR_FUNCTIONS(StripTexts)
-
-public:
-    [[nodiscard]] static QString title(Strip strip);
-    /// Unit on the axis; loadUnit: that of the forces.
-    [[nodiscard]] static QString unit(Strip strip, const QString& loadUnit);
-    [[nodiscard]] static QString name(Channel channel);
-    /// Stable name for settings.
-    [[nodiscard]] static QString key(Strip strip);
-};
+[[nodiscard]] QString titleOf(Strip strip);
+[[nodiscard]] QString nameOf(Channel channel);
 
 } // namespace teleta::charts

@@ -5,11 +5,9 @@
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/time_plot.h"
 
-#include <QActionGroup>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -39,7 +37,6 @@ TimeChartView::TimeChartView(TimePlot* plot, double shortestSpan_s, QWidget* par
     : FigureView(parent)
     , m_plot(plot)
     , m_empty(new QLabel(plot))
-    , m_spanGroup(new QActionGroup(this))
     , m_pause(new QAction(base::themeIcon(base::Icon::pause), {}, this))
     , m_shortestSpan_s(shortestSpan_s) {
     m_plot->setParent(this);
@@ -384,8 +381,7 @@ bool TimeChartView::eventFilter(QObject* watched, QEvent* event) {
         setCursorTime(m_keyboardCursor_s);
         return false;
     case QEvent::Wheel:
-        // Ignored: QCustomPlot accepts every wheel event, so that a scroll area around the view could not
-        // scroll.
+        // QCustomPlot accepts every wheel event, so a scroll area around the view could not scroll.
         if (!onWheel(static_cast<QWheelEvent*>(event)))
             event->ignore();
         return true;

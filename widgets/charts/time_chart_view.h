@@ -6,13 +6,13 @@
 #include "widgets/charts/sample_history.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QPointer>
 
 #include <array>
 #include <cstdint>
 #include <optional>
 
-class QActionGroup;
 class QHBoxLayout;
 class QLabel;
 class QToolButton;
@@ -115,7 +115,7 @@ private:
     QLabel* m_empty;
     bool m_defaultEmptyText = true;
     QHBoxLayout* m_tools = nullptr;
-    QActionGroup* m_spanGroup;
+    QActionGroup* m_spanGroup = new QActionGroup(this);
     std::array<QAction*, kSpans_s.size()> m_spanActions{};
     QAction* m_pause;
     QPointer<base::InlineEdit> m_rangeEdit;

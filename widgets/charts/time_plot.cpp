@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/time_plot.h"
 
+#include "widgets/base/colour_maps.h"
 #include "widgets/base/theme.h"
 #include "widgets/plot/plot_style.h"
 
@@ -18,6 +19,12 @@ constexpr double kHeaderHeight_em = 1.5;
 constexpr double kAxisHeight_em = 1.7;
 constexpr double kAxisPadding = 0.05; ///< of the axis' span, so that a curve at its end keeps its full width
 constexpr auto kOverlay = "teleta.overlay";
+
+/// colour: as in CurveStyle.
+QColor curveColour(int colour, const QPalette& palette) {
+    return colour == 0 ? palette.color(QPalette::PlaceholderText)
+                       : base::identityColour(colour, base::isDark(palette));
+}
 
 } // namespace
 

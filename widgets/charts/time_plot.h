@@ -5,7 +5,6 @@
 #include "widgets/base/controls/badge.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/charts/chart_elements.h"
-#include "widgets/charts/display.h"
 #include "widgets/charts/polyline.h"
 #include "widgets/charts/sample_history.h"
 
@@ -38,8 +37,7 @@ public:
 
     /// Draws the history from end - span to end into the lanes (without repainting).
     void showStretch(const SampleHistory& history, double end_s, double span_s);
-    /// Writes the values of one sample beside the lanes; empty: undefined. steady: small changes are not
-    /// displayed.
+    /// Writes the values of a sample beside the lanes; empty: undefined. steady: leaves out small changes.
     void showValues(const SampleHistory& history, std::optional<std::size_t> index, bool steady);
     /// A line through all lanes; empty: none.
     void setCursorLine(std::optional<double> time_s);

@@ -5,7 +5,6 @@
 #include "widgets/base/theme.h"
 
 #include <QCommandLinkButton>
-#include <QGridLayout>
 #include <QResizeEvent>
 
 #include <algorithm>
@@ -20,8 +19,7 @@ constexpr double kButton_em = 24.0;
 } // namespace
 
 DemoList::DemoList(QWidget* parent)
-    : QScrollArea(parent)
-    , m_grid(new QGridLayout) {
+    : QScrollArea(parent) {
     auto* content = new QWidget(this);
     content->setLayout(m_grid);
     m_grid->setContentsMargins(base::grid(this, 2), 0, base::grid(this, 2), 0);

@@ -3,16 +3,14 @@
 
 #include "widgets/chrome/source_chooser.h"
 
+#include <QGridLayout>
 #include <QScrollArea>
 
 #include <vector>
 
-class QGridLayout;
-
 namespace teleta::chrome {
 
-/// Scenes to try the program with, each with a title and a sentence, as large buttons in as many columns as
-/// fit. Thread: GUI.
+/// Scenes to try the program with, as large buttons in as many columns as fit. Thread: GUI.
 class DemoList : public QScrollArea {
     Q_OBJECT
 
@@ -33,7 +31,7 @@ protected:
 private:
     void arrange();
 
-    QGridLayout* m_grid;
+    QGridLayout* m_grid = new QGridLayout;
     std::vector<QWidget*> m_buttons;
     int m_columns = 0;
 };

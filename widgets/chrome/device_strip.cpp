@@ -86,15 +86,13 @@ QSize DeviceStrip::minimumSizeHint() const {
 }
 
 QString DeviceStrip::text(int index) const {
-    return index >= 0 && index < static_cast<int>(m_cells.size())
-               ? m_cells[static_cast<std::size_t>(index)].text
-               : QString();
+    const auto cell = static_cast<std::size_t>(index);
+    return cell < m_cells.size() ? m_cells[cell].text : QString();
 }
 
 QString DeviceStrip::shownText(int index) const {
-    return index >= 0 && index < static_cast<int>(m_cells.size())
-               ? m_cells[static_cast<std::size_t>(index)].shown
-               : QString();
+    const auto cell = static_cast<std::size_t>(index);
+    return cell < m_cells.size() ? m_cells[cell].shown : QString();
 }
 
 QString DeviceStrip::compose(const Cell& cell, Detail detail, const QString& name) const {

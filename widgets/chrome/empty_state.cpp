@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/empty_state.h"
 
+#include "widgets/base/compose.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
 #include <QPixmap>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 namespace teleta::chrome {
 
 EmptyState::EmptyState(base::Icon icon, QWidget* parent)
     : QWidget(parent)
-    , m_icon(icon)
-    , m_picture(new QLabel(this))
-    , m_headline(new QLabel(this))
-    , m_sentence(new QLabel(this))
-    , m_buttons(new QHBoxLayout)
-    , m_layout(new QVBoxLayout(this)) {
+    , m_icon(icon) {
     for (QLabel* label : {m_picture, m_headline, m_sentence})
         label->setAlignment(Qt::AlignCenter);
     m_sentence->setWordWrap(true);
@@ -28,9 +21,7 @@ EmptyState::EmptyState(base::Icon icon, QWidget* parent)
     m_buttons->addStretch(1);
 
     m_layout->addStretch(2);
-    m_layout->addWidget(m_picture);
-    m_layout->addWidget(m_headline);
-    m_layout->addWidget(m_sentence);
+    base::addWidgets(m_layout, {m_picture, m_headline, m_sentence});
     m_layout->addSpacing(base::grid(this, 2));
     m_layout->addLayout(m_buttons);
     m_layout->addStretch(3);
@@ -49,9 +40,7 @@ QPushButton* EmptyState::addAction(const QString& text, const QString& toolTip) 
     auto* button = new QPushButton(text, this);
     button->setToolTip(toolTip);
     button->setAutoDefault(true);
-    if (!m_hasDefault)
-        button->setDefault(true);
-    m_hasDefault = true;
+    button->setDefault(m_buttons->count() == 2); // the two stretches
     m_buttons->insertWidget(m_buttons->count() - 1, button);
     return button;
 }
@@ -65,8 +54,7 @@ void EmptyState::setAction(const char* name, const QString& text, const QString&
 
 void EmptyState::setMore(QWidget* more) {
     m_layout->insertSpacing(m_layout->count() - 1, base::grid(this, 3));
-    // No stretch factor: for a stretched item Qt uses the minimum size only, and this one needs its preferred
-    // size.
+    // No stretch factor: Qt would give it its minimum size only.
     m_layout->insertWidget(m_layout->count() - 1, more);
 }
 

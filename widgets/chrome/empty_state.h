@@ -3,13 +3,13 @@
 
 #include "widgets/base/icons.h"
 
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QString>
+#include <QVBoxLayout>
 #include <QWidget>
 
-class QLabel;
-class QHBoxLayout;
 class QPushButton;
-class QVBoxLayout;
 
 namespace teleta::chrome {
 
@@ -32,12 +32,11 @@ private:
     void restyle();
 
     base::Icon m_icon;
-    QLabel* m_picture;
-    QLabel* m_headline;
-    QLabel* m_sentence;
-    QHBoxLayout* m_buttons;
-    QVBoxLayout* m_layout;
-    bool m_hasDefault = false;
+    QLabel* m_picture = new QLabel(this);
+    QLabel* m_headline = new QLabel(this);
+    QLabel* m_sentence = new QLabel(this);
+    QHBoxLayout* m_buttons = new QHBoxLayout;
+    QVBoxLayout* m_layout = new QVBoxLayout(this);
 };
 
 } // namespace teleta::chrome

@@ -14,7 +14,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -25,29 +24,19 @@ namespace {
 /// Wide enough for a sentence, but clear of the controls on the left of a view.
 constexpr double kWidest_em = 44.0;
 
-QColor severityColour(Message::Severity severity, const QPalette& palette) {
+using Severity = Message::Severity;
+
+QColor severityColour(Severity severity, const QPalette& palette) {
     const base::StatusColours& colours = base::statusColours(palette);
-    switch (severity) {
-    case Message::Severity::error:
-        return colours.lost;
-    case Message::Severity::warning:
-        return colours.stale;
-    case Message::Severity::information:
-        break;
-    }
-    return colours.neutral;
+    return severity == Severity::error     ? colours.lost
+           : severity == Severity::warning ? colours.stale
+                                           : colours.neutral;
 }
 
-base::Icon severityIcon(Message::Severity severity) {
-    switch (severity) {
-    case Message::Severity::error:
-        return base::Icon::error;
-    case Message::Severity::warning:
-        return base::Icon::warning;
-    case Message::Severity::information:
-        break;
-    }
-    return base::Icon::info;
+base::Icon severityIcon(Severity severity) {
+    return severity == Severity::error     ? base::Icon::error
+           : severity == Severity::warning ? base::Icon::warning
+                                           : base::Icon::info;
 }
 
 /// A row with a tinted background and a bar in the severity's colour.
@@ -95,9 +84,7 @@ private:
 } // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QWidget(parent)
-    , m_layout(new QVBoxLayout(this))
-    , m_tabStop(new QWidget(this)) {
+    : QWidget(parent) {
     m_tabStop->setFixedSize(0, 0);
     m_tabStop->setFocusPolicy(Qt::ClickFocus); // without a focus policy Qt does not place others after it
     m_layout->setContentsMargins(0, 0, 0, 0);
@@ -230,9 +217,7 @@ QWidget* MessageBar::makeRow(std::size_t index) {
     text->setTextFormat(Qt::PlainText);
     text->setWordWrap(true);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    QFont bold = text->font();
-    bold.setBold(true);
-    text->setFont(bold);
+    text->setFont(base::bold(text->font()));
     line->addWidget(text, 1);
 
     const QString since = QLocale().toString(entry.since.time(), QLocale::ShortFormat);

@@ -3,11 +3,10 @@
 
 #include <QDateTime>
 #include <QString>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include <vector>
-
-class QVBoxLayout;
 
 namespace teleta::chrome {
 
@@ -56,8 +55,8 @@ private:
     void settle();
     [[nodiscard]] QWidget* makeRow(std::size_t index);
 
-    QVBoxLayout* m_layout;
-    QWidget* m_tabStop; ///< precedes the buttons in the tab order
+    QVBoxLayout* m_layout = new QVBoxLayout(this);
+    QWidget* m_tabStop = new QWidget(this); ///< precedes the buttons in the tab order
     std::vector<Entry> m_entries;
 };
 

@@ -72,15 +72,9 @@ void MessageLog::add(Entry entry) {
 }
 
 QString MessageLog::kindOf(Message::Severity severity) {
-    switch (severity) {
-    case Message::Severity::error:
-        return tr("Error");
-    case Message::Severity::warning:
-        return tr("Warning");
-    case Message::Severity::information:
-        break;
-    }
-    return tr("Information");
+    return severity == Message::Severity::error     ? tr("Error")
+           : severity == Message::Severity::warning ? tr("Warning")
+                                                    : tr("Information");
 }
 
 QString MessageLog::asText() const {
@@ -107,27 +101,15 @@ QVariant MessageLog::data(const QModelIndex& index, int role) const {
         return entry.text;
     if (role != Qt::DisplayRole)
         return {};
-    switch (index.column()) {
-    case kTime:
-        return entry.time.toString(QStringLiteral("HH:mm:ss.zzz"));
-    case kKind:
-        return kindOf(entry.severity);
-    default:
-        return line(entry.text);
-    }
+    return index.column() == kTime   ? entry.time.toString(QStringLiteral("HH:mm:ss.zzz"))
+           : index.column() == kKind ? kindOf(entry.severity)
+                                     : line(entry.text);
 }
 
 QVariant MessageLog::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
-    switch (section) {
-    case kTime:
-        return tr("Time");
-    case kKind:
-        return tr("Kind");
-    default:
-        return tr("Message");
-    }
+    return section == kTime ? tr("Time") : section == kKind ? tr("Kind") : tr("Message");
 }
 
 } // namespace teleta::chrome

@@ -4,13 +4,9 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QButtonGroup>
 #include <QPainter>
-#include <QPixmap>
 #include <QShortcut>
-#include <QStyle>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -57,9 +53,7 @@ protected:
 } // namespace
 
 PageRail::PageRail(QWidget* parent)
-    : QWidget(parent)
-    , m_layout(new QVBoxLayout(this))
-    , m_group(new QButtonGroup(this)) {
+    : QWidget(parent) {
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(0);
     m_layout->addStretch(1);

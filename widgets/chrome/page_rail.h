@@ -3,19 +3,18 @@
 
 #include "widgets/base/icons.h"
 
+#include <QButtonGroup>
 #include <QString>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include <vector>
 
-class QButtonGroup;
 class QToolButton;
-class QVBoxLayout;
 
 namespace teleta::chrome {
 
-/// The pages of the console as a rail of large buttons at the left edge. Ctrl+1, Ctrl+2, ... choose a page.
-/// Thread: GUI.
+/// The console's pages as large buttons at the left edge. Ctrl+1, Ctrl+2 ... choose a page. Thread: GUI.
 class PageRail : public QWidget {
     Q_OBJECT
 
@@ -39,8 +38,8 @@ private:
     };
     void restyle();
 
-    QVBoxLayout* m_layout;
-    QButtonGroup* m_group;
+    QVBoxLayout* m_layout = new QVBoxLayout(this);
+    QButtonGroup* m_group = new QButtonGroup(this);
     std::vector<Page> m_pages;
 };
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/playback_bar.h"
 
+#include "widgets/base/compose.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
-#include "widgets/chrome/time_slider.h"
 
 #include <QAbstractItemView>
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
 
@@ -42,15 +40,7 @@ double beginOf(const std::vector<core::PlaybackMark>& marks) {
 } // namespace
 
 PlaybackBar::PlaybackBar(QWidget* parent)
-    : QWidget(parent)
-    , m_toStart(makeButton(QStringLiteral("toStart")))
-    , m_back(makeButton(QStringLiteral("back")))
-    , m_play(makeButton(QStringLiteral("play")))
-    , m_forward(makeButton(QStringLiteral("forward")))
-    , m_loop(makeButton(QStringLiteral("loop")))
-    , m_slider(new TimeSlider(Qt::Horizontal, this))
-    , m_time(new QLabel(this))
-    , m_speed(new QComboBox(this)) {
+    : QWidget(parent) {
     m_loop->setCheckable(true);
     m_slider->setRange(0, kSliderSteps);
     m_slider->setFocusPolicy(Qt::TabFocus);
@@ -62,12 +52,9 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     layout->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this),
                                base::grid(this, 0.5));
     layout->setSpacing(base::grid(this, 0.5));
-    for (QToolButton* button : {m_toStart, m_back, m_play, m_forward})
-        layout->addWidget(button);
+    base::addWidgets(layout, {m_toStart, m_back, m_play, m_forward});
     layout->addWidget(m_slider, 1);
-    layout->addWidget(m_time);
-    layout->addWidget(m_speed);
-    layout->addWidget(m_loop);
+    base::addWidgets(layout, {m_time, m_speed, m_loop});
 
     connect(m_toStart, &QToolButton::clicked, this, [this] { emit seekRequested(0.0); });
     connect(m_back, &QToolButton::clicked, this, [this] { emit stepRequested(-1); });
@@ -167,9 +154,8 @@ void PlaybackBar::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-QToolButton* PlaybackBar::makeButton(const QString& name) {
-    auto* button = new QToolButton(this);
-    button->setObjectName(name);
+QToolButton* PlaybackBar::makeButton(const char* name) {
+    auto* button = base::named<QToolButton>(name, this);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::TabFocus);
     return button;

@@ -2,18 +2,17 @@
 #pragma once
 
 #include "backend/core/device/device.h"
+#include "widgets/chrome/time_slider.h"
 
+#include <QComboBox>
+#include <QLabel>
 #include <QWidget>
 
 #include <vector>
 
-class QComboBox;
-class QLabel;
 class QToolButton;
 
 namespace teleta::chrome {
-
-class TimeSlider;
 
 /// Playback controls: play and pause, single steps, a time bar with marks, speed, loop. Shows a position and
 /// emits requests. Keys: Space plays or pauses, Left and Right step, Page Up and Page Down jump between
@@ -40,21 +39,21 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    QToolButton* makeButton(const QString& name);
+    QToolButton* makeButton(const char* name);
     void restyle();
     void retranslate();
     void togglePlay();
     void goToMark(bool forward);
     [[nodiscard]] double sliderTime_s(int value) const;
 
-    QToolButton* m_toStart;
-    QToolButton* m_back;
-    QToolButton* m_play;
-    QToolButton* m_forward;
-    QToolButton* m_loop;
-    TimeSlider* m_slider;
-    QLabel* m_time;
-    QComboBox* m_speed;
+    QToolButton* m_toStart = makeButton("toStart");
+    QToolButton* m_back = makeButton("back");
+    QToolButton* m_play = makeButton("play");
+    QToolButton* m_forward = makeButton("forward");
+    QToolButton* m_loop = makeButton("loop");
+    TimeSlider* m_slider = new TimeSlider(Qt::Horizontal, this);
+    QLabel* m_time = new QLabel(this);
+    QComboBox* m_speed = new QComboBox(this);
     core::PlaybackPosition m_position;
     std::vector<core::PlaybackMark> m_marks;
     bool m_shownPaused = false;

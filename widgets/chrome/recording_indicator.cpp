@@ -9,7 +9,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPixmap>
-#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -44,11 +43,7 @@ QIcon dot(const QWidget& widget, bool filled) {
 } // namespace
 
 RecordingIndicator::RecordingIndicator(QWidget* parent)
-    : QWidget(parent)
-    , m_record(new QToolButton(this))
-    , m_mark(new QToolButton(this)) {
-    m_record->setObjectName(QStringLiteral("record"));
-    m_mark->setObjectName(QStringLiteral("mark"));
+    : QWidget(parent) {
     for (QToolButton* button : {m_record, m_mark}) {
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setAutoRaise(true);

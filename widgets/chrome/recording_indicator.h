@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/compose.h"
+
+#include <QToolButton>
 #include <QWidget>
 
 #include <cstdint>
-
-class QToolButton;
 
 namespace teleta::chrome {
 
@@ -19,8 +20,7 @@ struct RecordingReading {
     std::uint64_t lost = 0;  ///< frames that could not be written in time
 };
 
-/// Starts and ends a recording, and shows its state: a red dot and a word, time, size, losses; with a button
-/// for marks. Thread: GUI.
+/// Starts, marks and ends a recording; shows a red dot and a word, time, size and losses. Thread: GUI.
 class RecordingIndicator : public QWidget {
     Q_OBJECT
 
@@ -38,8 +38,8 @@ private:
     void describe();
     void restyle();
 
-    QToolButton* m_record;
-    QToolButton* m_mark;
+    QToolButton* m_record = base::named<QToolButton>("record", this);
+    QToolButton* m_mark = base::named<QToolButton>("mark", this);
     RecordingReading m_reading;
 };
 

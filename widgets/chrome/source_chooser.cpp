@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/source_chooser.h"
 
+#include "widgets/base/compose.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QMenu>
 #include <QSignalBlocker>
-#include <QToolButton>
 
 namespace teleta::chrome {
 
 SourceChooser::SourceChooser(QWidget* parent)
-    : QWidget(parent)
-    , m_box(new QComboBox(this))
-    , m_open(new QToolButton(this))
-    , m_close(new QToolButton(this))
-    , m_menu(new QMenu(this)) {
+    : QWidget(parent) {
     m_box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_box->setMinimumContentsLength(18);
     m_open->setPopupMode(QToolButton::InstantPopup);
@@ -32,9 +26,7 @@ SourceChooser::SourceChooser(QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(base::grid(this, 0.5));
-    layout->addWidget(m_box);
-    layout->addWidget(m_close);
-    layout->addWidget(m_open);
+    base::addWidgets(layout, {m_box, m_close, m_open});
 
     connect(m_box, &QComboBox::activated, this,
             [this] { emit sourceChosen(m_box->currentData().toULongLong()); });

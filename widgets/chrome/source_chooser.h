@@ -3,15 +3,14 @@
 
 #include "widgets/base/controls/badge.h"
 
+#include <QComboBox>
+#include <QMenu>
 #include <QString>
+#include <QToolButton>
 #include <QWidget>
 
 #include <cstdint>
 #include <vector>
-
-class QComboBox;
-class QMenu;
-class QToolButton;
 
 namespace teleta::chrome {
 
@@ -55,10 +54,10 @@ private:
     void rebuildMenu();
     void retranslate();
 
-    QComboBox* m_box;
-    QToolButton* m_open;
-    QToolButton* m_close;
-    QMenu* m_menu;
+    QComboBox* m_box = new QComboBox(this);
+    QToolButton* m_open = new QToolButton(this);
+    QToolButton* m_close = new QToolButton(this);
+    QMenu* m_menu = new QMenu(this);
     std::vector<Source> m_sources;
     std::vector<Demo> m_demos;
     QStringList m_recent;

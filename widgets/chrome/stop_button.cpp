@@ -8,6 +8,7 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <utility>
 
 namespace teleta::chrome {
 
@@ -15,19 +16,17 @@ namespace {
 
 constexpr int kHoldTick_ms = 33;
 
-QPainterPath octagon(const QRectF& square) {
+QPolygonF octagon(const QRectF& square) {
+    const double left = square.left(), right = square.right(), top = square.top(), bottom = square.bottom();
     const double cut = square.width() * 0.29;
-    QPainterPath path;
-    path.moveTo(square.left() + cut, square.top());
-    path.lineTo(square.right() - cut, square.top());
-    path.lineTo(square.right(), square.top() + cut);
-    path.lineTo(square.right(), square.bottom() - cut);
-    path.lineTo(square.right() - cut, square.bottom());
-    path.lineTo(square.left() + cut, square.bottom());
-    path.lineTo(square.left(), square.bottom() - cut);
-    path.lineTo(square.left(), square.top() + cut);
-    path.closeSubpath();
-    return path;
+    return QPolygonF({{left + cut, top},
+                      {right - cut, top},
+                      {right, top + cut},
+                      {right, bottom - cut},
+                      {right - cut, bottom},
+                      {left + cut, bottom},
+                      {left, bottom - cut},
+                      {left, top + cut}});
 }
 
 } // namespace
@@ -44,9 +43,8 @@ StopButton::StopButton(QWidget* parent)
 }
 
 void StopButton::setEngaged(bool engaged) {
-    if (engaged == m_engaged)
+    if (std::exchange(m_engaged, engaged) == engaged)
         return;
-    m_engaged = engaged;
     m_holdTimer.stop();
     describe();
     update();
@@ -54,11 +52,9 @@ void StopButton::setEngaged(bool engaged) {
 
 QSize StopButton::sizeHint() const {
     const int height = std::max(kMinimumSide_px, base::em(this, 2.75));
-    QFont bold = base::sized(font(), base::kLargeText);
-    bold.setBold(true);
+    const QFontMetrics bold(base::bold(base::sized(font(), base::kLargeText)));
     const int wide = std::max(
-        {QFontMetrics(bold).horizontalAdvance(tr("STOP")),
-         QFontMetrics(bold).horizontalAdvance(tr("STOPPED")),
+        {bold.horizontalAdvance(tr("STOP")), bold.horizontalAdvance(tr("STOPPED")),
          QFontMetrics(base::sized(font(), base::kSmallText)).horizontalAdvance(tr("hold to release"))});
     return {wide + height + base::grid(this, 3), height};
 }
@@ -97,10 +93,9 @@ void StopButton::paintEvent(QPaintEvent* /*event*/) {
     const QRectF sign(box.left() + 0.25 * box.height(), box.center().y() - 0.5 * side, side, side);
     painter.setPen(QPen(m_engaged ? red : ink, 2.0));
     painter.setBrush(m_engaged ? QBrush(red) : QBrush(Qt::NoBrush));
-    painter.drawPath(octagon(sign));
+    painter.drawPolygon(octagon(sign));
 
-    QFont bold = base::sized(font(), base::kLargeText);
-    bold.setBold(true);
+    const QFont bold = base::bold(base::sized(font(), base::kLargeText));
     painter.setPen(ink);
     const QRectF textBox(sign.right() + base::grid(this), box.top(),
                          box.right() - sign.right() - base::grid(this), box.height());

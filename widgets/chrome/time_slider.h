@@ -9,8 +9,7 @@
 
 namespace teleta::chrome {
 
-/// The time bar of a playback: a click goes there; marks are ticks with their texts as tool tips. Keys are
-/// handled by the owner. Thread: GUI.
+/// The time bar of a playback: a click goes there; marks are flags with tool tips. No keys. Thread: GUI.
 class TimeSlider : public QSlider {
     Q_OBJECT
 

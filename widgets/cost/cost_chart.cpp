@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cost/cost_chart.h"
 
-#include "backend/core/number_text.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/cost/log_ticker.h"
 #include "widgets/plot/plot_style.h"
 
 #include <qcustomplot.h>
-#include <QMenu>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace teleta::costs {
@@ -24,23 +24,13 @@ bool isDrawn(const cost::RungCost& rung) {
     return rung.isTimed() && rung.timeMedian_s > 0.0 && !std::isnan(rung.errorMean);
 }
 
-void appendNumber(QString& text, double value) {
-    if (std::isnan(value)) {
-        text += QLatin1String(",NA");
-        return;
-    }
-    const core::NumberText number(value);
-    text += QLatin1Char(',') +
-            QString::fromUtf8(number.view().data(), static_cast<qsizetype>(number.view().size()));
-}
-
 QString costCsv(const cost::LadderCost& ladder) {
     QString text = QStringLiteral("rung,error_mean,error_p95,error_max,time_median_s,time_p99_s\n");
     for (const cost::RungCost& rung : ladder.rungs) {
         text += QString::fromStdString(rung.name);
         for (const double value :
              {rung.errorMean, rung.errorP95, rung.errorMax, rung.timeMedian_s, rung.timeP99_s})
-            appendNumber(text, value);
+            text += QLatin1Char(',') + base::csvNumber(value);
         text += QLatin1Char('\n');
     }
     return text;
@@ -49,7 +39,7 @@ QString costCsv(const cost::LadderCost& ladder) {
 } // namespace
 
 CostChart::CostChart(QWidget* parent)
-    : QWidget(parent)
+    : SizedView(parent, {44, 28}, {})
     , m_plot(new QCustomPlot(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -67,20 +57,10 @@ CostChart::CostChart(QWidget* parent)
     connect(m_plot, &QCustomPlot::afterLayout, this, &CostChart::drawNames);
     auto* exporter = new base::FigureExport(m_plot, [this] { return figure(); });
     connect(exporter, &base::FigureExport::failed, this, &CostChart::exportFailed);
-    m_plot->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(m_plot, &QWidget::customContextMenuRequested, this, [this, exporter](const QPoint& point) {
-        auto* menu = new QMenu(m_plot);
-        menu->setAttribute(Qt::WA_DeleteOnClose);
-        exporter->addActions(*menu);
-        menu->popup(m_plot->mapToGlobal(point));
-    });
+    exporter->setContextMenu();
     base::onChange(this, &CostChart::draw, {QEvent::LanguageChange});
     base::onChange(this, [this] { restyle(palette()); }, {QEvent::PaletteChange, QEvent::FontChange});
     restyle(palette());
-}
-
-QSize CostChart::sizeHint() const {
-    return {base::em(this, 44), base::em(this, 28)};
 }
 
 void CostChart::setLadder(const cost::LadderCost& ladder) {
@@ -89,24 +69,18 @@ void CostChart::setLadder(const cost::LadderCost& ladder) {
 }
 
 void CostChart::setRungInUse(const QString& name) {
-    if (name == m_inUse)
-        return;
-    m_inUse = name;
-    draw();
+    if (std::exchange(m_inUse, name) != name)
+        draw();
 }
 
 void CostChart::setChosen(const QString& name) {
-    if (name == m_chosen)
-        return;
-    m_chosen = name;
-    draw();
+    if (std::exchange(m_chosen, name) != name)
+        draw();
 }
 
 void CostChart::setBudget(std::optional<double> budget_s) {
-    if (budget_s == m_budget_s)
-        return;
-    m_budget_s = budget_s;
-    draw();
+    if (std::exchange(m_budget_s, budget_s) != budget_s)
+        draw();
 }
 
 void CostChart::setRanges() {

@@ -3,9 +3,9 @@
 
 #include "backend/cost/cost_result.h"
 #include "widgets/base/figure_export.h"
+#include "widgets/base/sized_view.h"
 
 #include <QPalette>
-#include <QWidget>
 
 #include <optional>
 
@@ -16,7 +16,7 @@ namespace teleta::costs {
 /// Mean error of the rungs of a ladder over the time of a call, both on logarithmic axes: the frontier as a
 /// staircase through filled points, the others hollow, a ring around the rung in use, a line at the time
 /// budget. A rung without any error lies on the lower border. Thread: GUI.
-class CostChart : public QWidget {
+class CostChart : public base::SizedView {
     Q_OBJECT
 public:
     explicit CostChart(QWidget* parent = nullptr);
@@ -28,7 +28,6 @@ public:
     void setBudget(std::optional<double> budget_s);
     void setChosen(const QString& name);
 
-    [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] base::Figure figure();
     /// Where a rung is drawn, in this widget; empty for one that is not.
     [[nodiscard]] std::optional<QPointF> pointOf(const QString& name) const;

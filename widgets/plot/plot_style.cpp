@@ -36,4 +36,8 @@ QPicture pictureOf(QCustomPlot& plot) {
     return picture;
 }
 
+QString libraryVersion() {
+    return QStringLiteral(QCUSTOMPLOT_VERSION_STR);
+}
+
 } // namespace teleta::plot

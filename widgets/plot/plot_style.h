@@ -9,8 +9,7 @@ class QCustomPlot;
 
 namespace teleta::plot {
 
-/// Applies the colours of a palette to the background, axes and grid of a plot, and a font to its labels and
-/// titles. Thread: GUI.
+/// Gives the background, axes and grid of a plot the colours of a palette, its texts a font. Thread: GUI.
 void stylePlot(QCustomPlot& plot, const QPalette& colours, const QFont& font);
 
 /// Pen of the grid lines. Thread: any (pure).
@@ -18,5 +17,8 @@ void stylePlot(QCustomPlot& plot, const QPalette& colours, const QFont& font);
 
 /// The plot as a vector picture, for files. Thread: GUI.
 [[nodiscard]] QPicture pictureOf(QCustomPlot& plot);
+
+/// Version of QCustomPlot that was compiled in: "2.1.0". Thread: any (pure).
+[[nodiscard]] QString libraryVersion();
 
 } // namespace teleta::plot

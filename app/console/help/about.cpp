@@ -2,7 +2,7 @@
 #include "app/console/help/about.h"
 
 #include "app/console/help/library_versions.h"
-#include "widgets/charts/plot_version.h"
+#include "widgets/plot/plot_style.h"
 #include "widgets/view3d/vtk/vtk_version.h"
 
 #include <QCoreApplication>
@@ -58,7 +58,7 @@ void openAbout(QWidget* parent) {
     const std::vector<Library> libraries{
         {"Qt", built(qVersion()), "LGPL-3.0"},
         {"VTK", view3d::vtkLibraryVersion(), "BSD-3-Clause"},
-        {"QCustomPlot", charts::plotLibraryVersion(), "GPL-3.0"},
+        {"QCustomPlot", plot::libraryVersion(), "GPL-3.0"},
         {"Eigen", view3d::eigenLibraryVersion(), "MPL-2.0"},
         {"OpenCV", built(kOpenCvVersion), "Apache-2.0"},
         {"Ceres Solver", built(kCeresVersion), "BSD-3-Clause"},

@@ -192,7 +192,7 @@ private slots:
         touched.features.active = 1;
         history.append(touched);
         QCOMPARE(
-            QString::fromStdString(featuresCsv(history, 0, 2)),
+            featuresCsv(history, 0, 2),
             QStringLiteral("time_s,contact_type,force_n,cop_x_m,cop_y_m,coc_x_m,coc_y_m,dzmp_x_m,dzmp_y_m,"
                            "alpha_z_rad,lambda1_m2,lambda2_m2,active\n"
                            "0.5,none,0,NA,NA,NA,NA,NA,NA,NA,NA,NA,0\n"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
+#include "widgets/charts/feature_history.h"
 #include "widgets/charts/polyline.h"
 
 #include <QTest>
@@ -45,7 +46,7 @@ std::vector<std::vector<PolylinePoint>> stretches(const std::vector<PolylinePoin
 std::vector<PolylinePoint> lineOf(const FeatureHistory& history, double from_s, double to_s, double bucket_s,
                                   double period = 0.0) {
     std::vector<PolylinePoint> line;
-    makePolyline(history, Channel::alphaZ, from_s, to_s, bucket_s, period, line);
+    makePolyline(history, static_cast<std::size_t>(Channel::alphaZ), from_s, to_s, bucket_s, period, line);
     return line;
 }
 
@@ -79,7 +80,8 @@ private slots:
     void theRangeIsThatOfTheSamples() {
         const FeatureHistory history = historyOf(1000, 0.01, [](int i) { return 0.1 * (i % 37) - 1.0; });
         std::vector<PolylinePoint> line;
-        const auto range = makePolyline(history, Channel::alphaZ, 0.0, 10.0, 0.3, 0.0, line);
+        const auto range =
+            makePolyline(history, static_cast<std::size_t>(Channel::alphaZ), 0.0, 10.0, 0.3, 0.0, line);
         QVERIFY(range);
         QCOMPARE(range->low, -1.0);
         QCOMPARE(range->high, 2.6);
@@ -177,10 +179,12 @@ private slots:
 
     void nothingGivesNothing() {
         std::vector<PolylinePoint> line{{1.0, 2.0}};
-        QVERIFY(!makePolyline(FeatureHistory(), Channel::force, 0.0, 1.0, 0.1, 0.0, line));
+        QVERIFY(!makePolyline(FeatureHistory(), static_cast<std::size_t>(Channel::force), 0.0, 1.0, 0.1, 0.0,
+                              line));
         QVERIFY(line.empty());
         const FeatureHistory undefined = historyOf(100, 0.01, [](int) { return std::nullopt; });
-        QVERIFY(!makePolyline(undefined, Channel::alphaZ, 0.0, 1.0, 0.1, 0.0, line));
+        QVERIFY(
+            !makePolyline(undefined, static_cast<std::size_t>(Channel::alphaZ), 0.0, 1.0, 0.1, 0.0, line));
         QVERIFY(line.empty());
     }
 

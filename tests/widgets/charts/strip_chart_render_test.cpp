@@ -286,7 +286,7 @@ private slots:
         chart.draw();
         QTemporaryDir directory;
         const QString path = directory.filePath(QStringLiteral("chart.svg"));
-        QVERIFY(base::saveSvg(chart.view.figure(), path));
+        QVERIFY(base::saveFigure(chart.view.figure(), path));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray svg = file.readAll();
