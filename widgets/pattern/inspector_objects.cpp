@@ -5,13 +5,10 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QLineEdit>
 #include <QPushButton>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace teleta::pattern {
@@ -130,7 +127,7 @@ void PatternInspector::check(const char* name, const QString& label, std::functi
     });
 }
 
-void PatternInspector::buildSweep() {
+void PatternInspector::buildForm(const Sweep& /*form*/) {
     const auto byLaw = [](const Sweep& f) { return !f.onset_s; };
     field("burst", tr("Burst:"), QStringLiteral("s"), 0.001, Pattern::kLongest_s, 3, &Sweep::burst_s);
     field<Sweep>(
@@ -141,7 +138,7 @@ void PatternInspector::buildSweep() {
     tactors<Sweep>();
 }
 
-void PatternInspector::buildRing() {
+void PatternInspector::buildForm(const Ring& /*form*/) {
     field<Ring>(
         "turns", tr("Turns:"), QString(), 1.0, 100.0, 0,
         [](const Ring& f) { return static_cast<double>(f.turns); },
@@ -158,7 +155,7 @@ void PatternInspector::buildRing() {
         [](Ring& f, bool on) { f.burst_s = on ? std::nullopt : std::optional(burstOf_s(f)); });
 }
 
-void PatternInspector::buildPhantom() {
+void PatternInspector::buildForm(const Phantom& /*form*/) {
     const QString percent = QStringLiteral("%");
     motor<Phantom>("first", tr("First motor:"), &Phantom::first);
     motor<Phantom>("second", tr("Second motor:"), &Phantom::second);
@@ -166,7 +163,7 @@ void PatternInspector::buildPhantom() {
     field("to", tr("To:"), percent, 0.0, kPercent, 0, &Phantom::balanceTo);
 }
 
-void PatternInspector::buildRamp() {
+void PatternInspector::buildForm(const Ramp& /*form*/) {
     const QString percent = QStringLiteral("%");
     field("from", tr("From:"), percent, 0.0, kPercent, 1, &Ramp::from);
     field("to", tr("To:"), percent, 0.0, kPercent, 1, &Ramp::to);
@@ -181,14 +178,14 @@ void PatternInspector::buildRamp() {
     tactors<Ramp>();
 }
 
-void PatternInspector::buildPulseTrain() {
+void PatternInspector::buildForm(const PulseTrain& /*form*/) {
     const QString s = QStringLiteral("s");
     field("period", tr("Period:"), s, 0.001, Pattern::kLongest_s, 3, &PulseTrain::period_s);
     field("width", tr("Width:"), s, 0.001, Pattern::kLongest_s, 3, &PulseTrain::width_s);
     tactors<PulseTrain>();
 }
 
-void PatternInspector::buildStroke() {
+void PatternInspector::buildForm(const Stroke& stroke) {
     const QString degrees = QStringLiteral("\u00b0");
     field<Stroke>("length", tr("Length:"), QStringLiteral("s"), 0.01, Pattern::kLongest_s, 3, lengthOf_s,
                   setLength);
@@ -203,10 +200,9 @@ void PatternInspector::buildStroke() {
     const auto at = [this](const Stroke& f) {
         return std::min(m_strokePoint, f.points.empty() ? 0 : f.points.size() - 1);
     };
-    const Stroke* stroke = selectedForm<Stroke>();
     auto* which = number(
         "point", tr("Point:"), QString(), 1.0,
-        stroke ? static_cast<double>(std::max<std::size_t>(1, stroke->points.size())) : 1.0, 0,
+        static_cast<double>(std::max<std::size_t>(1, stroke.points.size())), 0,
         [this, at] {
             const Stroke* f = selectedForm<Stroke>();
             return f ? static_cast<double>(at(*f) + 1) : 1.0;
@@ -247,16 +243,6 @@ void PatternInspector::buildStroke() {
 }
 
 void PatternInspector::buildObject() {
-    const QString s = QStringLiteral("s");
-    const auto start = [&]<typename Form>(Form*) {
-        field("start", tr("Start:"), s, 0.0, Pattern::kLongest_s, 3, &Form::start_s);
-        if constexpr (requires(Form f) { f.duration_s; })
-            field("length", tr("Length:"), s, 0.01, Pattern::kLongest_s, 3, &Form::duration_s);
-    };
-    const auto strength = [&]<typename Form>(Form*) {
-        if constexpr (requires(Form f) { f.intensity; })
-            field("intensity", tr("Intensity:"), QStringLiteral("%"), 0.0, kPercent, 1, &Form::intensity);
-    };
     auto* name = new QLineEdit(m_rows);
     name->setObjectName(QStringLiteral("objectName"));
     m_form->addRow(tr("Called:"), name);
@@ -275,21 +261,17 @@ void PatternInspector::buildObject() {
         object.name = text.toStdString();
         m_document->replaceObject(*index, object, QStringLiteral("objectName"));
     });
-    const ObjectForm& form = m_document->pattern().objects[*m_document->selection().object].form;
-    std::visit([&]<typename Form>(const Form&) { start(static_cast<Form*>(nullptr)); }, form);
-    if (std::holds_alternative<Sweep>(form))
-        buildSweep();
-    else if (std::holds_alternative<Ring>(form))
-        buildRing();
-    else if (std::holds_alternative<Phantom>(form))
-        buildPhantom();
-    else if (std::holds_alternative<Ramp>(form))
-        buildRamp();
-    else if (std::holds_alternative<PulseTrain>(form))
-        buildPulseTrain();
-    else
-        buildStroke();
-    std::visit([&]<typename Form>(const Form&) { strength(static_cast<Form*>(nullptr)); }, form);
+    std::visit(
+        [this]<typename Form>(const Form& form) {
+            const QString s = QStringLiteral("s");
+            field("start", tr("Start:"), s, 0.0, Pattern::kLongest_s, 3, &Form::start_s);
+            if constexpr (requires { form.duration_s; })
+                field("length", tr("Length:"), s, 0.01, Pattern::kLongest_s, 3, &Form::duration_s);
+            buildForm(form);
+            if constexpr (requires { form.intensity; })
+                field("intensity", tr("Intensity:"), QStringLiteral("%"), 0.0, kPercent, 1, &Form::intensity);
+        },
+        m_document->pattern().objects[*m_document->selection().object].form);
     auto* bake = new QPushButton(tr("Bake into breakpoints"), m_rows);
     bake->setObjectName(QStringLiteral("bake"));
     bake->setAutoDefault(false);

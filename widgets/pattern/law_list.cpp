@@ -6,9 +6,6 @@
 #include "widgets/base/on_change.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QListWidget>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -23,14 +20,9 @@ constexpr int kRestOfLaws_ms = 200;
 LawList::LawList(PatternDocument* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
-    , m_headline(new QLabel(this))
-    , m_list(new QListWidget(this))
-    , m_fix(new QPushButton(this))
     , m_checkedRevision(document->revision() - 1) {
     m_list->setWordWrap(true);
     m_list->setAlternatingRowColors(true);
-    m_headline->setObjectName(QStringLiteral("headline"));
-    m_fix->setObjectName(QStringLiteral("fix"));
     m_fix->setAutoDefault(false);
     auto* top = new QHBoxLayout;
     top->addWidget(m_headline, 1);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/compose.h"
 #include "widgets/pattern/document/pattern_document.h"
 
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
 #include <QTimer>
 #include <QWidget>
 
 #include <atomic>
 #include <memory>
 #include <vector>
-
-class QLabel;
-class QListWidget;
-class QPushButton;
 
 namespace teleta::pattern {
 
@@ -41,9 +41,9 @@ private:
     void takeCurrent();
 
     PatternDocument* m_document;
-    QLabel* m_headline;
-    QListWidget* m_list;
-    QPushButton* m_fix;
+    QLabel* m_headline = base::named<QLabel>("headline", this);
+    QListWidget* m_list = new QListWidget(this);
+    QPushButton* m_fix = base::named<QPushButton>("fix", this);
     QTimer m_rest;
     std::vector<Finding> m_findings;
     std::shared_ptr<std::atomic<bool>> m_cancelled; ///< cancels the running check; null: none is running

@@ -7,27 +7,15 @@
 #include "widgets/base/theme.h"
 #include "widgets/pattern/document/pattern_names.h"
 #include "widgets/pattern/document/pattern_reference.h"
-#include "widgets/pattern/law_list.h"
-#include "widgets/pattern/pattern_inspector.h"
-#include "widgets/pattern/pattern_library.h"
-#include "widgets/pattern/stroke_pad.h"
 #include "widgets/pattern/timeline/timeline_painter.h"
-#include "widgets/pattern/timeline/timeline_view.h"
 
 #include <QAction>
-#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
-#include <QMenu>
-#include <QPushButton>
-#include <QSplitter>
-#include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -43,25 +31,11 @@ constexpr double kMsPerS = 1e3;
 } // namespace
 
 PatternEditor::PatternEditor(QWidget* parent)
-    : QWidget(parent)
-    , m_document(new PatternDocument(this))
-    , m_library(new PatternLibrary(this))
-    , m_timeline(new TimelineView(m_document, this))
-    , m_stroke(new StrokePad(m_document, this))
-    , m_laws(new LawList(m_document, this))
-    , m_inspector(new PatternInspector(m_document, this))
-    , m_bar(new QToolBar(this))
-    , m_title(new QLabel(this))
-    , m_below(new QSplitter(Qt::Horizontal, this))
-    , m_comparison(new QWidget(this))
-    , m_comparisonText(new QLabel(m_comparison))
-    , m_endComparison(new QPushButton(m_comparison))
-    , m_snapStep(new QDoubleSpinBox(this))
-    , m_fileMenu(new QMenu(this))
-    , m_recentMenu(new QMenu(this))
-    , m_addMenu(new QMenu(this)) {
+    : QWidget(parent) {
     makeActions();
-    makeFileMenu();
+    connect(m_fileMenu, &QMenu::aboutToShow, this, &PatternEditor::fillFileMenu);
+    m_recentMenu->setToolTipsVisible(true);
+    fillFileMenu();
     makeBar();
     makeComparison();
     auto* numbers = new QSplitter(Qt::Horizontal, this);
@@ -182,16 +156,9 @@ void PatternEditor::makeActions() {
             [this](double step_ms) { m_document->setSnapStep(step_ms / kMsPerS); });
 }
 
-void PatternEditor::makeFileMenu() {
-    connect(m_fileMenu, &QMenu::aboutToShow, this, &PatternEditor::fillFileMenu);
-    m_recentMenu->setToolTipsVisible(true);
-    fillFileMenu();
-}
-
 void PatternEditor::fillFileMenu() {
     m_fileMenu->clear();
-    m_fileMenu->addAction(m_new);
-    m_fileMenu->addAction(m_open);
+    m_fileMenu->addActions({m_new, m_open});
     m_fileMenu->addMenu(m_recentMenu);
     m_recentMenu->clear();
     for (const QString& path : m_recent)
@@ -199,35 +166,23 @@ void PatternEditor::fillFileMenu() {
             ->setToolTip(path);
     m_recentMenu->setEnabled(!m_recent.isEmpty());
     m_fileMenu->addSeparator();
-    m_fileMenu->addAction(m_save);
-    m_fileMenu->addAction(m_saveAs);
-    m_fileMenu->addAction(m_exportTo);
+    m_fileMenu->addActions({m_save, m_saveAs, m_exportTo});
 }
 
 void PatternEditor::makeBar() {
     m_bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_bar->addAction(m_file);
-    m_bar->addAction(m_save);
-    m_bar->addSeparator();
-    m_bar->addAction(m_play);
-    m_bar->addAction(m_stop);
-    m_bar->addAction(m_loop);
-    m_bar->addSeparator();
-    m_bar->addAction(m_undo);
-    m_bar->addAction(m_redo);
-    m_bar->addSeparator();
-    m_bar->addAction(m_pen);
-    m_bar->addAction(m_snap);
+    for (const QList<QAction*>& group :
+         {QList{m_file, m_save}, QList{m_play, m_stop, m_loop}, QList{m_undo, m_redo}}) {
+        m_bar->addActions(group);
+        m_bar->addSeparator();
+    }
+    m_bar->addActions({m_pen, m_snap});
     m_bar->addWidget(m_snapStep);
     m_bar->addAction(m_add);
     for (QAction* action : {m_file, m_add})
         qobject_cast<QToolButton*>(m_bar->widgetForAction(action))->setPopupMode(QToolButton::InstantPopup);
     m_bar->addSeparator();
-    m_bar->addAction(m_rotateBack);
-    m_bar->addAction(m_rotate);
-    m_bar->addAction(m_mirror);
-    m_bar->addAction(m_swap);
-    m_bar->addAction(m_fit);
+    m_bar->addActions({m_rotateBack, m_rotate, m_mirror, m_swap, m_fit});
     auto* room = new QWidget(m_bar);
     room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_bar->addWidget(room);
@@ -237,7 +192,6 @@ void PatternEditor::makeBar() {
 void PatternEditor::makeComparison() {
     m_endComparison->setAutoDefault(false);
     m_comparisonText->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_comparisonText->setObjectName(QStringLiteral("comparison"));
     auto* layout = new QHBoxLayout(m_comparison);
     layout->setContentsMargins(base::grid(this), 0, base::grid(this), base::grid(this, 0.5));
     layout->addWidget(m_comparisonText, 1);
@@ -249,10 +203,6 @@ void PatternEditor::makeComparison() {
 
 void PatternEditor::compareWith(std::shared_ptr<const Pattern> other) {
     m_timeline->reference()->setPattern(std::move(other));
-}
-
-QString PatternEditor::comparisonText() const {
-    return m_timeline->reference()->pattern() ? m_comparisonText->text() : QString();
 }
 
 void PatternEditor::updateComparison() {
@@ -330,15 +280,10 @@ void PatternEditor::retranslate() {
 void PatternEditor::fillAddMenu() {
     for (QAction* action : m_addMenu->actions())
         delete action;
-    const std::vector<int> all{0, 1, 2, 3, 4, 5};
-    Sweep sweep;
-    sweep.tactors = all;
-    Ramp ramp;
-    ramp.tactors = {0};
-    PulseTrain train;
-    train.tactors = {0};
+    const std::array<ObjectForm, 5> forms{Sweep{.onset_s = {}, .tactors = {0, 1, 2, 3, 4, 5}}, Ring{},
+                                          Phantom{}, Ramp{.tactors = {0}}, PulseTrain{.tactors = {0}}};
     int key = Qt::Key_1;
-    for (const ObjectForm& form : std::array<ObjectForm, 5>{sweep, Ring{}, Phantom{}, ramp, train}) {
+    for (const ObjectForm& form : forms) {
         QAction* action = m_addMenu->addAction(formName(form), this, [this, form] { addObject(form); });
         action->setShortcut(QKeyCombination(Qt::CTRL | Qt::ALT, static_cast<Qt::Key>(key++)));
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -378,9 +323,8 @@ void PatternEditor::setPlayhead(double time_s) {
 }
 
 void PatternEditor::setPlaying(bool playing) {
-    if (playing == m_playing)
+    if (std::exchange(m_playing, playing) == playing)
         return;
-    m_playing = playing;
     m_play->setIcon(base::themeIcon(playing ? base::Icon::pause : base::Icon::play));
     retranslate();
 }

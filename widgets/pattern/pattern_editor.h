@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/compose.h"
 #include "widgets/pattern/document/pattern_document.h"
+#include "widgets/pattern/law_list.h"
+#include "widgets/pattern/pattern_inspector.h"
+#include "widgets/pattern/pattern_library.h"
+#include "widgets/pattern/stroke_pad.h"
+#include "widgets/pattern/timeline/timeline_view.h"
 
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSplitter>
 #include <QStringList>
+#include <QToolBar>
 #include <QWidget>
 
 class QAction;
-class QDoubleSpinBox;
-class QLabel;
-class QMenu;
-class QPushButton;
-class QSplitter;
-class QToolBar;
 
 namespace teleta::pattern {
-
-class LawList;
-class PatternInspector;
-class PatternLibrary;
-class StrokePad;
-class TimelineView;
 
 /// The pattern editor: library, timeline, unrolled forearm, laws and inspector, with a tool bar. It neither
 /// plays nor does file I/O, but emits requests. Thread: GUI.
@@ -45,8 +45,6 @@ public:
     void setRecent(const QStringList& paths);
     /// Shows another pattern behind this one and their difference; null: ends the comparison.
     void compareWith(std::shared_ptr<const Pattern> other);
-    /// The difference as shown above the timeline; empty without a comparison.
-    [[nodiscard]] QString comparisonText() const;
 
 signals:
     void playRequested(const teleta::pattern::Pattern& pattern);
@@ -67,7 +65,6 @@ signals:
 
 private:
     void makeActions();
-    void makeFileMenu();
     void makeBar();
     void makeComparison();
     void retranslate();
@@ -79,23 +76,42 @@ private:
     void addObject(const ObjectForm& form);
     void showFinding(int index);
 
-    PatternDocument* m_document;
-    PatternLibrary* m_library;
-    TimelineView* m_timeline;
-    StrokePad* m_stroke;
-    LawList* m_laws;
-    PatternInspector* m_inspector;
-    QToolBar* m_bar;
-    QLabel* m_title;
-    QSplitter* m_below;
-    QWidget* m_comparison;
-    QLabel* m_comparisonText;
-    QPushButton* m_endComparison;
-    QDoubleSpinBox* m_snapStep;
-    QMenu *m_fileMenu, *m_recentMenu, *m_addMenu;
+    PatternDocument* m_document = new PatternDocument(this);
+    PatternLibrary* m_library = new PatternLibrary(this);
+    TimelineView* m_timeline = new TimelineView(m_document, this);
+    StrokePad* m_stroke = new StrokePad(m_document, this);
+    LawList* m_laws = new LawList(m_document, this);
+    PatternInspector* m_inspector = new PatternInspector(m_document, this);
+    QToolBar* m_bar = new QToolBar(this);
+    QLabel* m_title = new QLabel(this);
+    QSplitter* m_below = new QSplitter(Qt::Horizontal, this);
+    QWidget* m_comparison = new QWidget(this);
+    QLabel* m_comparisonText = base::named<QLabel>("comparison", m_comparison);
+    QPushButton* m_endComparison = new QPushButton(m_comparison);
+    QDoubleSpinBox* m_snapStep = new QDoubleSpinBox(this);
+    QMenu* m_fileMenu = new QMenu(this);
+    QMenu* m_recentMenu = new QMenu(this);
+    QMenu* m_addMenu = new QMenu(this);
     QStringList m_recent;
-    QAction *m_file, *m_new, *m_open, *m_save, *m_saveAs, *m_exportTo, *m_play, *m_stop, *m_loop, *m_undo,
-        *m_redo, *m_pen, *m_snap, *m_rotateBack, *m_rotate, *m_mirror, *m_swap, *m_fit, *m_add;
+    QAction* m_file;
+    QAction* m_new;
+    QAction* m_open;
+    QAction* m_save;
+    QAction* m_saveAs;
+    QAction* m_exportTo;
+    QAction* m_play;
+    QAction* m_stop;
+    QAction* m_loop;
+    QAction* m_undo;
+    QAction* m_redo;
+    QAction* m_pen;
+    QAction* m_snap;
+    QAction* m_rotateBack;
+    QAction* m_rotate;
+    QAction* m_mirror;
+    QAction* m_swap;
+    QAction* m_fit;
+    QAction* m_add;
     bool m_playing = false;
 };
 

@@ -6,60 +6,26 @@
 #include "widgets/pattern/timeline/timeline_menu.h"
 #include "widgets/pattern/timeline/timeline_painter.h"
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace teleta::pattern {
 
-namespace {
-
-constexpr std::array kEasings{Easing::linear, Easing::hold, Easing::easeIn, Easing::easeOut,
-                              Easing::easeInOut};
-
-} // namespace
-
 PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     : QWidget(parent)
-    , m_document(document)
-    , m_nameLabel(new QLabel(this))
-    , m_durationLabel(new QLabel(this))
-    , m_loopLabel(new QLabel(this))
-    , m_taskLabel(new QLabel(this))
-    , m_tagsLabel(new QLabel(this))
-    , m_notesLabel(new QLabel(this))
-    , m_title(new QLabel(this))
-    , m_name(new QLineEdit(this))
-    , m_duration(new QDoubleSpinBox(this))
-    , m_loopBegin(new QDoubleSpinBox(this))
-    , m_loopEnd(new QDoubleSpinBox(this))
-    , m_task(new QComboBox(this))
-    , m_condition(new QComboBox(this))
-    , m_tags(new QLineEdit(this))
-    , m_notes(new QPlainTextEdit(this)) {
-    m_name->setObjectName(QStringLiteral("name"));
-    m_duration->setObjectName(QStringLiteral("duration"));
+    , m_document(document) {
     m_duration->setRange(0.01, Pattern::kLongest_s);
-    m_duration->setDecimals(3);
-    m_duration->setSingleStep(0.1);
-    m_duration->setKeyboardTracking(false);
-    m_tags->setObjectName(QStringLiteral("tags"));
+    for (QDoubleSpinBox* box : {m_duration, m_loopBegin, m_loopEnd}) {
+        box->setDecimals(3);
+        box->setSingleStep(0.1);
+        box->setKeyboardTracking(false);
+        box->setSuffix(QStringLiteral(" s"));
+    }
     m_notes->setTabChangesFocus(true);
     m_notes->setFixedHeight(base::em(this, 3.4));
-    QFont bold = font();
-    bold.setBold(true);
-    m_title->setFont(bold);
+    m_title->setFont(base::bold(font()));
     const auto inARow = [this](QWidget* first, QWidget* second) {
         auto* row = new QWidget(this);
         auto* both = new QHBoxLayout(row);
@@ -70,37 +36,25 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     };
     for (QDoubleSpinBox* box : {m_loopBegin, m_loopEnd}) {
         box->setRange(0.0, Pattern::kLongest_s);
-        box->setDecimals(3);
-        box->setSingleStep(0.1);
-        box->setKeyboardTracking(false);
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
             if (!m_showing)
                 emit loopEdited(m_loopBegin->value(), m_loopEnd->value());
         });
     }
-    m_loopBegin->setObjectName(QStringLiteral("loopBegin"));
-    m_loopEnd->setObjectName(QStringLiteral("loopEnd"));
     QWidget* loop = inARow(m_loopBegin, m_loopEnd);
     for (QComboBox* box : {m_task, m_condition})
         for (int k = 0; k < 3; ++k)
             box->addItem(QString());
-    m_task->setObjectName(QStringLiteral("task"));
-    m_condition->setObjectName(QStringLiteral("condition"));
     QWidget* kinds = inARow(m_task, m_condition);
     connect(m_task, &QComboBox::activated, this,
             [this](int index) { m_document->setTask(static_cast<Task>(index)); });
     connect(m_condition, &QComboBox::activated, this,
             [this](int index) { m_document->setCondition(static_cast<Condition>(index)); });
-    auto* form = new QFormLayout;
-    form->addRow(m_nameLabel, m_name);
-    form->addRow(m_durationLabel, m_duration);
-    form->addRow(m_loopLabel, loop);
-    form->addRow(m_taskLabel, kinds);
-    form->addRow(m_tagsLabel, m_tags);
-    form->addRow(m_notesLabel, m_notes);
+    for (QWidget* row : std::initializer_list<QWidget*>{m_name, m_duration, loop, kinds, m_tags, m_notes})
+        m_top->addRow(new QLabel(this), row);
     auto* inside = new QWidget;
     auto* layout = new QVBoxLayout(inside);
-    layout->addLayout(form);
+    layout->addLayout(m_top);
     layout->addWidget(m_title);
     m_rows = new QWidget(inside);
     layout->addWidget(m_rows);
@@ -144,20 +98,19 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
 
 void PatternInspector::showPattern() {
     m_showing = true;
-    const auto describe = [](QLabel* label, QWidget* box, const QString& text) {
+    const auto describe = [this](QWidget* row, QWidget* box, const QString& text) {
+        auto* label = qobject_cast<QLabel*>(m_top->labelForField(row));
         label->setText(text);
         label->setBuddy(box);
     };
-    describe(m_nameLabel, m_name, tr("&Name:"));
-    describe(m_durationLabel, m_duration, tr("Le&ngth:"));
-    describe(m_loopLabel, m_loopBegin, tr("&Loop:"));
+    describe(m_name, m_name, tr("&Name:"));
+    describe(m_duration, m_duration, tr("Le&ngth:"));
+    describe(m_loopBegin->parentWidget(), m_loopBegin, tr("&Loop:"));
     m_loopBegin->setAccessibleName(tr("Begin of the loop"));
     m_loopEnd->setAccessibleName(tr("End of the loop"));
-    for (QDoubleSpinBox* box : {m_loopBegin, m_loopEnd}) {
-        box->setSuffix(QStringLiteral(" s"));
+    for (QDoubleSpinBox* box : {m_loopBegin, m_loopEnd})
         box->setToolTip(tr("The range that is repeated; the whole pattern when both times are equal"));
-    }
-    describe(m_taskLabel, m_task, tr("T&ells:"));
+    describe(m_task->parentWidget(), m_task, tr("T&ells:"));
     m_condition->setAccessibleName(tr("Condition"));
     const QStringList tasks{tr("a shape"), tr("a stiffness"), tr("something else")};
     const QStringList conditions{tr("no condition"), tr("static"), tr("dynamic")};
@@ -165,9 +118,8 @@ void PatternInspector::showPattern() {
         m_task->setItemText(k, tasks[k]);
         m_condition->setItemText(k, conditions[k]);
     }
-    describe(m_tagsLabel, m_tags, tr("&Tags:"));
-    describe(m_notesLabel, m_notes, tr("N&otes:"));
-    m_duration->setSuffix(QStringLiteral(" s"));
+    describe(m_tags, m_tags, tr("&Tags:"));
+    describe(m_notes, m_notes, tr("N&otes:"));
     const Pattern& pattern = m_document->pattern();
     const auto show = [](auto* box, const QString& now, const QString& wanted, auto set) {
         if (now != wanted) // keeps the cursor in place

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/compose.h"
 #include "widgets/pattern/document/pattern_document.h"
 
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QWidget>
 
 #include <functional>
 #include <optional>
 #include <vector>
-
-class QComboBox;
-class QDoubleSpinBox;
-class QFormLayout;
-class QLabel;
-class QLineEdit;
-class QPlainTextEdit;
-class QPushButton;
 
 namespace teleta::pattern {
 
@@ -49,12 +48,13 @@ private:
                            double high, int decimals, std::function<double()> get,
                            std::function<void(double)> set);
     [[nodiscard]] QComboBox* easingBox(const char* name);
-    void buildSweep();
-    void buildRing();
-    void buildPhantom();
-    void buildRamp();
-    void buildPulseTrain();
-    void buildStroke();
+    /// The rows of one kind of object only.
+    void buildForm(const Sweep& form);
+    void buildForm(const Ring& form);
+    void buildForm(const Phantom& form);
+    void buildForm(const Ramp& form);
+    void buildForm(const PulseTrain& form);
+    void buildForm(const Stroke& stroke);
     /// The selected object when it is of this form.
     template <typename Form>
     [[nodiscard]] const Form* selectedForm() const;
@@ -77,21 +77,16 @@ private:
     void tactors();
 
     PatternDocument* m_document;
-    QLabel* m_nameLabel;
-    QLabel* m_durationLabel;
-    QLabel* m_loopLabel;
-    QLabel* m_taskLabel;
-    QLabel* m_tagsLabel;
-    QLabel* m_notesLabel;
-    QLabel* m_title;
-    QLineEdit* m_name;
-    QDoubleSpinBox* m_duration;
-    QDoubleSpinBox* m_loopBegin;
-    QDoubleSpinBox* m_loopEnd;
-    QComboBox* m_task;
-    QComboBox* m_condition;
-    QLineEdit* m_tags;
-    QPlainTextEdit* m_notes;
+    QFormLayout* m_top = new QFormLayout; ///< rows of the pattern
+    QLabel* m_title = new QLabel(this);
+    QLineEdit* m_name = base::named<QLineEdit>("name", this);
+    QDoubleSpinBox* m_duration = base::named<QDoubleSpinBox>("duration", this);
+    QDoubleSpinBox* m_loopBegin = base::named<QDoubleSpinBox>("loopBegin", this);
+    QDoubleSpinBox* m_loopEnd = base::named<QDoubleSpinBox>("loopEnd", this);
+    QComboBox* m_task = base::named<QComboBox>("task", this);
+    QComboBox* m_condition = base::named<QComboBox>("condition", this);
+    QLineEdit* m_tags = base::named<QLineEdit>("tags", this);
+    QPlainTextEdit* m_notes = new QPlainTextEdit(this);
     QWidget* m_rows = nullptr;
     QFormLayout* m_form = nullptr;
     std::vector<std::function<void()>> m_refresh;

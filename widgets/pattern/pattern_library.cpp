@@ -11,14 +11,10 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
-#include <QPushButton>
 #include <QScrollBar>
 #include <QSignalBlocker>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -38,13 +34,7 @@ QString lengthText(double duration_s) {
 } // namespace
 
 PatternLibrary::PatternLibrary(QWidget* parent)
-    : QWidget(parent)
-    , m_filter(new QLineEdit(this))
-    , m_tree(new QTreeWidget(this))
-    , m_notice(new QLabel(this))
-    , m_undo(new QPushButton(this)) {
-    m_filter->setObjectName(QStringLiteral("filter"));
-    m_undo->setObjectName(QStringLiteral("undo"));
+    : QWidget(parent) {
     m_filter->setClearButtonEnabled(true);
     m_tree->setColumnCount(2);
     m_tree->setHeaderHidden(true);
@@ -140,9 +130,7 @@ void PatternLibrary::fill() {
     m_tree->clear();
     const auto group = [this](const QString& name) {
         auto* item = new QTreeWidgetItem(m_tree, {name});
-        QFont font = m_tree->font();
-        font.setBold(true);
-        item->setFont(0, font);
+        item->setFont(0, base::bold(m_tree->font()));
         item->setFlags(Qt::ItemIsEnabled);
         item->setExpanded(true);
         return item;
@@ -173,9 +161,7 @@ void PatternLibrary::fill() {
         if (key == m_wanted)
             wanted = *at;
         if (key == m_current) {
-            QFont font = m_tree->font();
-            font.setBold(true);
-            (*at)->setFont(0, font);
+            (*at)->setFont(0, base::bold(m_tree->font()));
             if ((*at)->icon(0).isNull()) // a damaged one already has a sign
                 (*at)->setIcon(0, base::themeIcon(base::Icon::patterns));
             (*at)->setToolTip(1, tr("Open in the editor"));

@@ -2,17 +2,18 @@
 #pragma once
 
 #include "backend/pattern/model/pattern.h"
+#include "widgets/base/compose.h"
 
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QString>
 #include <QStringList>
+#include <QTreeWidget>
 #include <QWidget>
 
 #include <vector>
 
-class QLabel;
-class QLineEdit;
-class QPushButton;
-class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace teleta::pattern {
@@ -64,10 +65,10 @@ private:
     [[nodiscard]] const OwnPattern* ownOf(const QString& key) const;
     [[nodiscard]] QString currentKey() const;
 
-    QLineEdit* m_filter;
-    QTreeWidget* m_tree;
-    QLabel* m_notice;
-    QPushButton* m_undo;
+    QLineEdit* m_filter = base::named<QLineEdit>("filter", this);
+    QTreeWidget* m_tree = new QTreeWidget(this);
+    QLabel* m_notice = new QLabel(this);
+    QPushButton* m_undo = base::named<QPushButton>("undo", this);
     std::vector<OwnPattern> m_own;
     QString m_current;
     QString m_wanted; ///< to be selected; empty: keep the selection

@@ -2,7 +2,6 @@
 #include "widgets/pattern/stroke_pad.h"
 
 #include "backend/core/bracelet/tactors.h"
-#include "widgets/base/focus_frame.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
@@ -25,7 +24,7 @@ constexpr double kShortestStroke_s = 0.05;
 } // namespace
 
 StrokePad::StrokePad(PatternDocument* document, QWidget* parent)
-    : QWidget(parent)
+    : SizedView(parent, {26, 10}, {14, 6})
     , m_document(document) {
     setFocusPolicy(Qt::StrongFocus);
     setAutoFillBackground(true);
@@ -52,8 +51,7 @@ QRectF StrokePad::arm() const {
 
 QPointF StrokePad::placeOf(double angle_rad, double along) const {
     const QRectF room = arm();
-    // Half a tactor of space on either side of the six; the rows are at a quarter and three quarters of the
-    // height.
+    // Half a tactor of space on either side; the rows are at a quarter and three quarters of the height.
     return {room.left() +
                 (angle_rad / kTactor_rad + 0.5) / static_cast<double>(core::kTactors) * room.width(),
             room.top() + (0.25 + 0.5 * along) * room.height()};
@@ -241,14 +239,6 @@ void StrokePad::paintEvent(QPaintEvent*) {
         painter.drawText(arm().adjusted(0.0, 0.0, 0.0, -0.2 * em), Qt::AlignHCenter | Qt::AlignBottom,
                          tr("Draw a stroke here"));
     }
-}
-
-QSize StrokePad::sizeHint() const {
-    return {base::em(this, 26), base::em(this, 10)};
-}
-
-QSize StrokePad::minimumSizeHint() const {
-    return {base::em(this, 14), base::em(this, 6)};
 }
 
 } // namespace teleta::pattern

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/sized_view.h"
 #include "widgets/pattern/document/pattern_document.h"
-
-#include <QWidget>
 
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace teleta::pattern {
 /// playhead and moves as fast as it was drawn. The width is once around the arm (tactors at 0 to 300
 /// degrees); the row of the even tactors is at the top, that of the odd ones below. With keys a cursor adds
 /// points kKeyStep_s apart. Thread: GUI.
-class StrokePad : public QWidget {
+class StrokePad : public base::SizedView {
     Q_OBJECT
 public:
     static constexpr double kKeyStep_s = 0.25;
@@ -25,9 +24,6 @@ public:
     /// Converts angle and place along the arm to a point of the pad, and back.
     [[nodiscard]] QPointF placeOf(double angle_rad, double along) const;
     [[nodiscard]] StrokePoint pointAt(const QPointF& at) const;
-
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;

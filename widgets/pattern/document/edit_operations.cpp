@@ -27,6 +27,17 @@ void forEach(const PointRefs& points, const Tracks& tracks, Each each) {
             each(point);
 }
 
+/// First and last time; the first one is later if there are none.
+Span timesOf(const PointRefs& points, const Tracks& tracks) {
+    constexpr double kNever_s = std::numeric_limits<double>::infinity();
+    Span times{kNever_s, -kNever_s};
+    forEach(points, tracks, [&](const PointRef& p) {
+        const double time_s = tracks[p.track][p.index].time_s;
+        times = {std::min(times.begin_s, time_s), std::max(times.end_s, time_s)};
+    });
+    return times;
+}
+
 /// Sorts tracks whose breakpoints have moved and returns the new references of these.
 Edited sorted(Pattern pattern, const PointRefs& moved) {
     Edited edited;
@@ -92,9 +103,7 @@ Edited withPoint(const Pattern& pattern, std::size_t track, Breakpoint breakpoin
         return edited;
     breakpoint = limited(breakpoint, pattern.duration_s);
     Track& points = edited.pattern.tracks[track];
-    const auto place =
-        std::upper_bound(points.begin(), points.end(), breakpoint.time_s,
-                         [](double time_s, const Breakpoint& point) { return time_s < point.time_s; });
+    const auto place = std::ranges::upper_bound(points, breakpoint.time_s, {}, &Breakpoint::time_s);
     const auto inserted = points.insert(place, breakpoint);
     edited.points = {{track, static_cast<std::size_t>(inserted - points.begin())}};
     return edited;
@@ -119,12 +128,7 @@ Pattern withoutPoints(const Pattern& pattern, const PointRefs& points) {
 }
 
 Edited movedPoints(const Pattern& pattern, const PointRefs& points, double time_s, double intensity) {
-    double first_s = std::numeric_limits<double>::infinity();
-    double last_s = -first_s;
-    forEach(points, pattern.tracks, [&](const PointRef& p) {
-        first_s = std::min(first_s, pattern.tracks[p.track][p.index].time_s);
-        last_s = std::max(last_s, pattern.tracks[p.track][p.index].time_s);
-    });
+    const auto [first_s, last_s] = timesOf(points, pattern.tracks);
     if (!(first_s <= last_s) || !std::isfinite(time_s) || !std::isfinite(intensity))
         return {pattern, points};
     const double moved_s = std::max(-first_s, std::min(time_s, std::max(pattern.duration_s - last_s, 0.0)));
@@ -155,12 +159,7 @@ Pattern scaledPoints(const Pattern& pattern, const PointRefs& points, double fac
 }
 
 Edited stretchedPoints(const Pattern& pattern, const PointRefs& points, double factor) {
-    double first_s = std::numeric_limits<double>::infinity();
-    double last_s = 0.0;
-    forEach(points, pattern.tracks, [&](const PointRef& p) {
-        first_s = std::min(first_s, pattern.tracks[p.track][p.index].time_s);
-        last_s = std::max(last_s, pattern.tracks[p.track][p.index].time_s);
-    });
+    const auto [first_s, last_s] = timesOf(points, pattern.tracks);
     if (!(factor > 0.0) || !(last_s > first_s))
         return {pattern, points};
     factor = std::min(factor, (Pattern::kLongest_s - first_s) / (last_s - first_s));
@@ -205,9 +204,7 @@ Edited pastedPoints(const Pattern& pattern, const PointClip& clip, double later_
         const double end_s = inserted.back().time_s;
         const auto first =
             track.begin() + static_cast<std::ptrdiff_t>(firstFrom(track, inserted.front().time_s));
-        const auto last =
-            std::upper_bound(first, track.end(), end_s,
-                             [](double time_s, const Breakpoint& point) { return time_s < point.time_s; });
+        const auto last = std::ranges::upper_bound(first, track.end(), end_s, {}, &Breakpoint::time_s);
         const auto at = track.insert(track.erase(first, last), inserted.begin(), inserted.end());
         const auto begin = static_cast<std::size_t>(at - track.begin());
         for (std::size_t i = 0; i < inserted.size(); ++i)
@@ -259,8 +256,7 @@ PointRefs pointsIn(const Pattern& pattern, std::size_t track, Span span, double 
 }
 
 std::size_t firstFrom(const Track& track, double time_s) {
-    const auto found = std::lower_bound(track.begin(), track.end(), time_s,
-                                        [](const Breakpoint& point, double t) { return point.time_s < t; });
+    const auto found = std::ranges::lower_bound(track, time_s, {}, &Breakpoint::time_s);
     return static_cast<std::size_t>(found - track.begin());
 }
 

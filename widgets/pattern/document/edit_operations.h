@@ -8,8 +8,7 @@
 #include <optional>
 #include <vector>
 
-// Edits of single breakpoints and objects as pure functions from pattern to pattern. Edits of whole patterns
-// are in backend/pattern/edit.h.
+// Edits of breakpoints and objects as pure functions; those of whole patterns are in backend/pattern/edit.
 namespace teleta::pattern {
 
 /// One breakpoint of a pattern.

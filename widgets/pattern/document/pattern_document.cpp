@@ -44,8 +44,7 @@ Pattern withoutTracks(const Pattern& pattern) {
 
 } // namespace
 
-/// A state of the pattern. Tracks that an edit does not change are shared with the previous state, so that
-/// many edits of a long pattern take little memory.
+/// A state of the pattern. It shares the unchanged tracks of a long pattern with the previous state.
 struct PatternDocument::Snapshot {
     std::array<std::shared_ptr<const Track>, core::kTactors> tracks;
     std::shared_ptr<const Pattern> head; ///< without tracks
@@ -83,8 +82,7 @@ private:
 
 PatternDocument::PatternDocument(QObject* parent)
     : QObject(parent)
-    , m_motors(assumedMotors())
-    , m_undo(new QUndoStack(this)) {
+    , m_motors(assumedMotors()) {
     m_undo->setUndoLimit(kUndoDepth);
     m_autosave.setSingleShot(true);
     m_autosave.setInterval(kAutosaveDelay_ms);
@@ -141,10 +139,8 @@ void PatternDocument::markSaved(const QString& path) {
 }
 
 void PatternDocument::setPath(const QString& path) {
-    if (path == m_path)
-        return;
-    m_path = path;
-    emit pathChanged();
+    if (std::exchange(m_path, path) != path)
+        emit pathChanged();
 }
 
 void PatternDocument::setMotors(const MotorProfiles& motors) {
@@ -180,10 +176,8 @@ void PatternDocument::selectAll() {
 }
 
 void PatternDocument::setSnapping(bool snapping) {
-    if (snapping == m_snapping)
-        return;
-    m_snapping = snapping;
-    emit snappingChanged();
+    if (std::exchange(m_snapping, snapping) != snapping)
+        emit snappingChanged();
 }
 
 void PatternDocument::setSnapStep(double step_s) {
@@ -234,6 +228,24 @@ void PatternDocument::apply(Pattern after, const QString& text, Selection select
     m_undo->push(new Edit(this, std::move(before), std::move(next), text, mergeKind, m_gesture));
 }
 
+void PatternDocument::apply(Edited edited, const QString& text, int mergeKind) {
+    apply(std::move(edited.pattern), text, {std::move(edited.points), {}}, mergeKind);
+}
+
+void PatternDocument::applyOrRefuse(core::Expected<Pattern> after, const QString& text, Selection selection) {
+    if (after)
+        apply(std::move(*after), text, std::move(selection));
+    else
+        emit refused(QString::fromStdString(core::describe(after.error())));
+}
+
+template <typename Change>
+void PatternDocument::edit(const QString& text, const QString& field, Change change) {
+    Pattern after = m_pattern;
+    change(after);
+    apply(std::move(after), text, m_selection, kindOf(field));
+}
+
 int PatternDocument::kindOf(const QString& field) {
     if (field.isEmpty())
         return kNoMerge;
@@ -251,19 +263,14 @@ void PatternDocument::endDrag() {
     ++m_gesture;
 }
 
-const Pattern& PatternDocument::dragBase() const {
-    return m_dragBase ? *m_dragBase : m_pattern;
-}
-
 void PatternDocument::addPoint(std::size_t track, const Breakpoint& point) {
-    Edited edited = withPoint(m_pattern, track, point);
-    apply(std::move(edited.pattern), tr("Add breakpoint"), {std::move(edited.points), {}});
+    apply(withPoint(m_pattern, track, point), tr("Add breakpoint"));
 }
 
 void PatternDocument::moveSelection(double time_s, double intensity) {
     const Selection& selection = m_dragBase ? m_dragSelection : m_selection;
     const int kind = m_dragBase ? kDrag : kNudge;
-    Pattern base = dragBase();
+    Pattern base = m_dragBase ? *m_dragBase : m_pattern;
     // The first step of the drag has copied a built-in pattern.
     if (m_dragBase && findBuiltIn(base.id)) {
         base.id = m_pattern.id;
@@ -272,15 +279,12 @@ void PatternDocument::moveSelection(double time_s, double intensity) {
     }
     if (selection.object)
         apply(movedObject(base, *selection.object, time_s), tr("Move object"), selection, kind);
-    else if (!selection.points.empty()) {
-        Edited edited = movedPoints(base, selection.points, time_s, intensity);
-        apply(std::move(edited.pattern), tr("Move breakpoints"), {std::move(edited.points), {}}, kind);
-    }
+    else if (!selection.points.empty())
+        apply(movedPoints(base, selection.points, time_s, intensity), tr("Move breakpoints"), kind);
 }
 
 void PatternDocument::replacePoint(PointRef point, const Breakpoint& breakpoint) {
-    Edited edited = replacedPoint(m_pattern, point, breakpoint);
-    apply(std::move(edited.pattern), tr("Set breakpoint"), {std::move(edited.points), {}});
+    apply(replacedPoint(m_pattern, point, breakpoint), tr("Set breakpoint"));
 }
 
 void PatternDocument::setEasing(Easing easing) {
@@ -292,64 +296,53 @@ void PatternDocument::scaleIntensity(double factor) {
 }
 
 void PatternDocument::stretch(double factor) {
-    if (m_selection.points.size() > 1) {
-        Edited edited = stretchedPoints(m_pattern, m_selection.points, factor);
-        apply(std::move(edited.pattern), tr("Stretch in time"), {std::move(edited.points), {}});
-    } else {
-        auto longer = stretched(m_pattern, factor);
-        if (longer)
-            apply(std::move(*longer), tr("Stretch in time"), m_selection);
-        else
-            emit refused(QString::fromStdString(core::describe(longer.error())));
-    }
+    if (m_selection.points.size() > 1)
+        apply(stretchedPoints(m_pattern, m_selection.points, factor), tr("Stretch in time"));
+    else
+        applyOrRefuse(stretched(m_pattern, factor), tr("Stretch in time"), m_selection);
 }
 
-void PatternDocument::deleteSelection() {
-    if (m_selection.object)
-        apply(withoutObject(m_pattern, *m_selection.object), tr("Delete object"), {});
-    else if (!m_selection.points.empty())
-        apply(withoutPoints(m_pattern, m_selection.points), tr("Delete breakpoints"), {});
-}
-
-void PatternDocument::copy() {
-    if (m_selection.empty())
-        return;
-    m_clip = copiedPoints(m_pattern, m_selection.points, m_selection.object);
-}
-
-void PatternDocument::cut() {
-    if (m_selection.empty())
-        return;
-    copy();
-    const QString text = tr("Cut");
+void PatternDocument::removeSelection(const QString& text) {
     if (m_selection.object)
         apply(withoutObject(m_pattern, *m_selection.object), text, {});
-    else
+    else if (!m_selection.points.empty())
         apply(withoutPoints(m_pattern, m_selection.points), text, {});
 }
 
-void PatternDocument::paste(std::optional<double> at_s) {
-    if (m_clip.empty())
+void PatternDocument::deleteSelection() {
+    removeSelection(m_selection.object ? tr("Delete object") : tr("Delete breakpoints"));
+}
+
+void PatternDocument::copy() {
+    if (!m_selection.empty())
+        m_clip = copiedPoints(m_pattern, m_selection.points, m_selection.object);
+}
+
+void PatternDocument::cut() {
+    copy();
+    removeSelection(tr("Cut"));
+}
+
+void PatternDocument::insert(const PointClip& clip, double later_s, const QString& text) {
+    if (clip.empty())
         return;
-    Edited edited = pastedPoints(m_pattern, m_clip, at_s ? *at_s - m_clip.span().begin_s : 0.0);
+    Edited edited = pastedPoints(m_pattern, clip, later_s);
     Selection selection{std::move(edited.points), {}};
-    if (!m_clip.objects.empty())
+    if (!clip.objects.empty())
         selection.object = edited.pattern.objects.size() - 1;
-    apply(std::move(edited.pattern), tr("Paste"), std::move(selection));
+    apply(std::move(edited.pattern), text, std::move(selection));
+}
+
+void PatternDocument::paste(std::optional<double> at_s) {
+    insert(m_clip, at_s ? *at_s - m_clip.span().begin_s : 0.0, tr("Paste"));
 }
 
 void PatternDocument::duplicate() {
     const PointClip clip = copiedPoints(m_pattern, m_selection.points, m_selection.object);
-    if (clip.empty())
-        return;
     const Span span = clip.span();
     // Breakpoints start one step later, so that the copy does not replace the last one.
     const double gap_s = clip.objects.empty() ? m_snapStep_s : 0.0;
-    Edited edited = pastedPoints(m_pattern, clip, span.end_s - span.begin_s + gap_s);
-    Selection selection{std::move(edited.points), {}};
-    if (!clip.objects.empty())
-        selection.object = edited.pattern.objects.size() - 1;
-    apply(std::move(edited.pattern), tr("Duplicate"), std::move(selection));
+    insert(clip, span.end_s - span.begin_s + gap_s, tr("Duplicate"));
 }
 
 void PatternDocument::rotate(int steps) {
@@ -373,29 +366,20 @@ void PatternDocument::addObject(const PatternObject& object) {
 void PatternDocument::replaceObject(std::size_t index, const PatternObject& object, const QString& field) {
     if (index >= m_pattern.objects.size())
         return;
-    Pattern after = m_pattern;
-    after.objects[index] = object;
-    apply(std::move(after), tr("Change object"), m_selection, kindOf(field));
+    edit(tr("Change object"), field, [&](Pattern& after) { after.objects[index] = object; });
 }
 
 void PatternDocument::bakeObject(std::size_t index) {
-    if (index >= m_pattern.objects.size())
-        return;
-    auto baked = bake(m_pattern, {index});
-    if (baked)
-        apply(std::move(*baked), tr("Bake object"), {});
-    else
-        emit refused(QString::fromStdString(core::describe(baked.error())));
+    if (index < m_pattern.objects.size())
+        applyOrRefuse(bake(m_pattern, {index}), tr("Bake object"), {});
 }
 
 void PatternDocument::overdrive() {
     auto helped = overdriven(m_pattern, m_motors);
-    if (!helped)
-        emit refused(QString::fromStdString(core::describe(helped.error())));
-    else if (*helped == m_pattern)
+    if (helped && *helped == m_pattern)
         emit told(tr("No motor needs overdrive here: the pattern is unchanged."));
     else
-        apply(std::move(*helped), tr("Overdrive"), {});
+        applyOrRefuse(std::move(helped), tr("Overdrive"), {});
 }
 
 void PatternDocument::fix(const Finding& finding) {
@@ -404,44 +388,35 @@ void PatternDocument::fix(const Finding& finding) {
 }
 
 void PatternDocument::setName(const QString& name) {
-    Pattern after = m_pattern;
-    after.name = name.toStdString();
-    apply(std::move(after), tr("Rename"), m_selection, kindOf(QStringLiteral("name")));
+    edit(tr("Rename"), QStringLiteral("name"), [&](Pattern& after) { after.name = name.toStdString(); });
 }
 
 void PatternDocument::setNotes(const QString& notes) {
-    Pattern after = m_pattern;
-    after.notes = notes.toStdString();
-    apply(std::move(after), tr("Edit notes"), m_selection, kindOf(QStringLiteral("notes")));
+    edit(tr("Edit notes"), QStringLiteral("notes"),
+         [&](Pattern& after) { after.notes = notes.toStdString(); });
 }
 
 void PatternDocument::setTags(const QStringList& tags) {
-    Pattern after = m_pattern;
-    after.tags.clear();
-    for (const QString& tag : tags)
-        if (!tag.trimmed().isEmpty())
-            after.tags.push_back(tag.trimmed().toStdString());
-    apply(std::move(after), tr("Edit tags"), m_selection);
+    edit(tr("Edit tags"), {}, [&](Pattern& after) {
+        after.tags.clear();
+        for (const QString& tag : tags)
+            if (!tag.trimmed().isEmpty())
+                after.tags.push_back(tag.trimmed().toStdString());
+    });
 }
 
 void PatternDocument::setTask(Task task) {
-    Pattern after = m_pattern;
-    after.task = task;
-    apply(std::move(after), tr("Change task"), m_selection);
+    edit(tr("Change task"), {}, [&](Pattern& after) { after.task = task; });
 }
 
 void PatternDocument::setCondition(Condition condition) {
-    Pattern after = m_pattern;
-    after.condition = condition;
-    apply(std::move(after), tr("Change condition"), m_selection);
+    edit(tr("Change condition"), {}, [&](Pattern& after) { after.condition = condition; });
 }
 
 void PatternDocument::setDuration(double duration_s) {
-    if (!(duration_s > 0.0))
-        return;
-    Pattern after = m_pattern;
-    after.duration_s = std::min(duration_s, Pattern::kLongest_s);
-    apply(std::move(after), tr("Change duration"), m_selection, kindOf(QStringLiteral("duration")));
+    if (duration_s > 0.0)
+        edit(tr("Change duration"), QStringLiteral("duration"),
+             [&](Pattern& after) { after.duration_s = std::min(duration_s, Pattern::kLongest_s); });
 }
 
 } // namespace teleta::pattern

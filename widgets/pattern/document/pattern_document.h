@@ -37,8 +37,7 @@ public:
     explicit PatternDocument(QObject* parent = nullptr);
     ~PatternDocument() override;
 
-    /// Opens a pattern and clears the undo stack. path: empty if it has no file. unsaved: the file does not
-    /// contain this state.
+    /// Opens a pattern and clears the undo stack. path: empty without a file. unsaved: differs from its file.
     void setPattern(Pattern pattern, const QString& path = {}, bool unsaved = false);
     [[nodiscard]] const Pattern& pattern() const { return m_pattern; }
     [[nodiscard]] const CompiledPattern& compiled() const { return m_compiled; }
@@ -75,8 +74,6 @@ public:
     void beginDrag();
     void endDrag();
     [[nodiscard]] bool dragging() const { return m_dragBase != nullptr; }
-    /// The pattern before the drag; the current one when there is none.
-    [[nodiscard]] const Pattern& dragBase() const;
 
     void addPoint(std::size_t track, const Breakpoint& point);
     /// Moves relative to the start of the drag or, without a drag, to the current place (a nudge).
@@ -106,8 +103,7 @@ public:
     void replaceObject(std::size_t index, const PatternObject& object, const QString& field = {});
     /// Error text by refused().
     void bakeObject(std::size_t index);
-    /// Adds overdrive for motors() (overdriven()). Emits refused() on error, told() when no motor
-    /// needs it.
+    /// Adds overdrive for motors(). Emits refused() on error, told() when no motor needs it.
     void overdrive();
     void fix(const Finding& finding);
 
@@ -139,6 +135,14 @@ private:
     struct Snapshot;
 
     void apply(Pattern after, const QString& text, Selection selection, int mergeKind = -1);
+    /// The edited breakpoints are selected.
+    void apply(Edited edited, const QString& text, int mergeKind = -1);
+    void applyOrRefuse(core::Expected<Pattern> after, const QString& text, Selection selection);
+    /// change(Pattern&). field: consecutive edits of one field are merged.
+    template <typename Change>
+    void edit(const QString& text, const QString& field, Change change);
+    void removeSelection(const QString& text);
+    void insert(const PointClip& clip, double later_s, const QString& text);
     void take(const Snapshot& snapshot);
     void changed();
     [[nodiscard]] Snapshot snapshotOf(const Pattern& pattern, const Selection& selection,
@@ -151,7 +155,7 @@ private:
     Selection m_selection;
     PointClip m_clip;
     QString m_path;
-    QUndoStack* m_undo;
+    QUndoStack* m_undo = new QUndoStack(this);
     QTimer m_autosave;
     std::unique_ptr<Snapshot> m_current;
     std::unique_ptr<Pattern> m_dragBase;

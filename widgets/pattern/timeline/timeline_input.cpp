@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace teleta::pattern {
 
@@ -71,10 +72,8 @@ std::optional<std::size_t> TimelineView::objectAt(const QPointF& at) const {
 }
 
 void TimelineView::setCurrentLane(std::size_t lane) {
-    if (lane == m_lane)
-        return;
-    m_lane = lane;
-    invalidate();
+    if (std::exchange(m_lane, lane) != lane)
+        invalidate();
 }
 
 void TimelineView::mousePressEvent(QMouseEvent* event) {
@@ -334,6 +333,8 @@ void TimelineView::nudge(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 void TimelineView::keyPressEvent(QKeyEvent* event) {
+    const bool control = event->modifiers().testFlag(Qt::ControlModifier);
+    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->matches(QKeySequence::Copy))
         m_document->copy();
     else if (event->matches(QKeySequence::Cut))
@@ -350,14 +351,13 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
         m_document->paste(m_playhead_s);
     else if (event->key() == Qt::Key_D && event->modifiers() == Qt::ControlModifier)
         m_document->duplicate();
-    else if (event->modifiers().testFlag(Qt::ControlModifier) &&
-             (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal))
+    else if (control && (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal))
         zoomAround(m_playhead_s, kWheelZoom);
-    else if (event->modifiers().testFlag(Qt::ControlModifier) && event->key() == Qt::Key_Minus)
+    else if (control && event->key() == Qt::Key_Minus)
         zoomAround(m_playhead_s, 1.0 / kWheelZoom);
-    else if (event->modifiers().testFlag(Qt::ControlModifier) && event->key() == Qt::Key_0)
+    else if (control && event->key() == Qt::Key_0)
         zoomToFit();
-    else if (event->modifiers().testFlag(Qt::ControlModifier))
+    else if (control)
         QWidget::keyPressEvent(event);
     else {
         switch (event->key()) {
@@ -385,14 +385,14 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
             break;
         case Qt::Key_Comma:
         case Qt::Key_Less:
-            stepPoint(-1, event->modifiers().testFlag(Qt::ShiftModifier));
+            stepPoint(-1, shift);
             break;
         case Qt::Key_Period:
         case Qt::Key_Greater:
-            stepPoint(1, event->modifiers().testFlag(Qt::ShiftModifier));
+            stepPoint(1, shift);
             break;
         case Qt::Key_N:
-            stepObject(event->modifiers().testFlag(Qt::ShiftModifier) ? -1 : 1);
+            stepObject(shift ? -1 : 1);
             break;
         case Qt::Key_BracketLeft:
             setLoop(Span{m_playhead_s, m_loop ? m_loop->end_s : m_document->pattern().duration_s});

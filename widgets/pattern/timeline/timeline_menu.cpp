@@ -7,7 +7,6 @@
 #include <QLocale>
 #include <QMenu>
 
-#include <array>
 #include <cmath>
 
 namespace teleta::pattern {
@@ -18,26 +17,16 @@ QString tr(const char* text) {
     return QCoreApplication::translate("Timeline", text);
 }
 
-constexpr std::array kEasings{Easing::linear, Easing::hold, Easing::easeIn, Easing::easeOut,
-                              Easing::easeInOut};
 constexpr std::array kScales{0.5, 0.8, 1.25, 2.0};
 
 } // namespace
 
 QString easingName(Easing easing) {
-    switch (easing) {
-    case Easing::linear:
-        break;
-    case Easing::hold:
-        return QCoreApplication::translate("Timeline", "hold");
-    case Easing::easeIn:
-        return QCoreApplication::translate("Timeline", "ease in");
-    case Easing::easeOut:
-        return QCoreApplication::translate("Timeline", "ease out");
-    case Easing::easeInOut:
-        return QCoreApplication::translate("Timeline", "ease in and out");
-    }
-    return QCoreApplication::translate("Timeline", "linear");
+    static constexpr std::array<const char*, kEasings.size()> kNames{
+        QT_TRANSLATE_NOOP("Timeline", "linear"), QT_TRANSLATE_NOOP("Timeline", "hold"),
+        QT_TRANSLATE_NOOP("Timeline", "ease in"), QT_TRANSLATE_NOOP("Timeline", "ease out"),
+        QT_TRANSLATE_NOOP("Timeline", "ease in and out")};
+    return tr(kNames[static_cast<std::size_t>(easing)]);
 }
 
 QString valueText(std::size_t track, double time_s, double intensity, const MotorProfile& motor) {

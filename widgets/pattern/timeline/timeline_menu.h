@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include <array>
 #include <vector>
 
 class QMenu;
@@ -14,6 +15,8 @@ namespace teleta::pattern {
 /// Appends the actions for the selection of a document.
 void fillTimelineMenu(QMenu& menu, PatternDocument& document, double playhead_s);
 
+inline constexpr std::array kEasings{Easing::linear, Easing::hold, Easing::easeIn, Easing::easeOut,
+                                     Easing::easeInOut};
 /// "linear", "hold", ...; translated.
 [[nodiscard]] QString easingName(Easing easing);
 /// Tool tip with the commanded intensity of a motor at a time, and its speed.

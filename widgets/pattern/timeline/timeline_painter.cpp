@@ -10,7 +10,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <array>
@@ -63,9 +62,8 @@ public:
                 differences(i);
         }
         int drawn = 0;
-        if (m_content.handles)
-            for (std::size_t i = 0; i < core::kTactors; ++i)
-                drawn += handles(i);
+        for (std::size_t i = 0; i < core::kTactors; ++i)
+            drawn += handles(i);
         m_painter.restore();
         labels();
         legend();
@@ -86,9 +84,8 @@ private:
             const double from =
                 std::clamp(m_g.xOf(m_content.loop->begin_s), m_g.plot.left(), m_g.plot.right());
             const double to = std::clamp(m_g.xOf(m_content.loop->end_s), m_g.plot.left(), m_g.plot.right());
-            QColor wash = m_accent;
-            wash.setAlphaF(0.08F);
-            m_painter.fillRect(QRectF(QPointF(from, m_g.plot.top()), QPointF(to, m_g.plot.bottom())), wash);
+            m_painter.fillRect(QRectF(QPointF(from, m_g.plot.top()), QPointF(to, m_g.plot.bottom())),
+                               base::translucent(m_accent, 0.08F));
         }
         m_painter.setRenderHint(QPainter::Antialiasing, false);
         const double step_s = m_g.tickStep_s();
@@ -171,9 +168,7 @@ private:
             }
             const QRectF upper(rect.left(), rect.center().y() - 1.15 * m_g.em, rect.width() - 0.6 * m_g.em,
                                1.2 * m_g.em);
-            QFont bold = m_font;
-            bold.setBold(true);
-            m_painter.setFont(bold);
+            m_painter.setFont(base::bold(m_font));
             m_painter.setPen(m_text);
             const bool twoLines = rect.height() > 2.3 * m_g.em;
             m_painter.drawText(
@@ -201,8 +196,7 @@ private:
                 continue;
             const bool selected = m_content.selection && m_content.selection->object == k;
             const QColor colour = formColour(object.form, m_palette);
-            QColor wash = colour;
-            wash.setAlphaF(selected ? 0.30F : 0.16F);
+            const QColor wash = base::translucent(colour, selected ? 0.30F : 0.16F);
             // Far outside the picture the coordinates would overflow.
             const double from = std::max(m_g.xOf(span.begin_s), m_g.plot.left() - 100.0);
             const double to = std::min(std::max(m_g.xOf(span.end_s), m_g.xOf(span.begin_s) + 2.0),
@@ -269,20 +263,16 @@ private:
         if (curves.times_s.empty())
             return;
         const QPolygonF commanded = lineOf(curves, curves.commanded[track], track);
-        QColor wash = m_line;
-        wash.setAlphaF(0.16F);
         m_painter.setPen(Qt::NoPen);
-        m_painter.setBrush(wash);
+        m_painter.setBrush(base::translucent(m_line, 0.16F));
         fillBetween(m_painter, commanded, floorUnder(commanded, track));
         if (curves.hasPrediction())
             hatch(track);
         if (m_content.reference) {
             const QPolygonF other =
                 lineOf(*m_content.reference, m_content.reference->commanded[track], track);
-            QColor apart = referenceColour();
-            apart.setAlphaF(0.22F);
             m_painter.setPen(Qt::NoPen);
-            m_painter.setBrush(apart);
+            m_painter.setBrush(base::translucent(referenceColour(), 0.22F));
             fillBetween(m_painter, commanded, other);
             strokeLine(m_painter, other, QPen(referenceColour(), 1.5, Qt::DashLine));
         }
@@ -340,18 +330,17 @@ private:
     void fillColumns(std::size_t track) {
         const TimelineBands& all = *m_content.bands;
         const auto& ranges = all.tracks[track].commanded;
-        QColor wash = m_line;
+        const QColor faint = base::translucent(m_line, 0.16F);
+        const QColor strong = base::translucent(m_line, 0.58F);
         const double floor = m_g.yOf(track, 0.0);
         m_painter.setRenderHint(QPainter::Antialiasing, false);
         for (std::size_t k = 0; k < ranges.size(); ++k) {
             const double left = std::floor(m_g.xOf(all.begin_s + static_cast<double>(k) * all.column_s));
             const double right = std::floor(m_g.xOf(all.begin_s + static_cast<double>(k + 1) * all.column_s));
             const double low = m_g.yOf(track, ranges[k].low);
-            wash.setAlphaF(0.16F);
-            m_painter.fillRect(QRectF(QPointF(left, low), QPointF(right, floor)), wash);
-            wash.setAlphaF(0.58F);
+            m_painter.fillRect(QRectF(QPointF(left, low), QPointF(right, floor)), faint);
             m_painter.fillRect(QRectF(QPointF(left, m_g.yOf(track, ranges[k].high)), QPointF(right, low)),
-                               wash);
+                               strong);
         }
         m_painter.setRenderHint(QPainter::Antialiasing);
     }
@@ -391,10 +380,8 @@ private:
         const double width = base::tabularWidth(QFontMetricsF(m_small), words) + 0.6 * m_g.em;
         const QRectF room(m_g.lane[track].right() - width - 0.3 * m_g.em, m_g.lane[track].top() + 2.0, width,
                           1.1 * m_g.em);
-        QColor back = m_ground;
-        back.setAlphaF(0.8F);
         m_painter.setPen(Qt::NoPen);
-        m_painter.setBrush(back);
+        m_painter.setBrush(base::translucent(m_ground, 0.8F));
         m_painter.drawRoundedRect(room, 3.0, 3.0);
         m_painter.setPen(apart.largest > 0.0 ? referenceColour() : m_faint);
         base::drawTabularText(m_painter, room, Qt::AlignCenter, words);

@@ -20,17 +20,15 @@ struct TimelineContent {
     const TimelineBands* bands = nullptr;      ///< for a long span, instead of the curves; may be null
     const TimelineCurves* reference = nullptr; ///< pattern of the comparison; may be null
     const TimelineBands* referenceBands = nullptr;
-    QString referenceName;
+    QString referenceName = {};
     const Comparison* comparison = nullptr; ///< with the other pattern; may be null
     const Selection* selection = nullptr;
-    std::optional<Span> loop;
-    std::optional<std::size_t> currentLane; ///< lane with the keyboard focus
+    std::optional<Span> loop = {};
+    std::optional<std::size_t> currentLane = {}; ///< lane with the keyboard focus
     bool assumedMotors = true;
-    bool handles = true;
 };
 
-/// Draws the timeline and returns the number of handles of breakpoints drawn. The handles of a lane are left
-/// out where they would overlap, except for selected ones.
+/// Draws the timeline; returns the number of handles drawn: only selected ones where they would overlap.
 int paintTimeline(QPainter& painter, const TimelineGeometry& geometry, const TimelineContent& content,
                   const QPalette& palette, const QFont& font);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/timeline/timeline_view.h"
 
-#include "widgets/base/focus_frame.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/pattern/document/pattern_names.h"
@@ -11,11 +10,11 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QPainter>
-#include <QScrollBar>
 #include <QSignalBlocker>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace teleta::pattern {
 
@@ -28,9 +27,8 @@ constexpr int kScrollSteps = 1'000'000;
 } // namespace
 
 TimelineView::TimelineView(PatternDocument* document, QWidget* parent)
-    : QWidget(parent)
+    : SizedView(parent, {50, 26}, {20, 13})
     , m_document(document)
-    , m_scroll(new QScrollBar(Qt::Horizontal, this))
     , m_export(new base::FigureExport(this, [this] { return figure(); }))
     , m_overview(new PatternOverview(document, this))
     , m_reference(new PatternReference(document, this)) {
@@ -144,7 +142,7 @@ void TimelineView::setPlayhead(double time_s) {
     strip(m_playhead_s);
     m_playhead_s = limited_s;
     strip(m_playhead_s);
-    if (m_following && (m_playhead_s < m_begin_s || m_playhead_s > m_begin_s + m_span_s))
+    if (m_playhead_s < m_begin_s || m_playhead_s > m_begin_s + m_span_s)
         showSpan(m_playhead_s - 0.1 * m_span_s, m_span_s);
 }
 
@@ -169,9 +167,8 @@ void TimelineView::setLoop(std::optional<Span> loop) {
 }
 
 void TimelineView::setPen(bool pen) {
-    if (pen == m_pen)
+    if (std::exchange(m_pen, pen) == pen)
         return;
-    m_pen = pen;
     setCursor(pen ? Qt::CrossCursor : Qt::ArrowCursor);
     emit penChanged(pen);
 }
@@ -240,10 +237,8 @@ void TimelineView::paintEvent(QPaintEvent*) {
     painter.drawPixmap(QPointF(), m_layer);
     const QColor accent = palette().color(QPalette::Highlight);
     if (m_grab == Grab::box && m_moved) {
-        QColor wash = accent;
-        wash.setAlphaF(0.15F);
         painter.setPen(QPen(accent, 1.0));
-        painter.setBrush(wash);
+        painter.setBrush(base::translucent(accent, 0.15F));
         painter.drawRect(QRectF(m_press, m_now).normalized().intersected(geometry.plot));
     }
     paintPlayhead(painter, geometry, m_playhead_s, palette());
@@ -288,10 +283,7 @@ base::Figure TimelineView::figure() const {
     figure.paint = [copy, curves = std::move(curves), bands = m_bands, begin_s, span_s, used,
                     size = figure.size_px](QPainter& painter) {
         painter.setFont(used);
-        TimelineContent content;
-        content.pattern = &copy;
-        content.curves = &curves;
-        content.bands = &bands;
+        const TimelineContent content{.pattern = &copy, .curves = &curves, .bands = &bands};
         (void)paintTimeline(painter, {QRectF(QPointF(), size), used, begin_s, span_s}, content,
                             base::designedPalette(false), used);
     };
@@ -331,14 +323,6 @@ void TimelineView::contextMenuEvent(QContextMenuEvent* event) {
         m_document->select({{}, *object});
     populateMenu(*menu, event->reason() == QContextMenuEvent::Mouse ? std::optional(at) : std::nullopt);
     menu->popup(event->globalPos());
-}
-
-QSize TimelineView::sizeHint() const {
-    return {base::em(this, 50), base::em(this, 26)};
-}
-
-QSize TimelineView::minimumSizeHint() const {
-    return {base::em(this, 20), base::em(this, 13)};
 }
 
 } // namespace teleta::pattern

@@ -2,24 +2,24 @@
 #pragma once
 
 #include "widgets/base/figure_export.h"
+#include "widgets/base/sized_view.h"
 #include "widgets/pattern/document/pattern_document.h"
 #include "widgets/pattern/document/pattern_reference.h"
 #include "widgets/pattern/timeline/timeline_curves.h"
 #include "widgets/pattern/timeline/timeline_geometry.h"
 
 #include <QPixmap>
-#include <QWidget>
+#include <QScrollBar>
 
 #include <optional>
 
 class QMenu;
-class QScrollBar;
 
 namespace teleta::pattern {
 
 /// The six tracks of a document over time, with commanded and predicted curves in one lane each, breakpoints
 /// as handles and objects as blocks. Mouse and keys are described in its What's This. Thread: GUI.
-class TimelineView : public QWidget {
+class TimelineView : public base::SizedView {
     Q_OBJECT
 public:
     /// document: outlives the view.
@@ -35,8 +35,6 @@ public:
     /// Moves the playhead, clamped to the pattern. Emits nothing.
     void setPlayhead(double time_s);
     [[nodiscard]] double playhead_s() const { return m_playhead_s; }
-    /// Whether the view scrolls with a playhead that leaves it.
-    void setFollowing(bool following) { m_following = following; }
 
     void setLoop(std::optional<Span> loop);
     [[nodiscard]] const std::optional<Span>& loop() const { return m_loop; }
@@ -54,13 +52,9 @@ public:
     [[nodiscard]] int drawnHandles() const { return m_drawnHandles; }
     [[nodiscard]] std::size_t currentLane() const { return m_lane; }
     [[nodiscard]] base::Figure figure() const;
-    [[nodiscard]] base::FigureExport* figureExport() const { return m_export; }
     void populateMenu(QMenu& menu, std::optional<QPointF> at = std::nullopt);
     /// Opens a field for typing time and intensity of a breakpoint.
     void editPoint(PointRef point);
-
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     /// The user has moved the playhead.
@@ -106,7 +100,7 @@ private:
     [[nodiscard]] double longestSpan_s() const;
 
     PatternDocument* m_document;
-    QScrollBar* m_scroll;
+    QScrollBar* m_scroll = new QScrollBar(Qt::Horizontal, this);
     base::FigureExport* m_export;
     PatternOverview* m_overview;
     PatternReference* m_reference;
@@ -125,7 +119,6 @@ private:
     std::optional<Span> m_loop;
     std::size_t m_lane = 0;
     bool m_pen = false;
-    bool m_following = true;
 
     Grab m_grab = Grab::none;
     bool m_moved = false;
