@@ -4,22 +4,15 @@
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/watermark.h"
 
-#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
-#include <QLineEdit>
 #include <QMessageBox>
 #include <QPainter>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableWidget>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <utility>
@@ -30,17 +23,10 @@ namespace {
 
 QColor toneColour(Tone tone, const QPalette& palette) {
     const base::StatusColours& colours = base::statusColours(palette);
-    switch (tone) {
-    case Tone::good:
-        return colours.live;
-    case Tone::attention:
-        return colours.stale;
-    case Tone::alarm:
-        return colours.lost;
-    case Tone::calm:
-        break;
-    }
-    return palette.color(QPalette::WindowText);
+    return tone == Tone::good        ? colours.live
+           : tone == Tone::attention ? colours.stale
+           : tone == Tone::alarm     ? colours.lost
+                                     : palette.color(QPalette::WindowText);
 }
 
 /// A state as a coloured strip, visible from afar.
@@ -75,39 +61,12 @@ enum Column { trialColumn, presentedColumn, answeredColumn, outcomeColumn, timeC
 
 SessionPanel::SessionPanel(QWidget* parent)
     : QWidget(parent)
-    , m_title(new QLabel(this))
-    , m_subtitle(new QLabel(this))
-    , m_mark(new QLabel(this))
-    , m_next(new QPushButton(this))
     , m_state(new StateLabel(this))
-    , m_checks(new QWidget(this))
-    , m_checkLines(new QVBoxLayout(m_checks))
-    , m_noise(new QCheckBox(this))
-    , m_noisePlay(new QPushButton(this))
-    , m_noiseText(new QLabel(this))
-    , m_noiseRow(new QWidget(this))
-    , m_progress(new QProgressBar(this))
-    , m_device(new QLabel(this))
-    , m_saved(new QLabel(this))
-    , m_outcomes(new QTableWidget(0, columns, this))
-    , m_note(new QLineEdit(this))
-    , m_window(new QPushButton(this))
-    , m_skip(new QPushButton(this))
-    , m_pause(new QPushButton(this))
-    , m_abort(new QPushButton(this)) {
-    m_next->setObjectName(QStringLiteral("nextStep"));
-    m_skip->setObjectName(QStringLiteral("skip"));
-    m_pause->setObjectName(QStringLiteral("pause"));
-    m_abort->setObjectName(QStringLiteral("abort"));
-    m_noise->setObjectName(QStringLiteral("noiseConfirmed"));
-    m_noisePlay->setObjectName(QStringLiteral("noisePlay"));
-    m_note->setObjectName(QStringLiteral("note"));
+    , m_outcomes(new QTableWidget(0, columns, this)) {
     m_title->setTextFormat(Qt::PlainText);
     m_title->setFont(base::sized(font(), base::kLargeText));
-    QFont bold = font();
-    bold.setBold(true);
-    m_mark->setFont(bold);
-    m_next->setFont(base::sized(bold, base::kLargeText));
+    m_mark->setFont(base::bold(font()));
+    m_next->setFont(base::sized(m_mark->font(), base::kLargeText));
     m_next->setMinimumHeight(base::em(this, 3.6));
     m_next->setDefault(true);
     m_state->setWordWrap(true);
@@ -138,21 +97,13 @@ SessionPanel::SessionPanel(QWidget* parent)
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_window);
     buttons->addStretch(1);
-    buttons->addWidget(m_skip);
-    buttons->addWidget(m_pause);
-    buttons->addWidget(m_abort);
+    base::addWidgets(buttons, {m_skip, m_pause, m_abort});
     auto* layout = new QVBoxLayout(this);
     const int margin = base::grid(this, 2);
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->setSpacing(base::grid(this));
     layout->addLayout(head);
-    layout->addWidget(m_subtitle);
-    layout->addWidget(m_next);
-    layout->addWidget(m_state);
-    layout->addWidget(m_checks);
-    layout->addWidget(m_noiseRow);
-    layout->addWidget(m_progress);
-    layout->addWidget(m_device);
+    base::addWidgets(layout, {m_subtitle, m_next, m_state, m_checks, m_noiseRow, m_progress, m_device});
     layout->addWidget(m_outcomes, 1);
     layout->addWidget(m_saved);
     layout->addWidget(m_note);

@@ -1,19 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/study/session_scene.h"
+#include "backend/study/protocol/trial.h"
+#include "widgets/base/compose.h"
 
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QString>
+#include <QVBoxLayout>
 #include <QWidget>
 
-class QCheckBox;
-class QLabel;
-class QLineEdit;
-class QProgressBar;
-class QPushButton;
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 class QTableWidget;
-class QVBoxLayout;
 
 namespace teleta::study {
+
+/// How much attention something needs.
+enum class Tone { calm, good, attention, alarm };
+
+/// A condition of a run.
+struct CheckLine {
+    QString name;
+    bool passed = false;
+    QString finding;
+    QString remedy; ///< empty when passed
+    friend bool operator==(const CheckLine&, const CheckLine&) = default;
+};
+
+/// A finished trial.
+struct OutcomeLine {
+    QString trial; ///< "test 12"
+    QString presented;
+    QString answered; ///< a dash: none
+    QString outcome;
+    Tone tone = Tone::calm;
+    std::optional<double> responseTime_s;
+    friend bool operator==(const OutcomeLine&, const OutcomeLine&) = default;
+};
+
+/// What the session panel shows.
+struct SessionScene {
+    QString title;    ///< participant and task
+    QString subtitle; ///< place in the plan
+    Mode mode = Mode::run;
+    QString next; ///< the next step, on the large button
+    bool nextEnabled = false;
+    QString state; ///< what happens now, or why nothing happens
+    Tone tone = Tone::calm;
+    std::vector<CheckLine> checks; ///< before a run
+    QString phase;
+    std::size_t done = 0;              ///< of the phase
+    std::size_t total = 0;             ///< of the phase; 0: no bar
+    std::vector<OutcomeLine> outcomes; ///< newest first
+    QString device;
+    Tone deviceTone = Tone::calm;
+    QString saved; ///< where the results were saved
+    bool canPause = false;
+    bool canAbort = false;
+    bool canNote = false;
+    bool canSkip = false;          ///< a questionnaire
+    std::size_t questionnaire = 0; ///< number of the one that is asked
+    QString skipConsequence;       ///< whether it is asked again
+    bool needsNoise = false;
+    bool noiseConfirmed = false;
+    bool noisePlaying = false;
+    QString noiseText;
+    friend bool operator==(const SessionScene&, const SessionScene&) = default;
+};
 
 /// The experimenter's view of a session: the next step as one large button, checks before a run, progress,
 /// the last outcomes, the device, notes. Thread: GUI.
@@ -51,26 +110,26 @@ private:
     void askForSkip();
 
     SessionScene m_scene;
-    QLabel* m_title;
-    QLabel* m_subtitle;
-    QLabel* m_mark;
-    QPushButton* m_next;
+    QLabel* m_title = new QLabel(this);
+    QLabel* m_subtitle = new QLabel(this);
+    QLabel* m_mark = new QLabel(this);
+    QPushButton* m_next = base::named<QPushButton>("nextStep", this);
     QLabel* m_state;
-    QWidget* m_checks;
-    QVBoxLayout* m_checkLines;
-    QCheckBox* m_noise;
-    QPushButton* m_noisePlay;
-    QLabel* m_noiseText;
-    QWidget* m_noiseRow;
-    QProgressBar* m_progress;
-    QLabel* m_device;
-    QLabel* m_saved;
+    QWidget* m_checks = new QWidget(this);
+    QVBoxLayout* m_checkLines = new QVBoxLayout(m_checks);
+    QCheckBox* m_noise = base::named<QCheckBox>("noiseConfirmed", this);
+    QPushButton* m_noisePlay = base::named<QPushButton>("noisePlay", this);
+    QLabel* m_noiseText = new QLabel(this);
+    QWidget* m_noiseRow = new QWidget(this);
+    QProgressBar* m_progress = new QProgressBar(this);
+    QLabel* m_device = new QLabel(this);
+    QLabel* m_saved = new QLabel(this);
     QTableWidget* m_outcomes;
-    QLineEdit* m_note;
-    QPushButton* m_window;
-    QPushButton* m_skip;
-    QPushButton* m_pause;
-    QPushButton* m_abort;
+    QLineEdit* m_note = base::named<QLineEdit>("note", this);
+    QPushButton* m_window = new QPushButton(this);
+    QPushButton* m_skip = base::named<QPushButton>("skip", this);
+    QPushButton* m_pause = base::named<QPushButton>("pause", this);
+    QPushButton* m_abort = base::named<QPushButton>("abort", this);
 };
 
 } // namespace teleta::study

@@ -2,18 +2,13 @@
 #include "widgets/study/study_panel.h"
 
 #include "widgets/base/on_change.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/watermark.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
-#include <QPushButton>
 #include <QSignalBlocker>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -28,29 +23,11 @@ constexpr int kSession = Qt::UserRole;
 } // namespace
 
 StudyPanel::StudyPanel(QWidget* parent)
-    : QWidget(parent)
-    , m_name(new QLabel(this))
-    , m_mark(new QLabel(this))
-    , m_folder(new QLabel(this))
-    , m_store(new QLabel(this))
-    , m_protocol(new QLabel(this))
-    , m_new(new QPushButton(this))
-    , m_open(new QPushButton(this))
-    , m_edit(new QPushButton(this))
-    , m_people(new QLabel(this))
-    , m_list(new QTreeWidget(this))
-    , m_id(new QLineEdit(this))
-    , m_add(new QPushButton(this)) {
-    m_store->setObjectName(QStringLiteral("store"));
+    : QWidget(parent) {
     m_open->setMenu(new QMenu(m_open));
-    m_list->setObjectName(QStringLiteral("participants"));
-    m_id->setObjectName(QStringLiteral("participantId"));
-    m_add->setObjectName(QStringLiteral("addParticipant"));
-    QFont bold = font();
-    bold.setBold(true);
     m_name->setFont(base::sized(font(), base::kLargeText));
-    m_mark->setFont(bold);
-    m_people->setFont(bold);
+    for (QLabel* label : {m_mark, m_people})
+        label->setFont(base::bold(font()));
     for (QLabel* label : {m_name, m_folder, m_store, m_protocol}) {
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
@@ -69,8 +46,7 @@ StudyPanel::StudyPanel(QWidget* parent)
     head->addWidget(m_name, 1);
     head->addWidget(m_mark, 0, Qt::AlignTop);
     auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {m_new, m_open, m_edit})
-        buttons->addWidget(button);
+    base::addWidgets(buttons, {m_new, m_open, m_edit});
     auto* add = new QHBoxLayout;
     add->addWidget(m_id, 1);
     add->addWidget(m_add);
@@ -79,9 +55,7 @@ StudyPanel::StudyPanel(QWidget* parent)
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->setSpacing(base::grid(this));
     layout->addLayout(head);
-    layout->addWidget(m_folder);
-    layout->addWidget(m_store);
-    layout->addWidget(m_protocol);
+    base::addWidgets(layout, {m_folder, m_store, m_protocol});
     layout->addLayout(buttons);
     layout->addSpacing(base::grid(this));
     layout->addWidget(m_people);

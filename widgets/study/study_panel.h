@@ -2,19 +2,19 @@
 #pragma once
 
 #include "backend/study/protocol/trial.h"
+#include "widgets/base/compose.h"
 
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QString>
+#include <QTreeWidget>
 #include <QWidget>
 
 #include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
-
-class QLabel;
-class QLineEdit;
-class QPushButton;
-class QTreeWidget;
 
 namespace teleta::study {
 
@@ -51,8 +51,7 @@ struct PanelScene {
     friend bool operator==(const PanelScene&, const PanelScene&) = default;
 };
 
-/// The study on the left of its page: a summary of the protocol, the participants with their sessions.
-/// Thread: GUI.
+/// The study: a summary of its protocol, the participants with their sessions. Thread: GUI.
 class StudyPanel : public QWidget {
     Q_OBJECT
 
@@ -80,18 +79,18 @@ private:
     void fillList();
 
     PanelScene m_scene;
-    QLabel* m_name;
-    QLabel* m_mark;
-    QLabel* m_folder;
-    QLabel* m_store;
-    QLabel* m_protocol;
-    QPushButton* m_new;
-    QPushButton* m_open;
-    QPushButton* m_edit;
-    QLabel* m_people;
-    QTreeWidget* m_list;
-    QLineEdit* m_id;
-    QPushButton* m_add;
+    QLabel* m_name = new QLabel(this);
+    QLabel* m_mark = new QLabel(this);
+    QLabel* m_folder = new QLabel(this);
+    QLabel* m_store = base::named<QLabel>("store", this);
+    QLabel* m_protocol = new QLabel(this);
+    QPushButton* m_new = new QPushButton(this);
+    QPushButton* m_open = new QPushButton(this);
+    QPushButton* m_edit = new QPushButton(this);
+    QLabel* m_people = new QLabel(this);
+    QTreeWidget* m_list = base::named<QTreeWidget>("participants", this);
+    QLineEdit* m_id = base::named<QLineEdit>("participantId", this);
+    QPushButton* m_add = base::named<QPushButton>("addParticipant", this);
 };
 
 } // namespace teleta::study

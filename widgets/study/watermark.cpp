@@ -23,15 +23,9 @@ constexpr float kOpacity = 0.16F;
 } // namespace
 
 QString modeMark(Mode mode) {
-    switch (mode) {
-    case Mode::run:
-        return {};
-    case Mode::pilot:
-        return MarkText::tr("PILOT");
-    case Mode::simulated:
-        break;
-    }
-    return MarkText::tr("SIMULATED");
+    return mode == Mode::run     ? QString()
+           : mode == Mode::pilot ? MarkText::tr("PILOT")
+                                 : MarkText::tr("SIMULATED");
 }
 
 QColor modeColour(Mode mode, const QPalette& palette) {
@@ -44,16 +38,13 @@ void paintWatermark(QPainter& painter, const QRectF& rect, Mode mode, const QPal
     if (mark.isEmpty() || rect.isEmpty())
         return;
     painter.save();
-    QFont font = painter.font();
-    font.setBold(true);
+    QFont font = base::bold(painter.font());
     font.setPixelSize(100);
     const double width = QFontMetricsF(font).horizontalAdvance(mark);
     const double size = std::min(0.85 * 100.0 * rect.width() / width, 0.5 * rect.height());
     font.setPixelSize(std::max(8, static_cast<int>(size)));
-    QColor colour = modeColour(mode, palette);
-    colour.setAlphaF(kOpacity);
     painter.setFont(font);
-    painter.setPen(colour);
+    painter.setPen(base::translucent(modeColour(mode, palette), kOpacity));
     painter.translate(rect.center());
     painter.rotate(kTilt_deg);
     painter.drawText(QRectF(-rect.width(), -rect.height(), 2.0 * rect.width(), 2.0 * rect.height()),

@@ -4,7 +4,7 @@
 #include "app/console/study/study_controller.h"
 #include "widgets/study/participant/participant_scene.h"
 #include "widgets/study/results/confusion_picture.h"
-#include "widgets/study/session_scene.h"
+#include "widgets/study/session_panel.h"
 #include "widgets/study/study_panel.h"
 
 #include <vector>

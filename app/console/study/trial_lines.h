@@ -4,7 +4,7 @@
 #include "backend/study/analysis/confusion_matrix.h"
 #include "backend/study/protocol/protocol.h"
 #include "backend/study/protocol/trial.h"
-#include "widgets/study/session_scene.h"
+#include "widgets/study/session_panel.h"
 
 #include <cstddef>
 #include <vector>

@@ -25,7 +25,7 @@ QFont fitted(QFont font, const QString& text, double width) {
 } // namespace
 
 AnswerButton::AnswerButton(AnswerChoice choice, std::size_t digit, QWidget* parent)
-    : QWidget(parent)
+    : SizedView(parent, {14, 15}, {6, 6})
     , m_choice(std::move(choice))
     , m_digit(digit) {
     // The window handles presses, in one place and as they arrive.
@@ -36,48 +36,26 @@ AnswerButton::AnswerButton(AnswerChoice choice, std::size_t digit, QWidget* pare
 
 void AnswerButton::describe() {
     const QString answer = tr("Answer %1: %2", "letter, name").arg(m_choice.letter, m_choice.name);
-    switch (m_look) {
-    case Look::right:
-        setAccessibleName(tr("%1. This was felt.").arg(answer));
-        return;
-    case Look::wrong:
-        setAccessibleName(tr("%1. This was answered.").arg(answer));
-        return;
-    case Look::plain:
-    case Look::chosen:
-        setAccessibleName(answer);
-        return;
-    }
+    setAccessibleName(m_look == Look::right   ? tr("%1. This was felt.").arg(answer)
+                      : m_look == Look::wrong ? tr("%1. This was answered.").arg(answer)
+                                              : answer);
 }
 
 void AnswerButton::setDiagramShown(bool shown) {
-    if (shown == m_diagramShown)
-        return;
-    m_diagramShown = shown;
-    update();
+    if (std::exchange(m_diagramShown, shown) != shown)
+        update();
 }
 
 void AnswerButton::setOpen(bool open) {
-    if (open == m_open)
-        return;
-    m_open = open;
-    update();
+    if (std::exchange(m_open, open) != open)
+        update();
 }
 
 void AnswerButton::setLook(Look look) {
-    if (look == m_look)
+    if (std::exchange(m_look, look) == look)
         return;
-    m_look = look;
     describe();
     update();
-}
-
-QSize AnswerButton::sizeHint() const {
-    return {base::em(this, 14), base::em(this, 15)};
-}
-
-QSize AnswerButton::minimumSizeHint() const {
-    return {base::em(this, 6), base::em(this, 6)};
 }
 
 void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
@@ -110,8 +88,7 @@ void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
     const QRectF inside = box.adjusted(0.7 * em, 0.6 * em, -0.7 * em, -0.6 * em);
     const double unit = std::clamp(0.13 * std::min(inside.width(), inside.height()), em, 2.6 * em);
     const double faint = m_open || m_look != Look::plain ? 1.0 : 0.55;
-    QFont font = this->font();
-    font.setBold(true);
+    QFont font = base::bold(this->font());
     font.setPixelSize(static_cast<int>((m_diagramShown ? 1.3 : 2.2) * unit));
     painter.setFont(font);
     painter.setPen(base::mixed(ground, text, faint));

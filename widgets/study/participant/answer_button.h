@@ -2,15 +2,13 @@
 #pragma once
 
 #include "widgets/base/kept_picture.h"
+#include "widgets/base/sized_view.h"
 #include "widgets/study/participant/participant_scene.h"
-
-#include <QWidget>
 
 namespace teleta::study {
 
-/// One large answer: letter, name, its digit, and the picture of the pattern. It is only painted; the window
-/// handles the input. Thread: GUI.
-class AnswerButton : public QWidget {
+/// One answer: letter, name, digit and picture of the pattern. The window handles the input. Thread: GUI.
+class AnswerButton : public base::SizedView {
     Q_OBJECT
 
 public:
@@ -28,9 +26,6 @@ public:
     void setLook(Look look);
     [[nodiscard]] Look look() const { return m_look; }
     [[nodiscard]] bool isOpen() const { return m_open; }
-
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;

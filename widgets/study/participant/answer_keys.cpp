@@ -38,15 +38,9 @@ std::optional<PhysicalKey> byScanCode(quint32 code) {
 } // namespace
 
 QString PhysicalKey::code() const {
-    switch (kind) {
-    case Kind::digit:
-        return QStringLiteral("Digit%1").arg(number);
-    case Kind::pad:
-        return QStringLiteral("Numpad%1").arg(number);
-    case Kind::space:
-        break;
-    }
-    return QStringLiteral("Space");
+    return kind == Kind::digit ? QStringLiteral("Digit%1").arg(number)
+           : kind == Kind::pad ? QStringLiteral("Numpad%1").arg(number)
+                               : QStringLiteral("Space");
 }
 
 QString PhysicalKey::device() const {

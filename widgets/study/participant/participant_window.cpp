@@ -4,15 +4,12 @@
 #include "widgets/base/theme.h"
 #include "widgets/study/participant/answer_button.h"
 #include "widgets/study/participant/answer_keys.h"
-#include "widgets/study/participant/questionnaire_form.h"
 #include "widgets/study/watermark.h"
 
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QFontMetrics>
-#include <QGridLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPointingDevice>
@@ -36,11 +33,7 @@ QString pointerDevice(const QPointerEvent& event) {
 
 ParticipantWindow::ParticipantWindow(Clock clock, QWidget* parent)
     : QWidget(parent, Qt::Window)
-    , m_clock(std::move(clock))
-    , m_title(new QLabel(this))
-    , m_instruction(new QLabel(this))
-    , m_grid(new QGridLayout)
-    , m_questionnaire(new QuestionnaireForm(this)) {
+    , m_clock(std::move(clock)) {
     setObjectName(QStringLiteral("participantWindow"));
     setFocusPolicy(Qt::StrongFocus);
     for (QLabel* label : {m_title, m_instruction}) {
@@ -301,10 +294,6 @@ void ParticipantWindow::mousePressEvent(QMouseEvent* event) {
     const std::int64_t time_ns = timeOf(*event);
     if (event->button() == Qt::LeftButton)
         pressAt(event->position(), pointerDevice(*event), time_ns);
-}
-
-void ParticipantWindow::mouseDoubleClickEvent(QMouseEvent* event) {
-    mousePressEvent(event);
 }
 
 void ParticipantWindow::mouseReleaseEvent(QMouseEvent* event) {

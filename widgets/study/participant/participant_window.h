@@ -7,7 +7,10 @@
 #include "widgets/base/kept_picture.h"
 #include "widgets/study/participant/event_clock.h"
 #include "widgets/study/participant/participant_scene.h"
+#include "widgets/study/participant/questionnaire_form.h"
 
+#include <QGridLayout>
+#include <QLabel>
 #include <QWidget>
 
 #include <cstdint>
@@ -15,14 +18,11 @@
 #include <set>
 #include <vector>
 
-class QGridLayout;
 class QInputEvent;
-class QLabel;
 
 namespace teleta::study {
 
 class AnswerButton;
-class QuestionnaireForm;
 
 /// The participant's window: the answers as large buttons. Input by the digits of keyboard and keypad, mouse
 /// and touch; Space asks for the next trial, R for a replay where that is allowed. Questionnaires replace the
@@ -68,7 +68,6 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void changeEvent(QEvent* event) override;
 
@@ -85,10 +84,10 @@ private:
     std::vector<AnswerChoice> m_choices;
     ParticipantScene m_scene;
     base::KeptPicture m_watermark; ///< of the scene's mode
-    QLabel* m_title;
-    QLabel* m_instruction;
-    QGridLayout* m_grid;
-    QuestionnaireForm* m_questionnaire;
+    QLabel* m_title = new QLabel(this);
+    QLabel* m_instruction = new QLabel(this);
+    QGridLayout* m_grid = new QGridLayout;
+    QuestionnaireForm* m_questionnaire = new QuestionnaireForm(this);
     QString m_questionnaireTitle;
     std::vector<AnswerButton*> m_buttons;
     std::set<std::pair<QString, QString>> m_down; ///< keys and buttons that were signalled, by device

@@ -64,8 +64,7 @@ void paintRing(QPainter& painter, const QRectF& rect, const PatternDiagram& diag
     painter.setPen(QPen(base::mixed(ground, text, 0.35), std::max(1.0, 0.03 * radius)));
     painter.setBrush(base::mixed(ground, text, 0.06));
     painter.drawEllipse(middle, kArm * radius, kArm * radius);
-    QFont font = painter.font();
-    font.setBold(true);
+    QFont font = base::bold(painter.font());
     font.setPixelSize(std::max(7, static_cast<int>(0.34 * radius)));
     painter.setFont(font);
     for (std::size_t i = 0; i < core::kTactors; ++i) {

@@ -2,15 +2,11 @@
 #include "widgets/study/participant/questionnaire_form.h"
 
 #include "widgets/base/on_change.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/participant/questionnaire_item_view.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
-#include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -25,18 +21,13 @@ constexpr double kWidest_em = 52.0; ///< longer lines are hard to read
 } // namespace
 
 QuestionnaireForm::QuestionnaireForm(QWidget* parent)
-    : QWidget(parent)
-    , m_area(new QScrollArea(this))
-    , m_problem(new QLabel(this))
-    , m_count(new QLabel(this))
-    , m_done(new QPushButton(this)) {
+    : QWidget(parent) {
     m_area->setWidgetResizable(true);
     m_area->setFrameShape(QFrame::NoFrame);
     m_area->setFocusPolicy(Qt::NoFocus);
     m_problem->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
     m_problem->hide();
-    m_done->setObjectName(QStringLiteral("questionnaireDone"));
     m_done->setMinimumHeight(base::em(this, 3.6));
     m_done->setMinimumWidth(base::em(this, 14));
     m_done->setFont(base::sized(font(), base::kLargeText));

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "backend/study/protocol/questionnaire.h"
+#include "widgets/base/compose.h"
 
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
 #include <QWidget>
 
 #include <vector>
-
-class QLabel;
-class QPushButton;
-class QScrollArea;
 
 namespace teleta::study {
 
@@ -51,10 +51,10 @@ private:
 
     Questionnaire m_questionnaire;
     QWidget* m_column = nullptr; ///< all of it, no wider than is readable
-    QScrollArea* m_area;
-    QLabel* m_problem;
-    QLabel* m_count;
-    QPushButton* m_done;
+    QScrollArea* m_area = new QScrollArea(this);
+    QLabel* m_problem = new QLabel(this);
+    QLabel* m_count = new QLabel(this);
+    QPushButton* m_done = base::named<QPushButton>("questionnaireDone", this);
     std::vector<QuestionnaireItemView*> m_items;
 };
 

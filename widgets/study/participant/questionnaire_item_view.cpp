@@ -2,7 +2,6 @@
 #include "widgets/study/participant/questionnaire_item_view.h"
 
 #include "widgets/base/on_change.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/participant/answer_keys.h"
 
@@ -55,9 +54,7 @@ QuestionnaireItemView::QuestionnaireItemView(QuestionnaireItem item, QWidget* pa
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, base::grid(this, 2));
     column->setSpacing(base::grid(this));
-    QFont bold = font();
-    bold.setBold(true);
-    m_question->setFont(bold);
+    m_question->setFont(base::bold(font()));
     column->addWidget(m_question);
     switch (m_item.kind) {
     case ItemKind::text:

@@ -85,8 +85,7 @@ void paintConfusion(QPainter& painter, const QRectF& rect, const ConfusionConten
     const QColor faint = palette.color(QPalette::PlaceholderText);
     const QRectF& grid = layout.grid;
     const double side = layout.cell(0, 0).width();
-    QFont bold = normal;
-    bold.setBold(true);
+    const QFont bold = base::bold(normal);
     const QFont small = base::sized(normal, base::kSmallText);
 
     painter.setFont(bold);

@@ -16,7 +16,7 @@
 namespace teleta::study {
 
 ConfusionView::ConfusionView(QWidget* parent)
-    : FigureView(parent) {
+    : FigureView(parent, {24, 22}, {15, 14}) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     base::keepTranslated(this, &ConfusionView::describe);
 }
@@ -31,9 +31,8 @@ void ConfusionView::setContent(ConfusionContent content) {
 }
 
 void ConfusionView::setPercent(bool percent) {
-    if (percent == m_content.percent)
+    if (std::exchange(m_content.percent, percent) == percent)
         return;
-    m_content.percent = percent;
     update();
     emit percentChanged(percent);
 }
@@ -61,14 +60,6 @@ void ConfusionView::describe() {
     setWhatsThis(
         tr("<p>Rows: what was presented. Columns: what was answered, and NONE for no answer in time. "
            "<b>Space</b> or a double click switches between counts and percent of the row.</p>"));
-}
-
-QSize ConfusionView::sizeHint() const {
-    return {base::em(this, 24), base::em(this, 22)};
-}
-
-QSize ConfusionView::minimumSizeHint() const {
-    return {base::em(this, 15), base::em(this, 14)};
 }
 
 bool ConfusionView::event(QEvent* event) {

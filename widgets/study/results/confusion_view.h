@@ -8,8 +8,7 @@
 
 namespace teleta::study {
 
-/// A confusion matrix, live or final; Space or a double click switches between counts and percent. It can be
-/// copied and saved as a picture and as data. Thread: GUI.
+/// A confusion matrix; Space or a double click switches between counts and percent. Thread: GUI.
 class ConfusionView : public base::FigureView {
     Q_OBJECT
 
@@ -21,9 +20,6 @@ public:
     [[nodiscard]] const ConfusionContent& content() const { return m_content; }
     void setPercent(bool percent);
     [[nodiscard]] base::Figure figure() override;
-
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     void percentChanged(bool percent);

@@ -6,14 +6,11 @@
 #include "widgets/base/theme.h"
 #include "widgets/study/watermark.h"
 
-#include <QContextMenuEvent>
 #include <QFontMetricsF>
 #include <QLocale>
-#include <QMenu>
 #include <QPainter>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace teleta::study {
@@ -65,14 +62,10 @@ private:
     }
 
     void paintHead() {
-        QFont bold = m_painter.font();
-        bold.setBold(true);
-        const QFont normal = m_painter.font();
-        m_painter.setFont(bold);
+        m_painter.setFont(base::bold(m_painter.font()));
         m_painter.setPen(text());
         m_painter.drawText(QRectF(m_rect.left(), m_rect.top() + 0.3 * m_em, m_rect.width(), 1.2 * m_em),
                            Qt::AlignCenter, m_content.title);
-        m_painter.setFont(normal);
         // Legend, in one line.
         m_painter.setFont(m_small);
         const QFontMetricsF metrics(m_small);
@@ -208,10 +201,8 @@ QString intervalChartCsv(const IntervalChartContent& content) {
 }
 
 IntervalChart::IntervalChart(QWidget* parent)
-    : QWidget(parent)
-    , m_export(new base::FigureExport(this, [this] { return figure(); })) {
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
+    : FigureView(parent, {26, 17}, {16, 13}) {
+    setFocusPolicy(Qt::NoFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
@@ -221,7 +212,7 @@ void IntervalChart::setContent(IntervalChartContent content) {
     update();
 }
 
-base::Figure IntervalChart::figure() const {
+base::Figure IntervalChart::figure() {
     base::Figure figure;
     figure.name = m_content.name;
     figure.size_px = QSizeF(720.0, 420.0);
@@ -233,24 +224,9 @@ base::Figure IntervalChart::figure() const {
     return figure;
 }
 
-QSize IntervalChart::sizeHint() const {
-    return {base::em(this, 26), base::em(this, 17)};
-}
-
-QSize IntervalChart::minimumSizeHint() const {
-    return {base::em(this, 16), base::em(this, 13)};
-}
-
 void IntervalChart::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     paintIntervalChart(painter, rect(), m_content, palette());
-}
-
-void IntervalChart::contextMenuEvent(QContextMenuEvent* event) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    m_export->addActions(*menu);
-    menu->popup(event->globalPos());
 }
 
 } // namespace teleta::study

@@ -3,13 +3,12 @@
 
 #include "backend/study/analysis/proportion.h"
 #include "backend/study/protocol/trial.h"
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure_view.h"
 
 #include <QPalette>
 #include <QRectF>
 #include <QString>
 #include <QStringList>
-#include <QWidget>
 
 #include <optional>
 #include <vector>
@@ -51,7 +50,7 @@ void paintIntervalChart(QPainter& painter, const QRectF& rect, const IntervalCha
 [[nodiscard]] QString intervalChartCsv(const IntervalChartContent& content);
 
 /// The chart as a widget that can be copied and saved. Thread: GUI.
-class IntervalChart : public QWidget {
+class IntervalChart : public base::FigureView {
     Q_OBJECT
 
 public:
@@ -59,19 +58,13 @@ public:
 
     void setContent(IntervalChartContent content);
     [[nodiscard]] const IntervalChartContent& content() const { return m_content; }
-    [[nodiscard]] base::Figure figure() const;
-    [[nodiscard]] base::FigureExport& exporter() { return *m_export; }
-
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
+    [[nodiscard]] base::Figure figure() override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     IntervalChartContent m_content;
-    base::FigureExport* m_export;
 };
 
 } // namespace teleta::study

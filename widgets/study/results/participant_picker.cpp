@@ -7,7 +7,6 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <QWidgetAction>
 
 #include <utility>
@@ -22,9 +21,7 @@ constexpr double kHighestList_em = 30.0;
 } // namespace
 
 ParticipantPicker::ParticipantPicker(QWidget* parent)
-    : QPushButton(parent)
-    , m_panel(new QWidget)
-    , m_column(new QVBoxLayout(m_panel)) {
+    : QPushButton(parent) {
     m_column->setSizeConstraint(QLayout::SetMinAndMaxSize);
     auto* area = new QScrollArea;
     area->setWidgetResizable(true);

@@ -4,14 +4,12 @@
 #include <QPushButton>
 #include <QString>
 #include <QStringList>
-
-class QCheckBox;
-class QVBoxLayout;
+#include <QVBoxLayout>
+#include <QWidget>
 
 namespace teleta::study {
 
-/// A button with a list of participants to tick. If none is ticked, a text says what that means, such as "All
-/// participants". Thread: GUI.
+/// A button with participants to tick. A text says what no ticks mean: "All participants". Thread: GUI.
 class ParticipantPicker : public QPushButton {
     Q_OBJECT
 
@@ -34,8 +32,8 @@ signals:
 private:
     void show();
 
-    QWidget* m_panel;
-    QVBoxLayout* m_column;
+    QWidget* m_panel = new QWidget;
+    QVBoxLayout* m_column = new QVBoxLayout(m_panel);
     QStringList m_all;
     QStringList m_chosen;
     QString m_noneText;

@@ -26,6 +26,13 @@ QString conditionName(const std::string& condition, const ConditionNames& names)
     return names.value(text(condition), text(condition));
 }
 
+QStringList conditionNamesOf(const TaskResults& task, const ConditionNames& names) {
+    QStringList shown;
+    for (const std::string& condition : task.conditions)
+        shown << conditionName(condition, names);
+    return shown;
+}
+
 /// Data contain the id, in every language.
 ResultCell conditionCell(const std::string& condition, const ConditionNames& names) {
     return {conditionName(condition, names), text(condition)};
@@ -97,6 +104,26 @@ ChartPoint sharePoint(std::int64_t correct, std::int64_t trials) {
     return point;
 }
 
+/// Right answers, to one pattern or to all: the share of a single participant, or the mean of a group.
+ChartPoint rightPoint(const std::vector<const ParticipantSummary*>& people, bool isSingle,
+                      std::optional<std::size_t> pattern = {}) {
+    if (isSingle && people.empty())
+        return {};
+    if (isSingle) {
+        const ConfusionMatrix& matrix = people.front()->matrix;
+        return pattern ? sharePoint(matrix.count(*pattern, *pattern), matrix.rowTotal(*pattern))
+                       : sharePoint(matrix.correct(), matrix.total());
+    }
+    std::vector<double> values;
+    for (const ParticipantSummary* one : people) {
+        const std::optional<double> share = pattern ? one->matrix.rowPercent(*pattern, *pattern)
+                                                    : kPercent * one->matrix.accuracy().value_or(0.0);
+        if (share)
+            values.push_back(*share);
+    }
+    return groupPoint(values);
+}
+
 std::vector<const ParticipantSummary*> under(const TaskResults& task, const std::string& condition,
                                              const QStringList& group) {
     std::vector<const ParticipantSummary*> found;
@@ -144,23 +171,11 @@ IntervalChartContent ResultsContent::accuracy(const TaskResults& task, const Sho
     chart.highest = kPercent;
     chart.reference = kPercent / static_cast<double>(task.alternatives());
     chart.referenceName = tr("chance");
-    for (const std::string& condition : task.conditions)
-        chart.categories << conditionName(condition, names);
+    chart.categories = conditionNamesOf(task, names);
     for (const QStringList& group : shown.groups()) {
         ChartSeries series{shown.beside ? nameOf(group) : tr("test"), {}};
-        for (const std::string& condition : task.conditions) {
-            const auto people = under(task, condition, group);
-            if (isOne(group)) {
-                series.points.push_back(people.empty() ? ChartPoint{}
-                                                       : sharePoint(people.front()->matrix.correct(),
-                                                                    people.front()->matrix.total()));
-                continue;
-            }
-            std::vector<double> values;
-            for (const ParticipantSummary* one : people)
-                values.push_back(kPercent * one->matrix.accuracy().value_or(0.0));
-            series.points.push_back(groupPoint(values));
-        }
+        for (const std::string& condition : task.conditions)
+            series.points.push_back(rightPoint(under(task, condition, group), isOne(group)));
         chart.series.push_back(std::move(series));
     }
     return chart;
@@ -170,13 +185,10 @@ IntervalChartContent ResultsContent::patterns(const TaskResults& task, const Sho
                                               const ConditionNames& names) {
     IntervalChartContent chart;
     chart.name = QStringLiteral("patterns_") + text(task.task);
-    chart.title = task.conditions.size() > 1 ? tr("Each pattern: %1", "conditions").arg([&] {
-        QStringList shownNames;
-        for (const std::string& condition : task.conditions)
-            shownNames << conditionName(condition, names);
-        return shownNames.join(tr(" against "));
-    }())
-                                             : tr("Each pattern");
+    chart.title =
+        task.conditions.size() > 1
+            ? tr("Each pattern: %1", "conditions").arg(conditionNamesOf(task, names).join(tr(" against ")))
+            : tr("Each pattern");
     chart.axis = tr("right, %");
     chart.highest = kPercent;
     chart.reference = kPercent / static_cast<double>(task.alternatives());
@@ -199,20 +211,8 @@ IntervalChartContent ResultsContent::patterns(const TaskResults& task, const Sho
                                             : conditionName(condition, names),
                                {}};
             const auto people = under(task, condition, group);
-            for (std::size_t p = 0; p < task.patterns.size(); ++p) {
-                if (isOne(group)) {
-                    series.points.push_back(people.empty() ? ChartPoint{}
-                                                           : sharePoint(people.front()->matrix.count(p, p),
-                                                                        people.front()->matrix.rowTotal(p)));
-                    continue;
-                }
-                std::vector<double> values;
-                for (const ParticipantSummary* one : people) {
-                    if (const std::optional<double> share = one->matrix.rowPercent(p, p))
-                        values.push_back(*share);
-                }
-                series.points.push_back(groupPoint(values));
-            }
+            for (std::size_t p = 0; p < task.patterns.size(); ++p)
+                series.points.push_back(rightPoint(people, isOne(group), p));
             chart.series.push_back(std::move(series));
         }
     }
@@ -227,8 +227,7 @@ IntervalChartContent ResultsContent::times(const TaskResults& task, const ShownP
         areAllOne(shown) ? tr("Median response time") : tr("Median response times, 95 % t interval");
     chart.axis = tr("s from the onset");
     double highest = 0.0;
-    for (const std::string& condition : task.conditions)
-        chart.categories << conditionName(condition, names);
+    chart.categories = conditionNamesOf(task, names);
     for (const QStringList& group : shown.groups()) {
         ChartSeries series{shown.beside ? nameOf(group) : tr("right answers of the test"), {}};
         for (const std::string& condition : task.conditions) {

@@ -4,17 +4,11 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/results/confusion_view.h"
-#include "widgets/study/results/interval_chart.h"
-#include "widgets/study/results/participant_picker.h"
 #include "widgets/study/results/result_table.h"
 #include "widgets/study/results/results_content.h"
 
-#include <QComboBox>
-#include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenu>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -42,9 +36,7 @@ QLabel* note(QWidget* parent) {
 
 QLabel* heading(QWidget* parent) {
     auto* label = new QLabel(parent);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
+    label->setFont(base::bold(label->font()));
     return label;
 }
 
@@ -52,17 +44,6 @@ QLabel* heading(QWidget* parent) {
 
 ResultsView::ResultsView(QWidget* parent)
     : QWidget(parent)
-    , m_task(new QComboBox(this))
-    , m_who(new ParticipantPicker(this))
-    , m_beside(new ParticipantPicker(this))
-    , m_counts(new QComboBox(this))
-    , m_export(new QPushButton(this))
-    , m_state(new QLabel(this))
-    , m_content(new QWidget(this))
-    , m_matrixGrid(new QGridLayout)
-    , m_accuracy(new IntervalChart(m_content))
-    , m_patterns(new IntervalChart(m_content))
-    , m_times(new IntervalChart(m_content))
     , m_groupsTitle(heading(m_content))
     , m_groups(new ResultTable(QStringLiteral("group"), m_content))
     , m_groupsNote(note(m_content))
@@ -71,14 +52,6 @@ ResultsView::ResultsView(QWidget* parent)
     , m_anovaNote(note(m_content))
     , m_peopleTitle(heading(m_content))
     , m_people(new ResultTable(QStringLiteral("summary"), m_content)) {
-    m_task->setObjectName(QStringLiteral("resultTask"));
-    m_who->setObjectName(QStringLiteral("resultParticipant"));
-    m_beside->setObjectName(QStringLiteral("resultBeside"));
-    m_counts->setObjectName(QStringLiteral("resultCounts"));
-    m_export->setObjectName(QStringLiteral("resultExport"));
-    m_accuracy->setObjectName(QStringLiteral("accuracyChart"));
-    m_patterns->setObjectName(QStringLiteral("patternChart"));
-    m_times->setObjectName(QStringLiteral("timeChart"));
     m_groups->setObjectName(QStringLiteral("groupTable"));
     m_anova->setObjectName(QStringLiteral("anovaTable"));
     m_people->setObjectName(QStringLiteral("peopleTable"));
@@ -87,10 +60,7 @@ ResultsView::ResultsView(QWidget* parent)
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_state->setWordWrap(true);
     auto* bar = new QHBoxLayout;
-    bar->addWidget(m_task);
-    bar->addWidget(m_who);
-    bar->addWidget(m_beside);
-    bar->addWidget(m_counts);
+    base::addWidgets(bar, {m_task, m_who, m_beside, m_counts});
     bar->addWidget(m_state, 1);
     bar->addWidget(m_export);
     auto* charts = new QHBoxLayout;
@@ -103,24 +73,20 @@ ResultsView::ResultsView(QWidget* parent)
     column->setSpacing(base::grid(this, 1.5));
     column->addLayout(m_matrixGrid);
     column->addLayout(charts);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_groupsTitle, m_groups, m_groupsNote, m_anovaTitle,
-                                                         m_anova, m_anovaNote, m_peopleTitle, m_people})
-        column->addWidget(part);
+    base::addWidgets(column, {m_groupsTitle, m_groups, m_groupsNote, m_anovaTitle, m_anova, m_anovaNote,
+                              m_peopleTitle, m_people});
     column->addStretch(1);
     auto* area = new QScrollArea(this);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setWidget(m_content);
+    bar->setContentsMargins(margin, 0, margin, 0);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, margin, 0, 0);
-    auto* framed = new QHBoxLayout;
-    framed->setContentsMargins(margin, 0, margin, 0);
-    framed->addLayout(bar);
-    layout->addLayout(framed);
+    layout->addLayout(bar);
     layout->addWidget(area, 1);
 
-    auto* menu = new QMenu(m_export);
-    m_export->setMenu(menu);
+    m_export->setMenu(new QMenu(m_export));
     connect(m_task, &QComboBox::currentIndexChanged, this, &ResultsView::refresh);
     for (ParticipantPicker* picker : {m_who, m_beside})
         connect(picker, &ParticipantPicker::chosenChanged, this, &ResultsView::refresh);
@@ -129,7 +95,7 @@ ResultsView::ResultsView(QWidget* parent)
             view->setPercent(index == 1);
     });
     for (IntervalChart* chart : {m_accuracy, m_patterns, m_times})
-        connect(&chart->exporter(), &base::FigureExport::failed, this, &ResultsView::figureFailed);
+        connect(chart, &IntervalChart::exportFailed, this, &ResultsView::figureFailed);
     for (ResultTable* table : {m_groups, m_anova, m_people})
         connect(&table->exporter(), &base::FigureExport::failed, this, &ResultsView::figureFailed);
     m_content->hide();

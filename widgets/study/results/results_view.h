@@ -3,24 +3,23 @@
 
 #include "backend/study/analysis/study_results.h"
 #include "backend/study/protocol/trial.h"
+#include "widgets/base/compose.h"
+#include "widgets/study/results/interval_chart.h"
+#include "widgets/study/results/participant_picker.h"
 
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
 #include <QMap>
+#include <QPushButton>
 #include <QString>
 #include <QWidget>
 
 #include <vector>
 
-class QComboBox;
-class QGridLayout;
-class QLabel;
-class QPushButton;
-class QVBoxLayout;
-
 namespace teleta::study {
 
 class ConfusionView;
-class ParticipantPicker;
-class IntervalChart;
 class ResultTable;
 struct ShownPeople;
 using ConditionNames = QMap<QString, QString>;
@@ -34,8 +33,7 @@ struct ResultsScene {
 };
 
 /// The results of a study: confusion matrices, accuracy with intervals, conditions compared for each pattern,
-/// response times, information transfer with its bias, ANOVA. Every picture and table can be copied and
-/// saved. Thread: GUI.
+/// response times, information transfer with its bias, ANOVA. All can be copied and saved. Thread: GUI.
 class ResultsView : public QWidget {
     Q_OBJECT
 
@@ -66,18 +64,18 @@ private:
     [[nodiscard]] ShownPeople shown() const;
 
     ResultsScene m_scene;
-    QComboBox* m_task;
-    ParticipantPicker* m_who;
-    ParticipantPicker* m_beside;
-    QComboBox* m_counts;
-    QPushButton* m_export;
-    QLabel* m_state;
-    QWidget* m_content;
-    QGridLayout* m_matrixGrid;
+    QComboBox* m_task = base::named<QComboBox>("resultTask", this);
+    ParticipantPicker* m_who = base::named<ParticipantPicker>("resultParticipant", this);
+    ParticipantPicker* m_beside = base::named<ParticipantPicker>("resultBeside", this);
+    QComboBox* m_counts = base::named<QComboBox>("resultCounts", this);
+    QPushButton* m_export = base::named<QPushButton>("resultExport", this);
+    QLabel* m_state = new QLabel(this);
+    QWidget* m_content = new QWidget(this);
+    QGridLayout* m_matrixGrid = new QGridLayout;
     std::vector<ConfusionView*> m_matrices;
-    IntervalChart* m_accuracy;
-    IntervalChart* m_patterns;
-    IntervalChart* m_times;
+    IntervalChart* m_accuracy = base::named<IntervalChart>("accuracyChart", m_content);
+    IntervalChart* m_patterns = base::named<IntervalChart>("patternChart", m_content);
+    IntervalChart* m_times = base::named<IntervalChart>("timeChart", m_content);
     QLabel* m_groupsTitle;
     ResultTable* m_groups;
     QLabel* m_groupsNote;
