@@ -10,7 +10,6 @@
 
 #include <QPalette>
 
-
 class QCPItemText;
 class QCustomPlot;
 

@@ -10,7 +10,6 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-
 namespace teleta::pattern {
 
 PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
