@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/base/figure_view.h"
 
-#include "widgets/base/theme.h"
-
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -29,21 +27,6 @@ void FigureView::populateMenu(QMenu& menu, const QPoint& position) {
 }
 
 void FigureView::addOwnActions(QMenu& /*menu*/, const QPoint& /*position*/) {
-}
-
-void FigureView::setSizes_em(const QSizeF& preferred, const QSizeF& smallest) {
-    m_preferred_em = preferred;
-    m_smallest_em = smallest;
-}
-
-QSize FigureView::sizeHint() const {
-    return m_preferred_em ? QSize(em(this, m_preferred_em->width()), em(this, m_preferred_em->height()))
-                          : QWidget::sizeHint();
-}
-
-QSize FigureView::minimumSizeHint() const {
-    return m_smallest_em ? QSize(em(this, m_smallest_em->width()), em(this, m_smallest_em->height()))
-                         : QWidget::minimumSizeHint();
 }
 
 QString FigureView::toolTipAt(const QPointF& /*point*/) const {

@@ -6,8 +6,6 @@
 
 #include <QPoint>
 
-#include <optional>
-
 class QMenu;
 
 namespace teleta::base {
@@ -22,9 +20,6 @@ public:
     /// Fills the context menu. position: of the click, in the view.
     void populateMenu(QMenu& menu, const QPoint& position = {});
 
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
-
 signals:
     void exported(const QString& path);
     void exportFailed(const QString& message);
@@ -32,8 +27,6 @@ signals:
 protected:
     explicit FigureView(QWidget* parent, QSizeF usual_em = {}, QSizeF smallest_em = {});
 
-    /// Preferred and smallest size in em; without them those of the layout.
-    void setSizes_em(const QSizeF& preferred, const QSizeF& smallest);
     /// Text of the tool tip at a point of the view; empty: none.
     [[nodiscard]] virtual QString toolTipAt(const QPointF& point) const;
     /// Adds the actions that copy and save.
@@ -46,8 +39,6 @@ protected:
 
 private:
     FigureExport m_export;
-    std::optional<QSizeF> m_preferred_em;
-    std::optional<QSizeF> m_smallest_em;
 };
 
 } // namespace teleta::base

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "widgets/base/figure_view.h"
-#include "widgets/base/focus_frame.h"
 #include "widgets/base/theme.h"
 
 #include <QPainter>

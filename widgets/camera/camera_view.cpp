@@ -19,8 +19,7 @@ constexpr double kCameraZoomStep = 1.25;
 } // namespace
 
 CameraView::CameraView(QWidget* parent)
-    : PictureView(parent) {
-    setSizes_em({40, 30}, {14, 10});
+    : PictureView(parent, {40, 30}, {14, 10}) {
     base::keepTranslated(this, &CameraView::retranslate);
 }
 

@@ -39,8 +39,7 @@ QString csvOf(const CalibratedPairs& shown) {
 } // namespace
 
 ResidualView::ResidualView(ResidualPicture::Surface surface, QWidget* parent)
-    : PictureView(parent) {
-    setSizes_em({32, 24}, {16, 12});
+    : PictureView(parent, {32, 24}, {16, 12}) {
     m_picture.surface = surface;
     base::keepTranslated(this, &ResidualView::retranslate);
 }

@@ -43,11 +43,10 @@ figure::SvgColours coloursOf(const QPalette& palette) {
 } // namespace
 
 ServoRunsView::ServoRunsView(QWidget* parent)
-    : FigureView(parent)
+    : FigureView(parent, {40, 26}, {16, 12})
     , m_add(new QToolButton(this))
     , m_forget(new QToolButton(this))
     , m_menu(new QToolButton(this)) {
-    setSizes_em({40, 26}, {16, 12});
     auto* tools = new QHBoxLayout;
     for (QToolButton* button : {m_add, m_forget, m_menu}) {
         button->setAutoRaise(true);

@@ -30,10 +30,9 @@ constexpr double kSmallestRange = 1e-15;
 } // namespace
 
 HeatmapView::HeatmapView(QWidget* parent)
-    : FigureView(parent)
+    : FigureView(parent, {40, 24}, {18, 13})
     , m_range(1.0) {
     setMouseTracking(true);
-    setSizes_em({40, 24}, {18, 13});
     for (std::size_t i = 0; i < kOverlays; ++i) {
         m_overlayActions[i] = new QAction(this);
         m_overlayActions[i]->setCheckable(true);

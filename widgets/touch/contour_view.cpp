@@ -8,8 +8,7 @@
 namespace teleta::touch {
 
 ContourView::ContourView(QWidget* parent)
-    : PictureView(parent) {
-    setSizes_em({30, 20}, {14, 11});
+    : PictureView(parent, {30, 20}, {14, 11}) {
     base::keepTranslated(this, &ContourView::retranslate);
 }
 

@@ -2,7 +2,6 @@
 #include "widgets/touch/sheet_view.h"
 
 #include "widgets/base/on_change.h"
-#include "widgets/base/text_colour.h"
 #include "widgets/base/theme.h"
 
 #include <QContextMenuEvent>

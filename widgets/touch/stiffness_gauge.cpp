@@ -9,8 +9,7 @@
 namespace teleta::touch {
 
 StiffnessGauge::StiffnessGauge(QWidget* parent)
-    : FigureView(parent) {
-    setSizes_em({24, 12.5}, {17, 11.2});
+    : FigureView(parent, {24, 12.5}, {17, 11.2}) {
     base::keepTranslated(this, &StiffnessGauge::retranslate);
 }
 

@@ -4,12 +4,10 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMenu>
 #include <QPainter>
-#include <QToolTip>
 
 #include <utility>
 
@@ -62,17 +60,12 @@ void ConfusionView::describe() {
            "<b>Space</b> or a double click switches between counts and percent of the row.</p>"));
 }
 
-bool ConfusionView::event(QEvent* event) {
-    if (event->type() != QEvent::ToolTip)
-        return QWidget::event(event);
-    const auto* help = static_cast<QHelpEvent*>(event);
+QString ConfusionView::toolTipAt(const QPointF& point) const {
     const ConfusionMatrix& matrix = m_content.matrix;
     const ConfusionLayout layout(rect(), QFontMetricsF(font()).height(), matrix.patterns(), matrix.columns());
-    const auto cell = layout.cellAt(help->pos());
-    if (!cell) {
-        QToolTip::hideText();
-        return true;
-    }
+    const auto cell = layout.cellAt(point);
+    if (!cell)
+        return {};
     const auto [row, column] = *cell;
     const QString presented = m_content.letters.value(static_cast<qsizetype>(row));
     const QString counts =
@@ -84,8 +77,7 @@ bool ConfusionView::event(QEvent* event) {
                              ? tr("%1 not answered in time: ", "pattern").arg(presented)
                              : tr("%1 answered as %2: ", "pattern, pattern")
                                    .arg(presented, m_content.letters.value(static_cast<qsizetype>(column)));
-    QToolTip::showText(help->globalPos(), text + counts + share, this);
-    return true;
+    return text + counts + share;
 }
 
 void ConfusionView::paintEvent(QPaintEvent* /*event*/) {

@@ -25,7 +25,7 @@ signals:
     void percentChanged(bool percent);
 
 protected:
-    bool event(QEvent* event) override;
+    [[nodiscard]] QString toolTipAt(const QPointF& point) const override;
     void addOwnActions(QMenu& menu, const QPoint& position) override;
     void paintEvent(QPaintEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
