@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch_pipeline.h"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -20,24 +19,19 @@ TouchPipeline::~TouchPipeline() {
     m_computeThread.request_stop();
     m_data.notify();
     m_computeThread.join();
-    for (const Entry& entry : m_channels)
-        entry.channel->stop();
+    for (const auto& [key, channel] : m_channels)
+        channel->stop();
 }
 
 ChannelKey TouchPipeline::open(SourceFactory factory) {
-    const ChannelKey key = ++m_lastKey;
-    {
-        const std::scoped_lock lock(m_requestMutex);
-        m_requests.push_back({key, std::move(factory)});
-    }
-    m_requestCondition.notify_one();
-    return key;
+    request({++m_lastKey, std::move(factory)});
+    return m_lastKey;
 }
 
-void TouchPipeline::close(ChannelKey key) {
+void TouchPipeline::request(Request request) {
     {
         const std::scoped_lock lock(m_requestMutex);
-        m_requests.push_back({key, {}});
+        m_requests.push_back(std::move(request));
     }
     m_requestCondition.notify_one();
 }
@@ -70,7 +64,7 @@ void TouchPipeline::carryOut(Request& request) {
             event.channel = std::move(*opened);
             {
                 const std::scoped_lock lock(m_channelMutex);
-                m_channels.push_back({request.key, event.channel});
+                m_channels.emplace(request.key, event.channel);
                 ++m_channelRevision;
             }
             event.channel->start(m_data);
@@ -80,18 +74,15 @@ void TouchPipeline::carryOut(Request& request) {
         }
     } else {
         event.kind = ChannelEvent::Kind::closed;
-        Entry entry;
+        Channels::node_type closed;
         {
             const std::scoped_lock lock(m_channelMutex);
-            const auto found = std::find_if(m_channels.begin(), m_channels.end(),
-                                            [&](const Entry& open) { return open.key == request.key; });
-            if (found == m_channels.end())
+            closed = m_channels.extract(request.key);
+            if (closed.empty())
                 return;
-            entry = std::move(*found);
-            m_channels.erase(found);
             ++m_channelRevision;
         }
-        entry.channel->stop();
+        closed.mapped()->stop();
         m_data.notify();
     }
     const std::scoped_lock lock(m_eventMutex);
@@ -101,7 +92,7 @@ void TouchPipeline::carryOut(Request& request) {
 void TouchPipeline::compute(const std::stop_token& stop) {
     // The time-out lets new settings take effect while a paused source delivers nothing.
     constexpr auto kIdlePeriod = 50ms;
-    std::vector<Entry> channels;
+    Channels channels;
     std::uint64_t revision = 0;
     while (!stop.stop_requested()) {
         m_data.waitFor(kIdlePeriod);
@@ -112,8 +103,8 @@ void TouchPipeline::compute(const std::stop_token& stop) {
                 revision = m_channelRevision;
             }
         }
-        for (const Entry& entry : channels)
-            entry.channel->process();
+        for (const auto& [key, channel] : channels)
+            channel->process();
     }
 }
 

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -44,7 +45,7 @@ public:
 
     /// Asks for a source to be opened; returns the key under which its events come.
     ChannelKey open(SourceFactory factory);
-    void close(ChannelKey key);
+    void close(ChannelKey key) { request({key, {}}); }
 
     /// Events since the last call, in order.
     [[nodiscard]] std::vector<ChannelEvent> takeEvents();
@@ -54,11 +55,9 @@ private:
         ChannelKey key = 0;
         SourceFactory factory; ///< empty: close
     };
-    struct Entry {
-        ChannelKey key = 0;
-        std::shared_ptr<Channel> channel;
-    };
+    using Channels = std::map<ChannelKey, std::shared_ptr<Channel>>; // in the order of their opening
 
+    void request(Request request);
     void control(const std::stop_token& stop);
     void carryOut(Request& request);
     void compute(const std::stop_token& stop);
@@ -71,7 +70,7 @@ private:
     ChannelKey m_lastKey = 0;
 
     std::mutex m_channelMutex;
-    std::vector<Entry> m_channels;
+    Channels m_channels;
     std::uint64_t m_channelRevision = 0;
 
     std::mutex m_eventMutex;

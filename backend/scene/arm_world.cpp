@@ -26,10 +26,6 @@ void describeWaypoint(Keys& keys, std::vector<Waypoint>& waypoints, std::size_t 
 
 } // namespace
 
-void PositionControl::describeKeys(Keys& keys) {
-    keys.number("bandwidth_rad_per_s", bandwidth_radPerS, kPositive, "How fast the motors follow");
-}
-
 void AdmittanceControl::describeKeys(Keys& keys) {
     keys.number("inertia_kgm2", inertia_kgm2, kNotNegative, "Inertia that a push feels");
     keys.number("damping_Nms_per_rad", damping_NmsPerRad, kNotNegative, "Damping that a push feels");
@@ -78,17 +74,9 @@ void ArmSkin::describeKeys(Keys& keys) {
     describeReadings(keys, fullScale_N, firingThreshold_N);
 }
 
-void RoundOutline::describeKeys(Keys& keys) {
-    keys.number("radius_m", radius_m, kPositive, "Radius");
-}
-
 void RectangleOutline::describeKeys(Keys& keys) {
     keys.number("length_m", length_m, kPositive, "Length, along x at angle 0");
     keys.number("width_m", width_m, kPositive, "Width");
-}
-
-void TriangleOutline::describeKeys(Keys& keys) {
-    keys.number("side_m", side_m, kPositive, "Length of a side");
 }
 
 void ArmObject::describeKeys(Keys& keys) {

@@ -14,7 +14,9 @@ namespace teleta::scene {
 /// the measured torque to the motor's (torque feedback).
 struct PositionControl {
     double bandwidth_radPerS = 60.0;
-    void describeKeys(Keys& keys);
+    void describeKeys(Keys& keys) {
+        keys.number("bandwidth_rad_per_s", bandwidth_radPerS, kPositive, "How fast the motors follow");
+    }
 };
 
 /// The motors yield to the joint torque like a mass on a damped spring, see arm::JointAdmittance.
@@ -63,7 +65,7 @@ struct ArmSkin {
 /// A round object.
 struct RoundOutline {
     double radius_m = 0.0;
-    void describeKeys(Keys& keys);
+    void describeKeys(Keys& keys) { keys.number("radius_m", radius_m, kPositive, "Radius"); }
 };
 
 /// A box; its length is along x at angle 0.
@@ -76,7 +78,7 @@ struct RectangleOutline {
 /// An equilateral triangle; one corner is on the x axis at angle 0.
 struct TriangleOutline {
     double side_m = 0.0;
-    void describeKeys(Keys& keys);
+    void describeKeys(Keys& keys) { keys.number("side_m", side_m, kPositive, "Length of a side"); }
 };
 
 /// A wall without end; its surface faces x at angle 0.

@@ -52,10 +52,6 @@ void ArraySensor::describeKeys(Keys& keys) {
     describeReadings(keys, fullScale_N, firingThreshold_N);
 }
 
-void Sphere::describeKeys(Keys& keys) {
-    keys.number("radius_m", radius_m, kPositive, "Radius");
-}
-
 void Cylinder::describeKeys(Keys& keys) {
     keys.number("radius_m", radius_m, kPositive, "Radius");
     keys.number("length_m", length_m, kPositive, kLength);

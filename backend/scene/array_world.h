@@ -21,7 +21,7 @@ struct ArraySensor {
 /// A rigid ball.
 struct Sphere {
     double radius_m = 0.0;
-    void describeKeys(Keys& keys);
+    void describeKeys(Keys& keys) { keys.number("radius_m", radius_m, kPositive, "Radius"); }
 };
 
 /// A rigid round bar that lies on the surface; its axis is along x at angle 0.

@@ -89,8 +89,8 @@ void Probing::describeKeys(Keys& keys, const CameraSkin& skin) {
     keys.number("hole_s", hole_s, kPositive, "Time from hole to hole", Need::optional);
     keys.number("play_m", play_m, kNotNegative, "Play of the stick in its hole, as a standard deviation",
                 Need::optional);
-    keys.number("wrong_share", wrongShare, NumberRange::between(0.0, 1.0),
-                "Share of the holes that are mistaken for another one", Need::optional);
+    keys.number("wrong_share", wrongShare, kShare, "Share of the holes that are mistaken for another one",
+                Need::optional);
 }
 
 void BumpReaction::describeKeys(Keys& keys) {
@@ -98,11 +98,6 @@ void BumpReaction::describeKeys(Keys& keys) {
                 Need::optional);
     keys.number("depth_m", depth_m, kPositive, "A deeper contact is a bump, too", Need::optional);
     keys.number("retreat_m", retreat_m, kPositive, "How far the arm draws back", Need::optional);
-}
-
-void FollowReaction::describeKeys(Keys& keys) {
-    keys.number("gain_per_s", gain_perS, kPositive, "Speed over the distance that the contact has moved",
-                Need::optional);
 }
 
 void CarrierLimits::describeKeys(Keys& keys) {

@@ -84,7 +84,10 @@ struct BumpReaction {
 /// The arm follows what touches it: turns about the tube's axis and moves along it.
 struct FollowReaction {
     double gain_perS = 8.0;
-    void describeKeys(Keys& keys);
+    void describeKeys(Keys& keys) {
+        keys.number("gain_per_s", gain_perS, kPositive, "Speed over the distance that the contact has moved",
+                    Need::optional);
+    }
 };
 
 using Reaction = std::variant<NoReaction, BumpReaction, FollowReaction>;

@@ -23,29 +23,26 @@ enum class ActsOn {
     camera,       ///< the camera inside a soft tube
 };
 
-/// The row of the table of effects that each of the types below is: its name in files, in summaries and of
-/// its random stream; what it acts on; what it stands for in the real world. Its keys with their ranges are
-/// what describeKeys() describes. Its maker, where one is needed, is
+/// The row of the table of effects that each of the types below is; describeKeys() says what its values mean.
+/// Its maker, where one is needed, is
 ///   makeEffect(const simulation::Listed<Spec>&)
 /// in backend/simulation.
 struct EffectRow {
-    std::string_view name;
+    std::string_view name; ///< in files, in summaries and of its random stream
     ActsOn actsOn;
-    std::string_view why;
+    std::string_view why; ///< what it stands for in the real world
 };
 
-/// Each taxel hands this share of its load to its four neighbours in equal parts.
 struct CrosstalkSpec {
     static constexpr EffectRow kRow{"crosstalk", ActsOn::taxels,
                                     "The elastic cover spreads a load to the neighbouring taxels"};
     double share = 0.0;
     void describeKeys(Keys& keys) {
-        keys.number("share", share, NumberRange::between(0.0, 1.0),
+        keys.number("share", share, kShare,
                     "Share of its load that a taxel hands to its four neighbours in equal parts");
     }
 };
 
-/// While the load falls, the reading stays behind by up to this share of the load.
 struct HysteresisSpec {
     static constexpr EffectRow kRow{"hysteresis", ActsOn::taxels,
                                     "The reading lags behind while the load falls"};
@@ -69,18 +66,15 @@ struct NonlinearResponseSpec {
     }
 };
 
-/// No two taxels are made alike: each reads its load times a factor of its own, whose logarithm is normal.
 struct GainSpreadSpec {
     static constexpr EffectRow kRow{"gain_spread", ActsOn::taxels, "No two taxels are made alike"};
     double sd = 0.0;
     void describeKeys(Keys& keys) {
-        keys.number("sd", sd, NumberRange::between(0.0, 1.0),
-                    "Standard deviation of the logarithm of the taxels' gains");
+        keys.number("sd", sd, kShare, "Standard deviation of the logarithm of the taxels' gains");
     }
 };
 
-/// Rest value of each taxel that wanders from 0 (the array is tared at the start) as an Ornstein-Uhlenbeck
-/// process.
+/// Ornstein-Uhlenbeck processes that begin at 0, since the array is tared at the start.
 struct DriftSpec {
     static constexpr EffectRow kRow{"drift", ActsOn::taxels, "The rest values of the taxels wander"};
     double sd_N = 0.0; ///< after a time much longer than timeConstant_s
@@ -93,7 +87,6 @@ struct DriftSpec {
     }
 };
 
-/// Gaussian noise on each taxel, independent from frame to frame.
 struct NoiseSpec {
     static constexpr EffectRow kRow{"noise", ActsOn::taxels,
                                     "Gaussian noise on each taxel, independent from frame to frame"};
@@ -103,14 +96,12 @@ struct NoiseSpec {
     }
 };
 
-/// Readings are limited to 0 .. ArraySensor::fullScale_N.
 struct SaturationSpec {
     static constexpr EffectRow kRow{"saturation", ActsOn::taxels,
                                     "Readings are limited to the range from 0 to full scale"};
     void describeKeys(Keys&) {}
 };
 
-/// Readings are multiples of a step.
 struct QuantizationSpec {
     static constexpr EffectRow kRow{"quantization", ActsOn::taxels, "Readings are multiples of a step"};
     double step_N = 0.0;
@@ -122,7 +113,6 @@ struct TaxelIndex {
     int column = 0;
 };
 
-/// Taxels that read one value whatever their load.
 struct DeadTaxelsSpec {
     static constexpr EffectRow kRow{"dead_taxels", ActsOn::taxels,
                                     "Some taxels read one value, whatever their load"};
@@ -132,17 +122,15 @@ struct DeadTaxelsSpec {
     void describeKeys(Keys& keys, const core::ArrayLayout& layout);
 };
 
-/// Readings come late, as over a bus or through a filter: so many whole frames as are nearest to the delay.
 struct LatencySpec {
     static constexpr EffectRow kRow{"latency", ActsOn::taxels,
                                     "Readings come late, as over a bus or through a filter"};
     double delay_s = 0.0;
     void describeKeys(Keys& keys) {
-        keys.number("delay_s", delay_s, NumberRange::between(0.0, 1.0), "The delay, rounded to whole frames");
+        keys.number("delay_s", delay_s, kShare, "The delay, rounded to whole frames");
     }
 };
 
-/// The weight that is taken off the torques is wrong by this share of the links' true weight.
 struct GravityErrorSpec {
     static constexpr EffectRow kRow{"gravity_error", ActsOn::joints,
                                     "The model of the arm's weight is a little wrong"};
@@ -153,7 +141,6 @@ struct GravityErrorSpec {
     }
 };
 
-/// The torque sensors sit at harmonic drives: their reading waves with the angle of the joint.
 struct GearRippleSpec {
     static constexpr EffectRow kRow{"gear_ripple", ActsOn::joints,
                                     "The torque sensors sit at harmonic drives, whose ripple they feel"};
@@ -165,7 +152,6 @@ struct GearRippleSpec {
     }
 };
 
-/// Gaussian noise of each joint torque, independent from sample to sample.
 struct TorqueNoiseSpec {
     static constexpr EffectRow kRow{"torque_noise", ActsOn::joints,
                                     "Gaussian noise on each joint torque, independent from sample to sample"};
@@ -175,7 +161,6 @@ struct TorqueNoiseSpec {
     }
 };
 
-/// Joint angles are multiples of a step.
 struct EncoderQuantizationSpec {
     static constexpr EffectRow kRow{"encoder_quantization", ActsOn::joints,
                                     "Joint angles are multiples of a step"};
@@ -183,7 +168,6 @@ struct EncoderQuantizationSpec {
     void describeKeys(Keys& keys) { keys.number("step_rad", step_rad, kPositive, "The step"); }
 };
 
-/// Objects that grow stiffer while they are pressed, as foams do.
 ///   F = k d (1 + d / doublingDepth_m)
 struct NonlinearObjectSpec {
     static constexpr EffectRow kRow{"nonlinear_object", ActsOn::armObjects,
@@ -212,16 +196,13 @@ struct LinkDelaySpec {
         keys.number("delay_s", delay_s, time, "Shortest time that a message takes, each way");
         keys.number("jitter_s", jitter_s, time, "Mean of the random time that is added to it",
                     Need::optional);
-        keys.number("loss_share", lossShare, NumberRange::between(0.0, 1.0),
-                    "Share of the messages that are lost", Need::optional);
+        keys.number("loss_share", lossShare, kShare, "Share of the messages that are lost", Need::optional);
         keys.number("outage_at_s", outageAt_s, kNotNegative, "When the link breaks down", Need::optional);
         keys.number("outage_s", outage_s, kNotNegative, "How long it stays down; 0: never down",
                     Need::optional);
     }
 };
 
-/// The cover is held from the sides: taxels along the border are stiffer by this share, corners by twice
-/// that.
 struct BorderStiffeningSpec {
     static constexpr EffectRow kRow{"border_stiffening", ActsOn::carriedArray,
                                     "The cover is held from the sides, so taxels at the border are stiffer"};
@@ -249,12 +230,10 @@ struct ContactDampingSpec {
                                     "The cover gives back less than it takes"};
     double time_s = 0.0;
     void describeKeys(Keys& keys) {
-        keys.number("time_s", time_s, NumberRange::between(0.0, 1.0),
-                    "Damping of the pressed cover over its stiffness");
+        keys.number("time_s", time_s, kShare, "Damping of the pressed cover over its stiffness");
     }
 };
 
-/// Dry friction of the object on the array's cover.
 struct FrictionSpec {
     static constexpr EffectRow kRow{"friction", ActsOn::carriedArray,
                                     "The object rubs on the cover of the array"};
@@ -265,8 +244,8 @@ struct FrictionSpec {
     }
 };
 
-/// The lens is no pinhole: k1..k6 and p1, p2 of the rational model, see vision::RationalDistortion. Without
-/// it the image is an ideal perspective of the same focal length.
+/// k1..k6 and p1, p2 of vision::RationalDistortion. Without it the image is an ideal perspective of the same
+/// focal length.
 struct LensDistortionSpec {
     static constexpr EffectRow kRow{"lens_distortion", ActsOn::camera, "The lens is no pinhole"};
     std::array<double, 6> radial{};
@@ -274,7 +253,6 @@ struct LensDistortionSpec {
     void describeKeys(Keys& keys);
 };
 
-/// Dots are printed beside their places and with other sizes.
 struct MarkerPrintErrorSpec {
     static constexpr EffectRow kRow{"marker_print_error", ActsOn::camera,
                                     "Dots are printed beside their places and in other sizes"};
@@ -287,7 +265,6 @@ struct MarkerPrintErrorSpec {
     }
 };
 
-/// Brightness that waves with the angle (lamps around the tube) and falls along it.
 struct UnevenLightSpec {
     static constexpr EffectRow kRow{"uneven_light", ActsOn::camera, "The lamps do not light the tube evenly"};
     int lamps = 8;
@@ -295,8 +272,7 @@ struct UnevenLightSpec {
     double fallPerMetre = 0.0; ///< share that is lost a metre
     void describeKeys(Keys& keys) {
         keys.whole("lamps", lamps, {1, 100}, "Lamps around the tube");
-        keys.number("ripple", ripple, NumberRange::between(0.0, 1.0),
-                    "Share of the brightness that is lost between two lamps");
+        keys.number("ripple", ripple, kShare, "Share of the brightness that is lost between two lamps");
         keys.number("fall_per_m", fallPerMetre, kNotNegative,
                     "Share of the brightness that is lost along the tube");
     }
@@ -307,12 +283,10 @@ struct VignettingSpec {
     static constexpr EffectRow kRow{"vignetting", ActsOn::camera, "The image is darker toward its corners"};
     double share = 0.0;
     void describeKeys(Keys& keys) {
-        keys.number("share", share, NumberRange::between(0.0, 1.0),
-                    "Share of the brightness that is lost in the corners");
+        keys.number("share", share, kShare, "Share of the brightness that is lost in the corners");
     }
 };
 
-/// The shutter is open for a part of the frame's time.
 struct MotionBlurSpec {
     static constexpr EffectRow kRow{"motion_blur", ActsOn::camera, "The shutter is open while things move"};
     double exposure_s = 0.0;

@@ -19,8 +19,8 @@ struct Scene {
     std::string name;
     std::string description;
     double duration_s = 0.0;
-    double rate_Hz =
-        0.0; ///< frames of an array or a camera, samples of an arm, control cycles of a servo a second
+    /// Frames of an array or a camera, samples of an arm or control cycles of a servo, per second.
+    double rate_Hz = 0.0;
     std::variant<ArrayWorld, ArmWorld, CameraWorld, ServoWorld> world;
     std::vector<Effect> effects; ///< each kind at most once
 

@@ -73,10 +73,6 @@ void BarShape::describeKeys(Keys& keys) {
     keys.number("turn_rad", turn_rad, kSteepness, "Slope behind the bend, to the side", Need::optional);
 }
 
-void BallShape::describeKeys(Keys& keys) {
-    keys.number("radius_m", radius_m, kPositive, "Radius");
-}
-
 void TrayHinge::describeKeys(Keys& keys) {
     keys.number("height_m", height_m, kAny, "Distance of the hinge behind the line of contact");
     keys.number("inertia_kgm2", inertia_kgm2, kPositive, "Inertia about the hinge, without the mass");

@@ -57,7 +57,7 @@ struct EdgeShape {
 /// A ball; its topmost point is the object's origin.
 struct BallShape {
     double radius_m = 0.0;
-    void describeKeys(Keys& keys);
+    void describeKeys(Keys& keys) { keys.number("radius_m", radius_m, kPositive, "Radius"); }
 };
 
 /// A flat face without end.

@@ -17,6 +17,7 @@ using core::NumberRange;
 inline constexpr NumberRange kAny = NumberRange::any();
 inline constexpr NumberRange kPositive = NumberRange::positive();
 inline constexpr NumberRange kNotNegative = NumberRange::notNegative();
+inline constexpr NumberRange kShare = NumberRange::between(0.0, 1.0);
 
 /// rows, columns and pitch_m.
 void describeLayout(Keys& keys, core::ArrayLayout& layout);

@@ -131,8 +131,7 @@ void ServoController::updateContact(const ServoInput& input, double dt_s, ServoO
     output.contact = m_search.exhausted() ? ContactState::lost : ContactState::searching;
 }
 
-std::array<bool, 6> ServoController::observe(const ServoInput& input, const ServoTask& task,
-                                             ServoOutput& output) {
+void ServoController::observe(const ServoInput& input, const ServoTask& task, ServoOutput& output) {
     MeasuredFeatures measured = featureVector(input.features, task.normalCompliance_mPerN);
     if (measured.defined[kWz])
         measured.s[kWz] = m_direction.follow(measured.s[kWz], task.desired.alphaZ_rad);
@@ -148,22 +147,17 @@ std::array<bool, 6> ServoController::observe(const ServoInput& input, const Serv
     output.actual = output.inverseJacobian * measured.s;
 
     Vector6 error = output.desired - output.actual;
-    std::array<bool, 6> known{};
     for (std::size_t row = 0; row < 6; ++row) {
-        known[row] = input.features.active > 0 && measured.defined[row];
         // A point has no direction to control, whatever the task asks for.
-        if (row == kWz && !output.edge)
-            known[row] = false;
-        if (!known[row])
+        const bool controllable = row != kWz || output.edge;
+        output.known[row] = input.features.active > 0 && measured.defined[row] && controllable;
+        if (!output.known[row])
             error[static_cast<Eigen::Index>(row)] = 0.0;
     }
     output.error = output.projection * error;
-    output.known = known;
-    return known;
 }
 
-ServoController::Wanted ServoController::law(const ServoInput& input, const ServoTask& task,
-                                             const std::array<bool, 6>& known, double dt_s,
+ServoController::Wanted ServoController::law(const ServoInput& input, const ServoTask& task, double dt_s,
                                              ServoOutput& output) {
     Wanted wanted;
     if (m_search.running()) {
@@ -176,9 +170,9 @@ ServoController::Wanted ServoController::law(const ServoInput& input, const Serv
     // How a moment changes with a turn depends on the contact; place, depth and direction follow the motion
     // one to one.
     PiRegulator::Rows rows{.takesPart = {P.x || P.com, P.y, P.z, P.wx, P.wy, P.wz},
-                           .known = known,
+                           .known = output.known,
                            .oneToOne = {!P.com, true, true, false, false, true}};
-    rows.known[kX] = (P.x && known[kX]) || (P.com && known[kWy]);
+    rows.known[kX] = (P.x && output.known[kX]) || (P.com && output.known[kWy]);
     const Vector6 desired = output.projection * output.desired;
     if (m_desired)
         m_regulator.expect(desired - *m_desired);
@@ -310,8 +304,8 @@ ServoOutput ServoController::step(const ServoInput& input) {
     output.phaseBegan = std::exchange(m_phaseBegan, false);
     output.finished = m_phases.finished();
 
-    const std::array<bool, 6> known = observe(input, task, output);
-    const Wanted wanted = law(input, task, known, dt_s, output);
+    observe(input, task, output);
+    const Wanted wanted = law(input, task, dt_s, output);
     const Twist twist = withinDeviation(limited(wanted.twist, input, task, wanted.regulated, output), input,
                                         task, dt_s, output);
     if (wanted.regulated)

@@ -102,10 +102,10 @@ private:
     };
 
     void updateContact(const ServoInput& input, double dt_s, ServoOutput& output);
-    /// Computes features, matrices and errors of a task; returns which rows of the error are known.
-    std::array<bool, 6> observe(const ServoInput& input, const ServoTask& task, ServoOutput& output);
-    [[nodiscard]] Wanted law(const ServoInput& input, const ServoTask& task, const std::array<bool, 6>& known,
-                             double dt_s, ServoOutput& output);
+    /// Computes features, matrices and errors of a task.
+    void observe(const ServoInput& input, const ServoTask& task, ServoOutput& output);
+    [[nodiscard]] Wanted law(const ServoInput& input, const ServoTask& task, double dt_s,
+                             ServoOutput& output);
     [[nodiscard]] Twist limited(const Twist& wanted, const ServoInput& input, const ServoTask& task,
                                 bool regulated, ServoOutput& output) const;
     [[nodiscard]] Twist withinDeviation(const Twist& twist, const ServoInput& input, const ServoTask& task,
