@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/arm_channel.h"
 
-#include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/pipeline/touch/skin_contact.h"
 #include "backend/recording/recorder.h"
@@ -81,8 +80,6 @@ std::size_t ArmChannel::process() {
     m_skin->process(
         [&](const TouchSnapshot& frame) { m_contacts.push_back(strongestContact(frame, circumference_m)); });
 
-    const std::int64_t start_ns = core::steadyNow_ns();
-    const double contourBefore_s = std::exchange(m_stages.contour_s, 0.0);
     auto contact = m_contacts.begin();
     const auto feedContactsUntil = [&](std::int64_t time_ns) {
         for (; contact != m_contacts.end() && contact->time_ns <= time_ns; ++contact) {
@@ -110,12 +107,8 @@ std::size_t ArmChannel::process() {
     changed = changed || !m_joints.empty() || !m_contacts.empty();
     if (!m_joints.empty()) {
         m_newest = m_joints.back();
-        m_stages.queue_s = core::elapsed_s(m_joints.front().time_ns, start_ns);
-        m_stages.touch_s = core::elapsed_s(start_ns, core::steadyNow_ns()) - m_stages.contour_s;
         m_samplesProcessed.fetch_add(m_joints.size(), std::memory_order_relaxed);
     }
-    if (m_stages.contour_s == 0.0)
-        m_stages.contour_s = contourBefore_s;
     if (changed)
         publish();
     return m_joints.size();
@@ -146,10 +139,8 @@ void ArmChannel::take(TouchRecord&& touch) {
     if (feedback)
         feedback->onTouch(touch);
     if (touch.located) {
-        const std::int64_t start_ns = core::steadyNow_ns();
         if (m_found.add(touch) != nullptr)
             ++m_objectsRevision;
-        m_stages.contour_s += core::elapsed_s(start_ns, core::steadyNow_ns());
         if (feedback)
             feedback->onContour(touch, m_found.contour());
     }
@@ -169,8 +160,6 @@ void ArmChannel::publish() {
     snapshot.newest = m_newest;
     snapshot.drive = m_arm->drive();
     snapshot.begun_ns = m_begun_ns;
-    snapshot.phases = m_estimator.phases();
-    snapshot.reference_Nm = m_estimator.reference_Nm();
     snapshot.contact = m_estimator.liveContact();
     snapshot.lastTouch = m_lastTouch;
     // The slot may hold this contour already: it is large and seldom new.
@@ -180,12 +169,7 @@ void ArmChannel::publish() {
         snapshot.objects = m_found.objects();
         snapshot.objectsRevision = m_objectsRevision;
     }
-    snapshot.stages = m_stages;
     snapshot.samplesProcessed = samplesProcessed();
-    snapshot.samplesLeftOut = m_estimator.samplesLeftOut();
-    snapshot.touches = m_estimator.touches();
-    snapshot.touchesTooGentle = m_estimator.touchesTooGentle();
-    snapshot.touchesByInertia = m_estimator.touchesByInertia();
     m_snapshots.publish();
 }
 

@@ -7,7 +7,6 @@
 #include "backend/core/threads/latest_copy.h"
 #include "backend/core/threads/latest_exchange.h"
 #include "backend/core/threads/mailbox.h"
-#include "backend/pipeline/touch/arm_snapshot.h"
 #include "backend/pipeline/touch/found_objects.h"
 #include "backend/pipeline/touch/tactile_feedback.h"
 #include "backend/pipeline/touch/touch_estimator.h"
@@ -21,6 +20,27 @@
 #include <vector>
 
 namespace teleta::pipeline {
+
+/// How one arm's samples are turned into touches and a contour; changed while it runs.
+struct ArmSettings {
+    TouchEstimatorSettings touch;
+    ContourSettings contour;
+};
+
+/// What the pipeline knows of one arm after its newest sample. Views get it as a constant and own no truth.
+struct ArmSnapshot {
+    core::JointSample newest;
+    core::ArmDrive drive = core::ArmDrive::held;
+    /// Of the first sample since the arm began anew, with a time of its own that ran back: objects and
+    /// touches are of what came after it. 0: it has not. A recording that is sought back does not.
+    std::int64_t begun_ns = 0;
+    std::optional<LiveContact> contact;
+    std::optional<TouchRecord> lastTouch;
+    ExploredContour contour; ///< of the object that was touched last
+    std::vector<FoundObject> objects;
+    std::uint64_t objectsRevision = 0; ///< grows with each change of the objects
+    std::uint64_t samplesProcessed = 0;
+};
 
 /// Where the channel leaves copies of what passes for a recording. All members are set.
 struct ArmTaps {
@@ -128,7 +148,6 @@ private:
     std::vector<SkinContact> m_contacts;
     core::JointSample m_newest;
     std::optional<TouchRecord> m_lastTouch;
-    ArmStageTimes m_stages;
     core::LatestExchange<ArmSnapshot> m_snapshots;
     core::BoundedQueue<core::JointSample> m_samples;
     core::BoundedQueue<TouchRecord> m_touches;

@@ -194,27 +194,18 @@ void TouchChannel::processFrame(const core::SampleBlock& block, std::size_t inde
 }
 
 void TouchChannel::analyse(const core::SampleBlock& block, std::size_t index) {
-    const std::int64_t start_ns = core::steadyNow_ns();
     m_current.frame = block.firstFrame + index;
     m_current.time_ns = block.time_ns[index];
     m_current.sourceTime_s = block.sourceTime_s[index];
     const std::size_t dead = m_conditioner.apply(block.frame(index), m_current.load_N, m_current.dead);
-    const std::int64_t conditioned_ns = core::steadyNow_ns();
 
     const auto contacts = m_segmenter.segment(m_current.load_N, m_current.dead);
     m_tracker.assign(contacts, m_current.sourceTime_s);
     m_current.contacts.assign(contacts.begin(), contacts.end());
-    const std::int64_t segmented_ns = core::steadyNow_ns();
 
     m_current.features = m_features.compute(m_current.load_N, m_current.dead);
     m_current.features.dead = static_cast<int>(dead);
     m_current.threshold_N = m_current.features.threshold_N;
-    const std::int64_t done_ns = core::steadyNow_ns();
-
-    m_current.stages = {.conditioning_s = core::elapsed_s(start_ns, conditioned_ns),
-                        .contacts_s = core::elapsed_s(conditioned_ns, segmented_ns),
-                        .features_s = core::elapsed_s(segmented_ns, done_ns),
-                        .queue_s = core::elapsed_s(block.time_ns[index], start_ns)};
 }
 
 void TouchChannel::accumulateTare(const core::SampleBlock& block, std::size_t index) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch/tactile_feedback.h"
 
-#include "backend/core/steady_time.h"
-
 #include <utility>
 
 namespace teleta::pipeline {
@@ -99,7 +97,6 @@ FeedbackSent TactileFeedback::messageOf(const TouchRecord& record, const Entry& 
     sent.patternId = entry.id;
     sent.missing = !entry.id.empty() && !entry.program.evaluate;
     sent.felt_ns = record.ready_ns;
-    sent.sent_ns = core::steadyNow_ns();
     return sent;
 }
 

@@ -29,7 +29,6 @@ struct FeedbackSent {
     std::string patternId;    ///< empty: the map has none for it, nothing was sent
     bool missing = false;     ///< the map has this id, but there is no such pattern: nothing was sent
     std::int64_t felt_ns = 0; ///< steady time of the sample that completed the touch
-    std::int64_t sent_ns = 0; ///< steady time at which the player had it
 };
 
 /// Turns what was recognised into patterns on the bracelet: the material of every touch that has a stiffness,

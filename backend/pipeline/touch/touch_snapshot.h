@@ -20,14 +20,6 @@ struct ChannelSettings {
     std::string loadUnit = "N"; ///< unit of the loads, shown with every force
 };
 
-/// Time that the stages of the newest frame took, in s.
-struct StageTimes {
-    double conditioning_s = 0.0;
-    double contacts_s = 0.0;
-    double features_s = 0.0;
-    double queue_s = 0.0; ///< from the read of the frame to the start of its processing
-};
-
 /// What the pipeline knows of one array after its newest frame. Views get it as a constant and own no truth.
 struct TouchSnapshot {
     core::ArrayLayout layout;
@@ -41,7 +33,6 @@ struct TouchSnapshot {
     std::vector<contact::Contact> contacts;
     contact::TactileFeatures features;
     double threshold_N = 0.0;
-    StageTimes stages;
     std::uint64_t framesProcessed = 0;
 };
 

@@ -95,11 +95,8 @@ TEST_F(ArmChannelTest, publishesATouchWithEverythingThatIsKnownOfIt) {
     EXPECT_EQ(snapshot.samplesProcessed, 310U);
     EXPECT_EQ(snapshot.newest.sourceTime_s, 0.31);
     EXPECT_EQ(snapshot.drive, core::ArmDrive::jog);
-    EXPECT_EQ(snapshot.phases[pipeline::kElbow], stiffness::ContactPhase::free);
     EXPECT_FALSE(snapshot.contact);
-    EXPECT_EQ(snapshot.touches, 1U);
     EXPECT_EQ(snapshot.contour.points_m.size(), 1U);
-    EXPECT_GE(snapshot.stages.touch_s, 0.0);
 
     TouchRecord record;
     ASSERT_TRUE(m_channel.popTouch(record));
@@ -116,7 +113,7 @@ TEST_F(ArmChannelTest, publishesATouchWithEverythingThatIsKnownOfIt) {
     EXPECT_EQ(m_touchChannel->framesProcessed(), 62U);
 }
 
-TEST_F(ArmChannelTest, showsPhaseAndContactWhileItTouches) {
+TEST_F(ArmChannelTest, showsTheContactWhileItTouches) {
     for (int i = 0; i < 100; ++i)
         step(0.0);
     for (int i = 1; i <= 60; ++i)
@@ -124,7 +121,6 @@ TEST_F(ArmChannelTest, showsPhaseAndContactWhileItTouches) {
     m_channel.process();
     m_channel.update();
     const pipeline::ArmSnapshot& snapshot = m_channel.snapshot();
-    EXPECT_EQ(snapshot.phases[pipeline::kElbow], stiffness::ContactPhase::contact);
     ASSERT_TRUE(snapshot.contact && snapshot.contact->force);
     EXPECT_NEAR(snapshot.contact->contactDistance_m, kDistance_m, 1e-9);
     EXPECT_NEAR(snapshot.contact->force->force_N.dot(m_arm.normal_Base()), 0.06 / kDistance_m, 0.01);

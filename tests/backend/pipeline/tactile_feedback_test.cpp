@@ -73,7 +73,6 @@ TEST_F(TactileFeedbackTest, aTouchPlaysThePatternOfItsLevel) {
     EXPECT_EQ(messages[0].material, Material::rubber);
     EXPECT_EQ(messages[0].touch, 1U);
     EXPECT_EQ(messages[0].felt_ns, 1000);
-    EXPECT_GT(messages[0].sent_ns, 0);
 }
 
 TEST_F(TactileFeedbackTest, aTouchWithoutStiffnessPlaysNothing) {
