@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# For the scripts beside it, which source it: a Debian 12 of its own in a folder, made by debootstrap, and commands run in it.
-# Needs root rights, and fail() of the script that sources it.
+# Sourced by the other scripts: makes a Debian 12 in a folder with debootstrap, and runs commands in it. Needs root rights,
+# and fail() of the script that sources it.
 # shellcheck shell=bash
 
-# The mirror from which this machine has a suite, for it may reach no other.
+# The mirror that this machine uses for a suite, since it may reach no other.
 mirror_of() {
     local mirror
     mirror=$(apt-cache policy | sed -nE "0,/$1\/main/s/^ *[0-9]+ ([^ ]+) $1\/main .*/\1/p")
     printf '%s' "${mirror:-$2}"
 }
 
-# make_tree FOLDER: the least Debian 12, with the updates of its suite.
+# make_tree FOLDER: a minimal Debian 12, with the updates of its suite.
 make_tree() {
     local main=http://deb.debian.org/debian updates security
     main=$(mirror_of bookworm "$main")
@@ -20,13 +20,13 @@ make_tree() {
     debootstrap --variant=minbase bookworm "$1" "$main" >"$1.log" 2>&1 || fail "debootstrap failed, see $1.log"
     printf 'deb %s bookworm main\ndeb %s bookworm-updates main\ndeb %s bookworm-security main\n' \
         "$main" "$updates" "$security" >"$1/etc/apt/sources.list"
-    # Nothing that is installed in there is to be started.
+    # No service that is installed in there may start.
     printf '#!/bin/sh\nexit 101\n' >"$1/usr/sbin/policy-rc.d"
     chmod 755 "$1/usr/sbin/policy-rc.d"
 }
 
 mounted=()
-# leave_tree: what enter_tree has mounted is taken away again.
+# leave_tree: unmounts what enter_tree mounted.
 leave_tree() {
     local place
     for place in "${mounted[@]}"; do umount "$place"; done

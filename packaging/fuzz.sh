@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Looks for inputs that break a parser: coverage-guided fuzzing by libFuzzer under the address and undefined-behaviour sanitizers.
 #   fuzz.sh [NAME...] [--seconds S]     default: every target of tests/fuzz, 60 s each
-# A job outside the normal run: install_dependencies.sh --fuzz, a build of its own with clang. What it learns stays in
-# build/fuzz/corpus and the next run goes on from there. Inputs that break something are left in build/fuzz/crashes/NAME; mend
-# the parser and keep them in tests/fuzz/regressions/NAME, which each test run replays. Exit code 1 when there are any.
+# Not part of test.sh: it installs its own dependencies and builds with clang. What it learns stays in build/fuzz/corpus,
+# where the next run continues. Inputs that break something are left in build/fuzz/crashes/NAME, and the exit code is 1. Fix
+# the parser and keep them in tests/fuzz/regressions/NAME, which every test run replays.
 set -uo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 

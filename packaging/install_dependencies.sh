@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the Debian 12 packages that the project needs and that are not there yet.
-#   install_dependencies.sh          what building and running needs
-#   install_dependencies.sh --test   also what packaging/test.sh checks with
-#   install_dependencies.sh --package   also what packaging/make_deb.sh and test_deb.sh need
-#   install_dependencies.sh --flatpak   also what packaging/make_flatpak.sh and test_flatpak.sh need
-#   install_dependencies.sh --fuzz   also what packaging/fuzz.sh compiles with
+# Installs the Debian 12 packages that the project needs and that are missing.
+#   install_dependencies.sh          those for building and running
+#   install_dependencies.sh --test   also those of packaging/test.sh
+#   install_dependencies.sh --package   also those of packaging/make_deb.sh and test_deb.sh
+#   install_dependencies.sh --flatpak   also those of packaging/make_flatpak.sh and test_flatpak.sh
+#   install_dependencies.sh --fuzz   also those of packaging/fuzz.sh
 #   install_dependencies.sh --print  installs nothing, prints the packages that compile the programs
 set -euo pipefail
 
-# What the programs are compiled with.
+# For compiling the programs.
 build_packages=(
     # tools
     build-essential cmake ninja-build ccache pkg-config
@@ -41,17 +41,17 @@ packages=(
     # a screen, OpenGL in software and a font where there are none
     xvfb xauth libgl1-mesa-dri fonts-dejavu-core
 )
-# What only the checks use.
+# For the checks only.
 test_packages=(clang-format clang-tidy desktop-file-utils appstream r-base-core)
-# The shared store of studies, readers of their reports and figures, and the other shell that completes commands.
+# The shared store of studies, readers of reports and figures, and the other shell with completion.
 test_packages+=(postgresql python3-html5lib poppler-utils locales zsh)
-# Servers and lines that somebody else wrote, as peers of the devices.
+# Independent servers and serial lines, as peers of the devices.
 test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 busybox-static cpio)
-# What only making and trying the Debian package uses.
+# For building and testing the Debian package only.
 package_packages=(help2man dpkg-dev file lintian debootstrap)
-# What only making and trying the Flatpak uses.
+# For building and testing the Flatpak only.
 flatpak_packages=(flatpak flatpak-builder ostree debootstrap weston xwayland)
-# What fuzzing of the parsers uses.
+# For fuzzing the parsers.
 fuzz_packages=(clang libclang-rt-dev)
 
 fail() {
@@ -96,7 +96,7 @@ fi
 
 printf 'Installing %d missing packages: %s\n' "${#missing[@]}" "${missing[*]}"
 apt=("${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=120)
-# A repository that this project does not use may be out of reach, so the install decides.
+# A repository that the project does not need may be unreachable, so only a failed install counts.
 "${apt[@]}" update || printf 'install_dependencies: apt-get update reported a problem, going on\n' >&2
 "${apt[@]}" install -y --no-install-recommends "${missing[@]}" ||
     fail "apt-get could not install the packages (see above). It needs root rights, the network and the package sources

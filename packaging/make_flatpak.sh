@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds the Flatpak of both programs, and of the runtime that they need out of Debian 12 packages, and says where they are. Needs root
-# rights for debootstrap, and 7 GB. A second run uses the runtime that is there; remove build/flatpak to make one of newer packages.
+# Builds the Flatpak of both programs and their runtime from Debian 12 packages, and prints the paths. Needs root rights for debootstrap,
+# and 7 GB. A second run reuses the runtime; remove build/flatpak to build it from newer packages.
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
@@ -12,24 +12,24 @@ fail() {
 ((EUID == 0)) || fail "debootstrap needs root rights"
 source "$root/packaging/flatpak/names.sh"
 source "$root/packaging/flatpak/runtime.sh"
-# An installation for building, beside those of the machine and of its users.
+# An installation only for building, apart from those of the machine and its users.
 export FLATPAK_USER_DIR="$work/installation"
 mkdir -p "$work"
 "$root/packaging/install_dependencies.sh" --flatpak
 
-# packaging_value NAME: what packaging/CMakeLists.txt sets.
+# packaging_value NAME: the value that packaging/CMakeLists.txt sets.
 packaging_value() {
     local value
     value=$(sed -n "s/^set($1 \"\\(.*\\)\")\$/\\1/p" "$root/packaging/CMakeLists.txt")
     [[ -n $value ]] || fail "packaging/CMakeLists.txt does not set $1 in one line"
     printf '%s' "$value"
 }
-# Plugins and texts are those of the Debian package; no shell completes inside a Flatpak.
+# Plugins and texts are those of the Debian package; shell completion does not work inside a Flatpak.
 plugins=$(packaging_value CPACK_DEBIAN_PACKAGE_DEPENDS)
 texts=$(packaging_value CPACK_DEBIAN_PACKAGE_RECOMMENDS)
 texts=${texts/, bash-completion/}
 
-# needed_packages PROGRAM...: the packages with the libraries of programs that the Sdk has linked.
+# needed_packages PROGRAM...: the packages of the libraries that programs built in the Sdk link.
 needed_packages() {
     local needed
     tree="$work/Sdk"
@@ -42,10 +42,10 @@ needed_packages() {
     printf '%s' "${needed#shlibs:Depends=}"
 }
 
-# appstream-util has what flatpak-builder composes the exported metadata with.
+# flatpak-builder composes the exported metadata with appstream-util.
 mapfile -t packages < <("$root/packaging/install_dependencies.sh" --print)
 make_runtime Sdk "$(printf '%s, ' "${packages[@]}")appstream-util"
-# flatpak-builder wants a platform to be there before the programs are, whose libraries are what it is to hold.
+# flatpak-builder needs a Platform before the programs are built, but their libraries decide what it holds.
 flatpak --user info "$platform" >/dev/null 2>&1 || make_runtime Platform fontconfig
 
 printf 'Building %s\n' "$application"
@@ -55,7 +55,7 @@ flatpak-builder --user --force-clean --ccache --disable-rofiles-fuse --jobs="$jo
     fail "flatpak-builder failed, see $work/application.log"
 }
 libraries=$(needed_packages "$work"/application/files/bin/*)
-# fontconfig has fc-list, which tells what fonts of the machine the console sees.
+# fc-list, from fontconfig, lists the fonts of the machine that the console sees.
 make_runtime Platform "$libraries, $plugins, $texts, fontconfig"
 ostree prune --repo="$repository" --refs-only --depth=0 >/dev/null
 

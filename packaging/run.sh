@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what is missing, builds the programs and starts the console, with a simulated touch where nothing is named
-# to be opened.
+# Installs what is missing, builds the programs and starts the console. Without a file or a device to open, it shows a
+# simulated touch.
 #   run.sh [arguments of teleta-console]
 # Without a display it starts one in memory, takes a picture of the console, says where it is, and ends.
 set -euo pipefail

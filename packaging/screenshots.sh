@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of the README from the running console: touches and a contour of a simulated arm, a recorded pressure mat, a
-# simulated array, a simulated camera and its calibration, a pattern, a rehearsed study, light and dark. The contour takes four minutes:
-# it is explored in real time.
+# simulated array, a simulated camera and its calibration, a pattern, a rehearsed study, light and dark. The contour takes four minutes,
+# since it is explored in real time.
 #   screenshots.sh [FOLDER [WIDTHxHEIGHT]]      default: resources/screenshots 1600x1000
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"

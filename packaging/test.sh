@@ -5,14 +5,14 @@
 #   ci          the whole project: all tests, those with OpenGL on a screen in memory
 #   headless    backend and command line without any GUI library; statistics over many runs only in ci
 #   tsan        threads: parts of backend and devices under the thread sanitizer
-#   asan        parts of the backend, the hard cases of the others and what once broke a parser, under the address and
-#               undefined-behaviour sanitizers
-#   alone       the programs of the preset dev: each source compiles by itself, without what a unity build puts before it,
+#   asan        parts of the backend, the hard cases of the others and inputs that once broke a parser, under the address
+#               and undefined-behaviour sanitizers
+#   alone       the programs of the preset dev: each source compiles by itself, without the other sources of a unity build,
 #               and with assertions
-# Outside that run, only when named:
-#   soak        what takes many minutes: every effect of every scene with a camera left out once; the console for an hour
+# Runs only when named:
+#   soak        takes many minutes: every effect of every scene with a camera left out once; the console for an hour
 #               with arm, array, camera, bracelet and recording (TELETA_SOAK_S: other seconds)
-# Names as arguments choose among them. Every check runs, whatever the others found; the summary is last.
+# Arguments name the checks to run. Every check runs, even when another one fails; the summary comes last.
 set -uo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
@@ -112,7 +112,7 @@ for name in "${checks[@]}"; do
             fi
             ;;
         alone)
-            # Without debug information and optimization: only whether it compiles is asked.
+            # Only whether it compiles matters here, so without debug information and optimization.
             if configure dev -B build/alone -DTELETA_TESTS=OFF -DTELETA_WERROR=ON -DCMAKE_CXX_FLAGS_DEBUG= &&
                 cmake --build "$root/build/alone" -- -k 0; then
                 record alone 1 0

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the package into a clean tree of Debian 12 and uses it there as a person would. Needs root rights.
-#   test_deb.sh [TREE]      a tree of debootstrap that is there already is used again
+#   test_deb.sh [TREE]      an existing tree is used again
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 source "$root/packaging/debian_tree.sh"

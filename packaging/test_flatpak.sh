@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds the Flatpak, installs it for a person who has nothing else, and uses it as that person would. Needs root rights, as
+# Builds the Flatpak, installs it for a person with an empty home, and uses it as that person would. Needs root rights, as
 # make_flatpak.sh does.
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
@@ -12,7 +12,7 @@ fail() {
 "$root/packaging/make_flatpak.sh"
 source "$root/packaging/flatpak/names.sh"
 
-# A home of its own, with nothing of this machine's installations or settings. Not in /tmp, of which a Flatpak has its own.
+# An empty home, without this machine's installations and settings. Not in /tmp: a Flatpak has its own /tmp.
 home="$work/home"
 rm -rf -- "$home"
 mkdir -p "$home"
@@ -45,7 +45,7 @@ files="$installation/app/$application/current/active/files"
 [[ $(gzip -dc "$files/share/app-info/xmls/$application.xml.gz") == *"<id>$application"* ]] || fail "software centres do not see the program"
 [[ ! -e $files/lib/udev ]] || fail "udev rules are where no udev reads them"
 
-# inside COMMAND ARGUMENTS...: run beside the programs.
+# inside COMMAND ARGUMENTS...: runs a command in the sandbox of the programs.
 inside() { flatpak run --command="$1" "$application" "${@:2}"; }
 teleta() { inside teleta "$@"; }
 
@@ -63,7 +63,7 @@ teleta study rehearse --participants 2 --seed 1 --out study >/dev/null
 teleta study analyze study --out results >/dev/null
 [[ -s results/anova.csv ]] || fail "analyze left no ANOVA"
 teleta devices
-# says WORD COMMAND...: what the command prints has the word.
+# says WORD COMMAND...: checks that the command prints the word.
 says() {
     local printed
     printed=$("${@:2}") && grep -q -- "$1" <<<"$printed"
@@ -73,14 +73,14 @@ says '^Calcule contacts' in_locale fr_FR.UTF-8 --help || fail "the command line 
 says '接触' in_locale ja_JP.UTF-8 --help || fail "the command line does not speak Japanese"
 says '接触' in_locale zh_CN.UTF-8 --help || fail "the command line does not speak Chinese"
 says uaccess inside cat /app/share/teleta-console/udev/70-teleta-bracelet.rules || fail "there are no udev rules to copy from"
-# Nothing listens at port 1: refused by the network is further than a driver that is missing.
+# Nothing listens on port 1: a refused connection shows that the driver is there.
 refused=$(teleta study rehearse --participants 2 --seed 1 --out refused --store 'postgresql://nobody@127.0.0.1:1/none?study=x' 2>&1 || true)
 [[ $refused == *"connection to server"* ]] || fail "a PostgreSQL server cannot be asked for a study: $refused"
-# The second time from fontconfig's cache.
+# The second run reads fontconfig's cache.
 for ((i = 0; i < 2; ++i)); do
     says '^/run/host/fonts/' inside fc-list || fail "the fonts of this machine are not seen"
 done
-# Compilers and the tools that install packages are not what a user is to get.
+# Users must not get compilers or package managers.
 for tool in gcc cc cmake apt-get dpkg perl; do
     if inside sh -c "command -v $tool" >/dev/null; then fail "the runtime holds $tool"; fi
 done
@@ -89,7 +89,7 @@ printf '\n== the console\n'
 pictures="$work/pictures"
 rm -rf -- "$pictures"
 mkdir -p "$pictures"
-# take NAME ARGUMENTS...: a picture of the console, by a command in front of it that gives it a screen.
+# take NAME ARGUMENTS...: takes a picture of the console under a command that gives it a screen.
 take() {
     local picture="$home/$1.png"
     shift

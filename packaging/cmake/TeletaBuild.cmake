@@ -11,7 +11,7 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
 
-# Everybody may look into the folders that an installation makes, whatever the umask of whoever makes it.
+# Everybody may read the installed folders, whatever the umask of the person who installs.
 set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ
     OWNER_WRITE
@@ -34,7 +34,7 @@ target_include_directories(teleta_options INTERFACE "${CMAKE_SOURCE_DIR}")
 target_compile_options(teleta_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
                                                 -Wnull-dereference -Wdouble-promotion -Wcast-align -fno-math-errno)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # Warns falsely where a std::string is assigned (bug 105329 of GCC).
+    # GCC warns falsely where a std::string is assigned (bug 105329).
     target_compile_options(teleta_options INTERFACE -Wno-restrict)
 endif()
 target_link_libraries(teleta_options INTERFACE Threads::Threads)
@@ -48,11 +48,11 @@ if(TELETA_SANITIZE)
         target_compile_options(teleta_options INTERFACE -fno-sanitize-recover=undefined)
     endif()
     if(TELETA_SANITIZE MATCHES "address")
-        # With that sanitizer Eigen would take its own allocator; what Ceres was built with is the ordinary one.
+        # Under this sanitizer Eigen would use an allocator of its own, but Ceres was built with the ordinary one.
         target_compile_definitions(teleta_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
     endif()
     if(TELETA_SANITIZE MATCHES "fuzzer")
-        # Divisions stay where the source has them: their exceptions are trapped.
+        # Divisions stay where the source has them, because their exceptions are trapped.
         target_compile_options(teleta_options INTERFACE -ffp-exception-behavior=maytrap)
     endif()
 endif()
@@ -136,7 +136,7 @@ function(teleta_add_modules)
 endfunction()
 
 # teleta_library(SOURCES a.cpp a.h ...)
-# The static library of this folder. What it links stands in the module graph.
+# The static library of this folder. The module graph says what it links.
 function(teleta_library)
     cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
     file(RELATIVE_PATH folder "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
@@ -190,8 +190,8 @@ endfunction()
 
 # teleta_gui_test(NAME LABEL gui|gl SOURCES ... DEPENDS ...)
 # One Qt Test program. Label gui runs offscreen; label gl runs under Xvfb, since offscreen has no QOpenGLWidget.
-# A check that waits tells its failure after three times its patience only (QTRY_VERIFY_WITH_TIMEOUT): the default
-# leaves time for that.
+# QTRY_VERIFY_WITH_TIMEOUT reports a failure only after three times its timeout; the default TIMEOUT leaves time for
+# that.
 function(teleta_gui_test name)
     cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
     if(NOT ARG_TIMEOUT)
@@ -204,7 +204,7 @@ function(teleta_gui_test name)
     if(ARG_LABEL STREQUAL "gl")
         find_program(TELETA_XVFB_RUN xvfb-run REQUIRED)
         add_test(NAME ${name} COMMAND ${TELETA_XVFB_RUN} -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${name}>)
-        # xvfb-run -a does not choose its display number safely when two of them start at once.
+        # Two xvfb-run -a that start at once may choose the same display number.
         set_tests_properties(${name} PROPERTIES ENVIRONMENT "QT_QPA_PLATFORM=xcb;LIBGL_ALWAYS_SOFTWARE=1"
                                                 RESOURCE_LOCK xvfb)
     else()

@@ -131,13 +131,9 @@ void reportContacts(const std::vector<ComparedTouch>& touches, ordered_json& mea
 }
 
 const char* trueShape(const scene::Outline& outline) {
-    struct Name {
-        const char* operator()(const scene::RoundOutline&) const { return "circle"; }
-        const char* operator()(const scene::RectangleOutline&) const { return "rectangle"; }
-        const char* operator()(const scene::TriangleOutline&) const { return "triangle"; }
-        const char* operator()(const scene::WallOutline&) const { return "line"; }
-    };
-    return std::visit(Name(), outline);
+    constexpr std::array kNames{"circle", "rectangle", "triangle", "line"};
+    static_assert(kNames.size() == std::variant_size_v<scene::Outline>);
+    return kNames[outline.index()];
 }
 
 ordered_json oneOrList(const std::vector<ordered_json>& values) {
