@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/core/bracelet/bracelet_device.h"
-#include "backend/core/bracelet/bracelet_worker.h"
+#include "backend/core/bracelet/bracelet_link.h"
 #include "backend/core/bracelet/tactors.h"
 #include "backend/core/random_stream.h"
 

@@ -7,7 +7,7 @@
 //   handOver        two threads and a condition variable: the reference for the next one
 //   setpointToFrame post() on this thread until the simulated bracelet has the frame, median and 99 %
 //   play10s         10 s at 200 Hz on the simulated bracelet: deadlines missed, write times
-#include "backend/core/bracelet/bracelet_worker.h"
+#include "backend/core/bracelet/bracelet_link.h"
 #include "backend/core/steady_time.h"
 #include "backend/playback/player.h"
 #include "devices/bracelet/bracelet_reports.h"

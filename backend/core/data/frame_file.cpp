@@ -19,10 +19,6 @@ struct FrameFileText {
     Q_DECLARE_TR_FUNCTIONS(FrameFileText)
 };
 
-Unexpected badInput(const QString& message, const QString& expected, SourcePlace where) {
-    return failed(ErrorKind::badInput, message, expected, std::move(where));
-}
-
 /// True when the name is that of the taxel column of this index: "t0", "t1", ...
 bool isTaxelName(const std::string& name, std::size_t index) {
     return name == 't' + std::to_string(index);
@@ -35,14 +31,15 @@ Expected<std::size_t> checkHeader(const CsvReader& csv) {
     for (std::size_t i = 0; i < header.size(); ++i) {
         if (i == 0 ? header[i] == "time_s" : isTaxelName(header[i], i - 1))
             continue;
-        return badInput(FrameFileText::tr("column %1 is \"%2\"")
-                            .arg(i + 1)
-                            .arg(QString::fromStdString(header[i]).left(40)),
-                        i == 0 ? QStringLiteral("time_s") : QStringLiteral("t%1").arg(i - 1), csv.place(i));
+        return failed(ErrorKind::badInput,
+                      FrameFileText::tr("column %1 is \"%2\"")
+                          .arg(i + 1)
+                          .arg(QString::fromStdString(header[i]).left(40)),
+                      i == 0 ? QStringLiteral("time_s") : QStringLiteral("t%1").arg(i - 1), csv.place(i));
     }
     if (header.size() == 1)
-        return badInput(FrameFileText::tr("there are no taxel columns"),
-                        FrameFileText::tr("the columns time_s, t0, t1, ..."), csv.place(1));
+        return failed(ErrorKind::badInput, FrameFileText::tr("there are no taxel columns"),
+                      FrameFileText::tr("the columns time_s, t0, t1, ..."), csv.place(1));
     return header.size() - 1;
 }
 
@@ -64,12 +61,12 @@ Expected<FrameFile> FrameFile::open(const std::string& path, const ArrayLayout& 
     const Expected<std::size_t> taxels = checkHeader(csv);
     TELETA_CHECK(taxels);
     if (*taxels != layout.taxels())
-        return badInput(FrameFileText::tr("the file has %1 taxel columns").arg(*taxels),
-                        FrameFileText::tr("%1 = %2 rows x %3 columns")
-                            .arg(layout.taxels())
-                            .arg(layout.rows)
-                            .arg(layout.columns),
-                        csv.place(std::min(*taxels, layout.taxels()) + 1));
+        return failed(ErrorKind::badInput, FrameFileText::tr("the file has %1 taxel columns").arg(*taxels),
+                      FrameFileText::tr("%1 = %2 rows x %3 columns")
+                          .arg(layout.taxels())
+                          .arg(layout.rows)
+                          .arg(layout.columns),
+                      csv.place(std::min(*taxels, layout.taxels()) + 1));
     return FrameFile(std::move(csv), layout);
 }
 
@@ -84,19 +81,20 @@ Expected<bool> FrameFile::next(double& time_s, std::span<float> values) {
         return any;
     if (!*any) {
         if (!m_anyFrame)
-            return badInput(FrameFileText::tr("the recording has no frames"),
-                            FrameFileText::tr("at least one row after the header"),
-                            {m_csv.path(), m_csv.nextLine(), 1});
+            return failed(ErrorKind::badInput, FrameFileText::tr("the recording has no frames"),
+                          FrameFileText::tr("at least one row after the header"),
+                          {m_csv.path(), m_csv.nextLine(), 1});
         return false;
     }
     const double time = m_row.front();
     if (!std::isfinite(time))
-        return badInput(FrameFileText::tr("the time is %1").arg(shortest(time)),
-                        FrameFileText::tr("a finite time in s"), m_csv.place(0));
+        return failed(ErrorKind::badInput, FrameFileText::tr("the time is %1").arg(shortest(time)),
+                      FrameFileText::tr("a finite time in s"), m_csv.place(0));
     if (m_lastTime_s && time < *m_lastTime_s)
-        return badInput(FrameFileText::tr("the time goes back from %1 to %2")
-                            .arg(shortest(*m_lastTime_s), shortest(time)),
-                        FrameFileText::tr("times that do not decrease"), m_csv.place(0));
+        return failed(ErrorKind::badInput,
+                      FrameFileText::tr("the time goes back from %1 to %2")
+                          .arg(shortest(*m_lastTime_s), shortest(time)),
+                      FrameFileText::tr("times that do not decrease"), m_csv.place(0));
     m_anyFrame = true;
     m_lastTime_s = time;
     time_s = time;
