@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -19,6 +20,8 @@ using Matrix = Eigen::MatrixXd;
 
 constexpr int kIterations = 60;
 constexpr double kConverged = 1e-10; ///< relative change of the sum of squares
+constexpr double kNormalQuantile95 = 1.959963984540054;
+constexpr double kSmallestRest = 0.1; ///< share of the information that the other steps hold at least
 
 /// The steady speed as a weighted sum of at most two levels.
 struct Blend {
@@ -26,6 +29,11 @@ struct Blend {
     double firstShare = 0.0;
     double secondShare = 0.0; ///< of first + 1
 };
+
+constexpr Eigen::Index kUp = 0;
+constexpr Eigen::Index kDown = 1;
+constexpr Eigen::Index kLead = 2;
+constexpr Eigen::Index kLevels = 3; ///< the first of the steady speeds
 
 class LagProblem {
 public:
@@ -44,58 +52,93 @@ public:
         double squares = 0.0;
         Matrix normal;
         Vector gradient; ///< J^T residual
+        struct Step {
+            Matrix normal;
+            Vector gradient;
+        };
+        std::vector<Step> steps; ///< shares of the times between two changes of the drive
         std::vector<double> predicted_Hz;
         std::size_t moving = 0; ///< samples that depend on the parameters
     };
 
-    /// parameters: ln tau up, ln tau down, speeds of the levels.
+    /// parameters: ln tau up, ln tau down, lead (share of a sample by which a change of the drive acts before
+    /// the first sample that shows it), speeds of the levels.
     [[nodiscard]] Result evaluate(const Vector& parameters, bool derivatives) const {
         const Eigen::Index count = parameters.size();
         Result result;
         result.normal = Matrix::Zero(count, count);
         result.gradient = Vector::Zero(count);
         result.predicted_Hz.reserve(samples());
-        const std::array<double, 2> tau_s{std::exp(parameters[0]), std::exp(parameters[1])};
-        double speed_Hz = 0.0;
-        Vector slope = Vector::Zero(count);
+        Motion motion{0.0, Vector::Zero(count)};
+        Result::Step step{Matrix::Zero(count, count), Vector::Zero(count)};
+        const auto endStep = [&] {
+            if (!derivatives)
+                return;
+            step.normal = step.normal.selfadjointView<Eigen::Lower>();
+            result.normal += step.normal;
+            result.gradient += step.gradient;
+            result.steps.push_back(step);
+            step.normal.setZero();
+            step.gradient.setZero();
+        };
         for (std::size_t i = 0; i < samples(); ++i) {
             if (m_ignored[i]) {
-                speed_Hz = m_recording.speed_Hz[i];
-                slope.setZero();
+                motion.speed_Hz = m_recording.speed_Hz[i];
+                motion.slope.setZero();
             }
-            result.predicted_Hz.push_back(speed_Hz);
+            result.predicted_Hz.push_back(motion.speed_Hz);
             const bool known = m_recording.isKnown(i);
-            const double residual_Hz = known ? m_recording.speed_Hz[i] - speed_Hz : 0.0;
+            const double residual_Hz = known ? m_recording.speed_Hz[i] - motion.speed_Hz : 0.0;
             result.squares += residual_Hz * residual_Hz;
             if (derivatives && known) {
-                result.normal.selfadjointView<Eigen::Lower>().rankUpdate(slope);
-                result.gradient += residual_Hz * slope;
-                result.moving += slope.squaredNorm() > 0.0 ? 1 : 0;
+                step.normal.selfadjointView<Eigen::Lower>().rankUpdate(motion.slope);
+                step.gradient += residual_Hz * motion.slope;
+                result.moving += motion.slope.squaredNorm() > 0.0 ? 1 : 0;
             }
             if (i + 1 == samples())
                 break;
-            const Blend& blend = m_blends[i];
-            const double steady_Hz =
-                blend.firstShare * parameters[2 + blend.first] +
-                (blend.secondShare != 0.0 ? blend.secondShare * parameters[3 + blend.first] : 0.0);
-            const Eigen::Index side = steady_Hz > speed_Hz ? 0 : 1;
-            const double ratio =
-                (m_recording.time_s[i + 1] - m_recording.time_s[i]) / tau_s[static_cast<std::size_t>(side)];
-            const double kept = std::exp(-ratio);
-            if (derivatives) {
-                slope *= kept;
-                slope[side] += (speed_Hz - steady_Hz) * kept * ratio;
-                slope[2 + blend.first] += blend.firstShare * (1.0 - kept);
-                if (blend.secondShare != 0.0)
-                    slope[3 + blend.first] += blend.secondShare * (1.0 - kept);
+            const double duration_s = m_recording.time_s[i + 1] - m_recording.time_s[i];
+            if (m_recording.drive[i] == m_recording.drive[i + 1]) {
+                advance(motion, m_blends[i], parameters, duration_s, 0.0, derivatives);
+                continue;
             }
-            speed_Hz = steady_Hz + (speed_Hz - steady_Hz) * kept;
+            endStep();
+            const double lead_s = parameters[kLead] * duration_s;
+            advance(motion, m_blends[i], parameters, duration_s - lead_s, -duration_s, derivatives);
+            advance(motion, m_blends[i + 1], parameters, lead_s, duration_s, derivatives);
         }
-        result.normal = result.normal.selfadjointView<Eigen::Lower>();
+        endStep();
         return result;
     }
 
 private:
+    struct Motion {
+        double speed_Hz = 0.0;
+        Vector slope; ///< of the speed over the parameters
+    };
+
+    /// perLead_s: change of the duration with the lead.
+    static void advance(Motion& motion, const Blend& blend, const Vector& parameters, double duration_s,
+                        double perLead_s, bool derivatives) {
+        const double steady_Hz =
+            blend.firstShare * parameters[kLevels + blend.first] +
+            (blend.secondShare != 0.0 ? blend.secondShare * parameters[kLevels + 1 + blend.first] : 0.0);
+        const Eigen::Index side = steady_Hz > motion.speed_Hz ? kUp : kDown;
+        const double tau_s = std::exp(parameters[side]);
+        const double ratio = duration_s / tau_s;
+        const double kept = std::exp(-ratio);
+        const double off_Hz = (motion.speed_Hz - steady_Hz) * kept;
+        if (derivatives) {
+            motion.slope *= kept;
+            motion.slope[side] += off_Hz * ratio;
+            motion.slope[kLead] -= off_Hz * perLead_s / tau_s;
+            motion.slope[kLevels + blend.first] += blend.firstShare * (1.0 - kept);
+            if (blend.secondShare != 0.0)
+                motion.slope[kLevels + 1 + blend.first] += blend.secondShare * (1.0 - kept);
+        }
+        motion.speed_Hz = steady_Hz + off_Hz;
+    }
+
     static Blend blend(const std::vector<SpeedLevel>& levels, double drive) {
         std::size_t next = 1;
         while (next + 1 < levels.size() && levels[next].drive < drive)
@@ -126,6 +169,7 @@ Minimum minimise(const LagProblem& problem, Vector parameters) {
         // Time constants are kept between 0.1 ms and 10 s.
         for (const Eigen::Index k : {0, 1})
             there[k] = std::clamp(there[k], std::log(1e-4), std::log(10.0));
+        there[kLead] = std::clamp(there[kLead], 0.0, 1.0);
         const bool finite = there.allFinite();
         const double squares =
             finite ? problem.evaluate(there, false).squares : std::numeric_limits<double>::infinity();
@@ -167,10 +211,10 @@ std::optional<LagFit> fitLag(const MotorRecording& recording, double start,
                              const std::vector<SpeedLevel>& levels, const std::vector<bool>& ignored) {
     const LagProblem problem(recording, start, levels, ignored);
     const auto from = [&](double first_s) {
-        Vector parameters = Vector::Constant(static_cast<Eigen::Index>(levels.size()) + 2, std::log(first_s));
-        for (std::size_t k = 0; k < levels.size(); ++k)
-            parameters[static_cast<Eigen::Index>(k) + 2] = levels[k].speed_Hz;
-        return minimise(problem, std::move(parameters));
+        std::vector<double> guess{std::log(first_s), std::log(first_s), 0.5};
+        for (const SpeedLevel& level : levels)
+            guess.push_back(level.speed_Hz);
+        return minimise(problem, Vector::Map(guess.data(), static_cast<Eigen::Index>(guess.size())));
     };
     Minimum best = from(0.03);
     for (const double first_s : {0.01, 0.1}) {
@@ -212,13 +256,38 @@ std::optional<LagFit> fitLag(const MotorRecording& recording, double start,
                       turning - std::min<std::size_t>(turning - 1, static_cast<std::size_t>(count)), 1))) *
         widening(recording, fit.predicted_Hz);
     const Matrix inverse = factor.solve(Matrix::Identity(count, count));
-    const auto error = [&](Eigen::Index k) { return deviation_Hz * std::sqrt(std::max(inverse(k, k), 0.0)); };
+    // What differs from step to step, such as the moment at which a busy computer wrote it, shows between the
+    // steps only: each is left out in turn, to first order.
+    const auto betweenSteps = [&](Eigen::Index k) {
+        const Vector column = inverse.col(k);
+        double variance = 0.0;
+        double sharesSquared = 0.0;
+        for (const LagProblem::Result::Step& step : best.at.steps) {
+            const Vector informed = step.normal * column;
+            const double share = column.dot(informed) / inverse(k, k);
+            const double change = column.dot(step.gradient) / std::max(1.0 - share, kSmallestRest);
+            variance += change * change;
+            sharesSquared += share * share;
+        }
+        // A few large steps hold most of what is known of a lag: 1.96 errors shall be Student's 95 %.
+        const double widened =
+            boost::math::quantile(boost::math::students_t(std::max(1.0 / sharesSquared - 1.0, 1.0)), 0.975) /
+            kNormalQuantile95;
+        return variance * widened * widened;
+    };
+    const auto fromResiduals = [&](Eigen::Index k) {
+        return deviation_Hz * deviation_Hz * std::max(inverse(k, k), 0.0);
+    };
+    // A level is held in one or two steps, which tell nothing of their scatter.
+    const auto error = [&](Eigen::Index k) {
+        return std::sqrt(k < kLevels ? std::max(fromResiduals(k), betweenSteps(k)) : fromResiduals(k));
+    };
     fit.up_s = std::exp(best.parameters[0]);
-    fit.upError_s = fit.up_s * error(0);
+    fit.upError_s = fit.up_s * error(kUp);
     fit.down_s = std::exp(best.parameters[1]);
-    fit.downError_s = fit.down_s * error(1);
+    fit.downError_s = fit.down_s * error(kDown);
     for (std::size_t k = 0; k < levels.size(); ++k) {
-        const auto index = static_cast<Eigen::Index>(k) + 2;
+        const auto index = static_cast<Eigen::Index>(k) + kLevels;
         fit.levels.push_back({levels[k].drive, best.parameters[index], error(index)});
     }
     return fit;

@@ -2,6 +2,7 @@
 #include "backend/motors/motor_fit.h"
 
 #include "backend/core/failure.h"
+#include "backend/core/quantile.h"
 
 #include <QCoreApplication>
 
@@ -36,6 +37,7 @@ constexpr double kLargestError = 0.25; ///< of a time, relative
 constexpr double kLeastExplained = 0.9;
 constexpr double kClippedShare = 0.25;
 constexpr double kSmallestStep_Hz = 1e-6;
+constexpr double kLateGap = 3.0; ///< between two samples, in typical ones
 
 QString percent(double drive) {
     return QString::number(100.0 * drive, 'f', 1) + QStringLiteral(" %");
@@ -170,10 +172,31 @@ std::vector<SpeedLevel> levelsOf(const std::vector<Plateau>& plateaus, double st
     return levels;
 }
 
-/// Samples in which the motor turns although the drive is below its start.
-std::vector<bool> hysteresis(const MotorRecording& recording, const std::vector<Plateau>& plateaus,
-                             double start) {
+/// Where samples are missing.
+struct Gaps {
+    double longest_s = 0.0; ///< a longer time between two samples is a gap
+    double share = 0.0;     ///< of the recording's time
+};
+
+Gaps gapsOf(const MotorRecording& recording) {
+    std::vector<double> between_s;
+    for (std::size_t i = 1; i < recording.size(); ++i)
+        between_s.push_back(recording.time_s[i] - recording.time_s[i - 1]);
+    Gaps gaps{kLateGap * core::medianOf(std::vector(between_s))};
+    for (const double time_s : between_s)
+        if (time_s > gaps.longest_s)
+            gaps.share += time_s / (recording.time_s.back() - recording.time_s.front());
+    return gaps;
+}
+
+/// Samples from which the model starts again with the measured speed: those in which the motor turns although
+/// the drive is below its start, and those after a gap in which the drive changed at an unknown time.
+std::vector<bool> restarts(const MotorRecording& recording, const std::vector<Plateau>& plateaus,
+                           double start, double longestGap_s) {
     std::vector<bool> ignored(recording.size(), false);
+    for (std::size_t i = 1; i < recording.size(); ++i)
+        ignored[i] = recording.drive[i] != recording.drive[i - 1] &&
+                     recording.time_s[i] - recording.time_s[i - 1] > longestGap_s;
     for (const Plateau& plateau : plateaus)
         if (plateau.turns && !plateau.slowsDown && plateau.drive > kSameDrive && plateau.drive < start)
             std::fill(ignored.begin() + static_cast<std::ptrdiff_t>(plateau.begin),
@@ -314,7 +337,9 @@ core::Expected<MotorFit> fitMotor(const MotorRecording& recording) {
         return core::refused(
             FitText::tr("The drive never falls while the motor turns: the fall time cannot be determined."),
             FitText::tr("a step down at the end"));
-    auto lag = fitLag(recording, startDrive, levels, hysteresis(recording, plateaus, startDrive));
+    const Gaps gaps = gapsOf(recording);
+    auto lag =
+        fitLag(recording, startDrive, levels, restarts(recording, plateaus, startDrive, gaps.longest_s));
     if (!lag)
         return core::refused(FitText::tr("The samples do not determine the motor's lag."),
                              FitText::tr("more samples per second during the steps"));
@@ -337,6 +362,7 @@ core::Expected<MotorFit> fitMotor(const MotorRecording& recording) {
     fit.startError = (start.high - start.low) / std::sqrt(12.0);
     fit.riseError_s = lag->upError_s * std::numbers::ln10;
     fit.fallError_s = lag->downError_s * std::numbers::ln10;
+    fit.gapShare = gaps.share;
     fit.levels = std::move(lag->levels);
     fit.residual_Hz = lag->residual_Hz;
     fit.explained = lag->explained;

@@ -18,6 +18,7 @@ struct MotorFit {
     double startError = 0.0;       ///< standard error of a start uniformly distributed between the two
     double riseError_s = 0.0;
     double fallError_s = 0.0;
+    double gapShare = 0.0;            ///< share of the time without samples (gaps over three typical ones)
     std::vector<SpeedLevel> levels;   ///< measured steady speeds
     double residual_Hz = 0.0;         ///< root mean square while the motor turns
     double explained = 0.0;           ///< explained share of the variance, 0.9 .. 1
@@ -32,7 +33,8 @@ struct MotorFit {
 ///           rest, standard error (high - low) / sqrt(12)
 ///   rise = tau_up ln 10, fall = tau_down ln 10, curve: fitLag, pooled where noise makes it fall
 /// A motor stands still when it is slower than 5 % of its highest speed. Plateaus below the start on which it
-/// only continues to turn are left out. Error: badInput or refused with the reason: non-finite or unordered
+/// only continues to turn are left out. A change of the drive within a gap between the samples does not count
+/// for the lag. Error: badInput or refused with the reason: non-finite or unordered
 /// samples; too few samples; no rest, step, full drive or fall; a single level; the motor does not turn; the
 /// speed is clipped or saturated; the start is contradictory; the lag is uncertain by more than a quarter;
 /// the motor does not follow the model. Thread: any (pure).

@@ -24,6 +24,9 @@ namespace teleta::calibrate {
 
 namespace {
 
+/// Share of a measurement's time without readings that is mentioned.
+constexpr double kBusyShare = 0.01;
+
 enum Page { kSteps, kFelt, kMeasuring };
 
 using Origin = motors::CalibratedMotor::Origin;
@@ -259,7 +262,7 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
     known.riseError_s = fit->riseError_s;
     known.fallError_s = fit->fallError_s;
     edit(after);
-    verdict()->setText(
+    QString text =
         tr("Motor %1: starts at %2 to %3 % of the drive, rises in %4 \u00b1 %5 ms, falls in %6 \u00b1 "
            "%7 ms, reaches %8 Hz.")
             .arg(motor + 1)
@@ -268,7 +271,13 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
                  base::fixedDigits(1e3 * fit->riseError_s, 1),
                  base::fixedDigits(1e3 * fit->profile.fallTime_s, 1),
                  base::fixedDigits(1e3 * fit->fallError_s, 1),
-                 base::fixedDigits(fit->profile.curve.back().speed_Hz, 0)));
+                 base::fixedDigits(fit->profile.curve.back().speed_Hz, 0));
+    if (fit->gapShare > kBusyShare)
+        text +=
+            QLatin1Char(' ') + tr("The computer was busy: %1 % of the time has no readings. Measure again "
+                                  "with fewer programs running.")
+                                   .arg(base::fixedDigits(100.0 * fit->gapShare, 0));
+    verdict()->setText(text);
 }
 
 void MotorsView::refresh() {

@@ -6,10 +6,14 @@
 #include "backend/motors/motor_recording.h"
 #include "devices/simulated/simulated_board.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <numbers>
+#include <random>
 #include <sstream>
 #include <string>
 
@@ -24,13 +28,16 @@ private:
     std::int64_t m_now_ns = 1'000'000'000;
 };
 
-/// Readings of the sensor of a simulated board for motor 3 during an excitation: a frame every 5 ms, a
-/// reading every millisecond. The board knows its motor; the fit does not.
-inline motors::MotorRecording measured(const simulated::SimulatedMotor& motor, double noise_Hz,
-                                       std::uint64_t seed = 1,
-                                       const motors::Excitation& excitation = motors::stairsAndPulses(),
-                                       int samplePeriod_ms = 1) {
+/// When the computer asks for a reading: delay_s is added to the next one.
+using ReadingTimes = std::function<double(std::mt19937_64&)>;
+
+/// Readings of the sensor of a simulated board for motor 3 during an excitation: a frame every 5 ms, readings
+/// after each of the given times. The board knows its motor; the fit does not.
+inline motors::MotorRecording measuredAt(const simulated::SimulatedMotor& motor, double noise_Hz,
+                                         std::uint64_t seed, const motors::Excitation& excitation,
+                                         const ReadingTimes& untilNext_s) {
     constexpr std::size_t kTactor = 2;
+    constexpr std::int64_t kTick_ns = 100'000;
     const auto clock = std::make_shared<SteppedClock>();
     simulated::SimulatedBraceletConfig config;
     config.motors = simulated::SimulatedMotors{};
@@ -40,22 +47,36 @@ inline motors::MotorRecording measured(const simulated::SimulatedMotor& motor, d
     config.link.clock = clock;
     simulated::SimulatedBoard board(config);
     motors::MotorRecording recording;
+    std::mt19937_64 random(seed);
     std::uint16_t sequence = 0;
-    for (int ms = 0; ms * 1e-3 < excitation.duration_s; ++ms, clock->add(1'000'000)) {
-        if (ms % 5 == 0) {
+    std::int64_t reading = 0;
+    for (std::int64_t tick = 0;; ++tick, clock->add(kTick_ns)) {
+        const double time_s = static_cast<double>(tick * kTick_ns) * 1e-9;
+        if (time_s >= excitation.duration_s)
+            return recording;
+        if (tick % 50 == 0) {
             core::Drive drive{};
-            drive[kTactor] = static_cast<std::uint16_t>(
-                std::lround(excitation.driveAt(ms * 1e-3 + 1e-9) * core::kFullDrive));
+            drive[kTactor] =
+                static_cast<std::uint16_t>(std::lround(excitation.driveAt(time_s + 1e-9) * core::kFullDrive));
             (void)board.take(++sequence, drive, 100);
         }
-        if (ms % samplePeriod_ms != 0)
+        if (tick < reading)
             continue;
-        const auto reading = board.motorSpeeds();
-        recording.time_s.push_back(ms * 1e-3);
-        recording.drive.push_back(static_cast<double>(reading->drive[kTactor]) / core::kFullDrive);
-        recording.speed_Hz.push_back(reading->speeds_Hz[kTactor]);
+        reading = tick + std::max<std::int64_t>(std::llround(untilNext_s(random) * 1e9 / kTick_ns), 1);
+        const auto speeds = board.motorSpeeds();
+        recording.time_s.push_back(time_s);
+        recording.drive.push_back(static_cast<double>(speeds->drive[kTactor]) / core::kFullDrive);
+        recording.speed_Hz.push_back(speeds->speeds_Hz[kTactor]);
     }
-    return recording;
+}
+
+/// A reading every samplePeriod_ms.
+inline motors::MotorRecording measured(const simulated::SimulatedMotor& motor, double noise_Hz,
+                                       std::uint64_t seed = 1,
+                                       const motors::Excitation& excitation = motors::stairsAndPulses(),
+                                       int samplePeriod_ms = 1) {
+    return measuredAt(motor, noise_Hz, seed, excitation,
+                      [=](std::mt19937_64&) { return 1e-3 * samplePeriod_ms; });
 }
 
 /// A recording file as readMotorRecording() reads it.

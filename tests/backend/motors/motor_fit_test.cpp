@@ -72,7 +72,8 @@ TEST(MotorFit, predictsWhatTheMotorDoesBetweenTheMeasuredDrives) {
 TEST(MotorFit, leavesOutAMotorThatGoesOnTurningBelowItsStart) {
     // Down the stairs the motor still turns at 0.1, where it would not start.
     const Excitation excitation =
-        steps({{0, 0.3}, {0.1, 0.3}, {0.2, 0.3}, {0.6, 0.3}, {1, 0.3}, {0.6, 0.3}, {0.1, 0.3}, {0, 0.3}});
+        steps({{0, 0.3}, {0.1, 0.3}, {0.2, 0.3}, {0.6, 0.3}, {1, 0.3}, {0.6, 0.3}, {0.1, 0.3}, {0, 0.3}, {1, 0.3},
+               {0, 0.3}, {1, 0.3}, {0, 0.3}});
     MotorRecording recording = measured(kMotor, 0.5, 1, excitation);
     for (std::size_t i = 0; i < recording.size(); ++i)
         if (recording.time_s[i] > 1.85 && recording.drive[i] > 0.05 && recording.drive[i] < 0.15)
@@ -145,7 +146,7 @@ TEST(MotorFit, refusesATooCoarseRecordingOfTheLag) {
     // A reading every 0.2 s tells the levels but not what happens between them.
     const std::string why = refusal(
         measured({.rise_s = 0.01, .fall_s = 0.01, .start = 0.2}, 3.0, 1, motors::stairsAndPulses(2.0), 200));
-    EXPECT_NE(why.find("lag"), std::string::npos) << why;
+    EXPECT_NE(why.find("determine"), std::string::npos) << why;
     EXPECT_NE(why.find("more samples per second"), std::string::npos) << why;
 }
 
@@ -155,4 +156,27 @@ TEST(MotorFit, refusesWhatIsNoLag) {
     std::ranges::rotate(recording.speed_Hz, recording.speed_Hz.begin() + 150);
     const std::string why = refusal(recording);
     EXPECT_FALSE(why.empty());
+}
+
+// Readings come 1 ms apart at any phase of the frames, and late now and then; the motor differs from step to
+// step by nothing.
+TEST(MotorFit, agreesWithItsErrorsOnABusyComputer) {
+    constexpr int kRepeats = 40;
+    int riseHeld = 0;
+    int fallHeld = 0;
+    for (int seed = 1; seed <= kRepeats; ++seed) {
+        const auto late = [](std::mt19937_64& random) {
+            std::uniform_real_distribution<double> share(0.0, 1.0);
+            return share(random) < 0.03 ? 1e-3 + 25e-3 * share(random) : 1e-3 * (0.9 + 0.2 * share(random));
+        };
+        const auto fit = fitMotor(
+            test::measuredAt(kMotor, 0.5, static_cast<std::uint64_t>(seed), motors::stairsAndPulses(), late));
+        ASSERT_TRUE(fit) << core::describe(fit.error());
+        EXPECT_GT(fit->gapShare, 0.1);
+        riseHeld += std::abs(fit->profile.riseTime_s - test::rise90_s(kMotor)) < 1.96 * fit->riseError_s;
+        fallHeld += std::abs(fit->profile.fallTime_s - test::fall10_s(kMotor)) < 1.96 * fit->fallError_s;
+    }
+    EXPECT_GE(riseHeld, 36) << "of " << kRepeats << ", 90 %";
+    EXPECT_GE(fallHeld, 36) << "of " << kRepeats << ", 90 %";
+    EXPECT_LT(fitMotor(measured(kMotor, 0.5))->gapShare, 1e-9);
 }
