@@ -4,7 +4,7 @@
 # FOLDER holds the exported trials (data/.../*_data.csv), or else the results of an analysis (confusion_long.csv, which
 # has no response times, and of the patterns only those that it names); summary_r.csv, group_r.csv and anova_r.csv are
 # written to OUT. Both are the present folder unless named. Their columns are those of summary.csv, group.csv and
-# anova.csv, but the bootstrap interval, which depends on the random numbers that it draws.
+# anova.csv.
 
 arguments <- commandArgs(trailingOnly = TRUE)
 folder <- if (length(arguments) > 0) arguments[1] else "."
@@ -61,15 +61,92 @@ if (length(files) > 0) {
 }
 counts$correct <- ifelse(counts$stimulus == counts$response, counts$count, 0)
 
-# Information transfer of a confusion matrix, and what it has too much on average (Miller and Madow).
-transfer_of <- function(part) {
+# Information transfer of a confusion matrix, as counted, in bit.
+table_of <- function(part) {
     table <- xtabs(count ~ stimulus + response, part)
-    table <- table[rowSums(table) > 0, colSums(table) > 0, drop = FALSE]
+    table[rowSums(table) > 0, colSums(table) > 0, drop = FALSE]
+}
+measured_of <- function(table) {
     share <- table / sum(table)
     expected <- outer(rowSums(share), colSums(share))
-    bits <- max(0, sum(ifelse(share > 0, share * log2(share / expected), 0)))
-    bias <- (nrow(table) - 1) * (ncol(table) - 1) / (2 * sum(table) * log(2))
-    data.frame(it_bits = bits, it_bias_bits = bias, it_corrected_bits = bits - bias)
+    max(0, sum(ifelse(share > 0, share * log2(share / expected), 0)))
+}
+
+# The same without what it has too much on average: jackknife over trials.
+transfer_of <- function(part) {
+    table <- table_of(part)
+    bits <- measured_of(table)
+    n <- sum(table)
+    left <- 0
+    for (cell in which(table > 0)) {
+        others <- table
+        others[cell] <- others[cell] - 1
+        if (n > 1)
+            left <- left + table[cell] / n * measured_of(others[rowSums(others) > 0, colSums(others) > 0, drop = FALSE])
+    }
+    corrected <- if (n > 1) min(bits, n * bits - (n - 1) * left) else bits
+    data.frame(it_bits = bits, it_bias_bits = bits - corrected, it_corrected_bits = corrected)
+}
+
+# Of several participants: jackknife over participants (Busing, Meijer and van der Leeden 1999), and the interval of the
+# true transfer; or, where the answers are too few for that, a bound.
+group_transfer_of <- function(part, patterns) {
+    table <- table_of(part)
+    n <- sum(table)
+    rows <- rowSums(table)
+    bits <- measured_of(table)
+    people <- split(part, part$participant_id)
+    m <- length(people)
+    corrected <- transfer_of(part)$it_corrected_bits
+    variance <- 0
+    if (m > 1) {
+        own <- sapply(people, function(person) sum(person$count))
+        left <- sapply(names(people), function(id) measured_of(table_of(part[part$participant_id != id, ])))
+        h <- n / own
+        corrected <- m * bits - sum((1 - own / n) * left)
+        variance <- mean((h * bits - (h - 1) * left - corrected)^2 / (h - 1))
+    }
+    g <- 2 * n * log(2) * bits
+    freedom <- (nrow(table) - 1) * (ncol(table) - 1)
+    guessing <- freedom < 1 || pchisq(g, freedom, lower.tail = FALSE) >= 0.05
+    note <- if (m < 4) "few participants"
+            else if (n < patterns * max(20, 4 * patterns)) "few trials"
+            else if (guessing) "like guessing"
+            else if (n - sum(apply(table, 1, max)) < 10) "few different answers"
+            else NA
+    highest <- max(0, -sum(rows / n * log2(rows / n)))
+    within <- function(value) min(max(value, 0), highest)
+    ends <- c(NA, NA)
+    at_least <- NA
+    at_most <- NA
+    if (is.na(note)) {
+        half <- qt(0.975, m - 1) * sqrt(variance)
+        ends <- c(within(corrected - half), within(corrected + half))
+    } else if (note == "few different answers") {
+        wrong <- n - sum(part$correct)
+        off <- sapply(people, function(person) sum(person$count) * (1 - wrong / n) - sum(person$correct))
+        effect <- if (wrong > 0 && wrong < n)
+                      max(1, sum(off^2 / (sapply(people, function(person) sum(person$count)) * wrong / n * (1 - wrong / n))) / (m - 1))
+                  else 1
+        e <- if (wrong < n) qbeta(0.95, wrong / effect + 1, (n - wrong) / effect) else 1
+        r <- nrow(table)
+        at_least <- if (r < 2 || e >= (r - 1) / r) 0
+                    else max(0, highest + e * log2(e) + (1 - e) * log2(1 - e) - e * log2(r - 1))
+    } else {
+        logarithms <- log2(sweep(table / rows, 2, colSums(table) / n, "/"))
+        terms <- function(power) rowSums(ifelse(table > 0, table / rows * logarithms^power, 0))
+        trials <- sum(ifelse(rows > 1, pmax(0, terms(2) - terms(1)^2) * rows / (rows - 1) * rows / n^2, 0))
+        most <- bits + qnorm(0.95) * sqrt(max(variance, trials))
+        if (guessing) {
+            g <- max(g, freedom)
+            lambda <- uniroot(function(x) pchisq(g, max(1, freedom), x) - 0.05, c(0, 4 * (g + 10)), tol = 1e-12)$root
+            most <- max(most, lambda / 2 / log(2) / n)
+        }
+        at_most <- within(most)
+    }
+    data.frame(it_bits = bits, it_bias_bits = bits - corrected, it_corrected_bits = corrected,
+               it_few_trials = as.integer(n < 5 * patterns^2), it_lo = ends[1], it_hi = ends[2], it_at_least = at_least,
+               it_at_most = at_most, it_note = note)
 }
 
 # Participants: accuracy with Wilson's and the exact interval, and against chance.
@@ -101,7 +178,7 @@ group_of <- function(part) {
     cbind(data.frame(task = part$task[1], condition = part$condition[1], participants = m,
                      accuracy_mean = mean(own$accuracy), accuracy_sd = deviation, t_lo = mean(own$accuracy) - half,
                      t_hi = mean(own$accuracy) + half, n = sum(part$count)),
-          transfer_of(part), data.frame(it_few_trials = as.integer(sum(part$count) < 5 * patterns^2)))
+          group_transfer_of(part, patterns))
 }
 groups <- do.call(rbind, lapply(split(counts, counts[c("task", "condition")], drop = TRUE), group_of))
 

@@ -28,7 +28,7 @@ bool trialCsv(Bytes bytes) {
     if (tally.names().size() > kMostNames)
         return true;
     const test::FloatingPointTraps traps;
-    for (const TaskResults& task : studyResults(tally, {.resamples = 10})) {
+    for (const TaskResults& task : studyResults(tally)) {
         for (const ParticipantSummary& summary : task.participants)
             require(!summary.medianTime_s || std::isfinite(*summary.medianTime_s), "a median is a time");
         for (const GroupSummary& group : task.groups)

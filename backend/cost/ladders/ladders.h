@@ -49,7 +49,8 @@ struct LadderText {
 [[nodiscard]] Ladder sceneEffectsLadder();
 
 /// Interval of the information transfer of a study of simulated participants with a known matrix: normal
-/// approximation with corrections of the bias, bootstrap with 100..100 000 resamples.
+/// approximation with corrections of the bias, jackknife over participants, bootstrap with 100..100 000
+/// resamples.
 [[nodiscard]] Ladder statisticsLadder();
 
 /// All ladders in the order of their list.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/ladders/ladders.h"
+#include "backend/study/analysis/study_transfer.h"
 #include "backend/study/analysis/transfer_interval.h"
 #include "backend/study/session/simulated_participant.h"
 
@@ -114,7 +115,15 @@ Ladder statisticsLadder() {
         std::vector<Rung> rungs{
             asymptotic("asymptotic", "bias left in", study::TransferBias::none),
             asymptotic("asymptotic-miller", "Miller's bias", study::TransferBias::miller),
-            asymptotic("asymptotic-jackknife", "jackknife", study::TransferBias::jackknife)};
+            asymptotic("asymptotic-occupied", "Miller's bias over occupied cells",
+                       study::TransferBias::occupied),
+            asymptotic("asymptotic-jackknife", "jackknife over trials", study::TransferBias::jackknife),
+            asymptotic("asymptotic-grassberger", "Grassberger's entropies", study::TransferBias::grassberger),
+            intervalRung("jackknife-participants", "jackknife over participants, Student's t", kShortCalls,
+                         input, [](const SimulatedStudy& one) {
+                             const auto transfer = study::studyTransfer(one.people);
+                             return transfer ? transfer->interval : std::nullopt;
+                         })};
         const auto bootstrap = [&](const char* name, std::size_t resamples, const char* remark,
                                    const auto& transferOf) {
             constexpr std::uint64_t kSeed = 1;

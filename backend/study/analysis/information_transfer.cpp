@@ -32,6 +32,14 @@ double expectedTimesLog2(std::int64_t trials, double share) {
     return sum;
 }
 
+/// x log2 x - (x - 1) log2(x - 1): what the last of x trials adds to n T.
+double lastTrial_bit(std::int64_t trials) {
+    if (trials < 2)
+        return 0.0;
+    const auto x = static_cast<double>(trials);
+    return std::log2(x) - (x - 1.0) * std::log1p(-1.0 / x) / std::numbers::ln2;
+}
+
 } // namespace
 
 std::optional<double> guesserTransfer(const ConfusionMatrix& matrix, std::size_t alternatives) {
@@ -50,33 +58,50 @@ std::optional<double> guesserTransfer(const ConfusionMatrix& matrix, std::size_t
     return std::max(0.0, sum_bit / n);
 }
 
-std::optional<InformationTransfer> informationTransfer(const ConfusionMatrix& matrix,
-                                                       std::size_t alternatives) {
+std::optional<double> measuredTransfer(const ConfusionMatrix& matrix) {
     const std::int64_t trials = matrix.total();
     if (trials == 0)
         return std::nullopt;
     const auto n = static_cast<double>(trials);
     std::vector<double> columnShares(matrix.columns());
-    int columns = 0;
-    for (std::size_t j = 0; j < matrix.columns(); ++j) {
+    for (std::size_t j = 0; j < matrix.columns(); ++j)
         columnShares[j] = static_cast<double>(matrix.columnTotal(j)) / n;
-        columns += columnShares[j] > 0.0 ? 1 : 0;
-    }
-    int rows = 0;
     double sum_bit = 0.0;
     for (std::size_t i = 0; i < matrix.patterns(); ++i) {
         const double rowShare = static_cast<double>(matrix.rowTotal(i)) / n;
-        rows += rowShare > 0.0 ? 1 : 0;
         for (std::size_t j = 0; j < matrix.columns(); ++j) {
             const double share = static_cast<double>(matrix.count(i, j)) / n;
             if (share > 0.0)
                 sum_bit += share * std::log2(share / rowShare / columnShares[j]);
         }
     }
+    return std::max(0.0, sum_bit);
+}
+
+std::optional<double> jackknifeTransfer(const ConfusionMatrix& matrix) {
+    const std::int64_t trials = matrix.total();
+    if (trials < 2)
+        return std::nullopt;
+    double sum_bit = 0.0;
+    for (std::size_t i = 0; i < matrix.patterns(); ++i)
+        for (std::size_t j = 0; j < matrix.columns(); ++j)
+            if (const std::int64_t count = matrix.count(i, j); count > 0)
+                sum_bit +=
+                    static_cast<double>(count) * (lastTrial_bit(count) - lastTrial_bit(matrix.rowTotal(i)) -
+                                                  lastTrial_bit(matrix.columnTotal(j)));
+    return sum_bit / static_cast<double>(trials) + lastTrial_bit(trials);
+}
+
+std::optional<InformationTransfer> informationTransfer(const ConfusionMatrix& matrix,
+                                                       std::size_t alternatives) {
+    const std::optional<double> measured_bit = measuredTransfer(matrix);
+    if (!measured_bit)
+        return std::nullopt;
+    const auto n = static_cast<double>(matrix.total());
     InformationTransfer transfer;
-    transfer.measured_bit = std::max(0.0, sum_bit);
-    transfer.bias_bit = (rows - 1.0) * (columns - 1.0) / (2.0 * n * std::numbers::ln2);
-    transfer.corrected_bit = transfer.measured_bit - transfer.bias_bit;
+    transfer.measured_bit = *measured_bit;
+    transfer.corrected_bit = std::min(*measured_bit, jackknifeTransfer(matrix).value_or(*measured_bit));
+    transfer.bias_bit = transfer.measured_bit - transfer.corrected_bit;
     const auto k = static_cast<double>(std::max(matrix.patterns(), alternatives));
     transfer.fewTrials = n < 5.0 * k * k;
     return transfer;
@@ -93,8 +118,8 @@ std::optional<Interval> bootstrapTransfer(std::span<const ConfusionMatrix> parti
         ConfusionMatrix pooled(participants.front().patterns());
         for (std::size_t j = 0; j < participants.size(); ++j)
             pooled.add(participants[static_cast<std::size_t>(random.below(participants.size()))]);
-        if (const std::optional<InformationTransfer> transfer = informationTransfer(pooled))
-            values_bit.push_back(transfer->measured_bit);
+        if (const std::optional<double> transfer_bit = measuredTransfer(pooled))
+            values_bit.push_back(*transfer_bit);
     }
     if (values_bit.empty())
         return std::nullopt;

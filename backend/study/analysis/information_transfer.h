@@ -11,23 +11,34 @@
 
 namespace teleta::study {
 
-/// Information that the answers carry about the patterns, in bit.
+/// Information that the answers of one matrix carry about the patterns, in bit.
 struct InformationTransfer {
-    double measured_bit = 0.0;  ///< as counted; too high by the bias on average
-    double bias_bit = 0.0;      ///< (R-1)(C-1) / (2 n ln 2)
-    double corrected_bit = 0.0; ///< measured - bias; below 0 where there is less than chance shows
+    double measured_bit = 0.0;  ///< as counted; too high on average
+    double corrected_bit = 0.0; ///< without bias; can be below 0
+    double bias_bit = 0.0;      ///< measured - corrected
     bool fewTrials = false;     ///< n < 5 k^2 for k patterns: even the corrected value is rough
 };
 
-/// Maximum-likelihood estimate and its first-order bias:
-///   T = sum n_ij/n log2(n_ij n / (n_i n_j)),  bias = (R-1)(C-1) / (2 n ln 2)
-/// with R and C the rows and columns that occur; NONE is an answer like any other. Absolute error < 1e-14
-/// bit. alternatives: number of patterns, if the matrix has fewer. Empty without trials. Thread: any. Source:
-/// Miller and Nicely 1955, doi:10.1121/1.1907526; bias: Miller 1955.
+/// Maximum-likelihood estimate
+///   T = sum n_ij/n log2(n_ij n / (n_i n_j))
+/// NONE is an answer like any other. Absolute error < 1e-14 bit. Empty without trials. Thread: any. Source:
+/// Miller and Nicely 1955, doi:10.1121/1.1907526.
+[[nodiscard]] std::optional<double> measuredTransfer(const ConfusionMatrix& matrix);
+
+/// Transfer with one trial left out, on average over all trials, and with it the jackknife's estimate
+///   n T - (n - 1) mean T_-i = mean(d(n_ij) - d(n_i) - d(n_j)) + d(n),  d(x) = x log2 x - (x-1) log2(x-1)
+/// by the second form, which loses no digits to many trials. Empty for fewer than two trials. Thread: any.
+/// Source: Quenouille 1956, doi:10.1093/biomet/43.3-4.353.
+[[nodiscard]] std::optional<double> jackknifeTransfer(const ConfusionMatrix& matrix);
+
+/// measuredTransfer(), and without its bias by the smaller of it and jackknifeTransfer(): the mean of the
+/// measured transfer is never below the true one, since the transfer is convex in the shares of the answers.
+/// For several participants see studyTransfer(). alternatives: number of patterns, if the matrix has fewer.
+/// Empty without trials. Thread: any.
 [[nodiscard]] std::optional<InformationTransfer> informationTransfer(const ConfusionMatrix& matrix,
                                                                      std::size_t alternatives = 0);
 
-/// Expected informationTransfer().measured_bit if all answers were guesses, equally likely among k patterns
+/// Expected measuredTransfer() if all answers were guesses, equally likely among k patterns
 /// (those of the matrix, or the alternatives if these are more), with the row totals of this matrix. With
 /// g(m) = E[X log2 X], X ~ Bin(m, 1/k):
 ///   (sum_i (k g(n_i) - n_i log2 n_i) - k g(n) + n log2 n) / n

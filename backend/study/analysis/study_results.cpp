@@ -15,9 +15,8 @@ using Cells = std::map<TrialTally::Key, TrialTally::Cell>;
 /// The trials of one task.
 class TaskAnalysis {
 public:
-    TaskAnalysis(const TrialTally& tally, std::string task, const ResultSettings& settings)
-        : m_tally(tally)
-        , m_settings(settings) {
+    TaskAnalysis(const TrialTally& tally, std::string task)
+        : m_tally(tally) {
         m_results.task = std::move(task);
     }
 
@@ -38,7 +37,6 @@ private:
                  const ParticipantCells& cells);
 
     const TrialTally& m_tally;
-    const ResultSettings& m_settings;
     TaskResults m_results;
     std::vector<std::string> m_people;           ///< with test trials
     std::map<std::size_t, std::size_t> m_column; ///< of a name in the tally
@@ -124,7 +122,7 @@ void TaskAnalysis::summariseGroups() {
             continue;
         group.participants = matrices.size();
         group.accuracy = groupMean(accuracies);
-        group.transferInterval = bootstrapTransfer(matrices, m_settings.resamples, m_settings.seed);
+        group.transfer = studyTransfer(matrices, m_results.alternatives());
         m_results.groups.push_back(std::move(group));
     }
 }
@@ -193,13 +191,13 @@ void TaskAnalysis::analyseVariance() {
 
 } // namespace
 
-std::vector<TaskResults> studyResults(const TrialTally& tally, const ResultSettings& settings) {
+std::vector<TaskResults> studyResults(const TrialTally& tally) {
     std::set<std::string> tasks;
     for (const auto& [key, cell] : tally.cells())
         tasks.insert(key.task);
     std::vector<TaskResults> results;
     for (const std::string& task : tasks)
-        results.push_back(TaskAnalysis(tally, task, settings).run());
+        results.push_back(TaskAnalysis(tally, task).run());
     return results;
 }
 

@@ -6,11 +6,11 @@
 #include "backend/study/analysis/information_transfer.h"
 #include "backend/study/analysis/proportion.h"
 #include "backend/study/analysis/repeated_anova.h"
+#include "backend/study/analysis/study_transfer.h"
 #include "backend/study/analysis/trial_tally.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,7 +40,7 @@ struct GroupSummary {
     ConfusionMatrix matrix;
     std::size_t participants = 0;
     std::optional<GroupMean> accuracy = {}; ///< mean of the participants' accuracies, never the pooled share
-    std::optional<Interval> transferInterval = {};
+    std::optional<TransferEstimate> transfer = {}; ///< of the pooled answers
 };
 
 /// One row of the ANOVA table, or the reason why there is none.
@@ -70,15 +70,9 @@ struct TaskResults {
     }
 };
 
-struct ResultSettings {
-    std::size_t resamples = 2000; ///< of the bootstrap
-    std::uint64_t seed = 1;
-};
-
 /// Everything that writeResults() writes, by task. Names are sorted, so that the order of the trials does not
 /// matter. Empty for an empty tally. Thread: any.
-[[nodiscard]] std::vector<TaskResults> studyResults(const TrialTally& tally,
-                                                    const ResultSettings& settings = {});
+[[nodiscard]] std::vector<TaskResults> studyResults(const TrialTally& tally);
 
 /// Writes confusion_long.csv, summary.csv, group.csv, anova.csv and analysis.R into a folder, which is
 /// created if needed; each file appears when it is complete. Missing values are NA. Error: ioFailed. Thread:

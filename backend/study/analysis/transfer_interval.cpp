@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/special_functions/digamma.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -27,43 +28,63 @@ double varianceOfLogs(const ConfusionMatrix& matrix, double transfer_bit) {
     return sum;
 }
 
-/// x log2 x - (x - 1) log2(x - 1): what the last of x trials adds to n T.
-double lastTrial_bit(std::int64_t trials) {
-    if (trials < 2)
+/// n G(n) of Grassberger's estimate.
+double timesG(std::int64_t count) {
+    if (count == 0)
         return 0.0;
-    const auto x = static_cast<double>(trials);
-    return std::log2(x) - (x - 1.0) * std::log1p(-1.0 / x) / std::numbers::ln2;
+    const auto n = static_cast<double>(count);
+    const double half = 0.5 * (boost::math::digamma(0.5 * (n + 1.0)) - boost::math::digamma(0.5 * n));
+    return n * (boost::math::digamma(n) + (count % 2 == 0 ? half : -half));
+}
+
+double grassbergerTransfer_bit(const ConfusionMatrix& matrix) {
+    const auto n = static_cast<double>(matrix.total());
+    double nats = n * std::log(n);
+    for (std::size_t j = 0; j < matrix.columns(); ++j)
+        nats -= timesG(matrix.columnTotal(j));
+    for (std::size_t i = 0; i < matrix.patterns(); ++i) {
+        const auto row = static_cast<double>(matrix.rowTotal(i));
+        nats -= row > 0.0 ? row * std::log(row) : 0.0;
+        for (std::size_t j = 0; j < matrix.columns(); ++j)
+            nats += timesG(matrix.count(i, j));
+    }
+    return nats / n / std::numbers::ln2;
 }
 
 } // namespace
 
-std::optional<double> jackknifeTransfer(const ConfusionMatrix& matrix) {
-    const std::int64_t trials = matrix.total();
-    if (trials < 2)
-        return std::nullopt;
-    double sum_bit = 0.0;
-    for (std::size_t i = 0; i < matrix.patterns(); ++i)
+double transferBias(const ConfusionMatrix& matrix, TransferBias bias) {
+    const std::optional<double> measured_bit = measuredTransfer(matrix);
+    if (!measured_bit || bias == TransferBias::none)
+        return 0.0;
+    if (bias == TransferBias::jackknife)
+        return *measured_bit - jackknifeTransfer(matrix).value_or(*measured_bit);
+    if (bias == TransferBias::grassberger)
+        return *measured_bit - grassbergerTransfer_bit(matrix);
+    double rows = 0.0;
+    double columns = 0.0;
+    double cells = 0.0;
+    for (std::size_t i = 0; i < matrix.patterns(); ++i) {
+        rows += matrix.rowTotal(i) > 0 ? 1.0 : 0.0;
         for (std::size_t j = 0; j < matrix.columns(); ++j)
-            if (const std::int64_t count = matrix.count(i, j); count > 0)
-                sum_bit +=
-                    static_cast<double>(count) * (lastTrial_bit(count) - lastTrial_bit(matrix.rowTotal(i)) -
-                                                  lastTrial_bit(matrix.columnTotal(j)));
-    return sum_bit / static_cast<double>(trials) + lastTrial_bit(trials);
+            cells += matrix.count(i, j) > 0 ? 1.0 : 0.0;
+    }
+    for (std::size_t j = 0; j < matrix.columns(); ++j)
+        columns += matrix.columnTotal(j) > 0 ? 1.0 : 0.0;
+    const double freedom =
+        bias == TransferBias::miller ? (rows - 1.0) * (columns - 1.0) : cells - rows - columns + 1.0;
+    return freedom / (2.0 * static_cast<double>(matrix.total()) * std::numbers::ln2);
 }
 
 std::optional<Interval> asymptoticTransfer(const ConfusionMatrix& matrix, TransferBias bias,
                                            double confidence) {
-    const std::optional<InformationTransfer> transfer = informationTransfer(matrix);
-    if (!transfer || !(confidence > 0.0 && confidence < 1.0))
+    const std::optional<double> measured_bit = measuredTransfer(matrix);
+    if (!measured_bit || !(confidence > 0.0 && confidence < 1.0))
         return std::nullopt;
     const auto n = static_cast<double>(matrix.total());
-    const double measured_bit = transfer->measured_bit;
-    const double variance = varianceOfLogs(matrix, measured_bit) / n;
+    const double variance = varianceOfLogs(matrix, *measured_bit) / n;
     const double z = -boost::math::quantile(boost::math::normal(), (1.0 - confidence) / 2.0);
-    const double middle_bit = bias == TransferBias::none ? measured_bit
-                              : bias == TransferBias::miller
-                                  ? transfer->corrected_bit
-                                  : jackknifeTransfer(matrix).value_or(measured_bit);
+    const double middle_bit = *measured_bit - transferBias(matrix, bias);
     const double half_bit = z * std::sqrt(variance);
     return Interval{std::max(0.0, middle_bit - half_bit), std::max(0.0, middle_bit + half_bit)};
 }
@@ -77,7 +98,7 @@ std::optional<Interval> correctedBootstrapTransfer(std::span<const ConfusionMatr
     ConfusionMatrix pooled(participants.front().patterns());
     for (const ConfusionMatrix& participant : participants)
         pooled.add(participant);
-    const double shift_bit = 2.0 * informationTransfer(pooled)->bias_bit;
+    const double shift_bit = 2.0 * transferBias(pooled, TransferBias::miller);
     return Interval{std::max(0.0, measured->low - shift_bit), std::max(0.0, measured->high - shift_bit)};
 }
 

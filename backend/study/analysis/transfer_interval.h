@@ -13,15 +13,18 @@ namespace teleta::study {
 /// What is taken off the measured transfer, which is too high on average.
 enum class TransferBias {
     none,
-    miller,    ///< (R-1)(C-1) / (2 n ln 2), see InformationTransfer
-    jackknife, ///< (n - 1) (mean of the transfers with one trial left out - measured)
+    miller,      ///< (R-1)(C-1) / (2 n ln 2) for R rows and C columns that occur
+    occupied,    ///< (K-R-C+1) / (2 n ln 2) for K cells that occur: Miller and Madow
+    jackknife,   ///< (n - 1) (mean of the transfers with one trial left out - measured)
+    grassberger, ///< his estimate of the entropies, see transferBias()
 };
 
-/// Transfer with one trial left out, on average over all trials, and with it the jackknife's estimate
-///   n T - (n - 1) mean T_-i = mean(d(n_ij) - d(n_i) - d(n_j)) + d(n),  d(x) = x log2 x - (x-1) log2(x-1)
-/// by the second form, which loses no digits to many trials. Empty for fewer than two trials. Thread: any.
-/// Source: Quenouille 1956, doi:10.1093/biomet/43.3-4.353.
-[[nodiscard]] std::optional<double> jackknifeTransfer(const ConfusionMatrix& matrix);
+/// What is taken off, in bit. Grassberger's estimate of n T' ln 2, over patterns i and answers j:
+///   n ln n - sum_j n_j G(n_j) - sum_i (n_i ln n_i - sum_j n_ij G(n_ij))
+///   G(n) = psi(n) + (-1)^n (psi((n+1)/2) - psi(n/2)) / 2
+/// 0 without trials. Thread: any. Sources: Miller 1955, Note on the bias of information estimates; Panzeri
+/// and Treves 1996, Network 7, 87 (cells that occur); Grassberger 2003, arXiv:physics/0307138.
+[[nodiscard]] double transferBias(const ConfusionMatrix& matrix, TransferBias bias);
 
 /// Interval of the true transfer by the normal distribution, its standard error by the delta method:
 ///   T' +- z se,  se^2 = (sum n_ij/n log2^2(n_ij n / (n_i n_j)) - T^2) / n,  T' = T - bias

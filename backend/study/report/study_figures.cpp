@@ -250,11 +250,11 @@ figure::SvgCanvas transferFigure(const TaskResults& task, std::optional<Mode> mo
                         conditionsOf(task), 150.0, std::max(0.5, std::ceil(2.0 * most_bit) / 2.0));
     chart.level(most_bit, ChartText::tr("all patterns told apart"));
     for (std::size_t i = 0; i < task.groups.size(); ++i) {
-        const std::optional<InformationTransfer> bits = informationTransfer(task.groups[i].matrix);
+        const std::optional<TransferEstimate>& bits = task.groups[i].transfer;
         if (!bits)
             continue;
-        if (task.groups[i].transferInterval)
-            chart.interval(chart.x(i, -36.0), *task.groups[i].transferInterval, series(i));
+        if (bits->interval)
+            chart.interval(chart.x(i, 36.0), *bits->interval, series(i));
         chart.mark(i, chart.x(i, -36.0), chart.y(bits->measured_bit));
         chart.canvas.circle(chart.x(i, 36.0), chart.y(bits->corrected_bit), kDot,
                             classes(series(i) + QStringLiteral(" hollow")));

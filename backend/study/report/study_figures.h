@@ -21,7 +21,7 @@ namespace teleta::study {
 /// Participants' median response times of correct answers per condition, and the median of these.
 [[nodiscard]] figure::SvgCanvas responseTimeFigure(const TaskResults& task, std::optional<Mode> mode);
 
-/// Information transfer of the pooled answers: measured, with its bootstrap interval, and bias-corrected.
+/// Information transfer of the pooled answers: measured, and without bias with its interval.
 [[nodiscard]] figure::SvgCanvas transferFigure(const TaskResults& task, std::optional<Mode> mode);
 
 /// Shares of correct answers for one pattern under one condition, one per participant who was presented it.

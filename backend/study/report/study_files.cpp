@@ -81,14 +81,14 @@ void writeSummary(const TaskResults& task, core::CsvWriter& csv) {
     }
 }
 
-constexpr std::array<std::string_view, 14> kGroupColumns{
-    "task", "condition", "participants", "accuracy_mean",     "accuracy_sd",   "t_lo",       "t_hi",
-    "n",    "it_bits",   "it_bias_bits", "it_corrected_bits", "it_few_trials", "it_boot_lo", "it_boot_hi"};
+constexpr std::array<std::string_view, 17> kGroupColumns{
+    "task",        "condition",  "participants", "accuracy_mean",     "accuracy_sd",   "t_lo",  "t_hi",
+    "n",           "it_bits",    "it_bias_bits", "it_corrected_bits", "it_few_trials", "it_lo", "it_hi",
+    "it_at_least", "it_at_most", "it_note"};
 
 void writeGroups(const TaskResults& task, core::CsvWriter& csv) {
     for (const GroupSummary& group : task.groups) {
-        const std::optional<InformationTransfer> bits =
-            informationTransfer(group.matrix, task.alternatives());
+        const std::optional<TransferEstimate>& bits = group.transfer;
         csv.text(task.task);
         csv.text(group.condition);
         count(csv, group.participants);
@@ -96,9 +96,14 @@ void writeGroups(const TaskResults& task, core::CsvWriter& csv) {
         csv.number(group.accuracy ? group.accuracy->standardDeviation : std::nullopt);
         interval(csv, group.accuracy ? group.accuracy->interval : std::nullopt);
         csv.integer(group.matrix.total());
-        transfer(csv, bits);
+        csv.number(bits ? std::optional(bits->measured_bit) : std::nullopt);
+        csv.number(bits ? std::optional(bits->measured_bit - bits->corrected_bit) : std::nullopt);
+        csv.number(bits ? std::optional(bits->corrected_bit) : std::nullopt);
         csv.integer(bits && bits->fewTrials ? 1 : 0);
-        interval(csv, group.transferInterval);
+        interval(csv, bits ? bits->interval : std::nullopt);
+        csv.number(bits ? bits->atLeast_bit : std::nullopt);
+        csv.number(bits ? bits->atMost_bit : std::nullopt);
+        textOrNa(csv, bits ? toString(bits->doubt) : "");
         csv.endRow();
     }
 }

@@ -39,6 +39,15 @@ QString interval(const std::optional<Interval>& ends, double scale, int digits) 
         .arg(scale * ends->high, 0, 'f', digits);
 }
 
+/// Where the true transfer is: an interval or a bound.
+QString range(const std::optional<TransferEstimate>& transfer) {
+    if (transfer && transfer->atLeast_bit)
+        return ReportText::tr("at least %1").arg(fixed(transfer->atLeast_bit, 3));
+    if (transfer && transfer->atMost_bit)
+        return ReportText::tr("at most %1").arg(fixed(transfer->atMost_bit, 3));
+    return interval(transfer ? transfer->interval : std::nullopt, 1.0, 3);
+}
+
 QString probability(const std::optional<double>& p) {
     if (!p)
         return QStringLiteral("NA");
@@ -212,25 +221,32 @@ private:
     }
 
     [[nodiscard]] QString transfer() const {
-        Table table(ReportText::tr("Information transfer of the pooled answers in bit, its bias, and the "
-                                   "bootstrap interval over participants (95 %, of the measured value)"),
+        Table table(ReportText::tr("Information transfer of the pooled answers in bit. Corrected: without "
+                                   "bias, by the jackknife over participants. Interval: of the true "
+                                   "transfer (95 %)"),
                     {ReportText::tr("Condition"), ReportText::tr("Trials"), ReportText::tr("Measured"),
                      ReportText::tr("Bias"), ReportText::tr("Corrected"), ReportText::tr("Interval"),
                      ReportText::tr("A guesser would show"), ReportText::tr("Remark")});
         for (const GroupSummary& group : m_task.groups) {
-            const auto bits = informationTransfer(group.matrix, m_task.alternatives());
-            table.row({text(group.condition), QString::number(group.matrix.total()),
-                       fixed(bits ? std::optional(bits->measured_bit) : std::nullopt, 3),
-                       fixed(bits ? std::optional(bits->bias_bit) : std::nullopt, 3),
-                       fixed(bits ? std::optional(bits->corrected_bit) : std::nullopt, 3),
-                       interval(group.transferInterval, 1.0, 3),
-                       fixed(guesserTransfer(group.matrix, m_task.alternatives()), 2),
-                       bits && bits->fewTrials ? ReportText::tr("few trials: fewer than 5 k²") : QString()});
+            const std::optional<TransferEstimate>& bits = group.transfer;
+            QStringList remarks;
+            if (bits && bits->fewTrials)
+                remarks << ReportText::tr("few trials: fewer than 5 k²");
+            if (bits && bits->doubt != TransferDoubt::none)
+                remarks << text(explain(bits->doubt));
+            table.row(
+                {text(group.condition), QString::number(group.matrix.total()),
+                 fixed(bits ? std::optional(bits->measured_bit) : std::nullopt, 3),
+                 fixed(bits ? std::optional(bits->measured_bit - bits->corrected_bit) : std::nullopt, 3),
+                 fixed(bits ? std::optional(bits->corrected_bit) : std::nullopt, 3), range(bits),
+                 fixed(guesserTransfer(group.matrix, m_task.alternatives()), 2),
+                 remarks.join(QStringLiteral("; "))});
         }
         return heading(ReportText::tr("Information transfer")) +
                figure(
                    transferFigure(m_task, m_mode),
-                   ReportText::tr("Filled: measured, with the bootstrap interval. Hollow: less the bias.")) +
+                   ReportText::tr(
+                       "Filled: measured. Hollow: less the bias, with the interval of the true transfer.")) +
                QStringLiteral("<p class=\"warning\">%1</p>\n")
                    .arg(ReportText::tr(
                        "The measured value is too high with few trials: even a participant who "
@@ -382,9 +398,8 @@ std::string reportHtml(const std::vector<TaskResults>& results, const ReportHead
             .arg(ReportText::tr("Compute it again"),
                  ReportText::tr(
                      "analysis.R beside this page computes its numbers again from confusion_long.csv, but "
-                     "the response times, which that file does not have, and the bootstrap intervals: "
-                     "Rscript analysis.R. In the folder of the study it computes the response times too, "
-                     "from the exported trials."));
+                     "the response times, which that file does not have: Rscript analysis.R. In the folder "
+                     "of the study it computes the response times too, from the exported trials."));
     return html.toStdString();
 }
 

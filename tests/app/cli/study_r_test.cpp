@@ -72,8 +72,8 @@ TEST(StudyR, theScriptThatComesWithAStudyGivesTheSameNumbersInR) {
                                               "wilson_lo", "wilson_hi", "cp_lo",        "cp_hi",
                                               "p_chance",  "it_bits",   "it_bias_bits", "it_corrected_bits"};
     const std::vector<std::string> group = {
-        "participants", "accuracy_mean", "accuracy_sd",       "t_lo",         "t_hi", "n",
-        "it_bits",      "it_bias_bits",  "it_corrected_bits", "it_few_trials"};
+        "participants", "accuracy_mean", "accuracy_sd",       "t_lo",          "t_hi",  "n",
+        "it_bits",      "it_bias_bits",  "it_corrected_bits", "it_few_trials", "it_lo", "it_hi"};
     for (const std::string& from : {study, results}) {
         expectSame(tableOf(results + "/anova.csv", 3), tableOf(from + "/anova_r.csv", 3), anova);
         expectSame(tableOf(results + "/summary.csv", 3), tableOf(from + "/summary_r.csv", 3), summary);
@@ -125,8 +125,9 @@ TEST(StudyR, anIdWithACommaOrAQuoteIsOneFieldAndPatternsThatNobodyFeltCount) {
     EXPECT_EQ(theirs.size(), 2U);
     expectSame(tableOf(results + "/summary.csv", 3), theirs,
                {"accuracy", "p_chance", "it_bits", "rt_median_s", "rt_n"});
-    expectSame(tableOf(results + "/group.csv", 2), tableOf(folder.path("of_trials/group_r.csv"), 2),
-               {"participants", "accuracy_mean", "it_bits", "it_few_trials"});
+    expectSame(
+        tableOf(results + "/group.csv", 2), tableOf(folder.path("of_trials/group_r.csv"), 2),
+        {"participants", "accuracy_mean", "it_bits", "it_corrected_bits", "it_few_trials", "it_at_most"});
     expectSame(tableOf(results + "/anova.csv", 3), tableOf(folder.path("of_trials/anova_r.csv"), 3),
                {"f", "p", "n"});
 }

@@ -19,9 +19,15 @@ TEST(InformationTransfer, isThatOfRForAKnownMatrix) {
                                                         {0, 0, 0, 0, 2, 3}}));
     ASSERT_TRUE(transfer);
     EXPECT_NEAR(transfer->measured_bit, 1.802164386, 0.51e-9);
-    EXPECT_NEAR(transfer->bias_bit, 0.6011229337, 0.51e-10);
-    EXPECT_NEAR(transfer->corrected_bit, 1.201041452, 0.51e-9);
+    EXPECT_NEAR(transfer->corrected_bit, 1.659228314, 0.51e-9);
+    EXPECT_NEAR(transfer->bias_bit, 1.802164386 - 1.659228314, 1e-9);
     EXPECT_TRUE(transfer->fewTrials);
+}
+
+// Without one of two trials nothing is left to tell: 2 * 1 - 1 * 0 = 2 bit, more than was measured.
+TEST(InformationTransfer, withoutBiasIsNotMoreThanMeasured) {
+    EXPECT_EQ(informationTransfer(matrixOf({{1, 0}, {0, 1}}))->corrected_bit, 1.0);
+    EXPECT_EQ(informationTransfer(matrixOf({{1, 0}, {0, 0}}))->corrected_bit, 0.0) << "one trial";
 }
 
 TEST(InformationTransfer, isTheEntropyOfThePatternsWhenAllIsRight) {
@@ -31,6 +37,7 @@ TEST(InformationTransfer, isTheEntropyOfThePatternsWhenAllIsRight) {
     const auto transfer = informationTransfer(matrix);
     ASSERT_TRUE(transfer);
     EXPECT_NEAR(transfer->measured_bit, std::log2(6.0), 1e-14);
+    EXPECT_NEAR(transfer->corrected_bit, std::log2(6.0), 1e-14) << "all patterns equally often";
     EXPECT_FALSE(transfer->fewTrials);
 }
 
@@ -41,7 +48,7 @@ TEST(InformationTransfer, isZeroWhenTheAnswerIsAlwaysTheSame) {
     const auto transfer = informationTransfer(matrix);
     ASSERT_TRUE(transfer);
     EXPECT_EQ(transfer->measured_bit, 0.0);
-    EXPECT_EQ(transfer->bias_bit, 0.0);
+    EXPECT_NEAR(transfer->bias_bit, 0.0, 1e-14);
 }
 
 TEST(InformationTransfer, isZeroForUniformGuesses) {
@@ -157,12 +164,12 @@ TEST(GuesserTransfer, ofPatternsThatWereNotSeenIsThatOfTheMatrixWithThem) {
     EXPECT_EQ(informationTransfer(seen, 6)->measured_bit, informationTransfer(seen)->measured_bit);
 }
 
-// With many trials the bias formula is exact to first order.
-TEST(GuesserTransfer, comesToTheBiasWithManyTrials) {
+// With many trials it is Miller's bias, (R-1)(C-1) / (2 n ln 2).
+TEST(GuesserTransfer, comesToMillersBiasWithManyTrials) {
     ConfusionMatrix matrix(5);
     for (std::size_t i = 0; i < 5; ++i)
         matrix.add(i, i, 100'000);
-    EXPECT_NEAR(guesserTransfer(matrix).value() / informationTransfer(matrix)->bias_bit, 1.0, 1e-3);
+    EXPECT_NEAR(guesserTransfer(matrix).value() / (16.0 / (2.0 * 500'000.0 * std::log(2.0))), 1.0, 1e-3);
 }
 
 } // namespace teleta::study

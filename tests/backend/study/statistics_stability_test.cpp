@@ -3,6 +3,7 @@
 #include "backend/study/analysis/information_transfer.h"
 #include "backend/study/analysis/proportion.h"
 #include "backend/study/analysis/repeated_anova.h"
+#include "backend/study/analysis/study_transfer.h"
 #include "backend/study/analysis/transfer_interval.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 namespace teleta::study {
 
@@ -222,15 +224,61 @@ TEST(StatisticsStability, intervalsOfTheTransferShrinkOverTwelveDecadesOfTrials)
     for (std::int64_t factor = 1; factor <= 1'000'000'000'000; factor *= 10) {
         const ConfusionMatrix matrix = times(factor, kCounts);
         const auto transfer = informationTransfer(matrix);
-        EXPECT_LE(std::abs(*jackknifeTransfer(matrix) - transfer->measured_bit),
-                  2.0 * transfer->bias_bit + 1e-13)
+        const double bias_bit = transferBias(matrix, TransferBias::miller);
+        EXPECT_LE(std::abs(*jackknifeTransfer(matrix) - transfer->measured_bit), 2.0 * bias_bit + 1e-13)
             << factor;
+        EXPECT_LE(std::abs(transfer->bias_bit), 4.0 * bias_bit + 1e-13) << factor;
         const auto interval = asymptoticTransfer(matrix, TransferBias::none);
         ASSERT_TRUE(interval);
         const double root = std::sqrt(static_cast<double>(factor));
         EXPECT_NEAR((interval->high - transfer->measured_bit) * root,
                     plain->high - informationTransfer(times(1, kCounts))->measured_bit, 1e-13 * root + 1e-12);
     }
+}
+
+// The people keep their shares, so their differences, which make the interval, stay as they are.
+TEST(StatisticsStability, theIntervalOfAStudyKeepsItsWidthOverTwelveDecadesOfTrials) {
+    const auto study = [](std::int64_t factor) {
+        return std::array{times(factor, kCounts), times(factor, {{{3, 2, 0, 0}, {1, 4, 0, 0}, {0, 1, 4, 0}}}),
+                          times(factor, {{{5, 0, 0, 0}, {2, 3, 0, 0}, {0, 0, 4, 1}}}),
+                          times(factor, {{{4, 0, 1, 0}, {0, 4, 1, 0}, {1, 0, 4, 0}}}),
+                          times(factor, {{{4, 1, 0, 0}, {0, 5, 0, 0}, {0, 1, 2, 2}}})};
+    };
+    const auto plain = studyTransfer(study(1));
+    ASSERT_TRUE(plain && plain->interval);
+    for (std::int64_t factor = 1; factor <= 1'000'000'000'000; factor *= 10) {
+        const auto many = studyTransfer(study(factor));
+        ASSERT_TRUE(many && many->interval) << factor;
+        EXPECT_NEAR(many->measured_bit, plain->measured_bit, 1e-13);
+        EXPECT_NEAR(many->interval->low, plain->interval->low, 1e-11) << factor;
+        EXPECT_NEAR(many->interval->high, plain->interval->high, 1e-11) << factor;
+    }
+    auto turned = study(1);
+    std::reverse(turned.begin(), turned.end());
+    EXPECT_NEAR(studyTransfer(turned)->interval->low, plain->interval->low, 1e-12);
+}
+
+// Bounds of every kind stay numbers, and within what is possible.
+TEST(StatisticsStability, boundsOfTheTransferStayWithinZeroAndTheEntropyOverTwelveDecades) {
+    for (std::int64_t factor = 1; factor <= 1'000'000'000'000; factor *= 10)
+        for (const auto& counts : {std::array<std::array<std::int64_t, 4>, 3>{{{7, 0}, {0, 7}, {0, 0, 7}}},
+                                   {{{7, 0}, {7, 0}, {7, 0}}},
+                                   {{{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}},
+                                   {{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}},
+                                   kCounts})
+            for (const std::size_t people : {1U, 2U, 3U, 4U, 9U}) {
+                const std::vector<ConfusionMatrix> same(people, times(factor, counts));
+                const auto transfer = studyTransfer(same);
+                ASSERT_TRUE(transfer);
+                EXPECT_EQ(transfer->interval.has_value(), transfer->doubt == TransferDoubt::none);
+                EXPECT_EQ(transfer->atLeast_bit.has_value(), transfer->doubt == TransferDoubt::fewDifferent);
+                EXPECT_EQ(transfer->interval || transfer->atLeast_bit || transfer->atMost_bit, true);
+                for (const double bound :
+                     {transfer->atLeast_bit.value_or(0.0), transfer->atMost_bit.value_or(0.0)}) {
+                    EXPECT_GE(bound, 0.0);
+                    EXPECT_LE(bound, std::log2(3.0) + 1e-14);
+                }
+            }
 }
 
 TEST(StatisticsStability, answersThatAllTellAsMuchHaveAnIntervalWithoutWidth) {

@@ -64,9 +64,33 @@ TEST(JackknifeTransfer, isThatOfTwoTrials) {
 // For many trials the jackknife's bias is Miller's, since both are of first order in 1/n.
 TEST(JackknifeTransfer, agreesWithMillerForManyTrials) {
     const ConfusionMatrix matrix = symmetric(7000, 3000);
-    const auto transfer = *informationTransfer(matrix);
-    EXPECT_NEAR(transfer.measured_bit - *jackknifeTransfer(matrix), transfer.bias_bit,
-                0.01 * transfer.bias_bit);
+    const double bias_bit = transferBias(matrix, TransferBias::miller);
+    EXPECT_NEAR(bias_bit, 1.0 / (40'000.0 * std::log(2.0)), 1e-12);
+    EXPECT_NEAR(*measuredTransfer(matrix) - *jackknifeTransfer(matrix), bias_bit, 0.01 * bias_bit);
+}
+
+// G(2n+1) = G(2n), so of [[2, 1], [1, 2]] the G(3) of the columns cancel the G(2) of the cells but for
+//   ln 2 + (G(1) - G(2)) / 3 = ln 2 - 2/3,  since G(2) - G(1) = 2.
+TEST(TransferBias, ofGrassbergerIsThatOfATableWithAClosedForm) {
+    const ConfusionMatrix matrix = symmetric(2, 1);
+    EXPECT_NEAR(*measuredTransfer(matrix) - transferBias(matrix, TransferBias::grassberger),
+                1.0 - 2.0 / 3.0 / std::log(2.0), 1e-14);
+    EXPECT_NEAR(transferBias(symmetric(1, 0), TransferBias::grassberger), 0.0, 1e-14);
+}
+
+// Three rows, three columns, five cells that occur, ten trials: (5-3-3+1) / (20 ln 2) = 0, and Miller's 4 /
+// (20 ln 2).
+TEST(TransferBias, overOccupiedCellsLeavesOutThoseThatNobodyGave) {
+    ConfusionMatrix matrix(3);
+    matrix.add(0, 0, 4);
+    matrix.add(1, 1, 2);
+    matrix.add(1, 2, 1);
+    matrix.add(2, 2, 2);
+    matrix.add(2, 1, 1);
+    EXPECT_EQ(transferBias(matrix, TransferBias::occupied), 0.0);
+    EXPECT_NEAR(transferBias(matrix, TransferBias::miller), 4.0 / (20.0 * std::log(2.0)), 1e-14);
+    EXPECT_EQ(transferBias(matrix, TransferBias::none), 0.0);
+    EXPECT_EQ(transferBias(ConfusionMatrix(3), TransferBias::miller), 0.0);
 }
 
 TEST(CorrectedBootstrapTransfer, liesTwoBiasesBelowTheMeasuredOne) {

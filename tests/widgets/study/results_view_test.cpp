@@ -51,7 +51,7 @@ study::TaskResults dataSetA() {
             }
         }
     }
-    return study::studyResults(tally, {.resamples = 10}).front();
+    return study::studyResults(tally).front();
 }
 
 const study::TaskResults& results() {

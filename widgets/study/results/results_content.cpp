@@ -62,6 +62,19 @@ ResultCell cell(const std::optional<Interval>& interval, int decimals, double fa
                 c.toString(factor * interval->high, 'g', QLocale::FloatingPointShortest))};
 }
 
+/// Interval of the true transfer, or a bound: "NA" stands for the end that is not known.
+ResultCell rangeCell(const std::optional<TransferEstimate>& transfer) {
+    if (transfer && transfer->atLeast_bit) {
+        const ResultCell bound = cell(transfer->atLeast_bit, 2);
+        return {QStringLiteral("\u2265 ") + bound.shown, bound.data + QStringLiteral(";NA")};
+    }
+    if (transfer && transfer->atMost_bit) {
+        const ResultCell bound = cell(transfer->atMost_bit, 2);
+        return {QStringLiteral("\u2264 ") + bound.shown, QStringLiteral("NA;") + bound.data};
+    }
+    return cell(transfer ? transfer->interval : std::nullopt, 2);
+}
+
 ResultCell count(std::int64_t value) {
     return {QString::number(value)};
 }
@@ -252,9 +265,9 @@ IntervalChartContent ResultsContent::times(const TaskResults& task, const ShownP
 
 TableContent ResultsContent::groups(const TaskResults& task, const ConditionNames& names) {
     TableContent table;
-    table.header = QStringList{tr("Condition"),       tr("Participants"),  tr("Right %"), tr("SD"),
-                               tr("95 % t interval"), tr("Trials"),        tr("IT bit"),  tr("Bias bit"),
-                               tr("IT corrected"),    tr("95 % bootstrap")};
+    table.header = QStringList{tr("Condition"),       tr("Participants"), tr("Right %"), tr("SD"),
+                               tr("95 % t interval"), tr("Trials"),       tr("IT bit"),  tr("Bias bit"),
+                               tr("IT corrected"),    tr("IT 95 %"),      tr("Remark")};
     table.tips = QStringList{{},
                              {},
                              tr("Mean of the participants' shares of right answers"),
@@ -262,22 +275,31 @@ TableContent ResultsContent::groups(const TaskResults& task, const ConditionName
                              tr("Of the mean, from Student's t over participants"),
                              tr("Of all participants together"),
                              tr("Information transfer of the pooled matrix, as counted"),
-                             tr("Average overestimate: (R-1)(C-1) / (2 n ln 2)"),
+                             tr("Average overestimate, from the jackknife over participants"),
                              tr("Measured less bias"),
-                             tr("Of the measured transfer, participants drawn with replacement")};
+                             tr("Interval or bound of the true transfer, from the jackknife over "
+                                "participants"),
+                             {}};
     for (const GroupSummary& group : task.groups) {
-        const auto bits = informationTransfer(group.matrix);
-        const auto value = [&](double InformationTransfer::*member) {
+        const std::optional<TransferEstimate>& bits = group.transfer;
+        const auto value = [&](double TransferEstimate::*member) {
             return bits ? std::optional((*bits).*member) : std::nullopt;
         };
+        const std::optional<double> bias_bit =
+            bits ? std::optional(bits->measured_bit - bits->corrected_bit) : std::nullopt;
         table.rows.push_back(
-            {conditionCell(group.condition, names), count(static_cast<std::int64_t>(group.participants)),
+            {conditionCell(group.condition, names),
+             count(static_cast<std::int64_t>(group.participants)),
              cell(percent(group.accuracy ? std::optional(group.accuracy->mean) : std::nullopt), 1),
              cell(percent(group.accuracy ? group.accuracy->standardDeviation : std::nullopt), 1),
              cell(group.accuracy ? group.accuracy->interval : std::nullopt, 1, kPercent),
-             count(group.matrix.total()), cell(value(&InformationTransfer::measured_bit), 2),
-             cell(value(&InformationTransfer::bias_bit), 2),
-             cell(value(&InformationTransfer::corrected_bit), 2), cell(group.transferInterval, 2)});
+             count(group.matrix.total()),
+             cell(value(&TransferEstimate::measured_bit), 2),
+             cell(bias_bit, 2),
+             cell(value(&TransferEstimate::corrected_bit), 2),
+             rangeCell(bits),
+             {bits ? text(explain(bits->doubt)) : QString(),
+              bits ? QString::fromLatin1(toString(bits->doubt)) : QString()}});
     }
     return table;
 }
@@ -398,8 +420,7 @@ QString ResultsContent::transferNote(const TaskResults& task) {
     for (const GroupSummary& group : task.groups) {
         if (group.participants > 0)
             trials = std::max(trials, group.matrix.total() / static_cast<std::int64_t>(group.participants));
-        const auto bits = informationTransfer(group.matrix, k);
-        few = few || (bits && bits->fewTrials);
+        few = few || (group.transfer && group.transfer->fewTrials);
     }
     if (trials == 0 || k < 2)
         return {};

@@ -48,7 +48,7 @@ nlohmann::ordered_json toJson(const std::vector<study::TaskResults>& results) {
     for (const study::TaskResults& task : results) {
         nlohmann::ordered_json groups = nlohmann::ordered_json::array();
         for (const study::GroupSummary& group : task.groups) {
-            const auto bits = study::informationTransfer(group.matrix);
+            const std::optional<study::TransferEstimate>& bits = group.transfer;
             groups.push_back(
                 {{"condition", group.condition},
                  {"participants", group.participants},
@@ -56,7 +56,12 @@ nlohmann::ordered_json toJson(const std::vector<study::TaskResults>& results) {
                  {"t_interval_95", group.accuracy ? endsOrNull(group.accuracy->interval) : nullptr},
                  {"it_bits", bits ? orNull(bits->measured_bit) : nullptr},
                  {"it_corrected_bits", bits ? orNull(bits->corrected_bit) : nullptr},
-                 {"it_bootstrap_95", endsOrNull(group.transferInterval)}});
+                 {"it_interval_95", bits ? endsOrNull(bits->interval) : nullptr},
+                 {"it_at_least_bits", bits ? orNull(bits->atLeast_bit) : nullptr},
+                 {"it_at_most_bits", bits ? orNull(bits->atMost_bit) : nullptr},
+                 {"it_note", bits && bits->doubt != study::TransferDoubt::none
+                                 ? nlohmann::ordered_json(study::toString(bits->doubt))
+                                 : nlohmann::ordered_json(nullptr)}});
         }
         nlohmann::ordered_json anova = nlohmann::ordered_json::array();
         for (const study::AnovaLine& line : task.anova)
@@ -70,6 +75,25 @@ nlohmann::ordered_json toJson(const std::vector<study::TaskResults>& results) {
         tasks.push_back({{"task", task.task}, {"groups", std::move(groups)}, {"anova", std::move(anova)}});
     }
     return {{"tasks", std::move(tasks)}};
+}
+
+/// The measured value, the corrected one with its interval or a bound, and why there is only a bound.
+QStringList transferLines(const study::TransferEstimate& transfer) {
+    const QString corrected = forPeople(transfer.corrected_bit, 3);
+    QStringList lines{StudyText::tr("%1 bit measured").arg(forPeople(transfer.measured_bit, 3))};
+    if (transfer.interval)
+        lines << StudyText::tr("%1 bit without bias (95 %: %2 to %3)")
+                     .arg(corrected, forPeople(transfer.interval->low, 3),
+                          forPeople(transfer.interval->high, 3));
+    else if (transfer.atLeast_bit)
+        lines << StudyText::tr("%1 bit without bias (95 %: at least %2)")
+                     .arg(corrected, forPeople(*transfer.atLeast_bit, 3));
+    else if (transfer.atMost_bit)
+        lines << StudyText::tr("%1 bit without bias (95 %: at most %2)")
+                     .arg(corrected, forPeople(*transfer.atMost_bit, 3));
+    if (transfer.doubt != study::TransferDoubt::none)
+        lines << QString::fromStdString(study::explain(transfer.doubt));
+    return lines;
 }
 
 Fields toFields(const std::vector<study::TaskResults>& results) {
@@ -87,10 +111,9 @@ Fields toFields(const std::vector<study::TaskResults>& results) {
             else if (group.accuracy)
                 fields.emplace_back(
                     name, StudyText::tr("%1 % correct (one participant)").arg(percent(group.accuracy->mean)));
-            if (const auto bits = study::informationTransfer(group.matrix))
-                fields.emplace_back(
-                    QString(), StudyText::tr("%1 bit, %2 without bias")
-                                   .arg(forPeople(bits->measured_bit, 3), forPeople(bits->corrected_bit, 3)));
+            if (group.transfer)
+                for (const QString& line : transferLines(*group.transfer))
+                    fields.emplace_back(QString(), line);
         }
         for (const study::AnovaLine& line : task.anova) {
             const QString name = QString::fromStdString(task.task + ", " + line.effect +
