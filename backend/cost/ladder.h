@@ -15,7 +15,7 @@ namespace teleta::cost {
 struct Rung {
     std::string name;      ///< unique in its ladder, as in files
     std::string parameter; ///< what sets it apart: "scale 1/2", "100 samples"
-    /// Makes one trial. Deterministic but for its time. What a rung remembers from trial to trial is its own.
+    /// Makes one trial. All but its time depends on the trial's index only, however often it runs.
     std::function<void(Trial&)> run;
 };
 

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace teleta::cost {
 
@@ -30,19 +32,42 @@ core::Expected<scene::Scene> indenterScene() {
 /// Frames of the scene, part by part.
 using SceneFrames = std::vector<std::vector<float>>;
 
+/// The array of a scene at the beginning of a part. It cannot go back, so a part that is asked for again is
+/// reached from the start by an array of its own.
+class SceneArray {
+public:
+    explicit SceneArray(scene::Scene scene)
+        : m_scene(std::move(scene)) {}
+
+    /// The array before the first frame of the part; the caller takes the part's frames.
+    simulation::SimulatedArray& at(std::size_t part) {
+        if (!m_array || m_part != part) {
+            m_array = simulation::SimulatedArray::make(m_scene, kSceneSeed).value();
+            std::vector<float> frame(m_scene.taxels().taxels());
+            for (std::size_t i = 0; i < part * kFramesPerPart; ++i)
+                m_array->next(frame, false);
+        }
+        m_part = part + 1;
+        return *m_array;
+    }
+
+private:
+    scene::Scene m_scene;
+    std::unique_ptr<simulation::SimulatedArray> m_array;
+    std::size_t m_part = 0; ///< the next
+};
+
 core::Expected<Rung> effectRung(const std::string& name, const std::string& parameter,
                                 const scene::Scene& scene, const std::shared_ptr<const SceneFrames>& truth) {
-    TELETA_TRY(auto made, simulation::SimulatedArray::make(scene, kSceneSeed));
-    // A restart lets noise go on, so a run from the start needs an array of its own.
-    auto array = std::make_shared<std::unique_ptr<simulation::SimulatedArray>>(std::move(made));
+    TELETA_CHECK(simulation::SimulatedArray::make(scene, kSceneSeed));
+    const auto array = std::make_shared<SceneArray>(scene);
     const auto run = [=](Trial& trial) {
         const std::size_t part = trial.index() % kParts;
-        if (part == 0)
-            *array = simulation::SimulatedArray::make(scene, kSceneSeed).value();
+        simulation::SimulatedArray& taxels = array->at(part);
         std::vector<std::vector<float>> frames(kFramesPerPart, std::vector<float>(scene.taxels().taxels()));
         trial.timed(kFramesPerPart, [&] {
             for (std::vector<float>& frame : frames)
-                (*array)->next(frame, false);
+                taxels.next(frame, false);
         });
         for (std::size_t i = 0; i < kFramesPerPart; ++i) {
             const std::vector<float>& with = (*truth)[part * kFramesPerPart + i];

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <vector>
 
 namespace teleta::cost {
 
@@ -88,10 +89,15 @@ TorqueTruth fineSolution() {
 }
 
 Rung stepRung(double step_ms, bool implicit, const std::shared_ptr<const TorqueTruth>& truth) {
-    auto run = [=, arm = touchingArm()](Trial& trial) mutable {
+    // A trial that is timed again begins where it began the first time.
+    const auto starts = std::make_shared<std::vector<simulation::FlexibleArm>>();
+    for (simulation::FlexibleArm arm = touchingArm(); starts->size() < kSegments;) {
+        starts->push_back(arm);
+        advance(arm, starts->size() - 1, 1e-3 * step_ms, implicit);
+    }
+    auto run = [=](Trial& trial) {
         const std::size_t segment = trial.index() % kSegments;
-        if (segment == 0)
-            arm = touchingArm();
+        simulation::FlexibleArm arm = (*starts)[segment];
         trial.timed(1, [&] { advance(arm, segment, 1e-3 * step_ms, implicit); });
         trial.error((arm.torque_Nm() - (*truth)[segment]).lpNorm<Eigen::Infinity>());
     };

@@ -172,11 +172,14 @@ core::Expected<std::vector<CameraContact>> FlowContactFinder::findIn(const cv::M
     const cv::Rect part = m_rung.changedOnly ? aroundChange() : whole;
     std::swap(m_flow, m_flowBefore);
     if (part == whole) {
-        // OpenCV starts from the given matrix when it has the right size.
-        if (m_rung.warmStart && m_beforeKnown)
+        // OpenCV starts from the given matrix when it has the right size. Without one it would start from
+        // that of an earlier frame, which it keeps, although that is to be forgotten.
+        if (!m_rung.warmStart)
+            m_flow.release();
+        else if (m_beforeKnown)
             m_flowBefore.copyTo(m_flow);
         else
-            m_flow.release();
+            m_flow = cv::Mat2f(m_small.size(), cv::Vec2f(0.0F, 0.0F));
         flow(m_reference, m_small, m_flow);
     } else {
         m_flow.create(m_small.size());
