@@ -133,6 +133,10 @@ void ServoTaskSettings::describeKeys(Keys& keys) {
                 "Where on the array the contact is kept", Need::optional);
     keys.number("approach_m_per_s", approach_mPerS, NumberRange::positiveUpTo(kHighestSpeed_mPerS),
                 "Speed toward the object");
+    keys.choice("expect", expect,
+                {{"completed", "The servo does its task; otherwise teleta simulate ends with exit code 1"},
+                 {"not_completed", "The servo may fail; teleta simulate ends with exit code 0"}},
+                "How a run should end", Need::optional);
 }
 
 void ServoWorld::describeKeys(Keys& keys) {

@@ -117,6 +117,9 @@ enum class ServoTaskKind {
     comanipulate, ///< approach, then keep a tray level by moving under its load
 };
 
+/// How a run should end: whether one that does not do its task is an error of teleta simulate.
+enum class ServoExpectation { completed, notCompleted };
+
 struct ServoTaskSettings {
     ServoTaskKind kind = ServoTaskKind::exploreEdge;
     double force_N = 5.0;
@@ -125,7 +128,8 @@ struct ServoTaskSettings {
     double slide_mPerS = 0.005;
     double rollAngle_rad = 0.0; ///< amplitude of rolling
     double rollPeriod_s = 0.0;
-    bool moment = true; ///< false: without the DZMP, as the baseline
+    bool moment = true;                                    ///< false: without the DZMP, as the baseline
+    ServoExpectation expect = ServoExpectation::completed; ///< how a run should end
     void describeKeys(Keys& keys);
 };
 

@@ -13,6 +13,35 @@ namespace teleta::scene_run {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+ordered_json toJson(const RunVerdict& verdict) {
+    if (verdict.completed)
+        return {{"result", "completed"}};
+    ordered_json json{
+        {"result", "not_completed"}, {"phase", verdict.phase}, {"reason", toString(verdict.reason)}};
+    if (!verdict.limit.empty())
+        json["limit"] = verdict.limit;
+    json["expected"] = verdict.expected;
+    return json;
+}
+
+} // namespace
+
+const char* toString(NotCompleted reason) {
+    switch (reason) {
+    case NotCompleted::neverInContact:
+        return "never_in_contact";
+    case NotCompleted::lost:
+        return "lost";
+    case NotCompleted::stalled:
+        return "stalled";
+    case NotCompleted::notAligned:
+        return "not_aligned";
+    }
+    return "";
+}
+
 ordered_json SceneSummary::toJson() const {
     const auto times = [](const std::vector<EffectTime>& list) {
         ordered_json entries = ordered_json::array();
@@ -27,6 +56,8 @@ ordered_json SceneSummary::toJson() const {
                           {"effects", times(effects)}};
     if (!parts.empty())
         document["parts"] = times(parts);
+    if (verdict)
+        document["verdict"] = scene_run::toJson(*verdict);
     document["measures"] = measures;
     document["events"] = events;
     return document;

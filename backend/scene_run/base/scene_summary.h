@@ -13,6 +13,26 @@
 
 namespace teleta::scene_run {
 
+/// Why a run did not do its task.
+enum class NotCompleted {
+    neverInContact, ///< the object was never touched
+    lost,           ///< the contact was lost and not found again
+    stalled,        ///< the arm stood still; RunVerdict::limit kept it, if it names one
+    notAligned,     ///< the array did not come into the place that the task needs
+};
+
+/// Name in files: "never_in_contact", "lost", "stalled", "not_aligned".
+[[nodiscard]] const char* toString(NotCompleted reason);
+
+/// Whether a run did its task.
+struct RunVerdict {
+    bool completed = true;
+    std::string phase;                                  ///< at the end of the run
+    NotCompleted reason = NotCompleted::neverInContact; ///< unless completed
+    std::string limit;                                  ///< that acts, as in events; empty: none
+    bool expected = false;                              ///< the scene says that it is not completed
+};
+
 /// What a simulated scene has shown: the content of summary.json.
 struct SceneSummary {
     struct EffectTime {
@@ -32,7 +52,8 @@ struct SceneSummary {
     /// determine is null.
     nlohmann::ordered_json measures = nlohmann::ordered_json::object();
     nlohmann::ordered_json events = nlohmann::ordered_json::array();
-    bool interrupted = false; ///< it was ended before its time; not in the file
+    std::optional<RunVerdict> verdict; ///< of a scene with a task
+    bool interrupted = false;          ///< it was ended before its time; not in the file
 
     /// Takes the simulated time and the times of the effects from a simulated world at the end of its run.
     template <typename World>
@@ -43,7 +64,8 @@ struct SceneSummary {
     }
 
     /// {"scene","seed","simulated_s","wall_s","effects":[{"name","time_s"}],"measures":{...},"events":[...]},
-    /// and after "effects" with parts: "parts":[{"name","time_s"}]
+    /// after "effects" with parts: "parts":[{"name","time_s"}], and before "measures" with a verdict:
+    /// "verdict":{"result":"completed"} or {"result":"not_completed","phase","reason"[,"limit"],"expected"}
     [[nodiscard]] nlohmann::ordered_json toJson() const;
 };
 

@@ -39,6 +39,7 @@ public:
     void report(nlohmann::ordered_json& measures) const;
 
     [[nodiscard]] const std::string& phase() const { return m_phase; }
+    [[nodiscard]] bool aligned() const { return m_aligned_s.has_value(); }
     [[nodiscard]] double desiredForce_N() const { return m_task.force_N; }
     /// Where the array has felt the contact while it explored, in the base.
     [[nodiscard]] const std::vector<Eigen::Vector3d>& points_m() const { return m_points_m; }

@@ -17,8 +17,9 @@ namespace teleta::scene_run {
 ///                paper draws it; mass_x_true_m is of a weight on a tray
 ///   frames.csv   the array
 ///   points.csv   x_m,y_m,z_m: where the array felt the contact while it explored, in the base
-/// Measures: servo_measures.h, and frames, frames_lost. Events: phases, contact that ends and begins again
-/// (the world's), limits that act for the first time. Error: as runScene.
+/// Measures: servo_measures.h, and frames, frames_lost. Verdict: servo_verdict.h; none when interrupted.
+/// Events: phases, contact that ends and begins again (the world's), limits that act for the first time.
+/// Error: as runScene.
 [[nodiscard]] core::Expected<SceneSummary> runServoScene(const scene::Scene& scene,
                                                          const RunOptions& options);
 

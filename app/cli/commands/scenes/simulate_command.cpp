@@ -6,6 +6,7 @@
 #include "app/cli/commands/scenes/scene_commands.h"
 #include "app/common/scene_file.h"
 #include "backend/core/data/output_file.h"
+#include "backend/core/failure.h"
 #include "backend/figure/figure_file.h"
 #include "backend/scene_run/effect_ablation.h"
 #include "backend/scene_run/scene_run.h"
@@ -55,6 +56,28 @@ QString valueText(const ordered_json& value) {
     return QString::fromStdString(value.dump());
 }
 
+QString reasonText(const scene_run::RunVerdict& verdict) {
+    switch (verdict.reason) {
+    case scene_run::NotCompleted::neverInContact:
+        return SimulateText::tr("never in contact");
+    case scene_run::NotCompleted::lost:
+        return SimulateText::tr("the contact was lost");
+    case scene_run::NotCompleted::stalled:
+        return verdict.limit.empty()
+                   ? SimulateText::tr("stalled")
+                   : SimulateText::tr("stalled by the limit %1").arg(QString::fromStdString(verdict.limit));
+    case scene_run::NotCompleted::notAligned:
+        break;
+    }
+    return SimulateText::tr("not aligned");
+}
+
+QString verdictText(const scene_run::RunVerdict& verdict) {
+    return verdict.completed ? SimulateText::tr("completed")
+                             : SimulateText::tr("not completed: %1, in the phase %2")
+                                   .arg(reasonText(verdict), QString::fromStdString(verdict.phase));
+}
+
 core::Expected<void> printTable(const scene_run::SceneSummary& summary) {
     Fields fields{
         {SimulateText::tr("Scene"), QString::fromStdString(summary.scene)},
@@ -63,6 +86,8 @@ core::Expected<void> printTable(const scene_run::SceneSummary& summary) {
         {SimulateText::tr("Computed in"),
          SimulateText::tr("%1 s (%2 x real time)")
              .arg(forPeople(summary.wall_s), forPeople(summary.simulated_s / summary.wall_s, 3))}};
+    if (summary.verdict)
+        fields.emplace_back(SimulateText::tr("Task"), verdictText(*summary.verdict));
     for (const scene_run::SceneSummary::EffectTime& effect : summary.effects)
         fields.emplace_back(SimulateText::tr("Effect %1").arg(QString::fromStdString(effect.name)),
                             SimulateText::tr("%1 s").arg(forPeople(effect.time_s, 3)));
@@ -231,6 +256,11 @@ public:
         TELETA_CHECK(m_json ? printDocument(summary->toJson()) : printTable(*summary));
         if (summary->interrupted)
             return core::Unexpected(interruption());
+        if (summary->verdict && !summary->verdict->completed && !summary->verdict->expected)
+            return core::failed(
+                core::ErrorKind::refused,
+                SimulateText::tr("the task was %1").arg(verdictText(*summary->verdict)),
+                SimulateText::tr("a completed task, or expect = \"not_completed\" in the scene"));
         return {};
     }
 

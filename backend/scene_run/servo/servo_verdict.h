@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/scene/scene.h"
+#include "backend/scene_run/base/scene_summary.h"
+#include "backend/simulation/servo/servo_loop.h"
+
+#include <Eigen/Core>
+
+#include <deque>
+#include <string>
+
+namespace teleta::scene_run {
+
+/// Watches a servo run and says at its end whether the arm was doing its task. Completed: the array touches
+/// the object, the task that lasts has begun and is not fallen back from (explore, comanipulation, roll,
+/// point following), a point or roll has been aligned, and an exploring array slides. Otherwise the first
+/// reason that applies:
+///   stalled            of the last 2 s a limit acted in more than half of the servo cycles, and the array
+///   made
+///                      less than a tenth of the way that the task wants: before the first contact, or where
+///                      the task that lasts was not reached; while exploring also without a limit
+///   never_in_contact   the object was never touched, whatever the array read
+///   lost               the search for a lost contact has ended, or nothing has been touched for 0.5 s
+///   not_aligned        the task that lasts was not reached, or was fallen back from
+/// Thread: one.
+class ServoVerdict {
+public:
+    explicit ServoVerdict(const scene::Scene& scene);
+
+    /// After every cycle of the loop. phase: the present one; aligned: the array has been, see ServoMeasures.
+    void add(const simulation::ServoLoop& loop, const std::string& phase, bool aligned);
+
+    [[nodiscard]] RunVerdict verdict() const;
+
+private:
+    struct Cycle {
+        double time_s;
+        Eigen::Vector3d p_Base_Sensor_m;
+        servo::ActiveLimits limits;
+    };
+
+    /// Path of the array in the last cycles, in m.
+    [[nodiscard]] double way_m() const;
+    /// The limit that acted in most of the last cycles, if that was in more than half of them.
+    [[nodiscard]] std::string limit() const;
+    [[nodiscard]] bool tooSlow(double speed_mPerS) const;
+
+    scene::ServoTaskSettings m_task;
+    servo::TaskKind m_lasting;
+    servo::TaskKind m_kind = servo::TaskKind::freeMotion;
+    std::string m_phase;
+    double m_phaseBegan_s = 0.0;
+    double m_now_s = 0.0;
+    double m_touched_s = -1.0; ///< last time; below 0: never
+    bool m_searchEnded = false;
+    bool m_aligned = false;
+    std::deque<Cycle> m_last;
+};
+
+} // namespace teleta::scene_run
