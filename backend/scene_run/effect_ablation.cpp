@@ -2,6 +2,7 @@
 #include "backend/scene_run/effect_ablation.h"
 
 #include "backend/core/failure.h"
+#include "backend/scene_run/paired_tests.h"
 #include "backend/scene_run/scene_run.h"
 #include "backend/scene_run/study/study_run.h"
 
@@ -21,6 +22,9 @@ using nlohmann::ordered_json;
 
 /// A difference that rounding makes.
 constexpr double kRounding = 1e-12;
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kOtherSpread = 2.0;
+constexpr double kSignificant = 0.05;
 
 struct AblationText {
     Q_DECLARE_TR_FUNCTIONS(AblationText)
@@ -113,6 +117,8 @@ MeasureChange numberChange(const std::string& name, const Runs& with, const Runs
     std::vector<double> all;
     std::vector<double> others;
     std::vector<double> differences;
+    std::vector<double> pairedWith;
+    std::vector<double> pairedWithout;
     for (std::size_t i = 0; i < with.measures.size(); ++i) {
         const auto& a = with.measures[i].numbers;
         const auto& b = without.measures[i].numbers;
@@ -122,27 +128,40 @@ MeasureChange numberChange(const std::string& name, const Runs& with, const Runs
             all.push_back(before->second);
         if (after != b.end())
             others.push_back(after->second);
-        if (before != a.end() && after != b.end())
+        if (before != a.end() && after != b.end()) {
             differences.push_back(after->second - before->second);
-        else if (before != a.end() || after != b.end())
+            pairedWith.push_back(before->second);
+            pairedWithout.push_back(after->second);
+        } else if (before != a.end() || after != b.end())
             ++change.differing;
     }
     change.mean = mean(all);
     // What one seed only has cannot be told from chance.
-    change.spread = all.size() > 1 ? standardDeviation(all) : std::numeric_limits<double>::quiet_NaN();
+    change.spreadWith = all.size() > 1 ? standardDeviation(all) : kUnknown;
+    change.spreadWithout = others.size() > 1 ? standardDeviation(others) : kUnknown;
     change.meanWithout = mean(others);
     change.change = mean(differences);
     const double size = std::max(std::abs(change.mean), std::abs(change.meanWithout));
-    change.moves = 2 * change.differing > with.measures.size() ||
-                   (all.size() > 1 && std::abs(change.change) > std::max(change.spread, kRounding * size));
+    change.pMean = pairedMeanTest(differences);
+    change.pSpread = pairedSpreadTest(pairedWith, pairedWithout);
+    const double wide = std::max(change.spreadWith, change.spreadWithout);
+    const double narrow = std::min(change.spreadWith, change.spreadWithout);
+    if (2 * change.differing > with.measures.size() ||
+        (all.size() > 1 && std::abs(change.change) > std::max(change.spreadWith, kRounding * size)))
+        change.moves = Moves::yes;
+    else if (wide > kRounding * size && wide >= kOtherSpread * narrow && change.pSpread < kSignificant)
+        change.moves = Moves::spread;
     return change;
 }
 
 MeasureChange textChange(const std::string& name, const Runs& with, const Runs& without) {
     MeasureChange change;
     change.measure = name;
-    change.mean = change.spread = change.meanWithout = change.change =
-        std::numeric_limits<double>::quiet_NaN();
+    for (double MeasureChange::*number :
+         {&MeasureChange::mean, &MeasureChange::spreadWith, &MeasureChange::meanWithout,
+          &MeasureChange::spreadWithout, &MeasureChange::change, &MeasureChange::pMean,
+          &MeasureChange::pSpread})
+        change.*number = kUnknown;
     for (std::size_t i = 0; i < with.measures.size(); ++i) {
         const auto& a = with.measures[i].texts;
         const auto& b = without.measures[i].texts;
@@ -152,7 +171,7 @@ MeasureChange textChange(const std::string& name, const Runs& with, const Runs& 
         if (known ? before->second != after->second : before != a.end() || after != b.end())
             ++change.differing;
     }
-    change.moves = 2 * change.differing > with.measures.size();
+    change.moves = 2 * change.differing > with.measures.size() ? Moves::yes : Moves::no;
     return change;
 }
 
@@ -188,8 +207,21 @@ core::Expected<Ablation> ablate(const std::vector<std::string>& effects,
 
 } // namespace
 
+const char* toString(Moves moves) {
+    switch (moves) {
+    case Moves::no:
+        return "no";
+    case Moves::yes:
+        return "yes";
+    case Moves::spread:
+        return "spread";
+    }
+    return "";
+}
+
 bool EffectAblation::moves() const {
-    return std::ranges::any_of(changes, &MeasureChange::moves);
+    return std::ranges::any_of(changes,
+                               [](const MeasureChange& change) { return change.moves != Moves::no; });
 }
 
 core::Expected<Ablation> ablateEffects(const scene::Scene& scene, const AblationOptions& options) {

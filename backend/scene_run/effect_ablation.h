@@ -21,17 +21,30 @@ struct AblationOptions {
     std::function<bool(double runs, double allRuns)> goOn;
 };
 
+/// What an effect does to a measure.
+enum class Moves {
+    no,
+    yes,    ///< |change| is larger than spreadWith, or more than half of the seeds differ
+    spread, ///< not that, but one spread is at least twice the other, and pSpread < 0.05
+};
+
+/// "no", "yes", "spread".
+[[nodiscard]] const char* toString(Moves moves);
+
 /// How a measure moves when an effect is left out. All over the same seeds, which give the same world but for
 /// the effect.
 struct MeasureChange {
-    std::string measure; ///< a list has one for each entry: "phases.align", "contact_error_m[2]"
-    double mean = 0.0;   ///< of the scene as it is; NaN: not a number, or in no run
-    double spread = 0.0; ///< its standard deviation over the seeds; NaN: fewer than two have it
+    std::string measure;     ///< a list has one for each entry: "phases.align", "contact_error_m[2]"
+    double mean = 0.0;       ///< of the scene as it is; NaN: not a number, or in no run
+    double spreadWith = 0.0; ///< its standard deviation over the seeds; NaN: fewer than two have it
     double meanWithout = 0.0;
+    double spreadWithout = 0.0;
     /// Mean difference, seed by seed, of the runs that have the number with and without the effect.
     double change = 0.0;
+    double pMean = 0.0;          ///< pairedMeanTest() of the differences; NaN: fewer than two
+    double pSpread = 0.0;        ///< pairedSpreadTest() of the same runs
     std::uint64_t differing = 0; ///< seeds of another text, or of a number that came or went
-    bool moves = false; ///< |change| is larger than the spread, or more than half of the seeds differ
+    Moves moves = Moves::no;
 };
 
 /// One effect left out.
@@ -41,7 +54,7 @@ struct EffectAblation {
     double run_s = 0.0; ///< median computing time of a run without it
     std::vector<MeasureChange> changes;
 
-    /// Some measure moves: the scene needs the effect.
+    /// Some measure moves, or its spread: the scene needs the effect.
     [[nodiscard]] bool moves() const;
 };
 

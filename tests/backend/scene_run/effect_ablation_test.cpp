@@ -62,12 +62,15 @@ TEST(EffectAblation, tellsTheMeanDifferenceAndTheSpreadOfTheRunsOneByOne) {
     const MeasureChange& change = changeOf(ablation->effects[0], measure);
     const double rounding = 1e-12 * a;
     EXPECT_NEAR(change.mean, 0.5 * (a + b), rounding);
-    EXPECT_NEAR(change.spread, std::abs(a - b) / std::sqrt(2.0), rounding);
+    EXPECT_NEAR(change.spreadWith, std::abs(a - b) / std::sqrt(2.0), rounding);
     EXPECT_NEAR(change.meanWithout, without, rounding);
     EXPECT_NEAR(change.change, without - 0.5 * (a + b), rounding);
-    EXPECT_TRUE(change.moves) << "noise of 30 mN moves the contact by more than it scatters";
+    EXPECT_EQ(change.spreadWithout, 0.0);
+    // Two seeds: both differences have the same sign in half of all cases.
+    EXPECT_EQ(change.pMean, 0.5);
+    EXPECT_EQ(change.moves, Moves::yes) << "noise of 30 mN moves the contact by more than it scatters";
     EXPECT_TRUE(ablation->effects[0].moves());
-    EXPECT_FALSE(changeOf(ablation->effects[0], "frames").moves);
+    EXPECT_EQ(changeOf(ablation->effects[0], "frames").moves, Moves::no);
 }
 
 TEST(EffectAblation, anEffectThatDoesNothingMovesNothing) {
@@ -79,6 +82,25 @@ TEST(EffectAblation, anEffectThatDoesNothingMovesNothing) {
     ASSERT_EQ(ablation->effects.size(), 2U);
     EXPECT_EQ(ablation->effects[1].effect, "quantization");
     EXPECT_FALSE(ablation->effects[1].moves());
+}
+
+// Noise of 0.1 mN is far below every load: it scatters errors about the same mean.
+TEST(EffectAblation, anEffectThatActsOnTheSpreadOnlyIsSeen) {
+    const scene::Scene noisy = indenterWith({{"", scene::NoiseSpec{.sd_N = 0.0001}}});
+    const auto ablation = ablateEffects(noisy, fourSeconds(8));
+    ASSERT_TRUE(ablation) << describe(ablation.error());
+    bool seen = false;
+    for (const MeasureChange& change : ablation->effects[0].changes) {
+        if (change.moves != Moves::spread)
+            continue;
+        seen = true;
+        EXPECT_LE(std::abs(change.change), change.spreadWith) << change.measure;
+        EXPECT_GT(change.spreadWith, 0.0);
+        EXPECT_EQ(change.spreadWithout, 0.0) << "without noise nothing is random in this scene";
+        EXPECT_LT(change.pSpread, 0.05);
+    }
+    EXPECT_TRUE(seen);
+    EXPECT_TRUE(ablation->effects[0].moves());
 }
 
 TEST(EffectAblation, aSceneWithoutEffectsHasNothingToLeaveOut) {

@@ -122,13 +122,16 @@ core::Expected<void> printScenes(bool json) {
     return json ? printDocument(document) : printFields(fields);
 }
 
-constexpr std::array<std::string_view, 12> kColumns{"effect",
+constexpr std::array<std::string_view, 15> kColumns{"effect",
                                                     "measure",
                                                     "mean",
-                                                    "spread",
+                                                    "spread_with",
                                                     "mean_without",
+                                                    "spread_without",
                                                     "change",
                                                     "change_per_spread",
+                                                    "p_mean",
+                                                    "p_spread",
                                                     "seeds_that_differ",
                                                     "moves",
                                                     "own_time_s",
@@ -139,15 +142,17 @@ std::set<std::string> measuresThatChange(const scene_run::Ablation& ablation) {
     std::set<std::string> names;
     for (const scene_run::EffectAblation& effect : ablation.effects)
         for (const scene_run::MeasureChange& change : effect.changes)
-            if (change.differing > 0 || (change.change == change.change && change.change != 0.0))
+            if (change.differing > 0 || change.pMean < 1.0 || change.pSpread < 1.0 ||
+                (change.change == change.change && change.change != 0.0))
                 names.insert(change.measure);
     return names;
 }
 
 /// Prints what each effect of a scene does to its measures: one row an effect and measure.
-///   effect, measure, mean, spread, mean_without, change, change_per_spread, seeds_that_differ, moves,
-///   own_time_s, run_s, run_with_all_s
-/// Measures that no effect changes are left out. Spread: standard deviation over the seeds.
+///   effect, measure, mean, spread_with, mean_without, spread_without, change, change_per_spread, p_mean,
+///   p_spread, seeds_that_differ, moves, own_time_s, run_s, run_with_all_s
+/// Measures that no effect changes are left out. Spread: standard deviation over the seeds. p_mean, p_spread:
+/// paired_tests.h. moves: yes, spread or no.
 core::Expected<void> printAblation(const scene_run::Ablation& ablation, const RowOptions& options) {
     TELETA_TRY(RowOutput rows, RowOutput::open(kColumns, options));
     const std::set<std::string> shown = measuresThatChange(ablation);
@@ -157,14 +162,17 @@ core::Expected<void> printAblation(const scene_run::Ablation& ablation, const Ro
                 continue;
             rows.text(effect.effect);
             rows.text(change.measure);
-            for (const double value : {change.mean, change.spread, change.meanWithout, change.change})
+            for (const double value :
+                 {change.mean, change.spreadWith, change.meanWithout, change.spreadWithout, change.change})
                 rows.number(value);
             // A measure without a spread has no such ratio, unless it stays as it is.
-            rows.number(change.spread > 0.0    ? std::optional(change.change / change.spread)
-                        : change.change == 0.0 ? std::optional(0.0)
-                                               : std::nullopt);
+            rows.number(change.spreadWith > 0.0 ? std::optional(change.change / change.spreadWith)
+                        : change.change == 0.0  ? std::optional(0.0)
+                                                : std::nullopt);
+            rows.number(change.pMean);
+            rows.number(change.pSpread);
             rows.integer(static_cast<long long>(change.differing));
-            rows.text(change.moves ? "yes" : "no");
+            rows.text(scene_run::toString(change.moves));
             for (const double time_s : {effect.own_s, effect.run_s, ablation.run_s})
                 rows.number(time_s);
             rows.endRow();
