@@ -71,9 +71,18 @@ TEST(MotorFit, predictsWhatTheMotorDoesBetweenTheMeasuredDrives) {
 
 TEST(MotorFit, leavesOutAMotorThatGoesOnTurningBelowItsStart) {
     // Down the stairs the motor still turns at 0.1, where it would not start.
-    const Excitation excitation =
-        steps({{0, 0.3}, {0.1, 0.3}, {0.2, 0.3}, {0.6, 0.3}, {1, 0.3}, {0.6, 0.3}, {0.1, 0.3}, {0, 0.3}, {1, 0.3},
-               {0, 0.3}, {1, 0.3}, {0, 0.3}});
+    const Excitation excitation = steps({{0, 0.3},
+                                         {0.1, 0.3},
+                                         {0.2, 0.3},
+                                         {0.6, 0.3},
+                                         {1, 0.3},
+                                         {0.6, 0.3},
+                                         {0.1, 0.3},
+                                         {0, 0.3},
+                                         {1, 0.3},
+                                         {0, 0.3},
+                                         {1, 0.3},
+                                         {0, 0.3}});
     MotorRecording recording = measured(kMotor, 0.5, 1, excitation);
     for (std::size_t i = 0; i < recording.size(); ++i)
         if (recording.time_s[i] > 1.85 && recording.drive[i] > 0.05 && recording.drive[i] < 0.15)
