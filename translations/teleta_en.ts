@@ -276,7 +276,7 @@
     </message>
 </context>
 <context>
-    <name>teleta::studyview::ParticipantPicker</name>
+    <name>teleta::study::ParticipantPicker</name>
     <message numerus="yes">
         <source>%n participant(s)</source>
         <translation>

@@ -300,18 +300,6 @@
         <translation>La connexion au bracelet a été perdue.</translation>
     </message>
     <message>
-        <source>a USB device %1</source>
-        <translation>un appareil USB %1</translation>
-    </message>
-    <message>
-        <source>a USB device %1 with the serial number %2</source>
-        <translation>un appareil USB %1 avec le numéro de série %2</translation>
-    </message>
-    <message>
-        <source>No bracelet is plugged in.</source>
-        <translation>Aucun bracelet n’est branché.</translation>
-    </message>
-    <message>
         <source>a feature report of layout version %1</source>
         <translation>un rapport de fonction (feature report) au format de version %1</translation>
     </message>
@@ -342,6 +330,21 @@
     <message>
         <source>it to be closed there first</source>
         <translation>qu’il y soit d’abord fermé</translation>
+    </message>
+</context>
+<context>
+    <name>BraceletText</name>
+    <message>
+        <source>No bracelet is plugged in.</source>
+        <translation>Aucun bracelet n’est branché.</translation>
+    </message>
+    <message>
+        <source>a USB device %1</source>
+        <translation>un appareil USB %1</translation>
+    </message>
+    <message>
+        <source>a USB device %1 with the serial number %2</source>
+        <translation>un appareil USB %1 avec le numéro de série %2</translation>
     </message>
 </context>
 <context>
@@ -3962,10 +3965,6 @@ Run %2 --help for more.
         <translation>Refaire le calcul</translation>
     </message>
     <message>
-        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have, and the bootstrap intervals: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
-        <translation>analysis.R, à côté de cette page, recalcule ses nombres à partir de confusion_long.csv, sauf les temps de réponse, que ce fichier n’a pas, et les intervalles de bootstrap&#xa0;: Rscript analysis.R. Dans le dossier de l’étude, il calcule aussi les temps de réponse, à partir des essais exportés.</translation>
-    </message>
-    <message>
         <source>There are no test trials.</source>
         <translation>Il n’y a pas d’essais de test.</translation>
     </message>
@@ -4070,10 +4069,6 @@ Run %2 --help for more.
         <translation>Points&#xa0;: médianes des participants. Marques&#xa0;: médiane de celles-ci.</translation>
     </message>
     <message>
-        <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
-        <translation>Transfert d’information des réponses cumulées en bit, son biais, et l’intervalle bootstrap sur les participants (95&#xa0;%, de la valeur mesurée)</translation>
-    </message>
-    <message>
         <source>Measured</source>
         <translation>Mesuré</translation>
     </message>
@@ -4104,10 +4099,6 @@ Run %2 --help for more.
     <message>
         <source>Information transfer</source>
         <translation>Transfert d’information</translation>
-    </message>
-    <message>
-        <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
-        <translation>Pleins&#xa0;: mesuré, avec l’intervalle bootstrap. Creux&#xa0;: moins le biais.</translation>
     </message>
     <message>
         <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
@@ -4215,6 +4206,26 @@ Run %2 --help for more.
     <message>
         <source>SIMULATED: these answers were made by a program, not by people.</source>
         <translation>SIMULÉ&#xa0;: ces réponses ont été données par un programme, non par des personnes.</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>Information transfer of the pooled answers in bit. Corrected: without bias, by the jackknife over participants. Interval: of the true transfer (95 %)</source>
+        <translation>Transfert d’information des réponses cumulées en bit. Corrigé&#xa0;: sans biais, par le jackknife sur les participants. Intervalle&#xa0;: du vrai transfert (95&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>Filled: measured. Hollow: less the bias, with the interval of the true transfer.</source>
+        <translation>Pleins&#xa0;: mesuré. Creux&#xa0;: moins le biais, avec l’intervalle du vrai transfert.</translation>
+    </message>
+    <message>
+        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
+        <translation>analysis.R, à côté de cette page, recalcule ses nombres à partir de confusion_long.csv, sauf les temps de réponse, que ce fichier n’a pas&#xa0;: Rscript analysis.R. Dans le dossier de l’étude, il calcule aussi les temps de réponse, à partir des essais exportés.</translation>
     </message>
 </context>
 <context>
@@ -4361,10 +4372,6 @@ Run %2 --help for more.
         <translation>TI corrigé</translation>
     </message>
     <message>
-        <source>95 % bootstrap</source>
-        <translation>Bootstrap 95&#xa0;%</translation>
-    </message>
-    <message>
         <source>Mean of the participants&apos; shares of right answers</source>
         <translation>Moyenne des parts de réponses correctes des participants</translation>
     </message>
@@ -4387,10 +4394,6 @@ Run %2 --help for more.
     <message>
         <source>Measured less bias</source>
         <translation>Mesuré moins le biais</translation>
-    </message>
-    <message>
-        <source>Of the measured transfer, participants drawn with replacement</source>
-        <translation>Du transfert mesuré, participants tirés avec remise</translation>
     </message>
     <message>
         <source>Participant</source>
@@ -4521,10 +4524,6 @@ Run %2 --help for more.
         <translation>Intra-participants, condition × motif, des parts de réponses correctes&#xa0;; en dessous, les conditions comparées pour chaque motif.</translation>
     </message>
     <message>
-        <source>Average overestimate: (R-1)(C-1) / (2 n ln 2)</source>
-        <translation>Excès moyen&#xa0;: (R-1)(C-1) / (2 n ln 2)</translation>
-    </message>
-    <message>
         <source>Average overestimate</source>
         <translation>Excès moyen</translation>
     </message>
@@ -4539,6 +4538,22 @@ Run %2 --help for more.
     <message>
         <source>There is only one condition, so the patterns are compared.</source>
         <translation>Il n’y a qu’une condition&#xa0;: ce sont donc les motifs qui sont comparés.</translation>
+    </message>
+    <message>
+        <source>IT 95 %</source>
+        <translation>TI 95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Average overestimate, from the jackknife over participants</source>
+        <translation>Excès moyen, par le jackknife sur les participants</translation>
+    </message>
+    <message>
+        <source>Interval or bound of the true transfer, from the jackknife over participants</source>
+        <translation>Intervalle ou borne du vrai transfert, par le jackknife sur les participants</translation>
     </message>
 </context>
 <context>
@@ -5041,6 +5056,46 @@ Run %2 --help for more.
     <message>
         <source>Leave out one effect at a time and compare how far each measure moves with its spread</source>
         <translation>Retirer un effet à la fois et dire de combien les mesures bougent par rapport à leur dispersion</translation>
+    </message>
+    <message>
+        <source>never in contact</source>
+        <translation>jamais en contact</translation>
+    </message>
+    <message>
+        <source>the contact was lost</source>
+        <translation>le contact a été perdu</translation>
+    </message>
+    <message>
+        <source>stalled</source>
+        <translation>bloqué</translation>
+    </message>
+    <message>
+        <source>stalled by the limit %1</source>
+        <translation>bloqué par la limite %1</translation>
+    </message>
+    <message>
+        <source>not aligned</source>
+        <translation>non aligné</translation>
+    </message>
+    <message>
+        <source>completed</source>
+        <translation>accompli</translation>
+    </message>
+    <message>
+        <source>not completed: %1, in the phase %2</source>
+        <translation>non accompli&#xa0;: %1, dans la phase %2</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tâche</translation>
+    </message>
+    <message>
+        <source>the task was %1</source>
+        <translation>bilan de la tâche&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>a completed task, or expect = &quot;not_completed&quot; in the scene</source>
+        <translation>une tâche accomplie, ou expect = &quot;not_completed&quot; dans la scène</translation>
     </message>
 </context>
 <context>
@@ -5763,10 +5818,6 @@ Run %2 --help for more.
         <translation>%1&#xa0;% de réponses correctes (un participant)</translation>
     </message>
     <message>
-        <source>%1 bit, %2 without bias</source>
-        <translation>%1 bit, %2 sans biais</translation>
-    </message>
-    <message>
         <source>F(%1, %2) = %3, p = %4</source>
         <translation>F(%1, %2) = %3, p = %4</translation>
     </message>
@@ -5941,6 +5992,22 @@ Run %2 --help for more.
     <message>
         <source>Number of participants</source>
         <translation>Nombre de participants</translation>
+    </message>
+    <message>
+        <source>%1 bit measured</source>
+        <translation>%1 bit mesuré</translation>
+    </message>
+    <message>
+        <source>%1 bit without bias (95 %: %2 to %3)</source>
+        <translation>%1 bit sans biais (95&#xa0;%&#xa0;: %2 à %3)</translation>
+    </message>
+    <message>
+        <source>%1 bit without bias (95 %: at least %2)</source>
+        <translation>%1 bit sans biais (95&#xa0;%&#xa0;: au moins %2)</translation>
+    </message>
+    <message>
+        <source>%1 bit without bias (95 %: at most %2)</source>
+        <translation>%1 bit sans biais (95&#xa0;%&#xa0;: au plus %2)</translation>
     </message>
 </context>
 <context>
@@ -7309,6 +7376,25 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>TransferText</name>
+    <message>
+        <source>Fewer than 4 participants do not show how much people differ, so there is only a bound.</source>
+        <translation>Moins de 4 participants ne montrent pas combien les personnes diffèrent&#xa0;: il n’y a qu’une borne.</translation>
+    </message>
+    <message>
+        <source>With fewer than 20 trials a pattern, or 4 k² for k patterns, there is only a bound.</source>
+        <translation>Avec moins de 20 essais par motif, ou 4 k² pour k motifs, il n’y a qu’une borne.</translation>
+    </message>
+    <message>
+        <source>Nearly all answers to each pattern are the same; fewer than 10 differ, so there is only a bound.</source>
+        <translation>Presque toutes les réponses à chaque motif sont les mêmes, et moins de 10 en diffèrent&#xa0;: il n’y a qu’une borne.</translation>
+    </message>
+    <message>
+        <source>The answers do not differ from guesses (G test, p ≥ 0.05), so there is only a bound.</source>
+        <translation>Les réponses ne diffèrent pas du hasard (test G, p ≥ 0.05)&#xa0;: il n’y a qu’une borne.</translation>
+    </message>
+</context>
+<context>
     <name>TrialLines</name>
     <message>
         <source>✓ right</source>
@@ -8327,6 +8413,10 @@ Run %2 --help for more.
     <message>
         <source>Limit all measured motors to the top speed of the slowest</source>
         <translation>Faire finir tous les moteurs mesurés à la vitesse du plus lent</translation>
+    </message>
+    <message>
+        <source>The computer was busy: %1 % of the time has no readings. Measure again with fewer programs running.</source>
+        <translation>L’ordinateur était occupé&#xa0;: %1&#xa0;% du temps est sans mesures. Mesurez à nouveau avec moins de programmes en cours.</translation>
     </message>
 </context>
 <context>

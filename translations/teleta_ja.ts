@@ -300,18 +300,6 @@
         <translation>ブレスレットとの接続が切れました。</translation>
     </message>
     <message>
-        <source>a USB device %1</source>
-        <translation>USBデバイス %1</translation>
-    </message>
-    <message>
-        <source>a USB device %1 with the serial number %2</source>
-        <translation>USBデバイス %1 (シリアル番号 %2)</translation>
-    </message>
-    <message>
-        <source>No bracelet is plugged in.</source>
-        <translation>ブレスレットが接続されていません。</translation>
-    </message>
-    <message>
         <source>a feature report of layout version %1</source>
         <translation>レイアウトバージョン%1のフィーチャーレポート</translation>
     </message>
@@ -342,6 +330,21 @@
     <message>
         <source>it to be closed there first</source>
         <translation>先にそのプログラムで閉じること</translation>
+    </message>
+</context>
+<context>
+    <name>BraceletText</name>
+    <message>
+        <source>No bracelet is plugged in.</source>
+        <translation>ブレスレットが接続されていません。</translation>
+    </message>
+    <message>
+        <source>a USB device %1</source>
+        <translation>USBデバイス %1</translation>
+    </message>
+    <message>
+        <source>a USB device %1 with the serial number %2</source>
+        <translation>USBデバイス %1 (シリアル番号 %2)</translation>
     </message>
 </context>
 <context>
@@ -3955,10 +3958,6 @@ Run %2 --help for more.
         <translation>再計算</translation>
     </message>
     <message>
-        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have, and the bootstrap intervals: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
-        <translation>このページと同じ場所にあるanalysis.Rで、このページの数値をconfusion_long.csvから再計算できます (このファイルにない反応時間とブートストラップ区間を除く): Rscript analysis.R。スタディのフォルダーでは、エクスポートされた試行から反応時間も計算します。</translation>
-    </message>
-    <message>
         <source>There are no test trials.</source>
         <translation>テスト試行がありません。</translation>
     </message>
@@ -4063,10 +4062,6 @@ Run %2 --help for more.
         <translation>点: 参加者の中央値。マーク: それらの中央値。</translation>
     </message>
     <message>
-        <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
-        <translation>プールした回答の情報伝達量 (bit)、そのバイアス、参加者にわたるブートストラップ区間 (測定値の95 %)</translation>
-    </message>
-    <message>
         <source>Measured</source>
         <translation>測定値</translation>
     </message>
@@ -4097,10 +4092,6 @@ Run %2 --help for more.
     <message>
         <source>Information transfer</source>
         <translation>情報伝達量</translation>
-    </message>
-    <message>
-        <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
-        <translation>塗りつぶし: 測定値とブートストラップ区間。中空: バイアスを引いた値。</translation>
     </message>
     <message>
         <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
@@ -4206,6 +4197,26 @@ Run %2 --help for more.
     <message>
         <source>SIMULATED: these answers were made by a program, not by people.</source>
         <translation>シミュレーション: これらの回答は人ではなくプログラムによるものです。</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>%1以上</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>%1以下</translation>
+    </message>
+    <message>
+        <source>Information transfer of the pooled answers in bit. Corrected: without bias, by the jackknife over participants. Interval: of the true transfer (95 %)</source>
+        <translation>プールした回答の情報伝達量 (bit)。補正値: 参加者にわたるジャックナイフでバイアスを除いた値。区間: 真の情報伝達量の区間 (95 %)</translation>
+    </message>
+    <message>
+        <source>Filled: measured. Hollow: less the bias, with the interval of the true transfer.</source>
+        <translation>塗りつぶし: 測定値。中空: バイアスを引いた値と、真の情報伝達量の区間。</translation>
+    </message>
+    <message>
+        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
+        <translation>このページと同じ場所にあるanalysis.Rで、このページの数値をconfusion_long.csvから再計算できます (このファイルにない反応時間を除く): Rscript analysis.R。スタディのフォルダーでは、エクスポートされた試行から反応時間も計算します。</translation>
     </message>
 </context>
 <context>
@@ -4352,10 +4363,6 @@ Run %2 --help for more.
         <translation>補正IT</translation>
     </message>
     <message>
-        <source>95 % bootstrap</source>
-        <translation>95 %ブートストラップ</translation>
-    </message>
-    <message>
         <source>Mean of the participants&apos; shares of right answers</source>
         <translation>各参加者の正答率の平均</translation>
     </message>
@@ -4378,10 +4385,6 @@ Run %2 --help for more.
     <message>
         <source>Measured less bias</source>
         <translation>測定値からバイアスを引いた値</translation>
-    </message>
-    <message>
-        <source>Of the measured transfer, participants drawn with replacement</source>
-        <translation>測定した情報伝達量の区間。参加者を復元抽出</translation>
     </message>
     <message>
         <source>Participant</source>
@@ -4512,10 +4515,6 @@ Run %2 --help for more.
         <translation>正答率の参加者内分析、条件 × パターン。その下に、各パターンでの条件の比較を示します。</translation>
     </message>
     <message>
-        <source>Average overestimate: (R-1)(C-1) / (2 n ln 2)</source>
-        <translation>平均的な過大評価量: (R-1)(C-1) / (2 n ln 2)</translation>
-    </message>
-    <message>
         <source>Average overestimate</source>
         <translation>平均的な過大評価量</translation>
     </message>
@@ -4530,6 +4529,22 @@ Run %2 --help for more.
     <message>
         <source>There is only one condition, so the patterns are compared.</source>
         <translation>条件が1つしかないため、パターンを比較します。</translation>
+    </message>
+    <message>
+        <source>IT 95 %</source>
+        <translation>IT 95 %</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>備考</translation>
+    </message>
+    <message>
+        <source>Average overestimate, from the jackknife over participants</source>
+        <translation>平均的な過大評価量 (参加者にわたるジャックナイフによる)</translation>
+    </message>
+    <message>
+        <source>Interval or bound of the true transfer, from the jackknife over participants</source>
+        <translation>真の情報伝達量の区間または限界 (参加者にわたるジャックナイフによる)</translation>
     </message>
 </context>
 <context>
@@ -5032,6 +5047,46 @@ Run %2 --help for more.
     <message>
         <source>Leave out one effect at a time and compare how far each measure moves with its spread</source>
         <translation>効果を1つずつ除き、指標がばらつきに対してどれだけ変わるかを示す</translation>
+    </message>
+    <message>
+        <source>never in contact</source>
+        <translation>一度も接触していない</translation>
+    </message>
+    <message>
+        <source>the contact was lost</source>
+        <translation>接触が失われた</translation>
+    </message>
+    <message>
+        <source>stalled</source>
+        <translation>停滞した</translation>
+    </message>
+    <message>
+        <source>stalled by the limit %1</source>
+        <translation>制限%1で停滞した</translation>
+    </message>
+    <message>
+        <source>not aligned</source>
+        <translation>向きが揃っていない</translation>
+    </message>
+    <message>
+        <source>completed</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>not completed: %1, in the phase %2</source>
+        <translation>未完了: %1 (フェーズ%2)</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>the task was %1</source>
+        <translation>タスクの結果: %1</translation>
+    </message>
+    <message>
+        <source>a completed task, or expect = &quot;not_completed&quot; in the scene</source>
+        <translation>完了したタスク、またはシーンでの expect = &quot;not_completed&quot;</translation>
     </message>
 </context>
 <context>
@@ -5754,10 +5809,6 @@ Run %2 --help for more.
         <translation>正答 %1 % (参加者1名)</translation>
     </message>
     <message>
-        <source>%1 bit, %2 without bias</source>
-        <translation>%1 bit、バイアス除去後 %2</translation>
-    </message>
-    <message>
         <source>F(%1, %2) = %3, p = %4</source>
         <translation>F(%1, %2) = %3, p = %4</translation>
     </message>
@@ -5932,6 +5983,22 @@ Run %2 --help for more.
     <message>
         <source>Number of participants</source>
         <translation>参加人数</translation>
+    </message>
+    <message>
+        <source>%1 bit measured</source>
+        <translation>%1 bit (測定値)</translation>
+    </message>
+    <message>
+        <source>%1 bit without bias (95 %: %2 to %3)</source>
+        <translation>%1 bit、バイアス除去後 (95 %: %2～%3)</translation>
+    </message>
+    <message>
+        <source>%1 bit without bias (95 %: at least %2)</source>
+        <translation>%1 bit、バイアス除去後 (95 %: %2以上)</translation>
+    </message>
+    <message>
+        <source>%1 bit without bias (95 %: at most %2)</source>
+        <translation>%1 bit、バイアス除去後 (95 %: %2以下)</translation>
     </message>
 </context>
 <context>
@@ -7298,6 +7365,25 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>TransferText</name>
+    <message>
+        <source>Fewer than 4 participants do not show how much people differ, so there is only a bound.</source>
+        <translation>参加者が4人未満では個人差がわからないため、限界だけを示します。</translation>
+    </message>
+    <message>
+        <source>With fewer than 20 trials a pattern, or 4 k² for k patterns, there is only a bound.</source>
+        <translation>パターンあたりの試行が20回未満、またはk個のパターンで4 k²回未満のときは、限界だけを示します。</translation>
+    </message>
+    <message>
+        <source>Nearly all answers to each pattern are the same; fewer than 10 differ, so there is only a bound.</source>
+        <translation>各パターンへの回答はほぼすべて同じで、異なるものは10件未満のため、限界だけを示します。</translation>
+    </message>
+    <message>
+        <source>The answers do not differ from guesses (G test, p ≥ 0.05), so there is only a bound.</source>
+        <translation>回答は当て推量と異ならない (G検定、p ≥ 0.05) ため、限界だけを示します。</translation>
+    </message>
+</context>
+<context>
     <name>TrialLines</name>
     <message>
         <source>✓ right</source>
@@ -8311,6 +8397,10 @@ Run %2 --help for more.
     <message>
         <source>Limit all measured motors to the top speed of the slowest</source>
         <translation>測定済みの全モーターの上限を、最も遅いモーターの速度にそろえます</translation>
+    </message>
+    <message>
+        <source>The computer was busy: %1 % of the time has no readings. Measure again with fewer programs running.</source>
+        <translation>コンピューターがビジーでした: 時間の%1 %に測定値がありません。実行中のプログラムを減らして測定し直してください。</translation>
     </message>
 </context>
 <context>

@@ -300,18 +300,6 @@
         <translation>与手环的连接已断开。</translation>
     </message>
     <message>
-        <source>a USB device %1</source>
-        <translation>USB 设备 %1</translation>
-    </message>
-    <message>
-        <source>a USB device %1 with the serial number %2</source>
-        <translation>USB 设备 %1，序列号 %2</translation>
-    </message>
-    <message>
-        <source>No bracelet is plugged in.</source>
-        <translation>未插入手环。</translation>
-    </message>
-    <message>
         <source>a feature report of layout version %1</source>
         <translation>布局版本为 %1 的特征报告</translation>
     </message>
@@ -342,6 +330,21 @@
     <message>
         <source>it to be closed there first</source>
         <translation>先在该程序中将其关闭</translation>
+    </message>
+</context>
+<context>
+    <name>BraceletText</name>
+    <message>
+        <source>No bracelet is plugged in.</source>
+        <translation>未插入手环。</translation>
+    </message>
+    <message>
+        <source>a USB device %1</source>
+        <translation>USB 设备 %1</translation>
+    </message>
+    <message>
+        <source>a USB device %1 with the serial number %2</source>
+        <translation>USB 设备 %1，序列号 %2</translation>
     </message>
 </context>
 <context>
@@ -3955,10 +3958,6 @@ Run %2 --help for more.
         <translation>重新计算</translation>
     </message>
     <message>
-        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have, and the bootstrap intervals: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
-        <translation>本页旁的 analysis.R 可由 confusion_long.csv 重新计算本页的数值（该文件中没有的反应时间以及自助法区间除外）：Rscript analysis.R。放在研究的文件夹中时，还会根据导出的试次计算反应时间。</translation>
-    </message>
-    <message>
         <source>There are no test trials.</source>
         <translation>没有测试试次。</translation>
     </message>
@@ -4063,10 +4062,6 @@ Run %2 --help for more.
         <translation>圆点：各被试的中位数。标记：这些中位数的中位数。</translation>
     </message>
     <message>
-        <source>Information transfer of the pooled answers in bit, its bias, and the bootstrap interval over participants (95 %, of the measured value)</source>
-        <translation>合并回答的信息传输量（bit）、其偏差以及被试间的自助法区间（95 %，针对实测值）</translation>
-    </message>
-    <message>
         <source>Measured</source>
         <translation>实测</translation>
     </message>
@@ -4097,10 +4092,6 @@ Run %2 --help for more.
     <message>
         <source>Information transfer</source>
         <translation>信息传输量</translation>
-    </message>
-    <message>
-        <source>Filled: measured, with the bootstrap interval. Hollow: less the bias.</source>
-        <translation>实心：实测值，含自助法区间。空心：减去偏差。</translation>
     </message>
     <message>
         <source>The measured value is too high with few trials: even a participant who only guesses shows more than 0 bit. Compare it with the column of the guesser, and use the corrected value with care.</source>
@@ -4206,6 +4197,26 @@ Run %2 --help for more.
     <message>
         <source>SIMULATED: these answers were made by a program, not by people.</source>
         <translation>模拟：这些回答由程序生成，并非来自真人。</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>至少 %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>Information transfer of the pooled answers in bit. Corrected: without bias, by the jackknife over participants. Interval: of the true transfer (95 %)</source>
+        <translation>合并回答的信息传输量（bit）。校正值：用被试间刀切法去除偏差。区间：真实传输量的区间（95 %）</translation>
+    </message>
+    <message>
+        <source>Filled: measured. Hollow: less the bias, with the interval of the true transfer.</source>
+        <translation>实心：实测值。空心：减去偏差，含真实传输量的区间。</translation>
+    </message>
+    <message>
+        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
+        <translation>本页旁的 analysis.R 可由 confusion_long.csv 重新计算本页的数值（该文件中没有的反应时间除外）：Rscript analysis.R。放在研究的文件夹中时，还会根据导出的试次计算反应时间。</translation>
     </message>
 </context>
 <context>
@@ -4352,10 +4363,6 @@ Run %2 --help for more.
         <translation>校正后 IT</translation>
     </message>
     <message>
-        <source>95 % bootstrap</source>
-        <translation>95 % 自助法</translation>
-    </message>
-    <message>
         <source>Mean of the participants&apos; shares of right answers</source>
         <translation>各被试正确率的平均值</translation>
     </message>
@@ -4378,10 +4385,6 @@ Run %2 --help for more.
     <message>
         <source>Measured less bias</source>
         <translation>实测值减去偏差</translation>
-    </message>
-    <message>
-        <source>Of the measured transfer, participants drawn with replacement</source>
-        <translation>实测传输量的区间，对被试有放回抽样</translation>
     </message>
     <message>
         <source>Participant</source>
@@ -4512,10 +4515,6 @@ Run %2 --help for more.
         <translation>对正确率的被试内分析，条件 × 图案；下方为各图案的条件比较。</translation>
     </message>
     <message>
-        <source>Average overestimate: (R-1)(C-1) / (2 n ln 2)</source>
-        <translation>平均偏高的量：(R-1)(C-1) / (2 n ln 2)</translation>
-    </message>
-    <message>
         <source>Average overestimate</source>
         <translation>平均偏高的量</translation>
     </message>
@@ -4530,6 +4529,22 @@ Run %2 --help for more.
     <message>
         <source>There is only one condition, so the patterns are compared.</source>
         <translation>只有一个条件，因此比较各图案。</translation>
+    </message>
+    <message>
+        <source>IT 95 %</source>
+        <translation>IT 95 %</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Average overestimate, from the jackknife over participants</source>
+        <translation>平均偏高的量，由被试间刀切法得出</translation>
+    </message>
+    <message>
+        <source>Interval or bound of the true transfer, from the jackknife over participants</source>
+        <translation>真实传输量的区间或界限，由被试间刀切法得出</translation>
     </message>
 </context>
 <context>
@@ -5032,6 +5047,46 @@ Run %2 --help for more.
     <message>
         <source>Leave out one effect at a time and compare how far each measure moves with its spread</source>
         <translation>每次去掉一种效应，并给出各测量量相对其离散度的变化</translation>
+    </message>
+    <message>
+        <source>never in contact</source>
+        <translation>从未接触</translation>
+    </message>
+    <message>
+        <source>the contact was lost</source>
+        <translation>接触已丢失</translation>
+    </message>
+    <message>
+        <source>stalled</source>
+        <translation>停滞</translation>
+    </message>
+    <message>
+        <source>stalled by the limit %1</source>
+        <translation>因限制 %1 而停滞</translation>
+    </message>
+    <message>
+        <source>not aligned</source>
+        <translation>未对准</translation>
+    </message>
+    <message>
+        <source>completed</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>not completed: %1, in the phase %2</source>
+        <translation>未完成：%1，阶段 %2</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>the task was %1</source>
+        <translation>任务结果：%1</translation>
+    </message>
+    <message>
+        <source>a completed task, or expect = &quot;not_completed&quot; in the scene</source>
+        <translation>已完成的任务，或在场景中设 expect = &quot;not_completed&quot;</translation>
     </message>
 </context>
 <context>
@@ -5754,10 +5809,6 @@ Run %2 --help for more.
         <translation>正确率 %1 %（一名被试）</translation>
     </message>
     <message>
-        <source>%1 bit, %2 without bias</source>
-        <translation>%1 bit，去除偏差后 %2</translation>
-    </message>
-    <message>
         <source>F(%1, %2) = %3, p = %4</source>
         <translation>F(%1, %2) = %3, p = %4</translation>
     </message>
@@ -5932,6 +5983,22 @@ Run %2 --help for more.
     <message>
         <source>Number of participants</source>
         <translation>参与人数</translation>
+    </message>
+    <message>
+        <source>%1 bit measured</source>
+        <translation>实测 %1 bit</translation>
+    </message>
+    <message>
+        <source>%1 bit without bias (95 %: %2 to %3)</source>
+        <translation>%1 bit，去除偏差后（95 %：%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>%1 bit without bias (95 %: at least %2)</source>
+        <translation>%1 bit，去除偏差后（95 %：至少 %2）</translation>
+    </message>
+    <message>
+        <source>%1 bit without bias (95 %: at most %2)</source>
+        <translation>%1 bit，去除偏差后（95 %：至多 %2）</translation>
     </message>
 </context>
 <context>
@@ -7298,6 +7365,25 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>TransferText</name>
+    <message>
+        <source>Fewer than 4 participants do not show how much people differ, so there is only a bound.</source>
+        <translation>被试少于 4 名时看不出个体差异，因此只给出界限。</translation>
+    </message>
+    <message>
+        <source>With fewer than 20 trials a pattern, or 4 k² for k patterns, there is only a bound.</source>
+        <translation>每个模式少于 20 次试次，或 k 个模式少于 4 k² 次时，只给出界限。</translation>
+    </message>
+    <message>
+        <source>Nearly all answers to each pattern are the same; fewer than 10 differ, so there is only a bound.</source>
+        <translation>对每个模式的回答几乎全都相同，不同的少于 10 个，因此只给出界限。</translation>
+    </message>
+    <message>
+        <source>The answers do not differ from guesses (G test, p ≥ 0.05), so there is only a bound.</source>
+        <translation>回答与猜测无差异（G 检验，p ≥ 0.05），因此只给出界限。</translation>
+    </message>
+</context>
+<context>
     <name>TrialLines</name>
     <message>
         <source>✓ right</source>
@@ -8311,6 +8397,10 @@ Run %2 --help for more.
     <message>
         <source>Limit all measured motors to the top speed of the slowest</source>
         <translation>使所有已测电机的最高转速与最慢的电机一致</translation>
+    </message>
+    <message>
+        <source>The computer was busy: %1 % of the time has no readings. Measure again with fewer programs running.</source>
+        <translation>计算机繁忙：%1 % 的时间没有读数。请减少运行的程序后重新测量。</translation>
     </message>
 </context>
 <context>
