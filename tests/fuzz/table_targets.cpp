@@ -93,7 +93,7 @@ bool csv(Bytes bytes) {
         if (!*more)
             break;
         require(fields.size() == reader->header().size(), "a row has a field a column");
-        start.fields.assign(fields.begin(), fields.end());
+        start.fields = std::vector<std::string>(fields.begin(), fields.end());
         rows.push_back(std::move(start));
     }
     require(reader->bytesRead() == bytes.size(), "all bytes were read");

@@ -73,10 +73,10 @@ inline void expectThatAllEffectsMoveAMeasure(const ShippedScene& shipped, const 
                 EXPECT_TRUE(effect.moves()) << effect.effect << " does not belong in this scene";
                 EXPECT_FALSE(scene.effects[i].why.empty()) << effect.effect;
                 for (const MeasureChange& change : effect.changes)
-                    if (change.moves)
+                    if (change.moves != Moves::no)
                         std::cout << shipped.name << " without " << effect.effect << ": " << change.measure
                                   << ' ' << change.mean << " -> " << change.meanWithout << ", spread "
-                                  << change.spread << ", seeds that differ " << change.differing << '\n';
+                                  << change.spreadWith << ", seeds that differ " << change.differing << '\n';
             }
         },
         shipped.scene);
