@@ -17,7 +17,7 @@ namespace teleta::bracelet {
 namespace {
 
 struct BraceletText {
-    Q_DECLARE_TR_FUNCTIONS(Bracelet)
+    Q_DECLARE_TR_FUNCTIONS(BraceletText)
 };
 
 core::Unexpected notPluggedIn(const HidBraceletConfig& config) {

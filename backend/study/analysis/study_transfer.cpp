@@ -20,7 +20,7 @@ namespace teleta::study {
 namespace {
 
 struct TransferText {
-    Q_DECLARE_TR_FUNCTIONS(StudyTransfer)
+    Q_DECLARE_TR_FUNCTIONS(TransferText)
 };
 
 constexpr std::size_t kFewestParticipants = 4;
