@@ -11,7 +11,7 @@
 #include <QLocale>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace teleta::console {
@@ -20,11 +20,11 @@ namespace {
 
 /// The values of one option that is given per recording: the n-th belongs to the n-th --replay, the last one
 /// to all that follow.
-template <typename T>
-std::optional<T> valueFor(const std::vector<T>& values, std::size_t index) {
+template <typename Values>
+std::optional<typename Values::value_type> valueFor(const Values& values, qsizetype index) {
     if (values.empty())
         return std::nullopt;
-    return index < values.size() ? values[index] : values.back();
+    return *(values.begin() + std::min<qsizetype>(index, std::ssize(values) - 1));
 }
 
 class OptionReader {
@@ -55,13 +55,12 @@ std::vector<double> OptionReader::numbers(const QCommandLineOption& option, doub
     std::vector<double> values;
     for (const QString& text : m_parser.values(option)) {
         bool ok = false;
-        const double value = text.toDouble(&ok);
-        if (!ok || !(value >= low && value <= high))
+        values.push_back(text.toDouble(&ok));
+        if (!ok || !(values.back() >= low && values.back() <= high))
             fail(tr("--%1 %2: expected a number from %3 to %4")
                      .arg(option.names().front(), text)
                      .arg(low)
                      .arg(high));
-        values.push_back(value);
     }
     return values;
 }
@@ -70,13 +69,12 @@ std::vector<int> OptionReader::integers(const QCommandLineOption& option, int lo
     std::vector<int> values;
     for (const QString& text : m_parser.values(option)) {
         bool ok = false;
-        const int value = text.toInt(&ok);
-        if (!ok || value < low || value > high)
+        values.push_back(text.toInt(&ok));
+        if (!ok || values.back() < low || values.back() > high)
             fail(tr("--%1 %2: expected a whole number from %3 to %4")
                      .arg(option.names().front(), text)
                      .arg(low)
                      .arg(high));
-        values.push_back(value);
     }
     return values;
 }
@@ -184,15 +182,12 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     const auto allGains = numbers(gain, 1e-12, kLargest);
     const auto allThresholds = numbers(threshold, 1e-12, kLargest);
     const auto allRates = numbers(rate, 0.001, 100'000.0);
-    const QStringList tareFiles = m_parser.values(tare);
-    const std::vector<QString> allTares(tareFiles.begin(), tareFiles.end());
-    const QStringList unitNames = m_parser.values(unit);
-    const std::vector<QString> allUnits(unitNames.begin(), unitNames.end());
+    const QStringList allTares = m_parser.values(tare);
+    const QStringList allUnits = m_parser.values(unit);
     const QStringList replays = m_parser.values(replay);
-    for (qsizetype index = 0; index < replays.size(); ++index) {
-        const auto nth = static_cast<std::size_t>(index);
+    for (qsizetype nth = 0; nth < replays.size(); ++nth) {
         RecordingArguments recording;
-        recording.path = replays[index];
+        recording.path = replays[nth];
         recording.rows = valueFor(allRows, nth);
         recording.columns = valueFor(allColumns, nth);
         if (const auto pitch_mm = valueFor(allPitches_mm, nth))

@@ -2,11 +2,11 @@
 #include "app/console/file_opener.h"
 
 #include "app/common/scene_file.h"
-#include "app/console/base/background.h"
 #include "app/console/operate/recording/recording_files.h"
 #include "app/console/sources/source_list.h"
 #include "app/console/sources/source_manager.h"
 #include "app/console/study/study_page.h"
+#include "widgets/base/background.h"
 
 #include <QFileInfo>
 
@@ -49,7 +49,7 @@ void FileOpener::onItems() {
 template <typename Work, typename Done>
 void FileOpener::read(Work work, Done done) {
     ++m_reading;
-    runInBackground(this, std::move(work), [this, done = std::move(done)](const auto& result) {
+    base::runInBackground(this, std::move(work), [this, done = std::move(done)](const auto& result) {
         done(result);
         --m_reading;
     });

@@ -3,7 +3,6 @@
 
 #include "app/console/base/page_stack.h"
 #include "app/console/bracelet/bracelet_menu.h"
-#include "app/console/bracelet/bracelet_service.h"
 #include "app/console/bracelet/hand_station.h"
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/cost/cost_page.h"
@@ -23,6 +22,8 @@
 #include "app/console/study/study_page.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/pattern/files/pattern_json.h"
+#include "widgets/base/file_dialog.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/page_rail.h"
@@ -35,7 +36,6 @@
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -47,7 +47,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <initializer_list>
 #include <utility>
 
 namespace teleta::console {
@@ -55,10 +54,7 @@ namespace teleta::console {
 namespace {
 
 constexpr char kOperate[] = "operate";
-constexpr char kPatterns[] = "patterns";
 constexpr char kStudy[] = "study";
-constexpr char kCalibrate[] = "calibrate";
-constexpr char kCost[] = "cost";
 
 struct FeedbackName {
     pipeline::FeedbackMode mode;
@@ -104,22 +100,11 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
     , m_questions(*this, *m_patterns, *m_calibrate, *m_study) {
-    setWindowTitle(tr("TeleTA Console"));
     setAcceptDrops(true);
-    m_rail->addPage(QLatin1String(kOperate), base::Icon::operate, tr("Operate"),
-                    tr("What the arm touches, live or played back"));
-    m_rail->addPage(QLatin1String(kPatterns), base::Icon::patterns, tr("Patterns"),
-                    tr("What the bracelet can say: edit, check and play patterns"));
-    m_rail->addPage(QLatin1String(kStudy), base::Icon::study, tr("Study"),
-                    tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
-    m_rail->addPage(
-        QLatin1String(kCalibrate), base::Icon::calibrate, tr("Calibrate"),
-        tr("What has to be measured: the motors of the bracelet, the camera in the tube, the taxels"));
-    m_rail->addPage(QLatin1String(kCost), base::Icon::cost, tr("Cost"),
-                    tr("What accuracy costs in time on this machine, and the rung that the camera uses"));
-    for (QWidget* page : std::initializer_list<QWidget*>{m_operate.get(), m_patterns.get(), m_study.get(),
-                                                         m_calibrate.get(), m_cost.get()})
-        m_pages->addPage(page);
+    for (const Page& page : pages()) {
+        m_rail->addPage(page.name, page.icon, page.title, page.about);
+        m_pages->addPage(page.content);
+    }
 
     auto* status = new QWidget(this);
     auto* statusRow = new QHBoxLayout(status);
@@ -206,9 +191,8 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
         m_operate->messages().post(*notice);
     restoreFeedback();
     m_braceletMenu->restore(options.bracelet);
-    m_operate->setDemos(demoScenes());
     chooser.setRecent(m_settings.recentFiles());
-    buildMenus();
+    base::keepTranslated(this, &MainWindow::retranslate);
     qApp->installEventFilter(this);
 
     resize(base::em(this, 96), base::em(this, 60));
@@ -307,11 +291,8 @@ void MainWindow::addRecent(const QString& path) {
 
 void MainWindow::askForFile(const QString& title, const QString& filter,
                             void (FileOpener::*open)(const QString&), const QString& folder) {
-    auto* dialog = new QFileDialog(this, title, folder, filter);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, m_opener, open);
-    dialog->open();
+    base::askToOpen(this, {.title = title, .filters = {filter}, .folder = folder},
+                    [this, open](const QString& path) { (m_opener->*open)(path); });
 }
 
 void MainWindow::onFailed(const QString& name, const core::Error& error) {
@@ -456,16 +437,9 @@ void MainWindow::takeOwnPatterns() {
 
 void MainWindow::showPage(const QString& name) {
     m_rail->setCurrentPage(name);
-    QWidget* page = m_operate.get();
-    if (name == QLatin1String(kPatterns))
-        page = m_patterns.get();
-    else if (name == QLatin1String(kStudy))
-        page = m_study.get();
-    else if (name == QLatin1String(kCalibrate))
-        page = m_calibrate.get();
-    else if (name == QLatin1String(kCost))
-        page = m_cost.get();
-    m_pages->showPage(page);
+    for (const Page& page : pages())
+        if (page.name == name)
+            m_pages->showPage(page.content);
     m_settings.setPage(name);
 }
 
@@ -493,25 +467,28 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QMainWindow::closeEvent(event);
 }
 
-void MainWindow::changeEvent(QEvent* event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        setWindowTitle(tr("TeleTA Console"));
-        m_rail->setTitle(QLatin1String(kOperate), tr("Operate"),
-                         tr("What the arm touches, live or played back"));
-        m_rail->setTitle(QLatin1String(kPatterns), tr("Patterns"),
-                         tr("What the bracelet can say: edit, check and play patterns"));
-        m_rail->setTitle(QLatin1String(kStudy), tr("Study"),
-                         tr("User studies: from the first practice trial to confusion matrices and ANOVA"));
-        m_rail->setTitle(
-            QLatin1String(kCalibrate), tr("Calibrate"),
-            tr("What has to be measured: the motors of the bracelet, the camera in the tube, the taxels"));
-        m_rail->setTitle(
-            QLatin1String(kCost), tr("Cost"),
-            tr("What accuracy costs in time on this machine, and the rung that the camera uses"));
-        m_operate->setDemos(demoScenes());
-        buildMenus();
-    }
+/// In the order of the rail.
+std::vector<MainWindow::Page> MainWindow::pages() const {
+    return {
+        {QStringLiteral("operate"), base::Icon::operate, tr("Operate"),
+         tr("What the arm touches, live or played back"), m_operate.get()},
+        {QStringLiteral("patterns"), base::Icon::patterns, tr("Patterns"),
+         tr("What the bracelet can say: edit, check and play patterns"), m_patterns.get()},
+        {QStringLiteral("study"), base::Icon::study, tr("Study"),
+         tr("User studies: from the first practice trial to confusion matrices and ANOVA"), m_study.get()},
+        {QStringLiteral("calibrate"), base::Icon::calibrate, tr("Calibrate"),
+         tr("What has to be measured: the motors of the bracelet, the camera in the tube, the taxels"),
+         m_calibrate.get()},
+        {QStringLiteral("cost"), base::Icon::cost, tr("Cost"),
+         tr("What accuracy costs in time on this machine, and the rung that the camera uses"), m_cost.get()}};
+}
+
+void MainWindow::retranslate() {
+    setWindowTitle(tr("TeleTA Console"));
+    for (const Page& page : pages())
+        m_rail->setTitle(page.name, page.title, page.about);
+    m_operate->setDemos(demoScenes());
+    buildMenus();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

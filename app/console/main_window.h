@@ -9,11 +9,13 @@
 #include "app/console/operate/recording/recording_service.h"
 #include "app/console/sources/source_manager.h"
 #include "backend/core/threads/stop_switch.h"
+#include "widgets/base/icons.h"
 
 #include <QElapsedTimer>
 #include <QMainWindow>
 
 #include <memory>
+#include <vector>
 
 namespace teleta::chrome {
 class DeviceStrip;
@@ -65,12 +67,20 @@ public:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    struct Page {
+        QString name; ///< as in pageNames()
+        base::Icon icon;
+        QString title;
+        QString about;
+        QWidget* content;
+    };
+    [[nodiscard]] std::vector<Page> pages() const;
+    void retranslate();
     void buildMenus();
     void buildArmMenu();
     void restoreFeedback();

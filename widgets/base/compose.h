@@ -7,13 +7,15 @@
 #include <QWidget>
 
 #include <initializer_list>
+#include <utility>
 
 namespace teleta::base {
 
-/// A new widget with an object name, for tests and style sheets. Thread: GUI.
-template <typename Widget>
-[[nodiscard]] Widget* named(const char* name, QWidget* parent) {
-    auto* widget = new Widget(parent);
+/// A new widget with an object name, for tests and style sheets. arguments: of its constructor, the parent
+/// among them. Thread: GUI.
+template <typename Widget, typename... Arguments>
+[[nodiscard]] Widget* named(const char* name, Arguments&&... arguments) {
+    auto* widget = new Widget(std::forward<Arguments>(arguments)...);
     widget->setObjectName(QLatin1String(name));
     return widget;
 }

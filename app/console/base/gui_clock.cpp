@@ -4,7 +4,6 @@
 #include "backend/core/quantile.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace teleta::console {
 

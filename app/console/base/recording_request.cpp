@@ -10,7 +10,6 @@
 
 #include <QCoreApplication>
 
-#include <memory>
 #include <utility>
 
 namespace teleta::console {

@@ -24,12 +24,8 @@
 #include "devices/wts/wts_device.h"
 
 #include <QFileInfo>
-#include <QString>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
-#include <variant>
 
 namespace teleta::console {
 

@@ -14,7 +14,6 @@
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace teleta::console {
 

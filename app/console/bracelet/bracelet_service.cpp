@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/bracelet_service.h"
 
-#include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace teleta::console {

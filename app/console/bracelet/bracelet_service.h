@@ -3,7 +3,6 @@
 
 #include "app/console/bracelet/bracelet_opener.h"
 #include "app/console/bracelet/bracelet_session.h"
-#include "app/console/bracelet/bracelet_texts.h"
 #include "app/console/bracelet/limits_keeper.h"
 #include "app/console/bracelet/touch_to_skin.h"
 #include "backend/core/device/device_state.h"
@@ -23,8 +22,8 @@
 namespace teleta::console {
 
 /// The bracelet of the console, which all pages share: which one is connected, who may drive it, what is felt
-/// of a touch. Others open it (BraceletOpener), keep its wearer's limits (LimitsKeeper), time it
-/// (TouchToSkin) and put it into words (BraceletTexts). Thread: GUI; no call waits but the destructor, for a
+/// of a touch. Others open it (BraceletOpener), keep its wearer's limits (LimitsKeeper) and time
+/// it (TouchToSkin). Thread: GUI; no call waits but the destructor, for a
 /// device that is being opened or closed.
 class BraceletService : public QObject {
     Q_OBJECT
@@ -108,11 +107,11 @@ public:
     [[nodiscard]] bool isLive() const;
     /// State of the connected bracelet, stale reports included.
     [[nodiscard]] core::DeviceState state() const;
-    [[nodiscard]] QString note() const { return BraceletTexts::note(*this); }
+    /// A line about its state; empty when there is nothing to report.
+    [[nodiscard]] QString note() const;
     [[nodiscard]] bool isSimulated() const;
-    [[nodiscard]] std::optional<chrome::DeviceReading> reading() const {
-        return BraceletTexts::reading(*this);
-    }
+    /// For the status bar; empty without a bracelet.
+    [[nodiscard]] std::optional<chrome::DeviceReading> reading() const;
     [[nodiscard]] std::optional<TouchToSkin::Latency> touchToSkin() const { return m_touchToSkin.latency(); }
     [[nodiscard]] std::optional<double> newestTouchToSkin_s() const { return m_touchToSkin.newest_s(); }
     /// The newest recognition while a map was set.

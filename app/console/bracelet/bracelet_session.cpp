@@ -6,8 +6,6 @@
 #include "devices/described/described_bracelet.h"
 #include "devices/simulated/simulated_bracelet.h"
 
-#include <utility>
-
 namespace teleta::console {
 
 namespace {

@@ -3,12 +3,12 @@
 
 #include "backend/pattern/model/built_in_patterns.h"
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/pattern/document/pattern_names.h"
 #include "widgets/touch/touch_texts.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace teleta::console {
 
@@ -61,7 +60,8 @@ FeedbackPanel::FeedbackPanel(BraceletService& station, QWidget* parent)
     m_station.setMode(mode());
     offerPatterns();
     connect(&m_station, &BraceletService::felt, this, &FeedbackPanel::showLast);
-    retranslate();
+    base::keepTranslated(this, &FeedbackPanel::retranslate);
+    base::onChange(this, &FeedbackPanel::offerPatterns, {QEvent::LanguageChange}); // whose names are told
 }
 
 FeedbackMode FeedbackPanel::mode() const {
@@ -173,14 +173,6 @@ void FeedbackPanel::retranslate() {
         writeLast(*m_lastFelt);
     else
         m_last->setText(tr("Nothing was recognised yet."));
-}
-
-void FeedbackPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        offerPatterns(); // whose names are told
-        retranslate();
-    }
 }
 
 } // namespace teleta::console

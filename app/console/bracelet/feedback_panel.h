@@ -41,9 +41,6 @@ signals:
     void changed();
     void failed(const QString& message);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void showLast(const FeedbackEvent& event);
     void writeLast(const FeedbackEvent& event);

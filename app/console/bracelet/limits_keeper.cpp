@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/limits_keeper.h"
 
-#include "app/console/base/background.h"
+#include "widgets/base/background.h"
 
 #include <string>
 
@@ -38,7 +38,7 @@ void LimitsKeeper::flush() {
 
 void LimitsKeeper::keep() {
     m_soon.stop();
-    runInBackground(
+    base::runInBackground(
         m_thread, this,
         [limits = m_limits] {
             const std::string path = motors::limitsPath(limits.bracelet);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/gain_calibrator.h"
 
-#include "app/console/base/background.h"
 #include "backend/core/data/frame_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
+#include "widgets/base/background.h"
 #include "widgets/base/file_dialog.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 namespace teleta::console {
@@ -192,7 +191,7 @@ void GainCalibrator::load(const QString& path) {
 
 void GainCalibrator::find(std::function<Found()> work) {
     m_view->setBusy(true);
-    runInBackground(this, std::move(work), [this, round = m_round](const Found& found) {
+    base::runInBackground(this, std::move(work), [this, round = m_round](const Found& found) {
         // Another array may have been chosen meanwhile.
         if (round != m_round)
             return;
@@ -208,7 +207,7 @@ void GainCalibrator::save(const QString& path) {
     const GainCalibration calibration = m_view->calibration();
     if (!calibration.gains)
         return;
-    runInBackground(
+    base::runInBackground(
         this,
         [gains = calibration.gains, path] {
             return equilibration::writeTaxelGains(*gains, path.toStdString());

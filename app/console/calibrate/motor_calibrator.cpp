@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/motor_calibrator.h"
 
-#include "app/console/base/background.h"
 #include "backend/core/threads/pacing_clock.h"
 #include "backend/motors/excitation.h"
 #include "backend/motors/excitation_run.h"
 #include "backend/motors/motor_file.h"
+#include "widgets/base/background.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/calibrate/motors_view.h"
 
@@ -128,7 +128,7 @@ void MotorCalibrator::measureNext() {
     });
     m_runs.push_back(m_run);
     m_view->setMeasuring(m_measuring);
-    runInBackground(
+    base::runInBackground(
         this,
         [session = std::move(session), run = m_run, motor = *m_measuring]() mutable {
             core::PacingClock clock;
@@ -174,7 +174,7 @@ void MotorCalibrator::refuseRun() {
 }
 
 void MotorCalibrator::openRecording(std::size_t motor, const QString& path) {
-    runInBackground(
+    base::runInBackground(
         this,
         [path] {
             auto recording = motors::readMotorRecording(path.toStdString());
@@ -191,7 +191,7 @@ void MotorCalibrator::openRecording(std::size_t motor, const QString& path) {
 }
 
 void MotorCalibrator::load(const QString& path) {
-    runInBackground(
+    base::runInBackground(
         this, [path] { return motors::readMotors(path.toStdString()); },
         [this, path](core::Expected<motors::MotorCalibration> read) {
             const QString file = QFileInfo(path).fileName();
@@ -217,7 +217,7 @@ void MotorCalibrator::save(const QString& copyPath) {
     const motors::MotorCalibration calibration = m_view->calibration();
     const QString path =
         copyPath.isEmpty() ? QString::fromStdString(motors::profilePath(calibration.bracelet)) : copyPath;
-    runInBackground(
+    base::runInBackground(
         this, [calibration, path] { return motors::writeMotors(calibration, path.toStdString()); },
         [this, calibration, path, copy = !copyPath.isEmpty()](core::Expected<void> written) {
             if (!written)
@@ -229,7 +229,7 @@ void MotorCalibrator::save(const QString& copyPath) {
 }
 
 void MotorCalibrator::writeExcitation(const QString& path) {
-    runInBackground(
+    base::runInBackground(
         this,
         [path] {
             return motors::writeExcitation(motors::stairsAndPulses(), kExcitationRate_Hz, path.toStdString());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/cost/cost_measuring.h"
 
-#include "app/console/base/background.h"
 #include "backend/cost/cost_file.h"
+#include "widgets/base/background.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -31,7 +31,7 @@ CostMeasuring::~CostMeasuring() {
 void CostMeasuring::read() {
     if (m_file.isEmpty())
         return;
-    runInBackground(
+    base::runInBackground(
         this,
         [path = m_file]() -> core::Expected<std::vector<cost::LadderCost>> {
             if (!QFileInfo::exists(path))
@@ -77,7 +77,7 @@ void CostMeasuring::start(const std::string& ladder) {
     m_run = std::make_shared<Run>();
     m_run->ladder = ladder;
     emit runningChanged();
-    runInBackground(
+    base::runInBackground(
         this,
         [run = m_run, chosen = std::move(chosen), settings = m_settings]() mutable {
             settings.goOn = [&run](const cost::MeasureProgress& now) {
@@ -130,7 +130,7 @@ void CostMeasuring::keep(std::vector<cost::LadderCost> costs) {
     emit changed();
     if (m_file.isEmpty())
         return;
-    runInBackground(
+    base::runInBackground(
         this,
         [path = m_file, all = m_costs] {
             QDir().mkpath(QFileInfo(path).absolutePath());

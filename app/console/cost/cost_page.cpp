@@ -3,7 +3,9 @@
 
 #include "backend/cost/frontier.h"
 #include "backend/vision/finders/contact_ladder.h"
+#include "widgets/base/compose.h"
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/stage_bar.h"
 #include "widgets/chrome/empty_state.h"
@@ -11,7 +13,6 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -26,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace teleta::console {
 
@@ -62,6 +64,16 @@ QLabel* heading(QWidget* parent) {
     auto* label = new QLabel(parent);
     label->setFont(base::sized(label->font(), base::kLargeText));
     return label;
+}
+
+/// What is below each other in a column of the page.
+QVBoxLayout* columnOf(QWidget* column, std::initializer_list<QWidget*> widgets) {
+    auto* layout = new QVBoxLayout(column);
+    const int margin = base::grid(column, 2);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(base::grid(column));
+    base::addWidgets(layout, widgets);
+    return layout;
 }
 
 QLabel* wrapped(QWidget* parent) {
@@ -117,10 +129,16 @@ CostPage::CostPage(CostMeasuring::MakeLadders makeLadders, const QString& file,
     });
     connect(m_rungs, &QComboBox::activated, this, [this] { chooseRung(m_rungs->currentData().toString()); });
     connect(m_budget_ms, &QDoubleSpinBox::valueChanged, this, &CostPage::showBudget);
-    connect(m_useBest, &QPushButton::clicked, this, &CostPage::applyBudget);
+    connect(m_useBest, &QPushButton::clicked, this, [this] { chooseRung(m_best); });
     connect(m_openCamera, &QPushButton::clicked, this, &CostPage::demoCameraRequested);
 
     retranslate();
+    base::onChange(this,
+                   [this] {
+                       m_measuring->retranslate();
+                       retranslate();
+                   },
+                   {QEvent::LanguageChange});
     m_list->setCurrentRow(0);
     showRunning();
     tick(nullptr);
@@ -129,18 +147,14 @@ CostPage::CostPage(CostMeasuring::MakeLadders makeLadders, const QString& file,
 QWidget* CostPage::makeLadderColumn() {
     auto* column = new QWidget(this);
     m_ladderHeading = heading(column);
-    m_list = new QListWidget(column);
+    m_list = base::named<QListWidget>("ladders", column);
     m_list->setFrameShape(QFrame::NoFrame);
-    m_list->setObjectName(QStringLiteral("ladders"));
     m_list->setWordWrap(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setSpacing(base::grid(this, 0.25));
-    m_measure = new QPushButton(column);
-    m_measure->setObjectName(QStringLiteral("measure"));
-    m_measureAll = new QPushButton(column);
-    m_measureAll->setObjectName(QStringLiteral("measureAll"));
-    m_cancel = new QPushButton(column);
-    m_cancel->setObjectName(QStringLiteral("cancel"));
+    m_measure = base::named<QPushButton>("measure", column);
+    m_measureAll = base::named<QPushButton>("measureAll", column);
+    m_cancel = base::named<QPushButton>("cancel", column);
     m_progress = new QProgressBar(column);
     m_progress->setRange(0, 1000);
     m_progress->setTextVisible(false);
@@ -156,17 +170,8 @@ QWidget* CostPage::makeLadderColumn() {
         auto* item = new QListWidgetItem(m_list);
         item->setData(Qt::UserRole, QString::fromStdString(ladder.name));
     }
-    auto* layout = new QVBoxLayout(column);
-    const int margin = base::grid(this, 2);
-    layout->setContentsMargins(margin, margin, margin, margin);
-    layout->setSpacing(base::grid(this));
-    layout->addWidget(m_ladderHeading);
-    layout->addWidget(m_list, 1);
-    layout->addWidget(m_measure);
-    layout->addWidget(m_measureAll);
-    layout->addWidget(m_progressText);
-    layout->addWidget(m_progress);
-    layout->addWidget(m_cancel);
+    columnOf(column, {m_ladderHeading, m_list, m_measure, m_measureAll, m_progressText, m_progress, m_cancel})
+        ->setStretchFactor(m_list, 1);
     column->setMinimumWidth(base::em(this, 18));
     return column;
 }
@@ -177,8 +182,7 @@ QWidget* CostPage::makeMiddle() {
     m_title->setObjectName(QStringLiteral("title"));
     m_truth = wrapped(middle);
     m_chart = new costs::CostChart(middle);
-    m_table = new QTableWidget(0, columns, middle);
-    m_table->setObjectName(QStringLiteral("rungs"));
+    m_table = base::named<QTableWidget>("rungs", 0, columns, middle);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -193,12 +197,6 @@ QWidget* CostPage::makeMiddle() {
     parts->addWidget(m_table);
     parts->setStretchFactor(0, 3);
     parts->setStretchFactor(1, 2);
-    auto* layout = new QVBoxLayout(middle);
-    const int margin = base::grid(this, 2);
-    layout->setContentsMargins(margin, margin, margin, margin);
-    layout->setSpacing(base::grid(this));
-    layout->addWidget(m_title);
-    layout->addWidget(m_truth);
     m_empty = new chrome::EmptyState(base::Icon::cost, middle);
     m_measureEmpty = m_empty->addAction(QString(), QString());
     m_measureEmpty->setObjectName(QStringLiteral("measureEmpty"));
@@ -206,7 +204,7 @@ QWidget* CostPage::makeMiddle() {
     m_results = new QStackedWidget(middle);
     m_results->addWidget(m_empty);
     m_results->addWidget(parts);
-    layout->addWidget(m_results, 1);
+    columnOf(middle, {m_title, m_truth, m_results})->setStretchFactor(m_results, 1);
     return middle;
 }
 
@@ -214,8 +212,7 @@ QWidget* CostPage::makeCameraColumn() {
     auto* column = new QWidget(this);
     m_cameraHeading = heading(column);
     m_rungLabel = new QLabel(column);
-    m_rungs = new QComboBox(column);
-    m_rungs->setObjectName(QStringLiteral("rung"));
+    m_rungs = base::named<QComboBox>("rung", column);
     for (const vision::ContactRung& rung : vision::contactLadder()) {
         const QString name = QString::fromUtf8(rung.name.data(), static_cast<qsizetype>(rung.name.size()));
         m_rungs->addItem(name, name);
@@ -224,33 +221,19 @@ QWidget* CostPage::makeCameraColumn() {
     m_stagesLabel = new QLabel(column);
     m_stages = new camera::StageBar(column);
     m_budgetLabel = new QLabel(column);
-    m_budget_ms = new QDoubleSpinBox(column);
-    m_budget_ms->setObjectName(QStringLiteral("budget"));
+    m_budget_ms = base::named<QDoubleSpinBox>("budget", column);
     m_budget_ms->setRange(0.1, 10'000.0);
     m_budget_ms->setDecimals(1);
     m_budget_ms->setValue(kUsualBudget_ms);
     m_budgetLabel->setBuddy(m_budget_ms);
     m_budgetText = wrapped(column);
-    m_useBest = new QPushButton(column);
-    m_useBest->setObjectName(QStringLiteral("useBest"));
+    m_useBest = base::named<QPushButton>("useBest", column);
     m_noCamera = wrapped(column);
     m_openCamera = new QPushButton(column);
-    auto* layout = new QVBoxLayout(column);
-    const int margin = base::grid(this, 2);
-    layout->setContentsMargins(margin, margin, margin, margin);
-    layout->setSpacing(base::grid(this));
-    layout->addWidget(m_cameraHeading);
-    layout->addWidget(m_noCamera);
-    layout->addWidget(m_openCamera);
-    layout->addWidget(m_rungLabel);
-    layout->addWidget(m_rungs);
-    layout->addWidget(m_stagesLabel);
-    layout->addWidget(m_stages);
-    layout->addSpacing(base::grid(this, 2));
-    layout->addWidget(m_budgetLabel);
-    layout->addWidget(m_budget_ms);
-    layout->addWidget(m_budgetText);
-    layout->addWidget(m_useBest);
+    QVBoxLayout* layout =
+        columnOf(column, {m_cameraHeading, m_noCamera, m_openCamera, m_rungLabel, m_rungs, m_stagesLabel,
+                          m_stages, m_budgetLabel, m_budget_ms, m_budgetText, m_useBest});
+    layout->insertSpacing(layout->indexOf(m_budgetLabel), base::grid(this, 2));
     layout->addStretch(1);
     column->setMinimumWidth(base::em(this, 20));
     return column;
@@ -359,11 +342,6 @@ void CostPage::showBudget() {
     m_useBest->setEnabled(m_camera != nullptr && !m_best.isEmpty());
 }
 
-void CostPage::applyBudget() {
-    if (!m_best.isEmpty())
-        chooseRung(m_best);
-}
-
 void CostPage::chooseRung(const QString& name) {
     if (!m_camera)
         return;
@@ -443,14 +421,6 @@ void CostPage::retranslate() {
     m_openCamera->setText(tr("Open a demo with a camera"));
     showLadders();
     showCosts();
-}
-
-void CostPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        m_measuring->retranslate();
-        retranslate();
-    }
 }
 
 } // namespace teleta::console

@@ -50,9 +50,6 @@ public:
 signals:
     void demoCameraRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     [[nodiscard]] QWidget* makeLadderColumn();
     [[nodiscard]] QWidget* makeMiddle();
@@ -64,7 +61,6 @@ private:
     void showRunning();
     void showBudget();
     void chooseRung(const QString& name);
-    void applyBudget();
 
     CostMeasuring* m_measuring;
     chrome::MessageBar* m_messages;

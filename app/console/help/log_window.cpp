@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/help/log_window.h"
 
-#include "app/console/base/background.h"
+#include "widgets/base/background.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
@@ -87,7 +87,7 @@ void LogWindow::write(const QString& path) {
         const bool done = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
         return done ? QString() : file.errorString();
     };
-    runInBackground(this, written, [path](const QString& trouble) {
+    base::runInBackground(this, written, [path](const QString& trouble) {
         using Severity = chrome::Message::Severity;
         // The log itself is visible: report it there.
         if (trouble.isEmpty())

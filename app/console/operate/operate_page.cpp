@@ -3,6 +3,7 @@
 
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/chrome/demo_list.h"
@@ -13,7 +14,6 @@
 #include "widgets/tactile/heatmap_view.h"
 #include "widgets/view3d/scene3d_view.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -148,7 +148,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     connect(&m_arm->feedbackPanel(), &FeedbackPanel::failed, this, report);
     connect(&m_bracelet, &BraceletService::failed, this, &OperatePage::onBraceletFailed);
     connectPlayback();
-    retranslate();
+    base::keepTranslated(this, &OperatePage::retranslate);
     onSourcesChanged();
     onActiveChanged();
 }
@@ -382,15 +382,12 @@ core::PlaybackControl* OperatePage::playback() {
 
 void OperatePage::watchFailures(const SourceManager::Item& item) {
     const core::DeviceStatus status = item.channel->status();
-    const auto reported = std::find(m_reportedLost.begin(), m_reportedLost.end(), item.key);
     if (status.state != core::DeviceState::lost) {
-        if (reported != m_reportedLost.end())
-            m_reportedLost.erase(reported);
+        m_reportedLost.erase(item.key);
         return;
     }
-    if (reported != m_reportedLost.end())
+    if (!m_reportedLost.insert(item.key).second)
         return;
-    m_reportedLost.push_back(item.key);
     const bool recorded = item.channel->summary().recorded;
     m_messages->post({chrome::Message::Severity::error, tr("%1 was lost.", "a source").arg(item.name),
                       recorded ? tr("The file cannot be read further: it is damaged, or its disk is gone. "
@@ -400,21 +397,16 @@ void OperatePage::watchFailures(const SourceManager::Item& item) {
 }
 
 void OperatePage::watchDamage(const SourceManager::Item& item) {
-    const auto isNew = [&](std::vector<pipeline::ChannelKey>& reported) {
-        const bool isThere = std::ranges::find(reported, item.key) != reported.end();
-        if (!isThere)
-            reported.push_back(item.key);
-        return !isThere;
-    };
     const auto* playback = std::get_if<RecordingRequest>(&item.request);
-    if (playback != nullptr && playback->settingsChanged && isNew(m_reportedChanged))
+    if (playback != nullptr && playback->settingsChanged && m_reportedChanged.insert(item.key).second)
         m_messages->post({chrome::Message::Severity::information,
                           tr("The settings of %1 changed while it was recorded.", "a source").arg(item.name),
                           tr("It is played with those of the beginning; the events of the recording have the "
                              "others."),
                           QString::fromStdString(playback->path)});
     const core::PlaybackControl* control = item.playback();
-    if (control == nullptr || control->position().damagedBlocks == 0 || !isNew(m_reportedDamaged))
+    if (control == nullptr || control->position().damagedBlocks == 0 ||
+        !m_reportedDamaged.insert(item.key).second)
         return;
     m_messages->post({chrome::Message::Severity::warning,
                       tr("The recording of %1 is damaged.", "a source").arg(item.name),
@@ -427,20 +419,13 @@ void OperatePage::onBraceletFailed(const core::Error& error) {
                       QString::fromStdString(core::describe(error)), QString()});
 }
 
-void OperatePage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        m_arm->retranslate();
-    }
-}
-
 void OperatePage::setDemos(const std::vector<chrome::SourceChooser::Demo>& demos) {
     m_chooser->setDemos(demos);
     m_demos->setDemos(demos);
 }
 
 void OperatePage::retranslate() {
+    m_arm->retranslate();
     m_docks->retranslate();
     m_empty->setTexts(tr("No source"),
                       tr("Open a demo scene to look around, a recording, or a list of sources."));

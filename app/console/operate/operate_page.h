@@ -17,6 +17,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 class QStackedWidget;
@@ -76,9 +77,6 @@ signals:
     void openRecordingRequested();
     void openListRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void onActiveChanged();
     /// Keeps the charts of the previous source until it is shown again.
@@ -120,10 +118,10 @@ private:
     MarkViews* m_marks;
     std::uint64_t m_settingsRevision = 0;
     std::optional<double> m_latency_s;
-    std::vector<pipeline::ChannelKey> m_reportedLost;
-    std::vector<pipeline::ChannelKey> m_reportedDamaged;
-    std::vector<pipeline::ChannelKey> m_reportedChanged; ///< settings
-    pipeline::ChannelKey m_shown = 0;                    ///< whose samples the charts have
+    std::set<pipeline::ChannelKey> m_reportedLost;
+    std::set<pipeline::ChannelKey> m_reportedDamaged;
+    std::set<pipeline::ChannelKey> m_reportedChanged; ///< settings
+    pipeline::ChannelKey m_shown = 0;                 ///< whose samples the charts have
     std::map<pipeline::ChannelKey, charts::FeatureHistory> m_keptCharts;
 };
 

@@ -15,7 +15,6 @@
 #include <QStandardPaths>
 #include <QStringList>
 
-#include <utility>
 #include <variant>
 
 namespace teleta::console {

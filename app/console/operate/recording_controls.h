@@ -8,8 +8,6 @@
 #include <QObject>
 #include <QString>
 
-#include <memory>
-
 class QAction;
 class QMenu;
 class QWidget;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/patterns/export_dialog.h"
 
+#include "widgets/base/compose.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -51,16 +52,14 @@ ExportDialog::ExportDialog(pattern::MotorProfiles motors, QString suggested, QWi
     : QDialog(parent)
     , m_motors(std::move(motors))
     , m_suggested(std::move(suggested))
-    , m_format(new QComboBox(this))
+    , m_format(base::named<QComboBox>("format", this))
     , m_about(new QLabel(this))
     , m_rate(new QDoubleSpinBox(this))
-    , m_content(new QComboBox(this))
+    , m_content(base::named<QComboBox>("content", this))
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel, this)) {
     setWindowTitle(tr("Export pattern"));
     for (const Format& format : kFormats)
         m_format->addItem(tr(format.name), static_cast<int>(format.format));
-    m_format->setObjectName(QStringLiteral("format"));
-    m_content->setObjectName(QStringLiteral("content"));
     m_about->setWordWrap(true);
     m_about->setMinimumWidth(base::em(this, 24));
     m_rate->setRange(pattern::kLowestRate_Hz, pattern::kHighestRate_Hz);
@@ -113,18 +112,16 @@ QString ExportDialog::ending() const {
 }
 
 void ExportDialog::askWhere() {
-    auto* dialog = new QFileDialog(this, tr("Export pattern"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setFileMode(QFileDialog::AnyFile);
-    dialog->setNameFilter(m_format->currentText() + QStringLiteral(" (*%1)").arg(ending()));
-    dialog->setDefaultSuffix(ending().mid(1));
-    dialog->selectFile(m_suggested + ending());
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        emit chosen(path.endsWith(ending(), Qt::CaseInsensitive) ? path : path + ending(), samples());
-        accept();
-    });
-    dialog->open();
+    base::askToSave(this,
+                    {.title = tr("Export pattern"),
+                     .filters = {m_format->currentText() + QStringLiteral(" (*%1)").arg(ending())},
+                     .suffix = ending().mid(1),
+                     .name = m_suggested + ending()},
+                    [this](const QString& path) {
+                        emit chosen(path.endsWith(ending(), Qt::CaseInsensitive) ? path : path + ending(),
+                                    samples());
+                        accept();
+                    });
 }
 
 } // namespace teleta::console

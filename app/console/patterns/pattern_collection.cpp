@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/patterns/pattern_collection.h"
 
-#include "app/console/base/background.h"
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
+#include "widgets/base/background.h"
 #include "widgets/pattern/document/pattern_names.h"
 
 #include <QDir>
@@ -67,7 +67,7 @@ void PatternCollection::refresh() {
         return;
     }
     m_reading = true;
-    runInBackground(
+    base::runInBackground(
         m_pool, this,
         [folder = m_folder, before = m_content] {
             QDir().mkpath(QString::fromStdString(folder.path())); // only existing folders can be watched
@@ -116,7 +116,7 @@ QString PatternCollection::nameOf(const QString& path) const {
 }
 
 void PatternCollection::add(const pattern::Pattern& pattern) {
-    runInBackground(
+    base::runInBackground(
         m_pool, this, [folder = m_folder, pattern] { return folder.add(pattern); },
         [this](core::Expected<std::string> path) {
             if (!path) {
@@ -129,7 +129,7 @@ void PatternCollection::add(const pattern::Pattern& pattern) {
 }
 
 void PatternCollection::duplicate(const pattern::Pattern& pattern, const QString& name) {
-    runInBackground(
+    base::runInBackground(
         m_pool, this,
         [folder = m_folder, pattern, name = name.toStdString()] { return folder.duplicate(pattern, name); },
         [this](core::Expected<std::string> path) {
@@ -141,7 +141,7 @@ void PatternCollection::duplicate(const pattern::Pattern& pattern, const QString
 }
 
 void PatternCollection::rename(const QString& path, const QString& name) {
-    runInBackground(
+    base::runInBackground(
         m_pool, this,
         [folder = m_folder, path = path.toStdString(), name = name.toStdString()] {
             return folder.rename(path, name);
@@ -156,7 +156,7 @@ void PatternCollection::rename(const QString& path, const QString& name) {
 }
 
 void PatternCollection::remove(const QString& path) {
-    runInBackground(
+    base::runInBackground(
         m_pool, this, [folder = m_folder, path = path.toStdString()] { return folder.remove(path); },
         [this, path, name = nameOf(path)](core::Expected<std::string> deleted) {
             refresh();
@@ -197,7 +197,7 @@ void PatternCollection::undo() {
         TELETA_CHECK(folder.restore(last.deleted.toStdString(), path));
         return {};
     };
-    runInBackground(m_pool, this, work, [this, name = last.name](core::Expected<void> done) {
+    base::runInBackground(m_pool, this, work, [this, name = last.name](core::Expected<void> done) {
         refresh();
         if (!done)
             emit failed(tr("%1 could not be restored.", "a pattern").arg(name), done.error());

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/patterns/patterns_page.h"
 
-#include "app/console/base/background.h"
 #include "app/console/patterns/export_dialog.h"
 #include "backend/pattern/files/pattern_file.h"
 #include "backend/pattern/files/pattern_format.h"
 #include "backend/pattern/model/built_in_patterns.h"
+#include "widgets/base/background.h"
+#include "widgets/base/compose.h"
+#include "widgets/base/file_dialog.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/bracelet/strength_panel.h"
@@ -69,8 +72,8 @@ PatternsPage::PatternsPage(BraceletService& station, PatternCollection& collecti
     , m_messages(new chrome::MessageBar(this))
     , m_recovery(new QWidget(this))
     , m_recoveryText(new QLabel(m_recovery))
-    , m_recover(new QPushButton(m_recovery))
-    , m_discard(new QPushButton(m_recovery))
+    , m_recover(base::named<QPushButton>("recover", m_recovery))
+    , m_discard(base::named<QPushButton>("discardRecovered", m_recovery))
     , m_editor(new pattern::PatternEditor(this))
     , m_playback(new PatternPlayback(station, *m_editor, this))
     , m_picture(new bracelet::BraceletView)
@@ -85,8 +88,6 @@ PatternsPage::PatternsPage(BraceletService& station, PatternCollection& collecti
     braceletLayout->addWidget(m_strength);
     m_editor->setBraceletPicture(bracelet);
     m_recoveryText->setWordWrap(true);
-    m_recover->setObjectName(QStringLiteral("recover"));
-    m_discard->setObjectName(QStringLiteral("discardRecovered"));
     m_recovery->setAutoFillBackground(true);
     m_recovery->setBackgroundRole(QPalette::ToolTipBase);
     auto* offer = new QHBoxLayout(m_recovery);
@@ -120,6 +121,7 @@ PatternsPage::PatternsPage(BraceletService& station, PatternCollection& collecti
     connect(m_picture, &bracelet::BraceletView::held, &m_station, &BraceletService::hold);
     showPattern(pattern::builtInPatterns().front(), {});
     showOwn();
+    base::onChange(this, &PatternsPage::showRecovery, {QEvent::LanguageChange});
     m_keeper->look();
 }
 
@@ -240,7 +242,7 @@ void PatternsPage::load(const QString& idOrPath, std::function<void(std::shared_
         use(std::make_shared<const Pattern>(*builtIn));
         return;
     }
-    runInBackground(
+    base::runInBackground(
         this,
         [idOrPath, own = m_collection.atPath(idOrPath)]() -> core::Expected<std::shared_ptr<const Pattern>> {
             TELETA_TRY(Pattern pattern, pattern::loadPattern(idOrPath.toStdString()));
@@ -346,7 +348,7 @@ void PatternsPage::saveAs(const QString& path) {
 }
 
 void PatternsPage::write(const QString& path) {
-    runInBackground(
+    base::runInBackground(
         m_writing, this,
         [path, pattern = std::make_shared<const Pattern>(m_editor->document()->pattern())] {
             return pattern::savePattern(*pattern, path.toStdString());
@@ -364,7 +366,7 @@ void PatternsPage::write(const QString& path) {
 
 void PatternsPage::exportTo(const QString& path, const pattern::SampleOptions& samples) {
     inform(tr("Exporting %1\u2026", "a file").arg(fileName(path)));
-    runInBackground(
+    base::runInBackground(
         this,
         [path, samples, pattern = std::make_shared<const Pattern>(m_editor->document()->pattern())] {
             return pattern::savePattern(*pattern, path.toStdString(), samples);
@@ -460,34 +462,22 @@ void PatternsPage::discardRecovered() {
     showRecovery();
 }
 
-QFileDialog* PatternsPage::fileDialog(const QString& title, bool save) {
-    auto* dialog = new QFileDialog(this, title);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-    dialog->setFileMode(save ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
-    return dialog;
-}
-
 void PatternsPage::askForFile(bool save) {
-    QFileDialog* dialog = fileDialog(save ? tr("Save pattern") : tr("Open pattern"), save);
-    if (save) {
-        dialog->setNameFilter(tr("Patterns (*.json)"));
-        dialog->setDefaultSuffix(QStringLiteral("json"));
-    } else {
-        dialog->setNameFilters({tr("All patterns (*.json *.hjif *.haptic *.haptic.zip *.tact)"),
-                                tr("Patterns (*.json)"), tr("HJIF (*.hjif)"),
-                                tr("Haptic clips (*.haptic *.haptic.zip)"), tr("tact (*.tact)")});
+    if (!save) {
+        base::askToOpen(this,
+                        {.title = tr("Open pattern"),
+                         .filters = {tr("All patterns (*.json *.hjif *.haptic *.haptic.zip *.tact)"),
+                                     tr("Patterns (*.json)"), tr("HJIF (*.hjif)"),
+                                     tr("Haptic clips (*.haptic *.haptic.zip)"), tr("tact (*.tact)")}},
+                        [this](const QString& path) { open(path); });
+        return;
     }
+    const QFileDialog* dialog = base::askToSave(
+        this,
+        {.title = tr("Save pattern"), .filters = {tr("Patterns (*.json)")}, .suffix = QStringLiteral("json")},
+        [this](const QString& path) { saveAs(path); });
     // Cancelling the save also cancels what was to follow it.
-    if (save)
-        connect(dialog, &QDialog::rejected, this, [this] { m_afterSaving = nullptr; });
-    connect(dialog, &QFileDialog::fileSelected, this, [this, save](const QString& path) {
-        if (save)
-            saveAs(path);
-        else
-            open(path);
-    });
-    dialog->open();
+    connect(dialog, &QDialog::rejected, this, [this] { m_afterSaving = nullptr; });
 }
 
 void PatternsPage::askForExport() {
@@ -518,12 +508,6 @@ void PatternsPage::tick() {
     m_picture->setHoldable(m_station.isFree());
     m_picture->setTitle(pattern::displayName(m_editor->document()->pattern()));
     m_picture->setProvenance(m_station.isSimulated() ? base::Provenance::simulated : base::Provenance::live);
-}
-
-void PatternsPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        showRecovery();
 }
 
 void PatternsPage::dragEnterEvent(QDragEnterEvent* event) {

@@ -15,7 +15,6 @@
 #include <functional>
 #include <optional>
 
-class QFileDialog;
 class QLabel;
 class QPushButton;
 
@@ -69,7 +68,6 @@ signals:
     void recoveryOffered(const QString& text);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -89,7 +87,6 @@ private:
     void showOwn();
     void showRecovery();
     void settled(bool saved);
-    [[nodiscard]] QFileDialog* fileDialog(const QString& title, bool save);
     void askForFile(bool save);
     void askForExport();
     void report(const QString& what, const core::Error& error);

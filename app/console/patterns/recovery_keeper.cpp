@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/patterns/recovery_keeper.h"
 
-#include "app/console/base/background.h"
+#include "widgets/base/background.h"
 
 #include <QDir>
 #include <QFile>
@@ -54,7 +54,7 @@ RecoveryKeeper::~RecoveryKeeper() {
 void RecoveryKeeper::look() {
     if (m_folder.isEmpty())
         return;
-    runInBackground(
+    base::runInBackground(
         m_pool, this, [folder = m_folder, own = m_file] { return leftIn(folder, own); },
         [this](std::vector<LostEdits> all) {
             m_lost = std::move(all);
@@ -80,7 +80,7 @@ void RecoveryKeeper::write() {
     if (m_writing || !m_next)
         return;
     m_writing = true;
-    runInBackground(
+    base::runInBackground(
         m_pool, this,
         [this, edits = *std::exchange(m_next, std::nullopt)]() -> core::Expected<void> {
             // Without a lock the edits are still backed up, but may be offered too early.

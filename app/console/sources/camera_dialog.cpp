@@ -22,10 +22,9 @@ CameraDialog::CameraDialog(const CameraRequest& last, QWidget* parent,
                            const CameraSourceField::Lister& cameras)
     : QDialog(parent)
     , m_source(new CameraSourceField(QString::fromStdString(last.source), cameras))
-    , m_model(new QLineEdit(QString::fromStdString(last.modelPath)))
+    , m_model(base::named<QLineEdit>("cameraModel", QString::fromStdString(last.modelPath)))
     , m_loop(new QCheckBox(tr("Start &again at the end"))) {
     setWindowTitle(tr("Open camera"));
-    m_model->setObjectName(QStringLiteral("cameraModel"));
     m_model->setToolTip(tr("The camera file that the page Calibrate or teleta calibrate has written"));
     m_loop->setChecked(last.loop);
     m_model->setMinimumWidth(base::em(this, 24));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/camera_source_field.h"
 
-#include "app/console/base/background.h"
+#include "widgets/base/background.h"
+#include "widgets/base/compose.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 
@@ -14,8 +15,7 @@ namespace teleta::console {
 
 CameraSourceField::CameraSourceField(const QString& last, const Lister& list, QWidget* parent)
     : QWidget(parent)
-    , m_box(new QComboBox) {
-    m_box->setObjectName(QStringLiteral("cameraSource"));
+    , m_box(base::named<QComboBox>("cameraSource")) {
     m_box->setEditable(true);
     m_box->setCurrentText(last);
     m_box->setToolTip(tr("The number of a connected camera (0 is /dev/video0), or a video file"));
@@ -34,8 +34,8 @@ CameraSourceField::CameraSourceField(const QString& last, const Lister& list, QW
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(m_box, 1);
     row->addWidget(choose);
-    runInBackground(this, list,
-                    [this](const std::vector<camera::CameraInfo>& cameras) { setCameras(cameras); });
+    base::runInBackground(this, list,
+                          [this](const std::vector<camera::CameraInfo>& cameras) { setCameras(cameras); });
 }
 
 QString CameraSourceField::source() const {

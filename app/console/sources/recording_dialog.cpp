@@ -2,12 +2,12 @@
 #include "app/console/sources/recording_dialog.h"
 
 #include "widgets/base/compose.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -140,12 +140,11 @@ QHBoxLayout* RecordingDialog::fileRow(QLineEdit* line, const QString& toolTip, c
     choose->setToolTip(toolTip);
     choose->setAccessibleName(toolTip);
     connect(choose, &QToolButton::clicked, this, [this, line, title, filter] {
-        auto* dialog =
-            new QFileDialog(this, title, QFileInfo(QString::fromStdString(m_request.path)).path(), filter);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->setFileMode(QFileDialog::ExistingFile);
-        connect(dialog, &QFileDialog::fileSelected, line, &QLineEdit::setText);
-        dialog->open();
+        base::askToOpen(this,
+                        {.title = title,
+                         .filters = {filter},
+                         .folder = QFileInfo(QString::fromStdString(m_request.path)).path()},
+                        [line](const QString& path) { line->setText(path); });
     });
     auto* row = new QHBoxLayout;
     row->addWidget(line, 1);

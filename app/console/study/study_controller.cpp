@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_controller.h"
 
-#include "app/console/base/background.h"
 #include "app/console/study/study_writing.h"
 #include "backend/study/report/study_export.h"
+#include "widgets/base/background.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <memory>
-#include <utility>
 
 namespace teleta::console {
 
@@ -513,7 +510,7 @@ void StudyController::write(const QString& format) {
     if (format == QLatin1String("psychds"))
         m_store.ask([format](StudyStoreThread::Store& store) { return writeStudy(*store, format); }, done);
     else
-        runInBackground(
+        base::runInBackground(
             this, [location = m_overview->location, format] { return writeStudy(location, format); }, done);
 }
 

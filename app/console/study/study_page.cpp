@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_page.h"
 
-#include "app/console/base/background.h"
 #include "app/console/study/forms/new_study_dialog.h"
 #include "app/console/study/forms/protocol_dialog.h"
 #include "app/console/study/forms/server_fields.h"
 #include "app/console/study/forms/server_study_dialog.h"
 #include "app/console/study/study_writing.h"
 #include "backend/study/protocol/protocol.h"
+#include "widgets/base/background.h"
 #include "widgets/base/file_dialog.h"
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/empty_state.h"
 #include "widgets/study/participant/participant_window.h"
@@ -22,7 +23,6 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -35,7 +35,6 @@
 #include <QVBoxLayout>
 
 #include <array>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -83,7 +82,7 @@ StudyPage::StudyPage(BraceletService& station, core::StopSwitch& stop, StudyCont
     m_participant->setAttribute(Qt::WA_QuitOnClose, false); // it does not keep the program open
     build();
     connectViews();
-    retranslate();
+    base::keepTranslated(this, &StudyPage::retranslate);
 }
 
 StudyPage::~StudyPage() {
@@ -194,7 +193,7 @@ void StudyPage::connectViews() {
                           tr("Play it from another device, and confirm its level."),
                           QString::fromStdString(core::describe(error))});
     });
-    connect(m_session, &SessionPanel::participantWindowRequested, this, &StudyPage::showParticipantWindow);
+    connect(m_session, &SessionPanel::participantWindowRequested, &m_placement, &ParticipantPlacement::show);
 
     using study::StudyPanel;
     connect(m_study, &StudyPanel::newRequested, this, [this] { askForNewStudy(study::Mode::run); });
@@ -206,22 +205,20 @@ void StudyPage::connectViews() {
     connect(&m_controller, &StudyController::enrolled, m_study, &StudyPanel::clearName);
     connect(m_study, &StudyPanel::sessionChosen, &m_controller, &StudyController::choose);
 
+    const auto figureFailed = [this](const QString& message) {
+        m_messages->post(
+            {chrome::Message::Severity::error, tr("The figure could not be saved."), {}, message});
+    };
     connect(m_counts, &QComboBox::currentIndexChanged, this,
             [this](int index) { m_matrix->setPercent(index == 1); });
     connect(m_matrix, &study::ConfusionView::percentChanged, this,
             [this](bool percent) { m_counts->setCurrentIndex(percent ? 1 : 0); });
-    connect(m_matrix, &study::ConfusionView::exportFailed, this, [this](const QString& message) {
-        m_messages->post(
-            {chrome::Message::Severity::error, tr("The figure could not be saved."), {}, message});
-    });
+    connect(m_matrix, &study::ConfusionView::exportFailed, this, figureFailed);
     connect(m_speed, &QComboBox::currentIndexChanged, this,
             [this] { m_controller.setSpeed(m_speed->currentData().toDouble()); });
 
-    connect(m_results, &study::ResultsView::exportRequested, this, &StudyPage::exportStudy);
-    connect(m_results, &study::ResultsView::figureFailed, this, [this](const QString& message) {
-        m_messages->post(
-            {chrome::Message::Severity::error, tr("The figure could not be saved."), {}, message});
-    });
+    connect(m_results, &study::ResultsView::exportRequested, &m_controller, &StudyController::write);
+    connect(m_results, &study::ResultsView::figureFailed, this, figureFailed);
     connect(m_tabs, &QTabWidget::currentChanged, this, &StudyPage::analyse);
     connect(&m_controller, &StudyController::resultsOutdated, this, [this] {
         m_outdated = true;
@@ -261,7 +258,7 @@ void StudyPage::open(const QString& path) {
         return;
     }
     using Protocol = core::Expected<study::Protocol>;
-    runInBackground(
+    base::runInBackground(
         this,
         [path] {
             return QFileInfo(path).isDir() ? std::optional<Protocol>()
@@ -281,7 +278,7 @@ void StudyPage::open(const QString& path) {
 void StudyPage::watchRehearsal(const QString& folder) {
     m_rehearseWhenOpened = true;
     const QString place = folder.isEmpty() ? newFolder(QStringLiteral("rehearsal")) : folder;
-    runInBackground(
+    base::runInBackground(
         this, [] { return study::paperProtocol(); },
         [this, place](const core::Expected<study::Protocol>& protocol) {
             if (!protocol) {
@@ -301,7 +298,7 @@ void StudyPage::watchScene(const study::StudyScene& scene, std::uint64_t seed, c
 
 /// protocol: selected at first; otherwise the paper's.
 void StudyPage::askForNewStudy(study::Mode mode, std::optional<study::Protocol> protocol) {
-    runInBackground(
+    base::runInBackground(
         this, [] { return study::builtInProtocols(); },
         [this, mode, own = std::move(protocol)](const core::Expected<std::vector<study::Protocol>>& all) {
             if (!all) {
@@ -339,7 +336,7 @@ void StudyPage::showProtocol(const study::Protocol& protocol) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &ProtocolDialog::openRequested, this, &StudyPage::askForProtocol);
     connect(dialog, &ProtocolDialog::paperRequested, this, [this] {
-        runInBackground(
+        base::runInBackground(
             this, [] { return study::paperProtocol(); },
             [this](const core::Expected<study::Protocol>& paper) {
                 if (paper)
@@ -373,10 +370,6 @@ void StudyPage::askForServer() {
     dialog->open();
 }
 
-void StudyPage::showParticipantWindow() {
-    m_placement.show();
-}
-
 void StudyPage::doNextStep() {
     switch (StudyScenes::nextStep(m_controller)) {
     case NextStep::enrol:
@@ -384,7 +377,7 @@ void StudyPage::doNextStep() {
         return;
     case NextStep::begin:
         m_controller.begin();
-        showParticipantWindow();
+        m_placement.show();
         return;
     case NextStep::rehearse:
         m_controller.startRehearsal();
@@ -408,7 +401,7 @@ void StudyPage::doNextStep() {
             m_controller.runner().retry();
         return;
     case NextStep::fillIn:
-        showParticipantWindow();
+        m_placement.show();
         return;
     case NextStep::leaveSession:
         m_controller.leaveSession();
@@ -482,7 +475,7 @@ void StudyPage::bringForward(const QString& view) {
     m_tabs->setCurrentWidget(view == QLatin1String(kResults) ? static_cast<QWidget*>(m_results)
                                                              : m_tabs->widget(0));
     if (view == QLatin1String(kParticipant))
-        showParticipantWindow();
+        m_placement.show();
 }
 
 QWidget* StudyPage::forwardWindow() const {
@@ -506,7 +499,7 @@ void StudyPage::analyse() {
             scene.conditionNames[id].insert(QString::fromStdString(condition),
                                             study::displayCondition(task, condition));
     }
-    runInBackground(
+    base::runInBackground(
         this, [location = overview.location] { return resultsOf(location); },
         [this, scene](core::Expected<std::vector<study::TaskResults>> results) mutable {
             m_analysing = false;
@@ -521,10 +514,6 @@ void StudyPage::analyse() {
             }
             analyse();
         });
-}
-
-void StudyPage::exportStudy(const QString& format) {
-    m_controller.write(format);
 }
 
 void StudyPage::report(const QString& what, const core::Error& error) {
@@ -560,12 +549,6 @@ void StudyPage::retranslate() {
     m_outdated = true;
     refresh();
     analyse();
-}
-
-void StudyPage::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 } // namespace teleta::console

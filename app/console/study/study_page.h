@@ -73,9 +73,6 @@ signals:
     /// Something could not be opened.
     void openFailed(const teleta::core::Error& error);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     void connectViews();
@@ -89,9 +86,7 @@ private:
     void askForServer();
     void showProtocol(const study::Protocol& protocol);
     void askForProtocol();
-    void showParticipantWindow();
     void analyse();
-    void exportStudy(const QString& format);
     void report(const QString& what, const core::Error& error);
 
     StudyController m_controller;

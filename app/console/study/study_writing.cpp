@@ -10,8 +10,6 @@
 #include <QCoreApplication>
 #include <QDir>
 
-#include <utility>
-
 namespace teleta::console {
 
 namespace {

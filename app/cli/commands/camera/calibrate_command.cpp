@@ -14,7 +14,6 @@
 
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace teleta::cli {

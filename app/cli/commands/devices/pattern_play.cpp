@@ -25,7 +25,6 @@
 #include <random>
 #include <thread>
 #include <utility>
-#include <vector>
 
 namespace teleta::cli {
 

@@ -22,7 +22,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +30,6 @@
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace teleta::cli {
 

@@ -26,7 +26,6 @@
 #include <span>
 #include <string>
 #include <unistd.h>
-#include <utility>
 #include <vector>
 
 namespace teleta::cli {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/camera/camera_calibrator.h"
 
-#include "app/console/base/background.h"
 #include "app/console/calibrate/camera/camera_probing.h"
 #include "app/console/calibrate/camera/live_probing_panel.h"
 #include "app/console/calibrate/camera/pair_entry.h"
 #include "app/console/calibrate/camera/probing_strip.h"
 #include "app/console/calibrate/camera/tube_fields.h"
-#include "backend/vision/calibration/camera_file.h"
+#include "widgets/base/background.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
@@ -152,7 +151,7 @@ void CameraCalibrator::askForCameraFile() {
 }
 
 void CameraCalibrator::open(const QString& path) {
-    runInBackground(
+    base::runInBackground(
         this, [path] { return vision::readPairs(path.toStdString()); },
         [this, path, number = ++m_opened](core::Expected<std::vector<CalibrationPair>> pairs) {
             if (!pairs) {
@@ -174,7 +173,7 @@ bool CameraCalibrator::isSaved() const {
 
 void CameraCalibrator::write(const QString& path, std::uint64_t changes,
                              std::function<core::Expected<void>()> writer) {
-    runInBackground(this, std::move(writer), [this, path, changes](core::Expected<void> written) {
+    base::runInBackground(this, std::move(writer), [this, path, changes](core::Expected<void> written) {
         if (written && changes == m_changes)
             m_undo->setClean();
         if (written)
@@ -326,7 +325,7 @@ void CameraCalibrator::fit() {
         return;
     }
     m_fitting = true;
-    runInBackground(
+    base::runInBackground(
         this, [work = m_work] { return std::pair(fitAll(work.onSurface(), work.used, work.settings), work); },
         [this](std::pair<Answers, Work> fitted) {
             m_fitting = false;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/console/calibrate/camera/calibration_work.h"
-#include "app/console/calibrate/camera/camera_fits.h"
 #include "backend/core/device/camera_source.h"
 #include "backend/core/error.h"
 #include "backend/vision/calibration/camera_file.h"

@@ -5,6 +5,7 @@
 #include "app/console/calibrate/camera/pair_entry.h"
 #include "app/console/calibrate/camera/probing_strip.h"
 #include "app/console/calibrate/camera/tube_fields.h"
+#include "widgets/base/compose.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
@@ -94,8 +95,7 @@ QWidget* CameraCalibrator::buildTables() {
     auto* sorted = new QSortFilterProxyModel(this);
     sorted->setSourceModel(m_model);
     sorted->setSortRole(camera::PairModel::kSortRole);
-    m_table = new QTableView;
-    m_table->setObjectName(QStringLiteral("pairs"));
+    m_table = base::named<QTableView>("pairs");
     m_table->setModel(sorted);
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(camera::PairModel::number, Qt::AscendingOrder);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/camera/live_probing_panel.h"
 
+#include "widgets/base/compose.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
@@ -27,13 +28,10 @@ LiveProbingPanel::LiveProbingPanel(QWidget* parent)
     , m_next(new QLabel(this))
     , m_state(new QLabel(this))
     , m_progress(new QProgressBar(this))
-    , m_back(new QPushButton(this))
-    , m_skip(new QPushButton(this))
+    , m_back(base::named<QPushButton>("back", this))
+    , m_skip(base::named<QPushButton>("skip", this))
     , m_reference(new QPushButton(this))
-    , m_stop(new QPushButton(this)) {
-    m_back->setObjectName(QStringLiteral("back"));
-    m_skip->setObjectName(QStringLiteral("skip"));
-    m_stop->setObjectName(QStringLiteral("stop"));
+    , m_stop(base::named<QPushButton>("stop", this)) {
     m_picture->setFixedSize(base::em(this, 26), base::em(this, 15));
     QFont large = font();
     large.setPointSizeF(1.5 * large.pointSizeF());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/camera/pair_entry.h"
 
+#include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
 
 #include <QDoubleSpinBox>
@@ -15,7 +16,7 @@ PairEntry::PairEntry(QWidget* parent)
     : QWidget(parent)
     , m_pixelLabel(new QLabel(this))
     , m_pointLabel(new QLabel(this))
-    , m_add(new QPushButton(this)) {
+    , m_add(base::named<QPushButton>("add", this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
@@ -37,7 +38,6 @@ PairEntry::PairEntry(QWidget* parent)
         row->addWidget(box, 1);
     }
     row->addWidget(m_add);
-    m_add->setObjectName(QStringLiteral("add"));
     m_add->setAutoDefault(false);
     m_pixelLabel->setBuddy(m_fields[0]);
     m_pointLabel->setBuddy(m_fields[2]);

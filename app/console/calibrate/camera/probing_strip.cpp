@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/camera/probing_strip.h"
 
+#include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
 
 #include <QHBoxLayout>
@@ -13,9 +14,8 @@ ProbingStrip::ProbingStrip(CameraProbing& probing, QWidget* parent)
     : QWidget(parent)
     , m_probing(probing)
     , m_progress(new QProgressBar(this))
-    , m_stop(new QPushButton(this)) {
+    , m_stop(base::named<QPushButton>("stop", this)) {
     m_progress->setRange(0, 1000);
-    m_stop->setObjectName(QStringLiteral("stop"));
     m_stop->setAutoDefault(false);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(base::grid(this), 0, base::grid(this), 0);

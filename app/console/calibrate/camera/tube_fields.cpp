@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/calibrate/camera/tube_fields.h"
 
+#include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
 
 #include <QDoubleSpinBox>
@@ -17,16 +18,11 @@ TubeFields::TubeFields(QWidget* parent)
     , m_radiusLabel(new QLabel(this))
     , m_lengthLabel(new QLabel(this))
     , m_holeLabel(new QLabel(this))
-    , m_width(new QSpinBox(this))
-    , m_height(new QSpinBox(this))
-    , m_radius(new QDoubleSpinBox(this))
-    , m_length(new QDoubleSpinBox(this))
-    , m_holeFactor(new QDoubleSpinBox(this)) {
-    m_width->setObjectName(QStringLiteral("width"));
-    m_height->setObjectName(QStringLiteral("height"));
-    m_radius->setObjectName(QStringLiteral("radius"));
-    m_length->setObjectName(QStringLiteral("length"));
-    m_holeFactor->setObjectName(QStringLiteral("holeFactor"));
+    , m_width(base::named<QSpinBox>("width", this))
+    , m_height(base::named<QSpinBox>("height", this))
+    , m_radius(base::named<QDoubleSpinBox>("radius", this))
+    , m_length(base::named<QDoubleSpinBox>("length", this))
+    , m_holeFactor(base::named<QDoubleSpinBox>("holeFactor", this)) {
     for (QSpinBox* box : {m_width, m_height}) {
         box->setRange(1, vision::kLargestSide_px);
         box->setSuffix(QStringLiteral("\u00a0px"));

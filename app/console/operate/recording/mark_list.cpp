@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording/mark_list.h"
 
+#include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
 #include <QEvent>
@@ -60,7 +61,7 @@ MarkList::MarkList(QWidget* parent)
         if (column == timeColumn && row < static_cast<int>(m_rows.size()))
             emit timeChosen(m_rows[static_cast<std::size_t>(row)].time_s);
     });
-    retranslate();
+    base::keepTranslated(this, &MarkList::retranslate);
     rebuild();
 }
 
@@ -148,12 +149,6 @@ bool MarkList::eventFilter(QObject* watched, QEvent* event) {
         }
     }
     return QWidget::eventFilter(watched, event);
-}
-
-void MarkList::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 void MarkList::retranslate() {

@@ -42,7 +42,6 @@ signals:
     void timeChosen(double time_s);
 
 protected:
-    void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording/recording_files.h"
 
-#include "app/console/base/background.h"
 #include "app/console/sources/recording_dialog.h"
+#include "widgets/base/background.h"
 
 #include <QFileInfo>
 
-#include <utility>
 #include <vector>
 
 namespace teleta::console {
@@ -23,7 +22,7 @@ void RecordingFiles::open(const QString& path) {
         play(path);
         return;
     }
-    runInBackground(
+    base::runInBackground(
         this, [path] { return guessCsv(path.toStdString()); },
         [this, path](core::Expected<CsvRequest> guess) {
             if (guess)
@@ -52,7 +51,7 @@ void RecordingFiles::openAs(const RecordingArguments& recording) {
         play(recording.path);
         return;
     }
-    runInBackground(
+    base::runInBackground(
         this, [recording] { return completeRecording(recording); },
         [this, name = QFileInfo(recording.path).fileName()](core::Expected<CsvRequest> request) {
             if (request)
@@ -63,7 +62,7 @@ void RecordingFiles::openAs(const RecordingArguments& recording) {
 }
 
 void RecordingFiles::play(const QString& path) {
-    runInBackground(
+    base::runInBackground(
         this, [path] { return recordingRequestsOf(path.toStdString()); },
         [this, path](core::Expected<std::vector<RecordingRequest>> requests) {
             if (!requests) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/forms/new_study_dialog.h"
 
-#include "app/console/base/background.h"
 #include "app/console/study/forms/server_fields.h"
 #include "backend/study/protocol/stimulus_set.h"
+#include "widgets/base/background.h"
 #include "widgets/base/compose.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
@@ -44,27 +44,21 @@ core::Expected<study::Protocol> usableProtocol(const std::string& path) {
 NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, QWidget* parent,
                                const QString& from)
     : QDialog(parent)
-    , m_protocol(new QComboBox(this))
-    , m_trials(new QLabel(this))
-    , m_folder(new QLineEdit(folder, this))
-    , m_store(new QComboBox(this))
+    , m_protocol(base::named<QComboBox>("protocol", this))
+    , m_trials(base::named<QLabel>("trials", this))
+    , m_folder(base::named<QLineEdit>("folder", folder, this))
+    , m_store(base::named<QComboBox>("store", this))
     , m_server(new ServerFields(this))
-    , m_mode(new QComboBox(this))
-    , m_seed(new QLineEdit(QStringLiteral("1"), this))
+    , m_mode(base::named<QComboBox>("mode", this))
+    , m_seed(base::named<QLineEdit>("seed", QStringLiteral("1"), this))
     , m_participants(new QSpinBox(this))
     , m_participantsLabel(new QLabel(tr("&Participants"), this))
-    , m_problem(new QLabel(this)) {
+    , m_problem(base::named<QLabel>("problem", this)) {
     setWindowTitle(tr("New study"));
     setObjectName(QStringLiteral("newStudy"));
-    m_protocol->setObjectName(QStringLiteral("protocol"));
     m_protocol->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_trials->setObjectName(QStringLiteral("trials"));
-    m_folder->setObjectName(QStringLiteral("folder"));
-    m_store->setObjectName(QStringLiteral("store"));
     m_store->addItem(tr("In a file in this folder, for one station"));
     m_store->addItem(tr("On a PostgreSQL server, shared by several stations"));
-    m_mode->setObjectName(QStringLiteral("mode"));
-    m_seed->setObjectName(QStringLiteral("seed"));
     m_mode->addItem(tr("Run: real participants, data count"), static_cast<int>(study::Mode::run));
     m_mode->addItem(tr("Pilot: people try it, marked PILOT everywhere"),
                     static_cast<int>(study::Mode::pilot));
@@ -74,13 +68,11 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     m_participants->setValue(static_cast<int>(kPaperParticipants));
     m_participantsLabel->setBuddy(m_participants);
     m_seed->setToolTip(tr("Determines the order of all trials: the same seed gives the same study"));
-    m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
     m_problem->setMinimumWidth(base::em(this, 32));
 
-    auto* fromFile = new QPushButton(tr("F&rom a file\u2026"), this);
-    fromFile->setObjectName(QStringLiteral("fromFile"));
+    auto* fromFile = base::named<QPushButton>("fromFile", tr("F&rom a file\u2026"), this);
     fromFile->setToolTip(tr("A protocol of your own (TOML)"));
     auto* choice = new QHBoxLayout;
     choice->addWidget(m_protocol, 1);
@@ -132,7 +124,7 @@ void NewStudyDialog::offer(study::Protocol protocol, const QString& from) {
 }
 
 void NewStudyDialog::read(const QString& path) {
-    runInBackground(
+    base::runInBackground(
         this, [path] { return usableProtocol(path.toStdString()); },
         [this, path](const core::Expected<study::Protocol>& protocol) {
             m_refused = protocol ? QString() : QString::fromStdString(core::describe(protocol.error()));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/forms/protocol_dialog.h"
 
-#include "app/console/base/background.h"
 #include "app/console/study/forms/form_text.h"
 #include "app/console/study/forms/questionnaire_editor.h"
 #include "backend/core/data/output_file.h"
-#include "backend/study/protocol/protocol.h"
 #include "backend/study/protocol/stimulus_set.h"
+#include "widgets/base/background.h"
 #include "widgets/base/compose.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>
@@ -15,7 +15,6 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -69,7 +68,7 @@ study::Protocol asSavedIn(const QDir& folder, study::Protocol protocol) {
 ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     : QDialog(parent)
     , m_content(new QWidget(this))
-    , m_name(new QLineEdit(QString::fromStdString(protocol.name), this))
+    , m_name(base::named<QLineEdit>("protocolName", QString::fromStdString(protocol.name), this))
     , m_description(new QLineEdit(QString::fromStdString(protocol.description), this))
     , m_stimulus_s(makeNumber(protocol.stimulus_s, kShortest_s, kLongest_s, 3, QStringLiteral(" s")))
     , m_limit_s(makeNumber(protocol.responseLimit_s, kShortest_s, kLongest_s, 3, QStringLiteral(" s")))
@@ -78,16 +77,15 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     , m_order(new QComboBox(this))
     , m_practice(makePhase(protocol.practice))
     , m_test(makePhase(protocol.test))
-    , m_restEvery(new QSpinBox(this))
+    , m_restEvery(base::named<QSpinBox>("restEvery", this))
     , m_rest_s(makeNumber(protocol.rest.atLeast_s, 0.0, kLongest_s, 1, QStringLiteral(" s")))
     , m_noise(new QComboBox(this))
     , m_level_dBA(makeNumber(protocol.noise_dBA, 0.0, kLoudest_dBA, 1, QStringLiteral(" dBA")))
     , m_taskRows(new QVBoxLayout)
     , m_questionnaireRows(new QVBoxLayout)
-    , m_verdict(new QLabel(this)) {
+    , m_verdict(base::named<QLabel>("verdict", this)) {
     setWindowTitle(tr("Protocol"));
     setObjectName(QStringLiteral("protocolDialog"));
-    m_name->setObjectName(QStringLiteral("protocolName"));
     m_stimulus_s.box->setObjectName(QStringLiteral("stimulus_s"));
     m_window->addItems({tr("of the onset of the stimulus"), tr("of its end")});
     m_window->setCurrentIndex(protocol.window == study::ResponseWindow::fromOnset ? 0 : 1);
@@ -97,7 +95,6 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     m_order->addItems(
         {tr("all repetitions together, in random order"), tr("each repetition in a random order")});
     m_order->setCurrentIndex(protocol.order == study::OrderMethod::fullRandom ? 0 : 1);
-    m_restEvery->setObjectName(QStringLiteral("restEvery"));
     m_restEvery->setRange(0, kMostTrials);
     m_restEvery->setSpecialValueText(tr("no rests"));
     m_restEvery->setPrefix(tr("after every ", "before a number of trials"));
@@ -107,7 +104,6 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     m_rest_s.box->setPrefix(tr("at least ", "before a number of seconds"));
     m_noise->addItems({tr("pink"), tr("none")});
     m_noise->setCurrentIndex(protocol.noiseColour == "none" ? 1 : 0);
-    m_verdict->setObjectName(QStringLiteral("verdict"));
     m_verdict->setWordWrap(true);
 
     auto* form = new QFormLayout;
@@ -139,8 +135,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     });
     column->addWidget(addButton, 0, Qt::AlignLeft);
     column->addLayout(m_questionnaireRows);
-    auto* askButton = new QPushButton(tr("Add a &questionnaire"), m_content);
-    askButton->setObjectName(QStringLiteral("addQuestionnaire"));
+    auto* askButton = base::named<QPushButton>("addQuestionnaire", tr("Add a &questionnaire"), m_content);
     connect(askButton, &QPushButton::clicked, this, [this] {
         addQuestionnaire({{}, {}, study::QuestionnaireTime::afterStudy, {study::QuestionnaireItem{}}});
         check();
@@ -342,13 +337,11 @@ void ProtocolDialog::askForPattern(const TaskRow& row) {
     const QString place = placeForPattern(row);
     if (place.isEmpty())
         return;
-    auto* dialog = new QFileDialog(this, tr("Pattern file for %1", "a letter and a condition").arg(place));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, row.files, [files = row.files, place](const QString& path) {
-        files->appendPlainText(place + QLatin1Char(' ') + path);
-    });
-    dialog->open();
+    base::askToOpen(this, {.title = tr("Pattern file for %1", "a letter and a condition").arg(place)},
+                    [files = QPointer(row.files), place](const QString& path) {
+                        if (files)
+                            files->appendPlainText(place + QLatin1Char(' ') + path);
+                    });
 }
 
 core::Expected<study::Protocol> ProtocolDialog::protocol() const {
@@ -461,10 +454,9 @@ void ProtocolDialog::whenSettled(std::function<void()> goOn) {
 }
 
 void ProtocolDialog::ask() {
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
-                                tr("The protocol has changes that are not saved."),
-                                QMessageBox::Discard | QMessageBox::Cancel, this);
-    box->setObjectName(QStringLiteral("unsavedProtocol"));
+    auto* box = base::named<QMessageBox>("unsavedProtocol", QMessageBox::Question, tr("Unsaved changes"),
+                                         tr("The protocol has changes that are not saved."),
+                                         QMessageBox::Discard | QMessageBox::Cancel, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* saveFirst = box->addButton(tr("Sa&ve as\u2026"), QMessageBox::AcceptRole);
     saveFirst->setEnabled(m_save->isEnabled()); // only what can be read again is written
@@ -485,14 +477,9 @@ void ProtocolDialog::save(std::function<void()> goOn) {
     const auto valid = protocol();
     if (!valid)
         return;
-    auto* dialog = new QFileDialog(this, tr("Save the protocol"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(tr("Protocols (*.toml)"));
-    dialog->setDefaultSuffix(QStringLiteral("toml"));
     const auto write = [this, protocol = *valid, entered = fields(),
                         goOn = std::move(goOn)](const QString& path) {
-        runInBackground(
+        base::runInBackground(
             this,
             [path, text = study::protocolText(asSavedIn(QFileInfo(path).absoluteDir(), protocol))] {
                 return core::writeFile(path.toStdString(), text);
@@ -508,8 +495,11 @@ void ProtocolDialog::save(std::function<void()> goOn) {
                     goOn();
             });
     };
-    connect(dialog, &QFileDialog::fileSelected, this, write);
-    dialog->open();
+    base::askToSave(this,
+                    {.title = tr("Save the protocol"),
+                     .filters = {tr("Protocols (*.toml)")},
+                     .suffix = QStringLiteral("toml")},
+                    write);
 }
 
 } // namespace teleta::console

@@ -2,6 +2,7 @@
 #include "app/console/study/forms/questionnaire_editor.h"
 
 #include "app/console/study/forms/form_text.h"
+#include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>
@@ -37,15 +38,12 @@ std::string entered(const QLineEdit& edit) {
 
 QuestionnaireEditor::QuestionnaireEditor(const study::Questionnaire& questionnaire, QWidget* parent)
     : QGroupBox(tr("Questionnaire"), parent)
-    , m_id(new QLineEdit(entryOf(questionnaire.id), this))
-    , m_title(new QLineEdit(entryOf(questionnaire.title), this))
-    , m_when(new QComboBox(this))
+    , m_id(base::named<QLineEdit>("questionnaireId", entryOf(questionnaire.id), this))
+    , m_title(base::named<QLineEdit>("questionnaireTitle", entryOf(questionnaire.title), this))
+    , m_when(base::named<QComboBox>("questionnaireWhen", this))
     , m_rows(new QVBoxLayout) {
     setObjectName(QStringLiteral("questionnaireEditor"));
-    m_id->setObjectName(QStringLiteral("questionnaireId"));
     m_id->setPlaceholderText(tr("for example effort"));
-    m_title->setObjectName(QStringLiteral("questionnaireTitle"));
-    m_when->setObjectName(QStringLiteral("questionnaireWhen"));
     m_when->addItems({tr("before the first session"), tr("before each session"), tr("after each session"),
                       tr("after the last session")});
     m_when->setCurrentIndex(static_cast<int>(questionnaire.when));
@@ -54,10 +52,8 @@ QuestionnaireEditor::QuestionnaireEditor(const study::Questionnaire& questionnai
     form->addRow(tr("Identifier"), m_id);
     form->addRow(tr("Title"), m_title);
     form->addRow(tr("Filled in"), m_when);
-    auto* add = new QPushButton(tr("Add a question"), this);
-    add->setObjectName(QStringLiteral("addQuestion"));
-    auto* remove = new QPushButton(tr("Remove this questionnaire"), this);
-    remove->setObjectName(QStringLiteral("removeQuestionnaire"));
+    auto* add = base::named<QPushButton>("addQuestion", tr("Add a question"), this);
+    auto* remove = base::named<QPushButton>("removeQuestionnaire", tr("Remove this questionnaire"), this);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(add);
     buttons->addWidget(remove);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/forms/server_fields.h"
 
+#include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
 
 #include <QFormLayout>
@@ -15,10 +16,8 @@ namespace teleta::console {
 
 ServerFields::ServerFields(QWidget* parent)
     : QWidget(parent)
-    , m_address(new QLineEdit(this))
-    , m_password(new QLineEdit(this)) {
-    m_address->setObjectName(QStringLiteral("serverAddress"));
-    m_password->setObjectName(QStringLiteral("serverPassword"));
+    , m_address(base::named<QLineEdit>("serverAddress", this))
+    , m_password(base::named<QLineEdit>("serverPassword", this)) {
     m_address->setPlaceholderText(QStringLiteral("postgresql://user@host/database?study=name"));
     m_address->setMinimumWidth(base::em(this, 26));
     m_password->setEchoMode(QLineEdit::Password);

@@ -6,7 +6,6 @@
 
 #include <string>
 
-class QLabel;
 class QLineEdit;
 
 namespace teleta::console {

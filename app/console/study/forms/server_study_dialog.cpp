@@ -2,6 +2,7 @@
 #include "app/console/study/forms/server_study_dialog.h"
 
 #include "app/console/study/forms/server_fields.h"
+#include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
 
 #include <QDialogButtonBox>
@@ -18,11 +19,10 @@ ServerStudyDialog::ServerStudyDialog(const QString& folder, QWidget* parent)
     : QDialog(parent)
     , m_parent(folder)
     , m_server(new ServerFields(this))
-    , m_folder(new QLineEdit(this))
+    , m_folder(base::named<QLineEdit>("folder", this))
     , m_problem(new QLabel(this)) {
     setWindowTitle(tr("Open a study on a server"));
     setObjectName(QStringLiteral("serverStudy"));
-    m_folder->setObjectName(QStringLiteral("folder"));
     m_folder->setToolTip(tr("For exports, and for trials while the server is unreachable"));
     m_problem->setWordWrap(true);
     m_problem->setMinimumWidth(base::em(this, 32));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/running/noise_player.h"
 
-#include "app/console/base/background.h"
 #include "backend/study/session/pink_noise.h"
+#include "widgets/base/background.h"
 
 #include <QAudioDevice>
 #include <QAudioFormat>
@@ -64,7 +64,7 @@ void NoisePlayer::setPlaying(bool playing) {
         return;
     study::PinkNoiseSettings settings;
     settings.rate_Hz = kRate_Hz;
-    runInBackground(
+    base::runInBackground(
         this, [settings] { return study::pinkNoise(settings); },
         [this](core::Expected<std::vector<float>> samples) {
             if (!m_wanted || m_sink)
