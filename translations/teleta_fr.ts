@@ -308,28 +308,8 @@
         <translation>Bracelet %1</translation>
     </message>
     <message>
-        <source>The bracelet at %1 cannot be opened.</source>
-        <translation>Le bracelet sur %1 ne peut pas être ouvert.</translation>
-    </message>
-    <message>
-        <source>Another program uses the bracelet at %1.</source>
-        <translation>Un autre programme utilise le bracelet sur %1.</translation>
-    </message>
-    <message>
         <source>The device does not respond like a bracelet.</source>
         <translation>L’appareil ne répond pas comme un bracelet.</translation>
-    </message>
-    <message>
-        <source>No permission to open the bracelet at %1.</source>
-        <translation>Le bracelet sur %1 ne peut pas être ouvert, faute d’autorisation.</translation>
-    </message>
-    <message>
-        <source>read and write access, which the udev rule grants</source>
-        <translation>un accès en lecture et en écriture, que donne la règle udev</translation>
-    </message>
-    <message>
-        <source>it to be closed there first</source>
-        <translation>qu’il y soit d’abord fermé</translation>
     </message>
 </context>
 <context>
@@ -345,6 +325,26 @@
     <message>
         <source>a USB device %1 with the serial number %2</source>
         <translation>un appareil USB %1 avec le numéro de série %2</translation>
+    </message>
+    <message>
+        <source>No permission to open the bracelet at %1.</source>
+        <translation>Le bracelet sur %1 ne peut pas être ouvert, faute d’autorisation.</translation>
+    </message>
+    <message>
+        <source>read and write access, which the udev rule grants</source>
+        <translation>un accès en lecture et en écriture, que donne la règle udev</translation>
+    </message>
+    <message>
+        <source>Another program uses the bracelet at %1.</source>
+        <translation>Un autre programme utilise le bracelet sur %1.</translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
+        <translation>qu’il y soit d’abord fermé</translation>
+    </message>
+    <message>
+        <source>The bracelet at %1 cannot be opened.</source>
+        <translation>Le bracelet sur %1 ne peut pas être ouvert.</translation>
     </message>
 </context>
 <context>

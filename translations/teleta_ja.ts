@@ -308,28 +308,8 @@
         <translation>ブレスレット %1</translation>
     </message>
     <message>
-        <source>The bracelet at %1 cannot be opened.</source>
-        <translation>%1 のブレスレットを開けません。</translation>
-    </message>
-    <message>
-        <source>Another program uses the bracelet at %1.</source>
-        <translation>%1 のブレスレットは別のプログラムが使用中です。</translation>
-    </message>
-    <message>
         <source>The device does not respond like a bracelet.</source>
         <translation>デバイスがブレスレットとして応答しません。</translation>
-    </message>
-    <message>
-        <source>No permission to open the bracelet at %1.</source>
-        <translation>%1 のブレスレットを開く権限がありません。</translation>
-    </message>
-    <message>
-        <source>read and write access, which the udev rule grants</source>
-        <translation>udevルールによる読み書きの権限</translation>
-    </message>
-    <message>
-        <source>it to be closed there first</source>
-        <translation>先にそのプログラムで閉じること</translation>
     </message>
 </context>
 <context>
@@ -345,6 +325,26 @@
     <message>
         <source>a USB device %1 with the serial number %2</source>
         <translation>USBデバイス %1 (シリアル番号 %2)</translation>
+    </message>
+    <message>
+        <source>No permission to open the bracelet at %1.</source>
+        <translation>%1 のブレスレットを開く権限がありません。</translation>
+    </message>
+    <message>
+        <source>read and write access, which the udev rule grants</source>
+        <translation>udevルールによる読み書きの権限</translation>
+    </message>
+    <message>
+        <source>Another program uses the bracelet at %1.</source>
+        <translation>%1 のブレスレットは別のプログラムが使用中です。</translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
+        <translation>先にそのプログラムで閉じること</translation>
+    </message>
+    <message>
+        <source>The bracelet at %1 cannot be opened.</source>
+        <translation>%1 のブレスレットを開けません。</translation>
     </message>
 </context>
 <context>

@@ -308,28 +308,8 @@
         <translation>手环 %1</translation>
     </message>
     <message>
-        <source>The bracelet at %1 cannot be opened.</source>
-        <translation>无法打开位于 %1 的手环。</translation>
-    </message>
-    <message>
-        <source>Another program uses the bracelet at %1.</source>
-        <translation>另一个程序正在使用位于 %1 的手环。</translation>
-    </message>
-    <message>
         <source>The device does not respond like a bracelet.</source>
         <translation>设备的应答不像手环。</translation>
-    </message>
-    <message>
-        <source>No permission to open the bracelet at %1.</source>
-        <translation>没有权限打开位于 %1 的手环。</translation>
-    </message>
-    <message>
-        <source>read and write access, which the udev rule grants</source>
-        <translation>对它的读写权限，由 udev 规则授予</translation>
-    </message>
-    <message>
-        <source>it to be closed there first</source>
-        <translation>先在该程序中将其关闭</translation>
     </message>
 </context>
 <context>
@@ -345,6 +325,26 @@
     <message>
         <source>a USB device %1 with the serial number %2</source>
         <translation>USB 设备 %1，序列号 %2</translation>
+    </message>
+    <message>
+        <source>No permission to open the bracelet at %1.</source>
+        <translation>没有权限打开位于 %1 的手环。</translation>
+    </message>
+    <message>
+        <source>read and write access, which the udev rule grants</source>
+        <translation>对它的读写权限，由 udev 规则授予</translation>
+    </message>
+    <message>
+        <source>Another program uses the bracelet at %1.</source>
+        <translation>另一个程序正在使用位于 %1 的手环。</translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
+        <translation>先在该程序中将其关闭</translation>
+    </message>
+    <message>
+        <source>The bracelet at %1 cannot be opened.</source>
+        <translation>无法打开位于 %1 的手环。</translation>
     </message>
 </context>
 <context>
