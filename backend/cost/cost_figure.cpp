@@ -82,7 +82,7 @@ struct PlottedRung {
 };
 
 bool isPlotted(const RungCost& rung) {
-    return rung.timeMedian_s > 0.0 && !std::isnan(rung.errorMean);
+    return rung.isTimed() && rung.timeMedian_s > 0.0 && !std::isnan(rung.errorMean);
 }
 
 void drawAxes(SvgCanvas& canvas, const LogAxis& time, const LogAxis& error, const QString& unit,

@@ -141,16 +141,23 @@ MeasureChange numberChange(const std::string& name, const Runs& with, const Runs
     change.spreadWithout = others.size() > 1 ? standardDeviation(others) : kUnknown;
     change.meanWithout = mean(others);
     change.change = mean(differences);
-    const double size = std::max(std::abs(change.mean), std::abs(change.meanWithout));
     change.pMean = pairedMeanTest(differences);
     change.pSpread = pairedSpreadTest(pairedWith, pairedWithout);
-    const double wide = std::max(change.spreadWith, change.spreadWithout);
-    const double narrow = std::min(change.spreadWith, change.spreadWithout);
-    if (2 * change.differing > with.measures.size() ||
-        (all.size() > 1 && std::abs(change.change) > std::max(change.spreadWith, kRounding * size)))
+    if (2 * change.differing > with.measures.size()) {
         change.moves = Moves::yes;
-    else if (wide > kRounding * size && wide >= kOtherSpread * narrow && change.pSpread < kSignificant)
-        change.moves = Moves::spread;
+        return change;
+    }
+    // Comparing what is not a number would raise a floating-point exception.
+    if (all.size() < 2 || !std::isfinite(change.spreadWith) || !std::isfinite(change.change))
+        return change;
+    const double size = std::max(std::abs(change.mean), std::abs(change.meanWithout));
+    if (std::abs(change.change) > std::max(change.spreadWith, kRounding * size)) {
+        change.moves = Moves::yes;
+    } else if (std::isfinite(change.spreadWithout) && std::isfinite(change.pSpread)) {
+        const auto [narrow, wide] = std::minmax(change.spreadWith, change.spreadWithout);
+        if (wide > kRounding * size && wide >= kOtherSpread * narrow && change.pSpread < kSignificant)
+            change.moves = Moves::spread;
+    }
     return change;
 }
 
