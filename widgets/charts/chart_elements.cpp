@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/chart_elements.h"
 
-#include "widgets/base/calm_range.h"
 #include "widgets/base/controls/badge.h"
+#include "widgets/base/numbers/calm_range.h"
 #include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
 

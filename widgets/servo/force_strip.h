@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/servo/servo_link.h"
-#include "widgets/base/calm_range.h"
+#include "widgets/base/numbers/calm_range.h"
 
 #include <QWidget>
 

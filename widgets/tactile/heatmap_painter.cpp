@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/tactile/heatmap_painter.h"
 
-#include "widgets/base/calm_range.h"
 #include "widgets/base/colour_maps.h"
+#include "widgets/base/numbers/calm_range.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/numbers/tabular_text.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
-#include "widgets/base/calm_range.h"
+#include "widgets/base/numbers/calm_range.h"
 
 #include <QTest>
 

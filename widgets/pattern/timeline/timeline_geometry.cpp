@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pattern/timeline/timeline_geometry.h"
 
-#include "widgets/base/calm_range.h"
+#include "widgets/base/numbers/calm_range.h"
 
 #include <QFontMetricsF>
 #include <QLocale>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/study/results/interval_chart.h"
 
-#include "widgets/base/calm_range.h"
 #include "widgets/base/colour_maps.h"
+#include "widgets/base/numbers/calm_range.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/watermark.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/scene/frame_part.h"
 
-#include "widgets/base/calm_range.h"
+#include "widgets/base/numbers/calm_range.h"
 
 #include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>

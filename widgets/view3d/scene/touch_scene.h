@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/pipeline/touch/touch_snapshot.h"
-#include "widgets/base/calm_range.h"
+#include "widgets/base/numbers/calm_range.h"
 #include "widgets/view3d/scene/contact_part.h"
 #include "widgets/view3d/scene/contour_part.h"
 #include "widgets/view3d/scene/frame_part.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/base/calm_range.h"
+#include "widgets/base/numbers/calm_range.h"
 
 #include <algorithm>
 #include <cmath>
