@@ -6,10 +6,10 @@
 namespace teleta::scene_run {
 
 /// Probability of a mean difference as far from 0 as this, or farther, if the sign of each difference were
-/// chance: exact permutation test over all 2^n signs, for more than 16 differences over 20 000 drawn ones,
-/// always the same. The smallest possible value is 2 / 2^n, so fewer than 6 differences never have p < 0.05.
-/// All 0: 1. NaN for fewer than two, or one that is not finite. Thread: any. Source: Fisher 1935, The Design
-/// of Experiments, section 21.
+/// chance: exact permutation test over all 2^n signs, for more than 16 differences over 20 000 drawn ones
+/// with a fixed seed. The smallest possible value is 2 / 2^n, so fewer than 6 differences never have p <
+/// 0.05. All 0: 1. NaN for fewer than two, or one that is not finite. Thread: any. Source: Fisher 1935, The
+/// Design of Experiments, section 21.
 [[nodiscard]] double pairedMeanTest(std::span<const double> differences);
 
 /// The same test of | |a_i - median a| - |b_i - median b| |: whether values spread differently in two

@@ -13,16 +13,15 @@
 namespace teleta::scene_run {
 
 /// Watches a servo run and says at its end whether the arm was doing its task. Completed: the array touches
-/// the object, the task that lasts has begun and is not fallen back from (explore, comanipulation, roll,
-/// point following), a point or roll has been aligned, and an exploring array slides. Otherwise the first
-/// reason that applies:
-///   stalled            of the last 2 s a limit acted in more than half of the servo cycles, and the array
-///   made
-///                      less than a tenth of the way that the task wants: before the first contact, or where
-///                      the task that lasts was not reached; while exploring also without a limit
+/// the object, the lasting task (explore, comanipulation, roll, point following) has begun and was not
+/// interrupted by an earlier phase, a point or roll has been aligned, and an exploring array slides.
+/// Otherwise the first reason that applies:
+///   stalled            in more than half of the servo cycles of the last 2 s a limit acted, and the array
+///                      moved less than a tenth of the way that the task wants: before the first contact, or
+///                      where the lasting task was not reached; while exploring, also without a limit
 ///   never_in_contact   the object was never touched, whatever the array read
 ///   lost               the search for a lost contact has ended, or nothing has been touched for 0.5 s
-///   not_aligned        the task that lasts was not reached, or was fallen back from
+///   not_aligned        the lasting task was not reached, or an earlier phase came back
 /// Thread: one.
 class ServoVerdict {
 public:
