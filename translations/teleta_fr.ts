@@ -12072,7 +12072,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::costs::CostChart</name>
+    <name>teleta::cost::CostChart</name>
     <message>
         <source>median time of one call</source>
         <translation>temps médian d’un appel</translation>

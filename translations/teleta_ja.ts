@@ -12041,7 +12041,7 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::costs::CostChart</name>
+    <name>teleta::cost::CostChart</name>
     <message>
         <source>median time of one call</source>
         <translation>1回の呼び出しの時間の中央値</translation>

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace teleta::costs {
+namespace teleta::cost {
 
 namespace {
 
@@ -284,4 +284,4 @@ base::Figure CostChart::figure() {
     return figure;
 }
 
-} // namespace teleta::costs
+} // namespace teleta::cost

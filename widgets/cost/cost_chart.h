@@ -11,7 +11,7 @@
 
 class QCustomPlot;
 
-namespace teleta::costs {
+namespace teleta::cost {
 
 /// Mean error of the rungs of a ladder over the time of a call, both on logarithmic axes: the frontier as a
 /// staircase through filled points, the others hollow, a ring around the rung in use, a line at the time
@@ -53,4 +53,4 @@ private:
     QCustomPlot* m_plot;
 };
 
-} // namespace teleta::costs
+} // namespace teleta::cost

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace teleta::costs {
+namespace teleta::cost {
 
 namespace {
 
@@ -79,4 +79,4 @@ QString LogTicker::getTickLabel(double tick, const QLocale&, QChar, int) {
     return label(tick, m_unit);
 }
 
-} // namespace teleta::costs
+} // namespace teleta::cost

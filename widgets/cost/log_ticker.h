@@ -3,7 +3,7 @@
 
 #include <qcustomplot.h>
 
-namespace teleta::costs {
+namespace teleta::cost {
 
 /// Ticks of a logarithmic axis of quantities, labelled as people write them: "200 µs", "1 mm", "5 %". Decades
 /// where the axis has three of them, every second or third one where it has many, else numbers within them.
@@ -28,4 +28,4 @@ private:
     QString m_unit;
 };
 
-} // namespace teleta::costs
+} // namespace teleta::cost

@@ -115,12 +115,12 @@ CostPage::CostPage(CostMeasuring::MakeLadders makeLadders, const QString& file,
     connect(m_measureEmpty, &QPushButton::clicked, m_measure, &QPushButton::click);
     connect(m_measureAllEmpty, &QPushButton::clicked, m_measureAll, &QPushButton::click);
     connect(m_cancel, &QPushButton::clicked, m_measuring, &CostMeasuring::cancel);
-    connect(m_chart, &costs::CostChart::rungClicked, this, [this](const QString& name) {
+    connect(m_chart, &cost::CostChart::rungClicked, this, [this](const QString& name) {
         for (int row = 0; row < m_table->rowCount(); ++row)
             if (m_table->item(row, rungColumn)->data(Qt::UserRole).toString() == name)
                 m_table->setCurrentCell(row, rungColumn);
     });
-    connect(m_chart, &costs::CostChart::exportFailed, this, [this](const QString& message) {
+    connect(m_chart, &cost::CostChart::exportFailed, this, [this](const QString& message) {
         m_messages->post({chrome::Message::Severity::error, message, QString(), QString()});
     });
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) {
@@ -181,7 +181,7 @@ QWidget* CostPage::makeMiddle() {
     m_title = heading(middle);
     m_title->setObjectName(QStringLiteral("title"));
     m_truth = wrapped(middle);
-    m_chart = new costs::CostChart(middle);
+    m_chart = new cost::CostChart(middle);
     m_table = base::named<QTableWidget>("rungs", 0, columns, middle);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);

@@ -25,7 +25,7 @@ class StageBar;
 namespace teleta::chrome {
 class EmptyState;
 }
-namespace teleta::costs {
+namespace teleta::cost {
 class CostChart;
 }
 
@@ -76,7 +76,7 @@ private:
     QLabel* m_progressText;
     QLabel* m_title;
     QLabel* m_truth;
-    costs::CostChart* m_chart;
+    cost::CostChart* m_chart;
     QTableWidget* m_table;
     QStackedWidget* m_results;
     QLabel* m_cameraHeading;

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-using teleta::costs::LogTicker;
+using teleta::cost::LogTicker;
 
 class LogTickerTest : public QObject {
     Q_OBJECT

@@ -283,9 +283,9 @@ private slots:
         QVERIFY(cost::writeCostFile(knownCosts(), file().toStdString()));
         open({quickLadder("contact-flow")});
         QTRY_COMPARE_WITH_TIMEOUT(part<QTableWidget>("rungs").rowCount(), 2, kPatience_ms);
-        auto* chart = m_page->findChild<costs::CostChart*>();
+        auto* chart = m_page->findChild<cost::CostChart*>();
         QTRY_VERIFY(chart->pointOf(QStringLiteral("ultrafast-3.2")).has_value());
-        QSignalSpy clicked(chart, &costs::CostChart::rungClicked);
+        QSignalSpy clicked(chart, &cost::CostChart::rungClicked);
         const QPoint at = chart->pointOf(QStringLiteral("ultrafast-3.2"))->toPoint();
         QTest::mouseClick(chart->childAt(at), Qt::LeftButton, {}, chart->childAt(at)->mapFrom(chart, at));
         QCOMPARE(clicked.count(), 1);
