@@ -6,6 +6,7 @@
 #include <csignal>
 #include <poll.h>
 #include <unistd.h>
+#include <utility>
 
 namespace teleta::cli {
 
@@ -53,6 +54,10 @@ core::Error interruption() {
 
 core::Expected<void> unlessCut(core::Expected<void> completed, bool cut) {
     return completed && cut ? core::Unexpected(interruption()) : completed;
+}
+
+core::Expected<void> unlessCut(core::Expected<void> completed) {
+    return unlessCut(std::move(completed), interrupted());
 }
 
 bool readerIsGone() {

@@ -15,7 +15,9 @@ void catchInterruptions();
 /// The error with which interrupted work ends.
 [[nodiscard]] core::Error interruption();
 /// The outcome of completing the output: interruption() when that went well but the work was cut short.
-[[nodiscard]] core::Expected<void> unlessCut(core::Expected<void> completed, bool cut = interrupted());
+[[nodiscard]] core::Expected<void> unlessCut(core::Expected<void> completed, bool cut);
+/// The same; cut if interrupted() by now, also while the output was completed.
+[[nodiscard]] core::Expected<void> unlessCut(core::Expected<void> completed);
 
 /// Standard output is a pipe that nobody reads any more.
 [[nodiscard]] bool readerIsGone();
