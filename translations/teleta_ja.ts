@@ -4903,16 +4903,16 @@ Run %2 --help for more.
         <translation>力</translation>
     </message>
     <message>
-        <source>ℭZMP x</source>
-        <translation>ℭZMP x</translation>
+        <source>−DZMP x</source>
+        <translation>−DZMP x</translation>
     </message>
     <message>
         <source>CoC y</source>
         <translation>CoC y</translation>
     </message>
     <message>
-        <source>ℭZMP y</source>
-        <translation>ℭZMP y</translation>
+        <source>−DZMP y</source>
+        <translation>−DZMP y</translation>
     </message>
     <message>
         <source>CoC x</source>

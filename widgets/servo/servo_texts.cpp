@@ -73,9 +73,15 @@ QString ServoTexts::run(const QString& source, int number, bool unbalanced, bool
 }
 
 QString ServoTexts::feature(int row, bool edge) {
-    static constexpr std::array kOfEdge{QT_TR_NOOP("CoP x"),        QT_TR_NOOP("CoP y"),
-                                        QT_TR_NOOP("Force"),        QT_TR_NOOP("\u2212DZMP x"),
-                                        QT_TR_NOOP("\u2212DZMP y"), QT_TR_NOOP("\u03b1 z")};
+    // The minus sign is a literal of its own: lupdate would take the D as a digit of its code.
+    static constexpr std::array kOfEdge{QT_TR_NOOP("CoP x"),
+                                        QT_TR_NOOP("CoP y"),
+                                        QT_TR_NOOP("Force"),
+                                        QT_TR_NOOP("\u2212"
+                                                   "DZMP x"),
+                                        QT_TR_NOOP("\u2212"
+                                                   "DZMP y"),
+                                        QT_TR_NOOP("\u03b1 z")};
     static constexpr std::array kOfPoint{QT_TR_NOOP("CoP x"), QT_TR_NOOP("CoP y"), QT_TR_NOOP("Force"),
                                          QT_TR_NOOP("CoC y"), QT_TR_NOOP("CoC x"), QT_TR_NOOP("\u03b1 z")};
     return tr((edge ? kOfEdge : kOfPoint)[static_cast<std::size_t>(row)]);
