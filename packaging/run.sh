@@ -3,7 +3,7 @@
 # Installs what is missing, builds the programs and starts the console. Without a file or a device to open, it shows a
 # simulated touch.
 #   run.sh [arguments of teleta-console]
-# Without a display it starts one in memory, takes a picture of the console, says where it is, and ends.
+# Without a display it starts one in memory, takes a picture of the console, prints its path, and ends.
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 

@@ -9,7 +9,7 @@
 #               and undefined-behaviour sanitizers
 # Runs only when named:
 #   alone       the programs of the preset dev: each source compiles by itself, without the other sources of a unity build,
-#               and with assertions (about 12 minutes on 2 cores from nothing)
+#               and with assertions (about 12 minutes on 2 cores with an empty cache)
 #   soak        takes many minutes: every effect of every scene with a camera left out once; the console for an hour
 #               with arm, array, camera, bracelet and recording (TELETA_SOAK_S: other seconds)
 # Arguments name the checks to run. Every check runs, even when another one fails; the summary comes last.

@@ -57,7 +57,7 @@ teleta simulate tactile-indenter --duration 1 --out run >/dev/null
 [[ -s run/summary.json ]] || fail "simulate left no summary"
 teleta replay run/recording.teleta --out features.csv
 (($(wc -l <features.csv) > 10)) || fail "a recording could not be replayed"
-teleta simulate servo-bent-bar --duration 3 --out servo --figures svg,pdf >/dev/null
+teleta simulate servo-bent-bar --duration 6 --out servo --figures svg,pdf >/dev/null
 compgen -G 'servo/*.pdf' >/dev/null || fail "no figure was drawn"
 teleta study rehearse --participants 2 --seed 1 --out study >/dev/null
 teleta study analyze study --out results >/dev/null
