@@ -59,7 +59,6 @@ public:
     [[nodiscard]] PatternsPage& patternsPage() { return *m_patterns; }
     [[nodiscard]] StudyPage& studyPage() { return *m_study; }
     [[nodiscard]] CalibratePage& calibratePage() { return *m_calibrate; }
-    [[nodiscard]] CostPage& costPage() { return *m_cost; }
     [[nodiscard]] OperatePage& operatePage() { return *m_operate; }
     [[nodiscard]] RecordingControls& recording() { return *m_recording; }
     /// Whether a source failed to open since the start; decides the exit code of --screenshot.

@@ -66,7 +66,7 @@ QLabel* heading(QWidget* parent) {
     return label;
 }
 
-/// What is below each other in a column of the page.
+/// Stacks widgets in a column of the page.
 QVBoxLayout* columnOf(QWidget* column, std::initializer_list<QWidget*> widgets) {
     auto* layout = new QVBoxLayout(column);
     const int margin = base::grid(column, 2);
@@ -159,8 +159,8 @@ QWidget* CostPage::makeLadderColumn() {
     m_progress->setRange(0, 1000);
     m_progress->setTextVisible(false);
     m_progressText = wrapped(column);
-    // They keep their places, so that nothing that begins a measuring comes under a mouse that is about to
-    // end one.
+    // They keep their places when hidden, so that a click that is meant to cancel never hits a button that
+    // starts a measurement.
     for (QWidget* widget : {static_cast<QWidget*>(m_cancel), static_cast<QWidget*>(m_progress)}) {
         QSizePolicy policy = widget->sizePolicy();
         policy.setRetainSizeWhenHidden(true);
@@ -242,12 +242,6 @@ QWidget* CostPage::makeCameraColumn() {
 std::string CostPage::ladderShown() const {
     const QListWidgetItem* item = m_list->currentItem();
     return item == nullptr ? std::string() : item->data(Qt::UserRole).toString().toStdString();
-}
-
-void CostPage::showLadder(const QString& name) {
-    for (int row = 0; row < m_list->count(); ++row)
-        if (m_list->item(row)->data(Qt::UserRole).toString() == name)
-            m_list->setCurrentRow(row);
 }
 
 void CostPage::showLadders() {

@@ -45,7 +45,6 @@ public:
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
     /// Shows the progress and what the camera does; null: there is none.
     void tick(const std::shared_ptr<pipeline::CameraChannel>& camera);
-    void showLadder(const QString& name);
 
 signals:
     void demoCameraRequested();
