@@ -60,8 +60,13 @@ FeedbackPanel::FeedbackPanel(BraceletService& station, QWidget* parent)
     m_station.setMode(mode());
     offerPatterns();
     connect(&m_station, &BraceletService::felt, this, &FeedbackPanel::showLast);
-    base::keepTranslated(this, &FeedbackPanel::retranslate);
-    base::onChange(this, &FeedbackPanel::offerPatterns, {QEvent::LanguageChange}); // whose names are told
+    retranslate();
+    base::onChange(this,
+                   [this] {
+                       offerPatterns(); // before their new names are used
+                       retranslate();
+                   },
+                   {QEvent::LanguageChange});
 }
 
 FeedbackMode FeedbackPanel::mode() const {
