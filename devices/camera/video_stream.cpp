@@ -12,7 +12,6 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>

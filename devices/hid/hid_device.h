@@ -24,7 +24,7 @@ public:
     [[nodiscard]] virtual int read(std::span<std::uint8_t> report, int timeout_ms) = 0;
     /// Asks for the feature report whose id is the first byte: number of bytes with the id, -1 on failure.
     [[nodiscard]] virtual int getFeature(std::span<std::uint8_t> /*report*/) { return -1; }
-    /// The product, as the device tells it.
+    /// The product name that the device reports.
     [[nodiscard]] virtual std::string name() const { return {}; }
 };
 
@@ -34,7 +34,7 @@ struct HidDeviceInfo {
     std::string product{};
     std::uint16_t vendorId = 0;
     std::uint16_t productId = 0;
-    std::uint16_t usagePage = 0; ///< 0 when the system does not tell
+    std::uint16_t usagePage = 0; ///< 0 when the system does not know it
     std::uint16_t usage = 0;
 };
 
@@ -46,7 +46,7 @@ struct HidDeviceInfo {
 [[nodiscard]] std::unique_ptr<HidDevice> openHidDevice(const HidDeviceInfo& info,
                                                        std::optional<core::NodeClaim> claim = {});
 
-/// Whether there is such a node that may not be read and written.
+/// Whether the node exists but may not be read or written.
 [[nodiscard]] bool isForbidden(const std::string& path);
 
 } // namespace teleta::hid

@@ -5,9 +5,7 @@
 #include "devices/modbus/input_reader.h"
 #include "devices/modbus/modbus_bracelet.h"
 
-#include <algorithm>
 #include <array>
-#include <utility>
 
 namespace teleta::modbus {
 

@@ -8,7 +8,6 @@
 #include <QString>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace teleta::modbus {

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] virtual core::DeviceStatus status() const = 0;
 };
 
-/// On a SourceOutlet or a CameraOutlet, of which it has the state.
+/// Forwards state and status to a SourceOutlet or a CameraOutlet.
 template <typename Outlet>
 class PlaybackOutletOn : public PlaybackOutlet {
 public:

@@ -101,9 +101,9 @@ public:
 [[nodiscard]] core::Expected<std::unique_ptr<PlaybackRecording>>
 openTeletaRecording(const RecordedConfig& config);
 
-/// Recorded tactile frames in a CSV file, which a thread of its own indexes while they are played. Times
-/// count from the first frame. Reads the header and the first frames, which tell the frame rate (0: unknown),
-/// and describes the array in the configuration.
+/// Recorded tactile frames in a CSV file; a thread of its own indexes the file while they are played. Times
+/// count from the first frame. Reads the header and the first frames to find the frame rate (0: unknown), and
+/// describes the array in the configuration.
 /// Error: the file cannot be opened or read, has no frames, does not fit the layout, or is a pipe.
 [[nodiscard]] core::Expected<std::unique_ptr<PlaybackRecording>> openCsvRecording(CsvConfig& config);
 

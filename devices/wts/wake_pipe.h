@@ -9,7 +9,8 @@
 
 namespace teleta::wts {
 
-/// Waits for events until the deadline (steady time), also when a signal interrupts it. Returns as ppoll().
+/// Waits for events until the deadline (steady time), even if a signal interrupts the wait. Result: that
+/// of ppoll().
 int pollUntil(std::span<pollfd> polled, std::int64_t deadline_ns);
 
 /// Ends a wait in poll() from another thread.

@@ -9,7 +9,6 @@
 #include <QString>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace teleta::wts {

@@ -24,10 +24,10 @@ struct Command {
     std::function<core::Expected<void>()> run;
 };
 
-/// A command that an object does. Its declare(CLI::App&) declares arguments and options, which are written
-/// into its members. Its run() does the work once the command line is parsed: the error decides the exit code
-/// (exitCode()); options that contradict each other or the data throw CLI::ValidationError, which is wrong
-/// usage.
+/// A command whose work is done by an object. Its declare(CLI::App&) declares arguments and options, which
+/// are written into its members. Its run() does the work once the command line is parsed: the error decides
+/// the exit code (exitCode()); options that contradict each other or the data are refused (refuse()), which
+/// is wrong usage.
 template <typename Work>
 Command makeCommand(const char* name, QString summary, const char* example) {
     auto work = std::make_shared<Work>();

@@ -29,7 +29,7 @@ CLI::Option* addOption(CLI::App& app, const char* name, Value& value, const QStr
     return addOption(app, name, value, help, type)->check(check)->capture_default_str();
 }
 
-/// An option that takes some words only, which the help lists.
+/// An option that takes one of these words, which the help lists.
 template <typename Value>
 CLI::Option* addChoice(CLI::App& app, const char* name, Value& value, const QString& help,
                        const std::vector<std::string>& words) {
@@ -49,7 +49,7 @@ CLI::Option* addFlag(CLI::App& app, const char* name, bool& value, const QString
 /// A whole number of 64 bits without a sign, in decimal digits.
 [[nodiscard]] CLI::Validator seed();
 
-/// Ends the program as one that was called wrongly, with what is wrong about an option.
+/// Throws CLI::ValidationError, which ends the program as wrong usage. text: what is wrong with the option.
 [[noreturn]] void refuse(const char* option, const QString& text);
 
 /// The base of a command whose work is split into subcommands, one of which has to be given.

@@ -8,7 +8,7 @@
 
 namespace teleta::cli {
 
-/// Writes the contacts of a frame that are there or have just ended, a row each.
+/// Writes one row for each contact of a frame that is seen or has just ended.
 void writeContacts(RowOutput& rows, long long frame, double time_s, const vision::CameraTracker& tracker,
                    std::span<const vision::FollowedContact> contacts);
 

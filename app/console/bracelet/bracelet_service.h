@@ -22,9 +22,9 @@
 namespace teleta::console {
 
 /// The bracelet of the console, which all pages share: which one is connected, who may drive it, what is felt
-/// of a touch. Others open it (BraceletOpener), keep its wearer's limits (LimitsKeeper) and time
-/// it (TouchToSkin). Thread: GUI; no call waits but the destructor, for a
-/// device that is being opened or closed.
+/// of a touch. Other classes open it (BraceletOpener), keep its wearer's limits (LimitsKeeper) and time it
+/// (TouchToSkin). Thread: GUI; no call waits, except the destructor for a device that is being opened or
+/// closed.
 class BraceletService : public QObject {
     Q_OBJECT
 

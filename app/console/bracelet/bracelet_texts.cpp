@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BraceletService: what it says of the bracelet.
+// BraceletService: its texts about the bracelet.
 #include "app/console/bracelet/bracelet_service.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"

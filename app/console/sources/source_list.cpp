@@ -29,7 +29,7 @@ std::string besideList(const std::string& listPath, const std::string& path) {
         .toStdString();
 }
 
-/// Describes the key of a path; one that is not given leaves it as it is.
+/// Describes a key that holds a path. path stays as it is if the key is missing.
 void describePath(Keys& keys, std::string_view key, const std::string& listPath, std::string& path,
                   std::string_view about, Need need = Need::required) {
     std::string given;

@@ -7,7 +7,7 @@ namespace teleta::cli {
 
 /// Camera, lens and handedness from pairs of pixels and points on the cylinder.
 [[nodiscard]] Command calibrateCommand();
-/// Contacts on the soft tube in a video, or in what a camera sees now, a row a contact of a frame.
+/// Contacts on the soft tube in a video or live from a camera, one row per contact and frame.
 [[nodiscard]] Command trackCommand();
 
 } // namespace teleta::cli

@@ -33,14 +33,14 @@ struct DevicesText {
     Q_DECLARE_TR_FUNCTIONS(DevicesCommand)
 };
 
-/// One quantity that a device tells.
+/// One quantity that a device reports.
 struct DeviceValue {
     std::string name;
     double value = 0.0;
     std::string unit;
 };
 
-/// A device that was found, or that was looked for in vain.
+/// A device that was found, or one that was looked for and not found.
 struct FoundDevice {
     std::string kind; ///< hid_bracelet, mouse3d, modbus, wts, camera
     std::string name;

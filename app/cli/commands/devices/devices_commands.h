@@ -5,13 +5,13 @@
 
 namespace teleta::cli {
 
-/// An array of a recording through the same processing as a device's frames, or a camera's pictures.
+/// Plays an array or a camera of a recording through the same processing as a device's frames.
 [[nodiscard]] Command replayCommand();
-/// The streams of a recording as CSV files.
+/// Writes the streams of a recording as CSV files.
 [[nodiscard]] Command exportCommand();
 /// Lists, shows, samples, converts, checks and plays patterns of the bracelet.
 [[nodiscard]] Command patternCommand();
-/// What is connected, why not, and how fast.
+/// Lists connected devices, how fast they are, and why others cannot be used.
 [[nodiscard]] Command devicesCommand();
 
 } // namespace teleta::cli

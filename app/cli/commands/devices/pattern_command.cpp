@@ -239,15 +239,15 @@ private:
         return output.finish();
     }
 
-    /// What m_pattern names, with its motors helped up if that is asked.
-    [[nodiscard]] core::Expected<Pattern> helped(const pattern::MotorProfiles& profiles) const {
+    /// The pattern that m_pattern names, overdriven if --overdrive is given.
+    [[nodiscard]] core::Expected<Pattern> chosenPattern(const pattern::MotorProfiles& profiles) const {
         core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
         return pattern && m_play.overdrive ? pattern::overdriven(*pattern, profiles) : pattern;
     }
 
     [[nodiscard]] core::Expected<void> render() const {
         TELETA_TRY(const pattern::MotorProfiles profiles, motors());
-        TELETA_TRY(const Pattern pattern, helped(profiles));
+        TELETA_TRY(const Pattern pattern, chosenPattern(profiles));
         constexpr std::array<std::string_view, 7> kColumns{"time_s", "t1", "t2", "t3", "t4", "t5", "t6"};
         TELETA_TRY(RowOutput rows, RowOutput::open(kColumns, {m_json, m_outPath}));
         const auto addRow = [&](double t_s, const core::Intensities& intensities) {

@@ -238,7 +238,7 @@ core::Expected<void> playPattern(const pattern::Pattern& drawn, const PlayOption
         TELETA_CHECK(endedWell(player.status()));
     }
     const bool cut = interrupted();
-    // Nothing is felt while whoever reads the output takes his time.
+    // The motors are off before printing, which a slow reader of the output may delay.
     player.stop();
     return unlessCut(print(bracelet, player, program, live, options.json), cut);
 }

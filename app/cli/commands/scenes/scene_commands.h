@@ -7,9 +7,9 @@ namespace teleta::cli {
 
 /// Runs a scene as fast as it can and reports its measures.
 [[nodiscard]] Command simulateCommand();
-/// User studies with simulated participants, and the results of all.
+/// Rehearses user studies with simulated participants, and analyses and exports studies.
 [[nodiscard]] Command studyCommand();
-/// Measures what accuracy costs in time, here and now.
+/// Measures what accuracy costs in time on this machine.
 [[nodiscard]] Command tradeoffCommand();
 
 } // namespace teleta::cli

@@ -71,7 +71,7 @@ QString titleOf(std::span<const cost::Ladder> ladders, const std::string& name) 
     return QString::fromStdString(ladder == ladders.end() ? name : ladder->title);
 }
 
-/// Three digits with a prefix that people read.
+/// Three digits, in the unit that people read most easily.
 QString timeText(double time_s) {
     if (std::isnan(time_s))
         return TradeoffText::tr("refused");
@@ -88,7 +88,7 @@ QString errorText(double error) {
     return std::isnan(error) ? QStringLiteral("NA") : forPeople(error, 3);
 }
 
-/// Columns as wide as they need to be, the first two to the left.
+/// Columns as wide as they need to be, the first three aligned to the left.
 QString table(const std::vector<QStringList>& rows) {
     std::vector<qsizetype> widths;
     for (const QStringList& row : rows)
@@ -219,7 +219,7 @@ public:
         const std::vector<cost::Ladder> ladders = chosen(cost::allLadders(), m_names);
         if (m_list)
             return printLadders(ladders, m_json);
-        // A folder that cannot be made is told before the work, not after it.
+        // If the folder cannot be made, this fails before the work, not after it.
         if (!m_outFolder.empty())
             TELETA_CHECK(makeTradeoffFolder(m_outFolder));
 

@@ -79,7 +79,7 @@ core::Expected<void> printRows(const TaxelGains& gains) {
     return rows.finish();
 }
 
-/// What somebody should know before he uses the gains.
+/// Warns of unused taxels and of an uneven load.
 void warnOf(const TaxelGains& gains) {
     QStringList unused;
     for (std::size_t i = 0; i < gains.taxels.size(); ++i) {

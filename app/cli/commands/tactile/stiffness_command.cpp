@@ -102,9 +102,9 @@ core::Expected<void> printTable(const TouchStiffness& touch) {
     });
 }
 
-/// Why a log tells no stiffness, and what it has to have instead.
-core::Expected<void> explain(Refusal refusal, const std::vector<JointSample>& log,
-                             const stiffness::TouchSettings& settings, const std::string& path) {
+/// Why the log yields no stiffness, and what it must contain instead.
+core::Unexpected explain(Refusal refusal, const std::vector<JointSample>& log,
+                         const stiffness::TouchSettings& settings, const std::string& path) {
     double largest_Nm = 0.0;
     for (const JointSample& sample : log)
         largest_Nm = std::max(largest_Nm, std::abs(sample.torque_Nm));

@@ -5,17 +5,17 @@
 
 namespace teleta::cli {
 
-/// Tactile features of recorded frames, a row a frame.
+/// Tactile features of recorded frames, one row per frame.
 [[nodiscard]] Command featuresCommand();
-/// Contacts of recorded frames with their identities, a row a contact of a frame.
+/// Contacts of recorded frames with their identities, one row per contact and frame.
 [[nodiscard]] Command contactsCommand();
-/// What each taxel's load is multiplied with, from frames under an even load.
+/// The gain of each taxel, from frames under an even load.
 [[nodiscard]] Command gainsCommand();
-/// Stiffness and material of the object that a joint's log has touched.
+/// Stiffness and material of a touched object from the log of a joint.
 [[nodiscard]] Command stiffnessCommand();
 /// Shape and spline of a series of contact points.
 [[nodiscard]] Command contourCommand();
-/// Points on the cylinder that pixels of a calibrated camera show, a row a pixel.
+/// Points on the cylinder that pixels of a calibrated camera show, one row per pixel.
 [[nodiscard]] Command locateCommand();
 
 } // namespace teleta::cli
