@@ -32,18 +32,18 @@ core::Expected<scene::Scene> indenterScene() {
 /// Frames of the scene, part by part.
 using SceneFrames = std::vector<std::vector<float>>;
 
-/// The array of a scene at the beginning of a part. It cannot go back, so a part that is asked for again is
-/// reached from the start by an array of its own.
+/// The array of a scene at the beginning of a part. It only goes forwards, so a part that is asked for again
+/// is reached from the start.
 class SceneArray {
 public:
-    explicit SceneArray(scene::Scene scene)
-        : m_scene(std::move(scene)) {}
+    explicit SceneArray(std::unique_ptr<simulation::SimulatedArray> array)
+        : m_array(std::move(array)) {}
 
     /// The array before the first frame of the part; the caller takes the part's frames.
     simulation::SimulatedArray& at(std::size_t part) {
-        if (!m_array || m_part != part) {
-            m_array = simulation::SimulatedArray::make(m_scene, kSceneSeed).value();
-            std::vector<float> frame(m_scene.taxels().taxels());
+        if (m_part != part) {
+            m_array->restart();
+            std::vector<float> frame(m_array->description().layout.taxels());
             for (std::size_t i = 0; i < part * kFramesPerPart; ++i)
                 m_array->next(frame, false);
         }
@@ -52,15 +52,14 @@ public:
     }
 
 private:
-    scene::Scene m_scene;
     std::unique_ptr<simulation::SimulatedArray> m_array;
     std::size_t m_part = 0; ///< the next
 };
 
 core::Expected<Rung> effectRung(const std::string& name, const std::string& parameter,
                                 const scene::Scene& scene, const std::shared_ptr<const SceneFrames>& truth) {
-    TELETA_CHECK(simulation::SimulatedArray::make(scene, kSceneSeed));
-    const auto array = std::make_shared<SceneArray>(scene);
+    TELETA_TRY(auto made, simulation::SimulatedArray::make(scene, kSceneSeed));
+    const auto array = std::make_shared<SceneArray>(std::move(made));
     const auto run = [=](Trial& trial) {
         const std::size_t part = trial.index() % kParts;
         simulation::SimulatedArray& taxels = array->at(part);
