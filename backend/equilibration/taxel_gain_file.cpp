@@ -4,10 +4,10 @@
 #include "backend/core/data/csv_number.h"
 #include "backend/core/data/csv_reader.h"
 #include "backend/core/data/csv_writer.h"
+#include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -157,7 +157,7 @@ core::Expected<TaxelGains> readTaxelGains(const std::string& path, const core::A
 }
 
 core::Expected<void> writeTaxelGains(const TaxelGains& gains, const std::string& path) {
-    QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
+    TELETA_CHECK(core::makeFolder(QFileInfo(QString::fromStdString(path)).absolutePath().toStdString()));
     TELETA_TRY(auto csv, core::CsvWriter::create(path, kTaxelGainColumns));
     writeTaxelGainRows(gains, csv);
     return csv.finish();
