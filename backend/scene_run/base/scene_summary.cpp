@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/base/scene_summary.h"
 
+#include "backend/core/data/json_document.h"
 #include "backend/core/data/output_file.h"
 #include "backend/core/quantile.h"
 
@@ -90,7 +91,7 @@ void reportContactErrors(const std::vector<double>& errors_m, ordered_json& meas
 }
 
 core::Expected<void> writeJson(const std::string& path, const ordered_json& document) {
-    return core::writeFile(path, document.dump(2) + '\n');
+    return core::writeFile(path, core::jsonText(document));
 }
 
 } // namespace teleta::scene_run

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/report/study_export.h"
 
+#include "backend/core/data/json_document.h"
 #include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"
 #include "backend/study/protocol/stimulus_set.h"
@@ -87,7 +88,7 @@ std::string psychDsDescription(const StudyHead& head) {
         {"name", head.protocol.name},        {"description", head.protocol.description},
         {"schemaVersion", "Psych-DS 0.4.0"}, {"variableMeasured", kTrialColumns},
         {"mode", toString(head.mode)},       {"seed", std::to_string(head.seed)}};
-    return description.dump(2) + "\n";
+    return core::jsonText(description);
 }
 
 std::string bidsDescription(const StudyHead& head) {
@@ -96,7 +97,7 @@ std::string bidsDescription(const StudyHead& head) {
         {"BIDSVersion", "1.8.0"},
         {"DatasetType", "raw"},
         {"GeneratedBy", ordered_json::array({{{"Name", "TeleTA Console"}, {"Version", head.appVersion}}})}};
-    return description.dump(2) + "\n";
+    return core::jsonText(description);
 }
 
 /// Metadata of a session's trials.
@@ -175,7 +176,7 @@ core::Expected<void> writeTable(const StudyStore& store, const std::string& path
         if (!session.is_null())
             sidecar["session"] = session;
     }
-    return writeChecked(whole + ".json", sidecar.dump(2) + "\n");
+    return writeChecked(whole + ".json", core::jsonText(sidecar));
 }
 
 core::Expected<void> writeSession(const StudyStore& store, const Participant& participant,

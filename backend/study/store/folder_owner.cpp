@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/store/folder_owner.h"
 
+#include "backend/core/data/json_document.h"
 #include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"
 #include "backend/study/store/store_values.h"
@@ -65,7 +66,7 @@ core::Expected<void> ownFolder(const std::string& folder, const StudyHead& head,
     const ordered_json mark{{"server", shownName},
                             {"created_utc", timeText(head.created).toStdString()},
                             {"seed", std::to_string(head.seed)}};
-    return core::writeFile(markOf(folder).toStdString(), mark.dump(2) + '\n');
+    return core::writeFile(markOf(folder).toStdString(), core::jsonText(mark));
 }
 
 } // namespace teleta::study
