@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/figure/figure_file.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 #include <QString>
 
@@ -34,14 +36,10 @@ using Handle = std::unique_ptr<RsvgHandle, HandleCloser>;
 using Surface = std::unique_ptr<cairo_surface_t, SurfaceCloser>;
 using Context = std::unique_ptr<cairo_t, ContextCloser>;
 
-core::Unexpected failed(core::ErrorKind kind, const QString& message) {
-    return core::Unexpected(core::Error{kind, message.toStdString(), {}, {}});
-}
-
 core::Unexpected failed(core::ErrorKind kind, GError* error) {
     const QString message = error == nullptr ? QString() : QString::fromUtf8(error->message);
     g_clear_error(&error);
-    return failed(kind, FigureText::tr("cannot draw the picture: %1").arg(message));
+    return core::failed(kind, FigureText::tr("cannot draw the picture: %1").arg(message));
 }
 
 cairo_status_t append(void* text, const unsigned char* bytes, unsigned int count) {
@@ -65,7 +63,7 @@ core::Expected<Drawing> read(const std::string& svg) {
     const gboolean hasSize =
         rsvg_handle_get_intrinsic_size_in_pixels(drawing.handle.get(), &drawing.width, &drawing.height);
     if (hasSize == FALSE || !(drawing.width > 0.0 && drawing.height > 0.0))
-        return failed(core::ErrorKind::badInput, FigureText::tr("the picture has no size"));
+        return core::failed(core::ErrorKind::badInput, FigureText::tr("the picture has no size"));
     return drawing;
 }
 
@@ -77,8 +75,8 @@ core::Expected<void> draw(const Drawing& drawing, cairo_surface_t* surface, doub
         return failed(core::ErrorKind::ioFailed, error);
     cairo_show_page(context.get());
     if (cairo_status(context.get()) != CAIRO_STATUS_SUCCESS)
-        return failed(core::ErrorKind::ioFailed,
-                      QString::fromUtf8(cairo_status_to_string(cairo_status(context.get()))));
+        return core::failed(core::ErrorKind::ioFailed,
+                            QString::fromUtf8(cairo_status_to_string(cairo_status(context.get()))));
     return {};
 }
 
@@ -93,8 +91,8 @@ core::Expected<std::string> pdfOf(const std::string& svg) {
         TELETA_CHECK(draw(drawing, surface.get(), kPointsPerPx));
         cairo_surface_finish(surface.get());
         if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-            return failed(core::ErrorKind::ioFailed,
-                          QString::fromUtf8(cairo_status_to_string(cairo_surface_status(surface.get()))));
+            return core::failed(core::ErrorKind::ioFailed, QString::fromUtf8(cairo_status_to_string(
+                                                               cairo_surface_status(surface.get()))));
     }
     return pdf;
 }
@@ -104,14 +102,15 @@ core::Expected<std::string> pngOf(const std::string& svg, double scale) {
     const double width = std::ceil(drawing.width * scale);
     const double height = std::ceil(drawing.height * scale);
     if (!(width >= 1.0 && height >= 1.0 && width <= kMostPixels && height <= kMostPixels))
-        return failed(core::ErrorKind::badInput, FigureText::tr("the picture would have too many pixels"));
+        return core::failed(core::ErrorKind::badInput,
+                            FigureText::tr("the picture would have too many pixels"));
     const Surface surface(
         cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height)));
     TELETA_CHECK(draw(drawing, surface.get(), scale));
     std::string png;
     const cairo_status_t written = cairo_surface_write_to_png_stream(surface.get(), append, &png);
     if (written != CAIRO_STATUS_SUCCESS)
-        return failed(core::ErrorKind::ioFailed, QString::fromUtf8(cairo_status_to_string(written)));
+        return core::failed(core::ErrorKind::ioFailed, QString::fromUtf8(cairo_status_to_string(written)));
     return png;
 }
 

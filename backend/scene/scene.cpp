@@ -2,6 +2,7 @@
 #include "backend/scene/scene.h"
 
 #include "backend/core/data/key_check.h"
+#include "backend/core/failure.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -25,7 +26,7 @@ void describeRate(Keys& keys, double& rate_Hz) {
 
 core::Expected<void> checkKind(const Scene& scene, bool fits, const QString& otherwise) {
     if (!fits)
-        return core::Unexpected(core::Error{core::ErrorKind::badInput, otherwise.toStdString(), {}, {}});
+        return core::failed(core::ErrorKind::badInput, otherwise);
     return checkScene(scene);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/camera/simulated_tube.h"
 
+#include "backend/core/failure.h"
 #include "backend/simulation/base/listed_effects.h"
 
 #include <QCoreApplication>
@@ -63,11 +64,8 @@ core::Expected<std::unique_ptr<SimulatedTube>> SimulatedTube::make(const scene::
     TELETA_CHECK(checkCameraScene(scene));
     std::unique_ptr<SimulatedTube> tube(new SimulatedTube(scene, seed));
     if (!tube->m_renderer)
-        return core::Unexpected(core::Error{
-            core::ErrorKind::badInput,
-            TubeText::tr("the lens folds the image over itself: no camera has such a lens").toStdString(),
-            {},
-            {}});
+        return core::failed(core::ErrorKind::badInput,
+                            TubeText::tr("the lens folds the image over itself: no camera has such a lens"));
     return tube;
 }
 
