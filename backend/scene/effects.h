@@ -23,12 +23,12 @@ enum class ActsOn {
     camera,       ///< the camera inside a soft tube
 };
 
-/// The row of the table of effects that each of the types below is; describeKeys() says what its values mean.
-/// Its maker, where one is needed, is
+/// A row of the table of effects. Each type below is one; its describeKeys() says what its values mean. Its
+/// maker, where one is needed, is
 ///   makeEffect(const simulation::Listed<Spec>&)
 /// in backend/simulation.
 struct EffectRow {
-    std::string_view name; ///< in files, in summaries and of its random stream
+    std::string_view name; ///< in files and summaries, and of its random stream
     ActsOn actsOn;
     std::string_view why; ///< what it stands for in the real world
 };
@@ -70,7 +70,8 @@ struct GainSpreadSpec {
     static constexpr EffectRow kRow{"gain_spread", ActsOn::taxels, "No two taxels are made alike"};
     double sd = 0.0;
     void describeKeys(Keys& keys) {
-        keys.number("sd", sd, kShare, "Standard deviation of the logarithm of the taxels' gains");
+        keys.number("sd", sd, NumberRange::between(0.0, 1.0),
+                    "Standard deviation of the logarithm of the taxels' gains");
     }
 };
 
@@ -127,7 +128,7 @@ struct LatencySpec {
                                     "Readings come late, as over a bus or through a filter"};
     double delay_s = 0.0;
     void describeKeys(Keys& keys) {
-        keys.number("delay_s", delay_s, kShare, "The delay, rounded to whole frames");
+        keys.number("delay_s", delay_s, NumberRange::between(0.0, 1.0), "The delay, rounded to whole frames");
     }
 };
 
@@ -230,7 +231,8 @@ struct ContactDampingSpec {
                                     "The cover gives back less than it takes"};
     double time_s = 0.0;
     void describeKeys(Keys& keys) {
-        keys.number("time_s", time_s, kShare, "Damping of the pressed cover over its stiffness");
+        keys.number("time_s", time_s, NumberRange::between(0.0, 1.0),
+                    "Damping of the pressed cover over its stiffness");
     }
 };
 
@@ -330,8 +332,8 @@ struct Effect {
     return rowOf(effect).name;
 }
 
-/// Describes the keys of one effect; effect: one of a scene that can have those that act on these.
-/// layout: of the scene's taxels; earlier: the effects that the scene lists before it.
+/// Describes the keys of one effect of a scene. canHave: what its effects can act on; layout: of its taxels;
+/// earlier: the effects that it lists before this one.
 void describeEffect(Keys& keys, Effect& effect, const std::vector<ActsOn>& canHave,
                     const core::ArrayLayout& layout, std::span<const Effect> earlier);
 
