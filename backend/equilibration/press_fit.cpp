@@ -90,7 +90,7 @@ private:
         return static_cast<std::size_t>(std::ranges::count(m_states, TaxelState::good));
     }
 
-    /// What is done to a taxel meanwhile does not change which are the next ones.
+    /// A loop over them may change the state of the taxel that it is at.
     [[nodiscard]] auto goodTaxels() const {
         return std::views::iota(std::size_t{0}, m_taxels) |
                std::views::filter([this](std::size_t taxel) { return isGood(taxel); });

@@ -269,7 +269,7 @@ std::optional<LagFit> fitLag(const MotorRecording& recording, double start,
             variance += change * change;
             sharesSquared += share * share;
         }
-        // A few large steps hold most of what is known of a lag: 1.96 errors shall be Student's 95 %.
+        // A few large steps hold most of what is known of a lag, so 1.96 errors are made Student's 95 %.
         const double widened =
             boost::math::quantile(boost::math::students_t(std::max(1.0 / sharesSquared - 1.0, 1.0)), 0.975) /
             kNormalQuantile95;
@@ -278,7 +278,7 @@ std::optional<LagFit> fitLag(const MotorRecording& recording, double start,
     const auto fromResiduals = [&](Eigen::Index k) {
         return deviation_Hz * deviation_Hz * std::max(inverse(k, k), 0.0);
     };
-    // A level is held in one or two steps, which tell nothing of their scatter.
+    // A level is held in one or two steps, which say nothing about the scatter between steps.
     const auto error = [&](Eigen::Index k) {
         return std::sqrt(k < kLevels ? std::max(fromResiduals(k), betweenSteps(k)) : fromResiduals(k));
     };

@@ -35,7 +35,7 @@ struct LagFit {
 ///   below
 /// steady: 0 below `start`, otherwise linear between the levels. All levels and both time constants are
 /// fitted together (Levenberg-Marquardt; the model is integrated exactly between samples), so a level need
-/// not have settled. When a drive changes, it acts somewhere between the last sample with the old drive and
+/// not have settled. When the drive changes, it acts somewhere between the last sample with the old drive and
 /// the first with the new one; where on average is fitted too. Standard errors of the time constants are the
 /// larger of two: from the residuals, widened by their autocorrelation, and from the scatter between the
 /// steps (jackknife to first order: Cameron and Miller, Journal of Human Resources 50 (2015) 317). levels: at

@@ -18,7 +18,7 @@ struct MotorFit {
     double startError = 0.0;       ///< standard error of a start uniformly distributed between the two
     double riseError_s = 0.0;
     double fallError_s = 0.0;
-    double gapShare = 0.0;            ///< share of the time without samples (gaps over three typical ones)
+    double gapShare = 0.0;            ///< share of the time in gaps: longer than three typical intervals
     std::vector<SpeedLevel> levels;   ///< measured steady speeds
     double residual_Hz = 0.0;         ///< root mean square while the motor turns
     double explained = 0.0;           ///< explained share of the variance, 0.9 .. 1

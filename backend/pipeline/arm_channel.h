@@ -27,12 +27,13 @@ struct ArmSettings {
     ContourSettings contour;
 };
 
-/// What the pipeline knows of one arm after its newest sample. Views get it as a constant and own no truth.
+/// What the pipeline knows about one arm after its newest sample. Views get it as a constant.
 struct ArmSnapshot {
     core::JointSample newest;
     core::ArmDrive drive = core::ArmDrive::held;
-    /// Of the first sample since the arm began anew, with a time of its own that ran back: objects and
-    /// touches are of what came after it. 0: it has not. A recording that is sought back does not.
+    /// Steady time of the first sample since the arm started over, which shows when its own time runs back;
+    /// objects and touches are of the time since. 0: it has not started over. Seeking in a recording does not
+    /// count.
     std::int64_t begun_ns = 0;
     std::optional<LiveContact> contact;
     std::optional<TouchRecord> lastTouch;

@@ -17,7 +17,7 @@ namespace teleta::playback {
 /// Drives a bracelet from one playback thread: plays programs, or follows live setpoints, within the safety
 /// limits. Playing always ends with a zero frame, and nothing plays again unless asked:
 ///   idle -> program -> idle (finished, stopped, stopSwitch, deviceLost, sourceFailed, stalled, tooHot)
-///   idle -> live    -> idle (the same but finished)
+///   idle -> live    -> idle (the same except finished)
 /// Without a setpoint for PlayerConfig::setpointLifetime_ns all is off; live continues with the next one.
 /// Thread: any. Calls return at once and take effect in the next cycle; the latest one wins. The destructor,
 /// from one controlling thread, waits for the playback thread.

@@ -18,7 +18,7 @@ SafetyLimits sane(SafetyLimits limits) {
     for (double& limit : limits.userLimit)
         limit = clamped(limit, 0.0, 1.0);
     limits.rise_perS = clamped(limits.rise_perS, 0.0, kInfinity);
-    // An unknown limit of falling is none.
+    // A limit that is NaN or not positive does not slow down falls.
     limits.fall_perS = limits.fall_perS > 0.0 ? limits.fall_perS : kInfinity;
     limits.heatBudget = clamped(limits.heatBudget, 0.0, 1.0);
     if (!(limits.heatTime_s > 0.0) || std::isinf(limits.heatTime_s)) {
@@ -28,7 +28,7 @@ SafetyLimits sane(SafetyLimits limits) {
     return limits;
 }
 
-/// Without a limit, any way, even in no time.
+/// Largest change of the intensity; without a limit infinite, even for a time of 0.
 double way(double speed_perS, double time_s) {
     return std::isinf(speed_perS) ? speed_perS : speed_perS * time_s;
 }

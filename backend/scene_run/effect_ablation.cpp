@@ -136,7 +136,7 @@ MeasureChange numberChange(const std::string& name, const Runs& with, const Runs
             ++change.differing;
     }
     change.mean = mean(all);
-    // What one seed only has cannot be told from chance.
+    // One seed does not show what is chance.
     change.spreadWith = all.size() > 1 ? standardDeviation(all) : kUnknown;
     change.spreadWithout = others.size() > 1 ? standardDeviation(others) : kUnknown;
     change.meanWithout = mean(others);

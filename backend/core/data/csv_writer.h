@@ -55,7 +55,8 @@ public:
     /// Ends the row, which must have one value a column.
     void endRow();
 
-    /// Writes a whole row: texts, whole numbers, numbers as above, ranges of these, and NA for what is empty.
+    /// Writes a whole row: texts, whole numbers, numbers as above, ranges of these, optionals of these (NA
+    /// when empty).
     template <typename... Values>
     void row(const Values&... values) {
         (put(values), ...);

@@ -40,8 +40,8 @@ private:
     std::unique_ptr<nlohmann::ordered_json> m_root; ///< keeps its address when the document is moved
 };
 
-/// A value as the text of a file: indented by 2, what is not UTF-8 replaced, a line feed at the end. Thread:
-/// any (pure).
+/// A value as the text of a file: indented by 2, invalid UTF-8 replaced, a line feed at the end. Thread: any
+/// (pure).
 [[nodiscard]] std::string jsonText(const nlohmann::ordered_json& value);
 
 /// Reads the values of a document one by one. The first error is kept in error(); from then on all results

@@ -6,8 +6,8 @@
 
 namespace teleta::core {
 
-/// Checks values against what their keys accept. A program's own value may leave out what
-/// only a file has to give: texts, and the tables of its top.
+/// Checks values against what their keys accept. A program's own value may leave out what only a file has to
+/// give: texts, and the tables at the top level.
 class KeyCheck : public Keys {
 public:
     explicit KeyCheck(std::string path = {})

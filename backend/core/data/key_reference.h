@@ -36,8 +36,8 @@ struct ReferenceTable {
     std::vector<Row> rows;
 };
 
-/// Collects the keys of values as they are by default: each table with its rows, the tables in
-/// it behind it.
+/// Collects the keys of values and, as defaults, what these values hold: each table with its rows, followed
+/// by the tables in it.
 class KeyReference : public Keys {
 public:
     explicit KeyReference(ReferenceWords words = {});

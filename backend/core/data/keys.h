@@ -70,8 +70,8 @@ using KeyNames = std::vector<KeyName>;
 /// The keys of a table in a file, described one after the other: name, where the value lies, what it accepts,
 /// what it means. A type describes its keys once, in its member
 ///   void describeKeys(core::Keys& keys);
-/// and each kind of Keys uses the descriptions: TomlKeys reads a file, KeyCheck checks a value that a
-/// program made, KeyReference writes the handbook's page. So no range stands twice.
+/// and each kind of Keys uses the descriptions: TomlKeys reads a file, KeyCheck checks a value that a program
+/// made, KeyReference writes the handbook's page. So each range is written down once.
 /// about: one English sentence without a full stop at its end. Thread: one.
 class Keys {
 public:
@@ -126,8 +126,8 @@ public:
     void word(std::string_view key, const char* text, std::string_view about) {
         choose(key, 0, {text}, about, Need::required, [](Keys&, std::size_t) {});
     }
-    /// One of the names, on which the keys that follow depend: describe(keys, index) describes
-    /// those of one name.
+    /// One of the names, on which the keys that follow depend: describe(keys, index) describes those of one
+    /// name.
     virtual void choose(std::string_view key, std::size_t value, const KeyNames& names,
                         std::string_view about, Need need, const DescribeAt& describe) = 0;
     /// One of the alternatives, whose names stand in their order, and the keys that it has.
@@ -160,7 +160,7 @@ public:
         table(key, value, about, [](Keys& keys, T& known) { known.describeKeys(keys); });
     }
 
-    /// Tables, at least so many: describe(keys, values, index) describes one.
+    /// A list of at least `minimum` tables: describe(keys, values, index) describes one.
     template <typename T, typename DescribeOne>
     void tables(std::string_view key, std::vector<T>& values, std::size_t minimum, std::string_view about,
                 DescribeOne describe) {

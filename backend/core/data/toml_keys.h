@@ -6,7 +6,7 @@
 
 namespace teleta::core {
 
-/// Reads the keys that are described from a table of a TOML document, which keeps the first error.
+/// Reads the described keys from a table of a TOML document, which keeps the first error.
 class TomlKeys : public Keys {
 public:
     /// When the tables in the table are read.
@@ -18,7 +18,7 @@ public:
     };
     explicit TomlKeys(TomlTable table, Nested nested = Nested::atOnce);
 
-    /// Reports unknown and missing keys. Call it after the last key was described.
+    /// Reports unknown and missing keys. Call it after the last key has been described.
     void finish();
 
     using Keys::number;

@@ -9,6 +9,7 @@
 
 namespace teleta::cost {
 
+/// The texts of all ladders.
 struct LadderText {
     Q_DECLARE_TR_FUNCTIONS(CostLadder)
 };

@@ -11,10 +11,11 @@
 
 namespace teleta::pattern {
 
-/// A file of one tactor as text.
+/// Writes the text of one tactor's file.
 using TactorText = core::Expected<std::string> (*)(const Pattern& pattern, std::size_t tactor);
 
-/// "tactor1" with the ending ... "tactor6", for an archive. Error: that of text.
+/// The files "tactor1" + ending ... "tactor6" + ending, for an archive. Error: that of text. Thread: any
+/// (pure).
 [[nodiscard]] core::Expected<std::vector<ZipEntry>> tactorFiles(const Pattern& pattern,
                                                                 const std::string& ending, TactorText text);
 

@@ -67,7 +67,7 @@ void checkFormat(JsonReader& reader, const char* format) {
                     QString::number(kVersion));
 }
 
-/// The last of some points, whose time stands at a place, must not be before the one before.
+/// Refuses the last of some points, whose time is read from `time`, when it is earlier than the one before.
 template <typename Point>
 void checkOrder(JsonReader& reader, const std::vector<Point>& points, const ordered_json& time) {
     if (points.size() > 1 && points.back().time_s < points[points.size() - 2].time_s)

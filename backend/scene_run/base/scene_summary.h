@@ -17,7 +17,7 @@ namespace teleta::scene_run {
 enum class NotCompleted {
     neverInContact, ///< the object was never touched
     lost,           ///< the contact was lost and not found again
-    stalled,        ///< the arm stood still; RunVerdict::limit kept it, if it names one
+    stalled,        ///< the arm stood still, held back by RunVerdict::limit if that names one
     notAligned,     ///< the array did not come into the place that the task needs
 };
 

@@ -48,7 +48,7 @@ public:
         }
     }
 
-    /// A disk that is full is told at once, not at the end of a long run.
+    /// A full disk is reported at once, not at the end of a long run.
     [[nodiscard]] bool failed() const { return (m_contacts && m_contacts->failed()) || m_arm.failed(); }
 
     [[nodiscard]] core::Expected<void> finish() {

@@ -42,15 +42,15 @@ private:
     TubeVelocity m_velocity;
 };
 
-/// What the arm that carries a tube says of itself.
+/// State of the arm that carries a tube.
 struct CarrierState {
     TubePose pose;
-    bool held = false;          ///< by STOP, or because nobody commands it any more
+    bool held = false;          ///< by STOP, or because no commands come any more
     std::uint64_t restarts = 0; ///< of the world
 };
 
-/// What the arm that carries a tube and whoever commands it tell each other. Thread: asked.take and state.set
-/// by the camera's worker; asked.post and state.get from any.
+/// Connects the arm that carries a tube with what commands it. Thread: asked.take and state.set by the
+/// camera's worker; asked.post and state.get from any.
 struct CarrierLink {
     core::Mailbox<TubeVelocity> asked;
     core::LatestCopy<CarrierState> state;

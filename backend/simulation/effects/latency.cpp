@@ -10,7 +10,7 @@ namespace teleta::simulation {
 ///   y_k = x_(k-n),  n = round(delay / step),  0 before the first frame
 TaxelEffect makeEffect(const Listed<scene::LatencySpec>& listed) {
     const auto frames = static_cast<std::size_t>(std::llround(listed.spec.delay_s / listed.step_s));
-    // n frames, one after another, around; next: where the oldest one begins.
+    // A ring of n frames; next: where the oldest one begins.
     return {.name = listed.name(),
             .apply = [waiting_N = std::vector<double>(frames * listed.scene.taxels().taxels()),
                       next = std::ptrdiff_t{0}](std::span<double> load_N) mutable {

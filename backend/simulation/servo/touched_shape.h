@@ -19,7 +19,7 @@ struct Depth {
     Eigen::Vector3d normal;
 };
 
-/// Of a point that is so far from the ball's centre.
+/// Of a point in a ball. away_m: the point from the ball's centre.
 [[nodiscard]] inline Depth depthInBall(double radius_m, const Eigen::Vector3d& away_m) {
     const double distance_m = std::sqrt(away_m.squaredNorm());
     return {radius_m - distance_m,

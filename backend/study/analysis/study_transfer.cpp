@@ -217,7 +217,7 @@ TransferDoubt doubtOf(const ConfusionMatrix& matrix, std::size_t people, double 
     if (static_cast<double>(matrix.total()) <
         patterns * std::max(kFewestPerPattern, kFewestPerCell * patterns))
         return TransferDoubt::fewTrials;
-    // Before fewDifferent: who always gives the same answer tells nothing.
+    // Before fewDifferent: always the same answer says nothing about the patterns.
     if (test.seesNothing())
         return TransferDoubt::likeGuessing;
     return differentAnswers(matrix) < kFewestDifferent ? TransferDoubt::fewDifferent : TransferDoubt::none;

@@ -47,8 +47,8 @@ struct TransferEstimate {
 /// One participant: informationTransfer(), the jackknife over trials.
 /// Bounds of 95 %: at least, where few answers differ: Fano's inequality, with the upper limit of Clopper and
 /// Pearson for the share of wrong answers, their number divided by the design effect between participants;
-/// at most: T + 1.645 se, se the larger of the jackknife's and that of independent trials, and where the G
-/// test sees nothing not below 1/(2 n ln 2) times the noncentrality that G or more rarely falls short of.
+/// at most: T + 1.645 se, se the larger of the jackknife's and that of independent trials; where the G test
+/// finds nothing, at least 1/(2 n ln 2) times the noncentrality with which G is as small as this in 5 %.
 /// participants: a matrix each, all of the same size; those without trials do not count. alternatives: number
 /// of patterns, if the matrices have fewer. Coverage, measured: 92 to 98 % (transfer_coverage_test). Empty
 /// without trials. Thread: any. Sources: Tukey 1958; Busing, Meijer and van der Leeden 1999,

@@ -39,7 +39,7 @@ inline QVariant sqlValue(Outcome outcome) {
 inline QVariant sqlValue(const QDateTime& time) {
     return timeText(time);
 }
-/// An empty text is missing.
+/// An empty text is NULL.
 inline QVariant sqlValue(const std::string& text) {
     return text.empty() ? QVariant(QMetaType(QMetaType::QString)) : QVariant(QString::fromStdString(text));
 }

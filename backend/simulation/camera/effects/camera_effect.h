@@ -22,8 +22,7 @@ struct CameraEffect {
     /// light: factor of each pixel's brightness; places: angle and z of the skin behind it, NaN without any.
     std::function<void(cv::Mat1f& light, const cv::Mat2f& places)> changeLight{};
 
-    /// How long before the end of the exposure each of the moments is that a frame averages; empty: one, at
-    /// the end.
+    /// The moments that a frame averages, in s before the end of the exposure; empty: one, at the end.
     std::vector<double> before_s{};
 
     /// Each frame from top to bottom, a few rows a call, in grey levels.
