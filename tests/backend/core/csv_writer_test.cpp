@@ -8,14 +8,17 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <random>
+#include <string>
 
 using teleta::core::CsvReader;
 using teleta::core::CsvWriter;
 using teleta::core::ErrorKind;
 using teleta::core::Expected;
+using teleta::core::makeFolder;
 using teleta::core::OutputFile;
 using teleta::test::readAll;
 using teleta::test::TemporaryFolder;
@@ -47,6 +50,18 @@ TEST(CsvWriter, writesNumbersShortestAndWhatIsUndefinedAsNA) {
     ASSERT_TRUE(csv->finish());
     EXPECT_EQ(readAll(folder.path("a.csv")), "time_s,x_m,type\n0.1,-2,point\n1e-07,NA,none\n"
                                              "1e+300,NA,\"a,\"\"b\"\"\"\n-12,-inf,\"two\nlines\"\n");
+}
+
+TEST(CsvWriter, writesARowOfTextsNumbersRangesAndOptionals) {
+    const TemporaryFolder folder;
+    Expected<CsvWriter> csv = CsvWriter::create(folder.path("a.csv"), "name,count,x,a,b,known,unknown,word");
+    ASSERT_TRUE(csv);
+    csv->row(std::string("p,q"), std::size_t{3}, 0.1F, std::array{1.5, std::nan("")}, std::optional(2),
+             std::optional<double>(), std::optional("w"));
+    ASSERT_TRUE(csv->finish());
+    EXPECT_EQ(readAll(folder.path("a.csv")),
+              "name,count,x,a,b,known,unknown,word\n\"p,q\",3,0.1,1.5,NA,2,NA,w\n")
+        << "0.1F has the digits of a float";
 }
 
 TEST(CsvWriter, whatItWritesReadsBackAsTheSameNumbers) {
@@ -104,6 +119,18 @@ TEST(OutputFile, aFolderThatIsMissingIsAnErrorWithTheName) {
     EXPECT_EQ(file.error().kind, ErrorKind::ioFailed);
     EXPECT_EQ(file.error().where.file, folder.path("missing/a.csv"));
     EXPECT_FALSE(OutputFile::create(folder.path("")));
+}
+
+TEST(OutputFile, aFolderIsMadeWithThoseAboveItAndNamedWhenItCannotBeMade) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(makeFolder(folder.path("a/b")));
+    EXPECT_TRUE(std::filesystem::is_directory(folder.path("a/b")));
+    EXPECT_TRUE(makeFolder(folder.path("a/b"))) << "it is there";
+    const std::string inFile = folder.write("file", "text") + "/c";
+    const Expected<void> made = makeFolder(inFile);
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().kind, ErrorKind::ioFailed);
+    EXPECT_EQ(made.error().where.file, inFile);
 }
 
 TEST(OutputFile, aFullDeviceIsReportedAtTheEnd) {
