@@ -49,7 +49,7 @@ double pairedMeanTest(std::span<const double> differences) {
     core::RandomStream random(1, "paired mean test");
     for (std::uint64_t i = 0; i < kDrawn; ++i)
         farther += drawnSum(differences, random) >= seen ? 1 : 0;
-    // The seen signs are one more of the possible ones.
+    // The observed signs are one more of the possible ones.
     return static_cast<double>(farther + 1) / static_cast<double>(kDrawn + 1);
 }
 

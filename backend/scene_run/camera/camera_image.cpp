@@ -25,7 +25,7 @@ core::Expected<void> writeReference(const std::string& outFolder, const cv::Mat1
         if (cv::imwrite(path, image))
             return {};
     } catch (const cv::Exception&) {
-        // The same error as of an image that is not written.
+        // Reported like an image that is not written.
     }
     return core::failed(core::ErrorKind::ioFailed, CameraImageText::tr("the image cannot be written"), {},
                         {path});

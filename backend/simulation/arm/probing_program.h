@@ -44,7 +44,7 @@ private:
     void begin(Phase phase);
     void beginTravel(const arm::JointVector& reference_rad);
     void beginMove(Phase phase, double to);
-    /// True: the move is at its end.
+    /// True when the move has ended.
     [[nodiscard]] bool moveOn(double step_s, arm::JointVector& reference_rad);
 
     Settings m_settings;

@@ -50,7 +50,7 @@ struct TransferEstimate {
 /// at most: T + 1.645 se, se the larger of the jackknife's and that of independent trials; where the G test
 /// finds nothing, at least 1/(2 n ln 2) times the noncentrality with which G is as small as this in 5 %.
 /// participants: a matrix each, all of the same size; those without trials do not count. alternatives: number
-/// of patterns, if the matrices have fewer. Coverage, measured: 92 to 98 % (transfer_coverage_test). Empty
+/// of patterns, if the matrices have fewer. Coverage of the intervals: 92 to 96 % (README.md). Empty
 /// without trials. Thread: any. Sources: Tukey 1958; Busing, Meijer and van der Leeden 1999,
 /// doi:10.1023/A:1008800423698 (groups of different size); Cover and Thomas, Elements of Information Theory,
 /// section 2.10 (Fano); Agresti, Categorical Data Analysis, section 6.6 (noncentral chi-squared).

@@ -158,7 +158,7 @@ ordered_json bidsSidecar(const ordered_json& session) {
 }
 
 /// path: in the study's folder, without an extension. bidsSidecar: description of the table in BIDS. session:
-/// what Psych-DS says of the session; null for a table of no session.
+/// what Psych-DS says about the session; null for a table that is not of one.
 core::Expected<void> writeTable(const StudyStore& store, const std::string& path,
                                 const std::vector<TrialRow>& rows, std::span<const std::string_view> columns,
                                 const ordered_json& bidsSidecar, ExportFormat format,
