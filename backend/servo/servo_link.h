@@ -9,10 +9,12 @@
 #include "backend/servo/servo_controller.h"
 #include "backend/servo/servo_step.h"
 #include "backend/servo/servo_tuning.h"
+#include "backend/servo/task_verdict.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace teleta::servo {
 
@@ -36,6 +38,7 @@ struct ServoReport {
     CycleTimes times;                          ///< of a simulated servo since its start; zero cycles: unknown
     double rate_Hz = 0.0;                      ///< of the control cycles
     std::uint64_t restarts = 0;                ///< number of restarts of the world, that is, of earlier runs
+    std::optional<TaskVerdict> verdict;        ///< of this run, if it ended now; empty: unknown
 };
 
 /// Data exchange between the servo of a source and its operator. Thread: reports.back/publish, steps.push,

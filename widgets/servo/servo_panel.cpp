@@ -46,6 +46,7 @@ ServoPanel::ServoPanel(QWidget* parent)
     , m_provenance(new QLabel(this))
     , m_state(new QLabel(this))
     , m_limits(new QLabel(this))
+    , m_verdict(new QLabel(this))
     , m_picture(new ServoPicture(this))
     , m_force20s(new ForceStrip(this))
     , m_cost(new QLabel(this))
@@ -63,10 +64,12 @@ ServoPanel::ServoPanel(QWidget* parent)
     m_state->setFont(base::sized(font(), base::kLargeText));
     m_state->setWordWrap(true);
     m_limits->setWordWrap(true);
+    m_verdict->setWordWrap(true);
     m_cost->setWordWrap(true);
     m_cost->setFont(base::sized(font(), base::kSmallText));
     m_state->setObjectName(QStringLiteral("servoState"));
     m_limits->setObjectName(QStringLiteral("servoLimits"));
+    m_verdict->setObjectName(QStringLiteral("servoVerdict"));
     m_cost->setObjectName(QStringLiteral("servoCost"));
     m_force->setObjectName(QStringLiteral("servoForce"));
     m_slide->setObjectName(QStringLiteral("servoSlide"));
@@ -90,6 +93,7 @@ ServoPanel::ServoPanel(QWidget* parent)
     layout->addLayout(task);
     layout->addWidget(m_state);
     layout->addWidget(m_limits);
+    layout->addWidget(m_verdict);
     layout->addWidget(m_force20s);
     layout->addWidget(m_picture);
     for (QWidget* field : {m_force, m_slide, m_gain}) {
@@ -133,6 +137,10 @@ void ServoPanel::setProvenance(base::Provenance provenance) {
 }
 
 void ServoPanel::setReport(const std::optional<ServoReport>& report) {
+    if (!report || !m_report)
+        m_lastVerdict.reset();
+    else if (report->restarts != m_report->restarts)
+        m_lastVerdict = m_report->verdict;
     m_report = report;
     m_picture->setReport(report);
     m_force20s->setReport(report);
@@ -155,6 +163,7 @@ void ServoPanel::setStopEngaged(bool engaged) {
 }
 
 void ServoPanel::showTexts() {
+    showVerdict();
     const base::StatusColours& colours = base::statusColours(palette());
     m_provenance->setText(base::provenanceText(m_shownProvenance));
     m_provenance->setVisible(m_report && m_shownProvenance != base::Provenance::live);
@@ -181,6 +190,16 @@ void ServoPanel::showTexts() {
     const QString limits = ServoTexts::limits(m_report->recentLimits);
     m_limits->setText(limits.isEmpty() ? tr("No limit acts.") : tr("Limits that act: %1").arg(limits));
     base::setTextColour(m_limits, limits.isEmpty() ? colours.neutral : colours.stale);
+}
+
+void ServoPanel::showVerdict() {
+    QStringList lines;
+    if (m_report && m_report->verdict)
+        lines << tr("So far: %1").arg(ServoTexts::verdict(*m_report->verdict));
+    if (m_lastVerdict)
+        lines << tr("Last run: %1").arg(ServoTexts::verdict(*m_lastVerdict));
+    m_verdict->setText(lines.join(QLatin1Char('\n')));
+    m_verdict->setVisible(!lines.isEmpty());
 }
 
 void ServoPanel::showTasks() {

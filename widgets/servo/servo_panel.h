@@ -20,9 +20,9 @@ namespace teleta::servo {
 class ForceStrip;
 class ServoPicture;
 
-/// Shows a running servo: task, contact, active limits, features and matrices, and the settings that can be
-/// changed while it runs. Knows no source: changes are emitted as signals, and the settings in use come back
-/// with the report. Thread: GUI.
+/// Shows a running servo: task, contact, active limits, whether the task is done, features and matrices, and
+/// the settings that can be changed while it runs. Knows no source: changes are emitted as signals, and the
+/// settings in use come back with the report. Thread: GUI.
 class ServoPanel : public QWidget {
     Q_OBJECT
 public:
@@ -43,12 +43,14 @@ signals:
 private:
     void retranslate();
     void showTexts();
+    void showVerdict();
     void showTasks();
     void showTuning(const ServoTuning& tuning, const TuningBounds& bounds);
 
     QLabel* m_provenance;
     QLabel* m_state;
     QLabel* m_limits;
+    QLabel* m_verdict;
     ServoPicture* m_picture;
     ForceStrip* m_force20s;
     QLabel* m_cost;
@@ -62,7 +64,8 @@ private:
     bool m_stopEngaged = true;
     base::Provenance m_shownProvenance = base::Provenance::live;
     std::optional<ServoReport> m_report;
-    std::optional<ServoTuning> m_wish; ///< emitted, but not yet in use
+    std::optional<TaskVerdict> m_lastVerdict; ///< of the run before the last restart
+    std::optional<ServoTuning> m_wish;        ///< emitted, but not yet in use
 };
 
 } // namespace teleta::servo

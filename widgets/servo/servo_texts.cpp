@@ -45,6 +45,18 @@ QString ServoTexts::limits(const ActiveLimits& limits) {
     return names.join(tr(", ", "between the limits that act"));
 }
 
+QString ServoTexts::verdict(const TaskVerdict& verdict) {
+    if (verdict.completed)
+        return tr("task completed");
+    if (verdict.reason == NotCompleted::stalled && verdict.limit)
+        return tr("task not completed: stalled by the limit \u201c%1\u201d").arg(limit(*verdict.limit));
+    static constexpr std::array kReasons{QT_TR_NOOP("task not completed: never in contact"),
+                                         QT_TR_NOOP("task not completed: the contact was lost"),
+                                         QT_TR_NOOP("task not completed: stalled"),
+                                         QT_TR_NOOP("task not completed: not aligned")};
+    return tr(kReasons[static_cast<std::size_t>(verdict.reason)]);
+}
+
 QString ServoTexts::cost(const CycleTimes& times, double rate_Hz) {
     const double sum_s = times.sum_s();
     if (times.cycles == 0 || !(sum_s > 0.0))

@@ -3,6 +3,7 @@
 
 #include "backend/servo/cycle_times.h"
 #include "backend/servo/servo_controller.h"
+#include "backend/servo/task_verdict.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -19,6 +20,8 @@ public:
     [[nodiscard]] static QString limit(Limit limit);
     /// Names of the active limits, separated by commas; empty if there are none.
     [[nodiscard]] static QString limits(const ActiveLimits& limits);
+    /// Whether the task is done, and the reason if it is not.
+    [[nodiscard]] static QString verdict(const TaskVerdict& verdict);
     /// Computing time of a simulated cycle and of its parts; empty when no cycle was timed.
     [[nodiscard]] static QString cost(const CycleTimes& times, double rate_Hz);
     /// Name of a run in a chart. number: among the runs of the same source. unbalanced, balanced: whether an

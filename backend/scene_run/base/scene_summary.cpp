@@ -19,29 +19,16 @@ namespace {
 ordered_json toJson(const RunVerdict& verdict) {
     if (verdict.completed)
         return {{"result", "completed"}};
-    ordered_json json{
-        {"result", "not_completed"}, {"phase", verdict.phase}, {"reason", toString(verdict.reason)}};
-    if (!verdict.limit.empty())
-        json["limit"] = verdict.limit;
+    ordered_json json{{"result", "not_completed"},
+                      {"phase", servo::toString(verdict.phase)},
+                      {"reason", servo::toString(verdict.reason)}};
+    if (verdict.limit)
+        json["limit"] = servo::toString(*verdict.limit);
     json["expected"] = verdict.expected;
     return json;
 }
 
 } // namespace
-
-const char* toString(NotCompleted reason) {
-    switch (reason) {
-    case NotCompleted::neverInContact:
-        return "never_in_contact";
-    case NotCompleted::lost:
-        return "lost";
-    case NotCompleted::stalled:
-        return "stalled";
-    case NotCompleted::notAligned:
-        return "not_aligned";
-    }
-    return "";
-}
 
 ordered_json SceneSummary::toJson() const {
     const auto times = [](const std::vector<EffectTime>& list) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "backend/servo/task_verdict.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,24 +14,9 @@
 
 namespace teleta::scene_run {
 
-/// Why a run did not do its task.
-enum class NotCompleted {
-    neverInContact, ///< the object was never touched
-    lost,           ///< the contact was lost and not found again
-    stalled,        ///< the arm stood still, held back by RunVerdict::limit if that names one
-    notAligned,     ///< the array did not come into the place that the task needs
-};
-
-/// Name in files: "never_in_contact", "lost", "stalled", "not_aligned".
-[[nodiscard]] const char* toString(NotCompleted reason);
-
 /// Whether a run did its task.
-struct RunVerdict {
-    bool completed = true;
-    std::string phase;                                  ///< at the end of the run
-    NotCompleted reason = NotCompleted::neverInContact; ///< unless completed
-    std::string limit;                                  ///< that acts, as in events; empty: none
-    bool expected = false;                              ///< the scene says that it is not completed
+struct RunVerdict : servo::TaskVerdict {
+    bool expected = false; ///< the scene says that it is not completed
 };
 
 /// What a simulated scene has shown: the content of summary.json.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace teleta::scene_run {
@@ -14,9 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kAlignedAngle_rad = std::numbers::pi / 180.0;
-constexpr double kAlignedPlace_m = 0.0005;
-constexpr double kAlignedFor_s = 0.2;
+constexpr double kBalanced_m = 0.0005;
 constexpr double kSpeedWindow_s = 0.1;
 constexpr double kSettled_s = 1.0;
 
@@ -38,6 +35,7 @@ ordered_json ServoMeasures::Errors::largest() const {
 
 ServoMeasures::ServoMeasures(const scene::Scene& scene)
     : m_task(scene.servo().task)
+    , m_alignment(m_task)
     , m_cycle_s(1.0 / scene.rate_Hz)
     , m_frame_s(1.0 / std::min(scene.servo().sensor.acquisition_Hz, scene.rate_Hz)) {
     const double servoStep_s = 1.0 / std::min(scene.servo().sensor.servo_Hz, scene.rate_Hz);
@@ -64,6 +62,7 @@ bool ServoMeasures::add(const simulation::ServoLoop& loop) {
         m_tilt_rad = std::max(m_tilt_rad, std::abs(loop.world().truth().hinge_rad));
     const servo::TaskKind kind = loop.output().kind;
     m_lasts = m_lasts || kind == servo::TaskKind::explore || kind == servo::TaskKind::comanipulation;
+    m_alignment.add(loop);
     if (loop.frameCame())
         addFrame(loop);
     if (!loop.servoed())
@@ -82,9 +81,9 @@ bool ServoMeasures::lasting(const simulation::ServoLoop& loop) const {
         return true;
     switch (loop.output().kind) {
     case servo::TaskKind::roll:
-        return m_task.kind == scene::ServoTaskKind::roll && m_aligned_s;
+        return m_task.kind == scene::ServoTaskKind::roll && m_alignment.since_s();
     case servo::TaskKind::pointFollowing:
-        return m_task.kind == scene::ServoTaskKind::point && m_aligned_s;
+        return m_task.kind == scene::ServoTaskKind::point && m_alignment.since_s();
     default:
         return false;
     }
@@ -95,30 +94,18 @@ void ServoMeasures::addFrame(const simulation::ServoLoop& loop) {
     const bool loaded = frame.loads.force_N > 0.0;
     const double dzmpY_m = frame.loads.copX_m - frame.loads.cocX_m;
     const double copError_m = std::hypot(frame.loads.copX_m, frame.loads.copY_m - m_task.copY_m);
-    bool aligned = false;
-    if (loaded && frame.alphaZ_rad)
-        aligned = std::abs(*frame.alphaZ_rad) < kAlignedAngle_rad && std::abs(dzmpY_m) < kAlignedPlace_m &&
-                  std::abs(frame.loads.copY_m - m_task.copY_m) < kAlignedPlace_m;
-    else if (loaded)
-        aligned = copError_m < kAlignedPlace_m;
-    if (!aligned)
-        m_alignedSince_s.reset();
-    else if (!m_alignedSince_s)
-        m_alignedSince_s = m_now_s;
-    if (!m_aligned_s && m_alignedSince_s && m_now_s - *m_alignedSince_s >= kAlignedFor_s)
-        m_aligned_s = m_alignedSince_s;
-
     m_highestForce_N = std::max(m_highestForce_N, loop.world().truth().force_N);
     if (lasting(loop)) {
         m_force_N.add(loop.world().truth().force_N - m_task.force_N);
         if (loaded && !frame.alphaZ_rad)
             m_cop_m.add(copError_m);
-        if (m_aligned_s && m_now_s >= *m_aligned_s + kSettled_s)
+        const auto aligned_s = m_alignment.since_s();
+        if (aligned_s && m_now_s >= *aligned_s + kSettled_s)
             m_settledForce_N.add(loop.world().truth().force_N - m_task.force_N);
     }
     if (m_massMoves_s && m_now_s >= *m_massMoves_s) {
         m_dzmpY_m.push_back(loaded ? dzmpY_m : std::nan(""));
-        if (!loaded || std::abs(dzmpY_m) >= kAlignedPlace_m)
+        if (!loaded || std::abs(dzmpY_m) >= kBalanced_m)
             m_unsettled_s = m_now_s;
         if (loaded && frame.alphaZ_rad)
             m_alpha_rad.add(*frame.alphaZ_rad);
@@ -150,9 +137,9 @@ void ServoMeasures::addServoCycle(const simulation::ServoLoop& loop) {
 
 void ServoMeasures::report(ordered_json& measures) const {
     measures["first_contact_s"] = orNull(m_firstContact_s);
-    measures["aligned_after_s"] = m_aligned_s && m_firstContact_s
-                                      ? jsonNumber(*m_aligned_s - *m_firstContact_s)
-                                      : ordered_json(nullptr);
+    const auto aligned_s = m_alignment.since_s();
+    measures["aligned_after_s"] =
+        aligned_s && m_firstContact_s ? jsonNumber(*aligned_s - *m_firstContact_s) : ordered_json(nullptr);
     ordered_json phases = ordered_json::array();
     for (const Phase& phase : m_phases)
         phases.push_back({phase.name, phase.start_s});

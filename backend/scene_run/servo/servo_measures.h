@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/scene/scene.h"
+#include "backend/simulation/servo/alignment_watch.h"
 #include "backend/simulation/servo/servo_loop.h"
 
 #include <Eigen/Core>
@@ -16,8 +17,7 @@ namespace teleta::scene_run {
 
 /// Gathers the measures of a servo run, from the world's truth unless said otherwise.
 /// - first_contact_s, phases [[name, start_s]], force_desired_n, contact_lost_s (from the first contact on)
-/// - aligned_after_s: from the first contact until the array is, and for 0.2 s stays, aligned. An edge:
-///   |alpha_z| < 1 degree, |DZMP_y| < 0.5 mm, |CoP_y - desired| < 0.5 mm. A point: the CoP within 0.5 mm.
+/// - aligned_after_s: from the first contact until simulation::AlignmentWatch finds the array aligned
 /// - force_rms_error_n, force_max_error_n: of the whole force on array and housing, in the plan's lasting
 ///   task. Exploring, co-manipulation: from their first step to the end, whatever task is fallen back to
 ///   meanwhile. A point: once it is aligned, following or rolling.
@@ -39,7 +39,6 @@ public:
     void report(nlohmann::ordered_json& measures) const;
 
     [[nodiscard]] const std::string& phase() const { return m_phase; }
-    [[nodiscard]] bool aligned() const { return m_aligned_s.has_value(); }
     [[nodiscard]] double desiredForce_N() const { return m_task.force_N; }
     /// Where the array has felt the contact while it explored, in the base.
     [[nodiscard]] const std::vector<Eigen::Vector3d>& points_m() const { return m_points_m; }
@@ -64,13 +63,12 @@ private:
     [[nodiscard]] bool lasting(const simulation::ServoLoop& loop) const;
 
     scene::ServoTaskSettings m_task;
+    simulation::AlignmentWatch m_alignment;
     double m_cycle_s;
     std::optional<double> m_massMoves_s; ///< empty: no mass is moved
     std::string m_phase;
     std::vector<Phase> m_phases;
     std::optional<double> m_firstContact_s;
-    std::optional<double> m_alignedSince_s;
-    std::optional<double> m_aligned_s;
     std::optional<double> m_unsettled_s; ///< last time at which DZMP_y was too large
     double m_now_s = 0.0;
     double m_lost_s = 0.0;

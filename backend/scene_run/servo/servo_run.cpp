@@ -4,8 +4,8 @@
 #include "backend/scene_run/base/run_csv.h"
 #include "backend/scene_run/base/scene_recording.h"
 #include "backend/scene_run/servo/servo_measures.h"
-#include "backend/scene_run/servo/servo_verdict.h"
 #include "backend/simulation/servo/servo_loop.h"
+#include "backend/simulation/servo/servo_verdict.h"
 
 #include <Eigen/Geometry>
 
@@ -112,7 +112,7 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
     const auto cycles = static_cast<std::uint64_t>(std::llround(duration_s * scene.rate_Hz));
     SceneSummary summary;
     ServoMeasures measures(scene);
-    ServoVerdict verdict(scene);
+    simulation::ServoVerdict verdict(scene);
     ServoEvents events(summary.events);
     std::uint64_t frames = 0;
     for (std::uint64_t i = 0; i < cycles && !frameLog.failed() && !servoLog.failed(); ++i) {
@@ -121,7 +121,7 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
             break;
         loop.next();
         const bool newPhase = measures.add(loop);
-        verdict.add(loop, measures.phase(), measures.aligned());
+        verdict.add(loop);
         events.add(loop, newPhase, measures.phase());
         if (loop.frameCame()) {
             ++frames;
@@ -143,7 +143,8 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
             {std::string(servo::kCyclePartNames[i]), loop.times().part_s[i] * cyclesPerTimed});
     measures.report(summary.measures);
     if (!summary.interrupted)
-        summary.verdict = verdict.verdict();
+        summary.verdict = {verdict.verdict(),
+                           scene.servo().task.expect == scene::ServoExpectation::notCompleted};
     summary.measures["frames"] = frames;
     summary.measures["frames_lost"] = 0;
     return summary;

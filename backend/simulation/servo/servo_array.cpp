@@ -2,6 +2,7 @@
 #include "backend/simulation/servo/servo_array.h"
 
 #include "backend/simulation/servo/servo_loop.h"
+#include "backend/simulation/servo/servo_verdict.h"
 
 #include <algorithm>
 #include <array>
@@ -18,6 +19,8 @@ public:
     ServoArray(const scene::Scene& scene, std::unique_ptr<ServoLoop> loop,
                std::shared_ptr<servo::ServoLink> link)
         : m_loop(std::move(loop))
+        , m_newVerdict(scene)
+        , m_verdict(m_newVerdict)
         , m_link(std::move(link))
         , m_plan(m_loop->controller().plan())
         , m_bounds(servo::boundsOf(m_plan))
@@ -37,6 +40,8 @@ public:
         takeWishes(motionHeld);
         do {
             m_loop->next(motionHeld);
+            if (!motionHeld)
+                m_verdict.add(*m_loop);
             if (m_loop->servoed())
                 report(motionHeld);
         } while (!m_loop->frameCame());
@@ -48,6 +53,7 @@ public:
     void restart() override {
         m_loop->restart();
         ++m_restarts;
+        m_verdict = m_newVerdict;
         m_lastActed_s.fill(-kRecent_s - 1.0);
     }
 
@@ -68,6 +74,8 @@ private:
         for (std::size_t i = 0; i < plan.tasks.size(); ++i)
             static_cast<void>(m_loop->controller().setTask(i, plan.tasks[i]));
         m_tuning = tuning;
+        m_newVerdict.setSlidingSpeed(tuning.slide_mPerS);
+        m_verdict.setSlidingSpeed(tuning.slide_mPerS);
     }
 
     void report(bool stopped) {
@@ -90,6 +98,7 @@ private:
         report.times = m_loop->times();
         report.rate_Hz = m_loop->world().rate_Hz();
         report.restarts = m_restarts;
+        report.verdict = m_verdict.verdict();
         m_link->reports.publish();
     }
 
@@ -141,6 +150,8 @@ private:
     }
 
     std::unique_ptr<ServoLoop> m_loop;
+    ServoVerdict m_newVerdict; ///< of a run that has not begun
+    ServoVerdict m_verdict;
     std::shared_ptr<servo::ServoLink> m_link;
     servo::ServoPlan m_plan; ///< as the scene has it
     servo::TuningBounds m_bounds;

@@ -81,6 +81,32 @@ private slots:
         QCOMPARE(textOf(panel, "servoState"), QStringLiteral("No servo"));
     }
 
+    void theVerdictIsToldAndThatOfTheRunBeforeARestart() {
+        ServoPanel panel;
+        panel.show();
+        ServoReport report = exploring();
+        panel.setReport(report);
+        auto* verdict = panel.findChild<QLabel*>(QStringLiteral("servoVerdict"));
+        QVERIFY(!verdict->isVisible());
+        report.verdict = TaskVerdict{.completed = false,
+                                     .phase = TaskKind::freeMotion,
+                                     .reason = NotCompleted::stalled,
+                                     .limit = Limit::jointEnd};
+        panel.setReport(report);
+        QVERIFY(verdict->isVisible());
+        QCOMPARE(
+            verdict->text(),
+            QStringLiteral("So far: task not completed: stalled by the limit \u201cend of a joint\u201d"));
+        ++report.restarts;
+        report.verdict = TaskVerdict{};
+        panel.setReport(report);
+        QCOMPARE(verdict->text(),
+                 QStringLiteral("So far: task completed\nLast run: task not completed: stalled by the limit "
+                                "\u201cend of a joint\u201d"));
+        panel.setReport(std::nullopt);
+        QVERIFY(!verdict->isVisible());
+    }
+
     void taskContactAndLimitsAreNamed() {
         ServoPanel panel;
         ServoReport report = exploring();

@@ -11,6 +11,7 @@
 #include "backend/scene_run/effect_ablation.h"
 #include "backend/scene_run/scene_run.h"
 #include "backend/scene_run/study/study_run.h"
+#include "backend/servo/task_verdict.h"
 #include "backend/servo_figure/servo_curves.h"
 #include "backend/servo_figure/servo_figure.h"
 
@@ -58,15 +59,15 @@ QString valueText(const ordered_json& value) {
 
 QString reasonText(const scene_run::RunVerdict& verdict) {
     switch (verdict.reason) {
-    case scene_run::NotCompleted::neverInContact:
+    case servo::NotCompleted::neverInContact:
         return SimulateText::tr("never in contact");
-    case scene_run::NotCompleted::lost:
+    case servo::NotCompleted::lost:
         return SimulateText::tr("the contact was lost");
-    case scene_run::NotCompleted::stalled:
-        return verdict.limit.empty()
-                   ? SimulateText::tr("stalled")
-                   : SimulateText::tr("stalled by the limit %1").arg(QString::fromStdString(verdict.limit));
-    case scene_run::NotCompleted::notAligned:
+    case servo::NotCompleted::stalled:
+        return !verdict.limit ? SimulateText::tr("stalled")
+                              : SimulateText::tr("stalled by the limit %1")
+                                    .arg(QLatin1String(servo::toString(*verdict.limit)));
+    case servo::NotCompleted::notAligned:
         break;
     }
     return SimulateText::tr("not aligned");
@@ -75,7 +76,7 @@ QString reasonText(const scene_run::RunVerdict& verdict) {
 QString verdictText(const scene_run::RunVerdict& verdict) {
     return verdict.completed ? SimulateText::tr("completed")
                              : SimulateText::tr("not completed: %1, in the phase %2")
-                                   .arg(reasonText(verdict), QString::fromStdString(verdict.phase));
+                                   .arg(reasonText(verdict), QLatin1String(servo::toString(verdict.phase)));
 }
 
 core::Expected<void> printTable(const scene_run::SceneSummary& summary) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/scene_run/servo/servo_verdict.h"
+#include "backend/simulation/servo/servo_verdict.h"
+
+#include "backend/simulation/servo/servo_loop.h"
 
 #include <algorithm>
 #include <array>
 
-namespace teleta::scene_run {
+namespace teleta::simulation {
 
 namespace {
 
@@ -30,19 +32,20 @@ servo::TaskKind lastingTask(scene::ServoTaskKind kind) {
 
 ServoVerdict::ServoVerdict(const scene::Scene& scene)
     : m_task(scene.servo().task)
+    , m_alignment(m_task)
     , m_lasting(lastingTask(m_task.kind)) {
 }
 
-void ServoVerdict::add(const simulation::ServoLoop& loop, const std::string& phase, bool aligned) {
+void ServoVerdict::add(const ServoLoop& loop) {
     m_now_s = loop.world().time_s();
-    m_aligned = aligned;
+    m_alignment.add(loop);
     if (loop.world().truth().touching)
         m_touched_s = m_now_s;
     if (!loop.servoed())
         return;
     const servo::ServoOutput& output = loop.output();
-    if (m_phase.empty() || output.phaseBegan) {
-        m_phase = phase;
+    if (!m_phase || output.phaseBegan) {
+        m_phase = output.kind;
         m_phaseBegan_s = m_now_s;
     }
     m_kind = output.kind;
@@ -66,39 +69,38 @@ bool ServoVerdict::tooSlow(double speed_mPerS) const {
     return way_m() < kSlow * speed_mPerS * (m_now_s - m_last.front().time_s);
 }
 
-std::string ServoVerdict::limit() const {
+std::optional<servo::Limit> ServoVerdict::limit() const {
     std::array<std::size_t, servo::kLimits> cycles{};
     for (const Cycle& cycle : m_last)
         for (std::size_t i = 0; i < servo::kLimits; ++i)
             cycles[i] += cycle.limits.has(static_cast<servo::Limit>(i)) ? 1 : 0;
     const auto most = std::ranges::max_element(cycles);
-    return 2 * *most > m_last.size() ? servo::toString(static_cast<servo::Limit>(most - cycles.begin()))
-                                     : std::string();
+    if (2 * *most <= m_last.size())
+        return std::nullopt;
+    return static_cast<servo::Limit>(most - cycles.begin());
 }
 
-RunVerdict ServoVerdict::verdict() const {
-    const auto notCompleted = [this](NotCompleted reason, const std::string& limit = {}) {
-        return RunVerdict{.completed = false,
-                          .phase = m_phase,
-                          .reason = reason,
-                          .limit = limit,
-                          .expected = m_task.expect == scene::ServoExpectation::notCompleted};
+servo::TaskVerdict ServoVerdict::verdict() const {
+    using servo::NotCompleted;
+    const servo::TaskKind phase = m_phase.value_or(servo::TaskKind::freeMotion);
+    const auto notCompleted = [phase](NotCompleted reason, std::optional<servo::Limit> limit = {}) {
+        return servo::TaskVerdict{.completed = false, .phase = phase, .reason = reason, .limit = limit};
     };
-    const std::string acting = limit();
+    const std::optional<servo::Limit> acting = limit();
     if (m_touched_s < 0.0)
-        return !acting.empty() && tooSlow(m_task.approach_mPerS) ? notCompleted(NotCompleted::stalled, acting)
-                                                                 : notCompleted(NotCompleted::neverInContact);
+        return acting && tooSlow(m_task.approach_mPerS) ? notCompleted(NotCompleted::stalled, acting)
+                                                        : notCompleted(NotCompleted::neverInContact);
     if (m_searchEnded || m_now_s - m_touched_s > kLostFor_s)
         return notCompleted(NotCompleted::lost);
     if (m_kind != m_lasting)
-        return !acting.empty() && tooSlow(m_task.approach_mPerS) ? notCompleted(NotCompleted::stalled, acting)
-                                                                 : notCompleted(NotCompleted::notAligned);
+        return acting && tooSlow(m_task.approach_mPerS) ? notCompleted(NotCompleted::stalled, acting)
+                                                        : notCompleted(NotCompleted::notAligned);
     const bool isPoint = m_lasting == servo::TaskKind::pointFollowing || m_lasting == servo::TaskKind::roll;
-    if (isPoint && !m_aligned)
+    if (isPoint && !m_alignment.since_s())
         return notCompleted(NotCompleted::notAligned);
     if (m_lasting == servo::TaskKind::explore && tooSlow(m_task.slide_mPerS))
         return notCompleted(NotCompleted::stalled, acting);
-    return {.completed = true, .phase = m_phase, .reason = {}, .limit = {}, .expected = false};
+    return {.completed = true, .phase = phase, .reason = {}, .limit = {}};
 }
 
-} // namespace teleta::scene_run
+} // namespace teleta::simulation
