@@ -114,6 +114,27 @@ TEST_F(ServoArrayTest, aRestartBeginsAnewAndSaysSo) {
     EXPECT_EQ(report.output.kind, servo::TaskKind::freeMotion);
 }
 
+// An arm that is held for longer than a contact may be lost has not lost it.
+TEST_F(ServoArrayTest, theVerdictFollowsTheRunAndStartsAnewWithIt) {
+    const servo::TaskVerdict early = run(0.1).verdict.value();
+    EXPECT_FALSE(early.completed);
+    EXPECT_EQ(early.reason, servo::NotCompleted::neverInContact);
+    const servo::TaskVerdict later = run(8.0).verdict.value();
+    EXPECT_TRUE(later.completed) << servo::toString(later.reason);
+    EXPECT_EQ(later.phase, servo::TaskKind::explore);
+    EXPECT_TRUE(run(3.0, true).verdict.value().completed);
+    m_array->restart();
+    EXPECT_FALSE(run(0.1).verdict.value().completed);
+}
+
+// The arm stands still because it is told to.
+TEST_F(ServoArrayTest, anArrayThatIsNotToSlideIsNotStalled) {
+    run(8.0);
+    m_link->tuning.post({.force_N = 10.0, .slide_mPerS = 0.0, .gain = 1.0, .moment = true});
+    const servo::TaskVerdict verdict = run(5.0).verdict.value();
+    EXPECT_TRUE(verdict.completed) << servo::toString(verdict.reason);
+}
+
 TEST_F(ServoArrayTest, theSameSeedGivesTheSameFrames) {
     const auto scene =
         scene::readScene(std::string(TELETA_SOURCE_DIR) + "/resources/scenes/servo-straight-bar.toml");
