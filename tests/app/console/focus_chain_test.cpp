@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/console_options.h"
 #include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
 #include "widgets/base/theme.h"
@@ -135,11 +136,9 @@ private slots:
 
     void everythingIsNamedAndTabGoesThere_data() {
         QTest::addColumn<int>("key");
-        QTest::newRow("operate") << int(Qt::Key_1);
-        QTest::newRow("patterns") << int(Qt::Key_2);
-        QTest::newRow("study") << int(Qt::Key_3);
-        QTest::newRow("calibrate") << int(Qt::Key_4);
-        QTest::newRow("cost") << int(Qt::Key_5);
+        int key = Qt::Key_1;
+        for (const QString& page : pageNames())
+            QTest::newRow(qPrintable(page)) << key++;
     }
     void everythingIsNamedAndTabGoesThere() {
         QFETCH(int, key);

@@ -35,6 +35,11 @@ class HandbookTest : public QObject {
 private slots:
     void cleanup() { teleta::app::installTranslator(*QCoreApplication::instance(), QLocale("en")); }
 
+    void hasAPageForEachPageOfTheConsole() {
+        for (const QString& page : pageNames())
+            QVERIFY2(handbookPages().contains(page), qPrintable(page));
+    }
+
     void hasEveryPageInEveryLanguage_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("language");
