@@ -4,7 +4,6 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <cmath>
 
 namespace teleta::servo {
 

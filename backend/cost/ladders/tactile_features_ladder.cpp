@@ -8,7 +8,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <cmath>
 #include <memory>
 
 namespace teleta::cost {

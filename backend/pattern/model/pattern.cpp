@@ -5,7 +5,6 @@
 #include "backend/pattern/model/easing.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace teleta::pattern {
 

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <utility>
 
 namespace teleta::pattern {
 

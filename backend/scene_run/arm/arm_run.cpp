@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>

@@ -11,10 +11,7 @@
 #include <QString>
 #include <QTemporaryDir>
 
-#include <algorithm>
 #include <map>
-#include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 

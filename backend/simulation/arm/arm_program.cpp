@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 namespace teleta::simulation {

@@ -4,7 +4,6 @@
 #include "backend/core/steady_time.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace teleta::simulation {

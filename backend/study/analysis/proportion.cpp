@@ -9,7 +9,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 namespace teleta::study {

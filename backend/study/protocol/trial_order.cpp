@@ -3,7 +3,6 @@
 
 #include "backend/core/random_stream.h"
 
-#include <algorithm>
 #include <span>
 
 namespace teleta::study {
