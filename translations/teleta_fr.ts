@@ -1191,7 +1191,7 @@ Exemples&#xa0;:
 <context>
     <name>CostFileText</name>
     <message>
-        <source>&quot;%1&quot; is no value of the column %2</source>
+        <source>&quot;%1&quot; is not a value of the column %2</source>
         <translation>«&#xa0;%1&#xa0;» n’est pas une valeur de la colonne %2</translation>
     </message>
     <message>
@@ -3631,11 +3631,11 @@ Run %2 --help for more.
         <translation>le flux «&#xa0;%1&#xa0;» n’est pas décrit&#xa0;: %2</translation>
     </message>
     <message>
-        <source>it is no array</source>
+        <source>it is not an array</source>
         <translation>ce n’est pas une matrice</translation>
     </message>
     <message>
-        <source>it is no arm</source>
+        <source>it is not an arm</source>
         <translation>ce n’est pas un bras</translation>
     </message>
 </context>
@@ -4224,7 +4224,7 @@ Run %2 --help for more.
         <translation>Pleins&#xa0;: mesuré. Creux&#xa0;: moins le biais, avec l’intervalle du vrai transfert.</translation>
     </message>
     <message>
-        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
+        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, except the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
         <translation>analysis.R, à côté de cette page, recalcule ses nombres à partir de confusion_long.csv, sauf les temps de réponse, que ce fichier n’a pas&#xa0;: Rscript analysis.R. Dans le dossier de l’étude, il calcule aussi les temps de réponse, à partir des essais exportés.</translation>
     </message>
 </context>

@@ -1190,7 +1190,7 @@ Examples:
 <context>
     <name>CostFileText</name>
     <message>
-        <source>&quot;%1&quot; is no value of the column %2</source>
+        <source>&quot;%1&quot; is not a value of the column %2</source>
         <translation>「%1」は列 %2 の値として使えません</translation>
     </message>
     <message>
@@ -3627,11 +3627,11 @@ Run %2 --help for more.
         <translation>ストリーム「%1」が記述されていません: %2</translation>
     </message>
     <message>
-        <source>it is no array</source>
+        <source>it is not an array</source>
         <translation>アレイではありません</translation>
     </message>
     <message>
-        <source>it is no arm</source>
+        <source>it is not an arm</source>
         <translation>アームではありません</translation>
     </message>
 </context>
@@ -4215,7 +4215,7 @@ Run %2 --help for more.
         <translation>塗りつぶし: 測定値。中空: バイアスを引いた値と、真の情報伝達量の区間。</translation>
     </message>
     <message>
-        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
+        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, except the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
         <translation>このページと同じ場所にあるanalysis.Rで、このページの数値をconfusion_long.csvから再計算できます (このファイルにない反応時間を除く): Rscript analysis.R。スタディのフォルダーでは、エクスポートされた試行から反応時間も計算します。</translation>
     </message>
 </context>

@@ -1190,7 +1190,7 @@ Examples:
 <context>
     <name>CostFileText</name>
     <message>
-        <source>&quot;%1&quot; is no value of the column %2</source>
+        <source>&quot;%1&quot; is not a value of the column %2</source>
         <translation>“%1”不是列 %2 的有效值</translation>
     </message>
     <message>
@@ -3627,11 +3627,11 @@ Run %2 --help for more.
         <translation>数据流“%1”没有描述：%2</translation>
     </message>
     <message>
-        <source>it is no array</source>
+        <source>it is not an array</source>
         <translation>它不是阵列</translation>
     </message>
     <message>
-        <source>it is no arm</source>
+        <source>it is not an arm</source>
         <translation>它不是机械臂</translation>
     </message>
 </context>
@@ -4215,7 +4215,7 @@ Run %2 --help for more.
         <translation>实心：实测值。空心：减去偏差，含真实传输量的区间。</translation>
     </message>
     <message>
-        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, but the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
+        <source>analysis.R beside this page computes its numbers again from confusion_long.csv, except the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
         <translation>本页旁的 analysis.R 可由 confusion_long.csv 重新计算本页的数值（该文件中没有的反应时间除外）：Rscript analysis.R。放在研究的文件夹中时，还会根据导出的试次计算反应时间。</translation>
     </message>
 </context>

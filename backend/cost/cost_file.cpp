@@ -23,7 +23,7 @@ struct CostFileText {
 core::Unexpected badField(const core::CsvReader& reader, std::size_t column, std::string_view text,
                           const QString& expected) {
     return core::failed(core::ErrorKind::badInput,
-                        CostFileText::tr("\"%1\" is no value of the column %2")
+                        CostFileText::tr("\"%1\" is not a value of the column %2")
                             .arg(QString::fromUtf8(text), QString::fromStdString(reader.header()[column])),
                         expected, reader.place(column));
 }

@@ -250,7 +250,7 @@ core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
     if (stream.kind != recording::StreamKind::array || stream.type != recording::ValueType::float32 ||
         stream.shape.size() != 2 || stream.shape[0] < 1 || stream.shape[1] < 1 || stream.shape[0] > kSide ||
         stream.shape[1] > kSide)
-        return notDescribed(stream, file, RecordedStreamText::tr("it is no array"));
+        return notDescribed(stream, file, RecordedStreamText::tr("it is not an array"));
     const auto document = core::JsonDocument::parse(stream.details, file);
     if (!document)
         return notDescribed(stream, file, document.error());
@@ -274,7 +274,7 @@ core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
 core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, const std::string& file) {
     const auto joints = recording::jointsOf(stream);
     if (!joints)
-        return notDescribed(stream, file, RecordedStreamText::tr("it is no arm"));
+        return notDescribed(stream, file, RecordedStreamText::tr("it is not an arm"));
     const auto document = core::JsonDocument::parse(stream.details, file);
     if (!document)
         return notDescribed(stream, file, document.error());

@@ -397,9 +397,9 @@ std::string reportHtml(const std::vector<TaskResults>& results, const ReportHead
         QStringLiteral("<section>\n<h2>%1</h2>\n<p>%2</p>\n</section>\n</main>\n</body>\n</html>\n")
             .arg(ReportText::tr("Compute it again"),
                  ReportText::tr(
-                     "analysis.R beside this page computes its numbers again from confusion_long.csv, but "
-                     "the response times, which that file does not have: Rscript analysis.R. In the folder "
-                     "of the study it computes the response times too, from the exported trials."));
+                     "analysis.R beside this page computes its numbers again from confusion_long.csv, "
+                     "except the response times, which that file does not have: Rscript analysis.R. In the "
+                     "folder of the study it computes the response times too, from the exported trials."));
     return html.toStdString();
 }
 
