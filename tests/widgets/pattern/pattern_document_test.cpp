@@ -206,6 +206,15 @@ private slots:
         QVERIFY(document.isDirty());
     }
 
+    void keepsItsPathWhenItIsMarkedAsSavedWhereItIs() {
+        PatternDocument document;
+        document.setPattern(sample(), "a.json");
+        QSignalSpy moved(&document, &PatternDocument::pathChanged);
+        document.markSaved(document.path());
+        QCOMPARE(document.path(), QString("a.json"));
+        QCOMPARE(moved.size(), 0);
+    }
+
     void keepsACopyAlsoWhileItIsBeingEdited() {
         PatternDocument document;
         document.setPattern(sample(), "a.json");

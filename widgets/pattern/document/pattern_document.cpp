@@ -139,8 +139,11 @@ void PatternDocument::markSaved(const QString& path) {
 }
 
 void PatternDocument::setPath(const QString& path) {
-    if (std::exchange(m_path, path) != path)
-        emit pathChanged();
+    // Not std::exchange: the path may be a reference to m_path, as in markSaved(path()).
+    if (path == m_path)
+        return;
+    m_path = path;
+    emit pathChanged();
 }
 
 void PatternDocument::setMotors(const MotorProfiles& motors) {
