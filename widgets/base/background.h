@@ -9,8 +9,8 @@
 
 namespace teleta::base {
 
-/// The pool for work without a pool of its own. Not Qt's global pool: Qt's painter waits for areas that it
-/// fills there, so long computations would stop windows from being painted. Thread: any.
+/// The pool for work without a pool of its own. It is not Qt's global pool: Qt's painter fills large areas
+/// there and waits for them, so long computations would stop windows from being painted. Thread: any.
 [[nodiscard]] QThreadPool& backgroundPool();
 
 /// Runs work on a thread of a pool and passes its result to done on the receiver's thread; drops the result

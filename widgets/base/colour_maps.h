@@ -21,7 +21,8 @@ using ColourMap = std::array<QRgb, kMapEntries>;
 /// Colour of a share 0..1 of a map's range; clamped; NaN gives the lowest colour.
 [[nodiscard]] QRgb colourAt(const ColourMap& map, double share);
 
-/// Identities with a colour of their own; further ones reuse the colours and differ in their labels.
+/// Number of identities with a colour of their own; further ones reuse the colours and are told apart by
+/// their labels.
 inline constexpr int kIdentityColours = 8;
 
 /// Colour of an identity (contact, tactor, series), from 1. Any two of the eight can be told apart with

@@ -35,7 +35,8 @@ struct Figure {
 void copyPicture(const Figure& figure);
 void copyData(const Figure& figure);
 
-/// The actions of every chart and matrix. They return at once; a signal tells how saving ended. Thread: GUI.
+/// The actions of every chart and matrix. They return at once; a signal tells whether saving worked.
+/// Thread: GUI.
 class FigureExport : public QObject {
     Q_OBJECT
 public:

@@ -30,7 +30,8 @@ QFileDialog* askForFolder(QWidget* parent, const FileQuestion& question,
 /// The same for several files at once.
 QFileDialog* askToOpenSeveral(QWidget* parent, const FileQuestion& question,
                               std::function<void(const QStringList&)> chosen);
-/// The same for a new file, or one to replace. With several filters the extension follows the chosen one.
+/// The same for a new file, or one that the user agrees to replace. With several filters the extension
+/// follows the chosen one.
 QFileDialog* askToSave(QWidget* parent, const FileQuestion& question,
                        std::function<void(const QString&)> chosen);
 

@@ -10,7 +10,8 @@ namespace teleta::base {
 /// A slow part of a widget, painted once for each place, scale, palette and font. Thread: GUI.
 class KeptPicture {
 public:
-    /// Calls paint(QPainter&, const QRectF&) if necessary. Call forget() when anything else changes.
+    /// Calls paint(QPainter&, const QRectF&) unless the kept picture is that of this rect. Call forget() when
+    /// anything else changes.
     template <typename Paint>
     void draw(QPainter& painter, const QRectF& rect, const QWidget& widget, const Paint& paint) {
         const QRect whole = rect.toAlignedRect();

@@ -12,8 +12,8 @@ namespace teleta::base {
 
 enum class Provenance;
 
-/// A view of a picture: a value with a font and paint(QPainter&, const QSizeF&, const QPalette&), so that an
-/// exported figure keeps its own. Thread: GUI.
+/// A view of a picture. The picture is a value with a font and paint(QPainter&, const QSizeF&, const
+/// QPalette&), so that an exported figure keeps its own copy. Thread: GUI.
 template <typename Picture>
 class PictureView : public FigureView {
 public:

@@ -14,7 +14,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
-    /// Sizes as for em(); an empty one is left to QWidget.
+    /// Sizes in em; where one is empty, QWidget decides.
     SizedView(QWidget* parent, QSizeF usual_em, QSizeF smallest_em);
 
 private:

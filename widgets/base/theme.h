@@ -60,7 +60,8 @@ inline constexpr double kHugeText = 2.2;
 
 /// Sets the text colour of a label. Thread: GUI.
 void setTextColour(QWidget* widget, const QColor& colour);
-/// Frames a self-painted view that has the focus. Changes the painter's pen and brush. Thread: GUI.
+/// Draws a frame around a self-painted view while it has the focus. Changes the painter's pen and brush.
+/// Thread: GUI.
 void paintFocusFrame(QPainter& painter, const QWidget& view);
 
 } // namespace teleta::base

@@ -38,14 +38,14 @@ protected:
     [[nodiscard]] virtual int rows() const = 0;
     [[nodiscard]] virtual QStringList titles() const = 0;
 
-    /// Says that all cells from a column on may have changed.
+    /// Tells the views that all cells from a column on may have changed.
     void tellChanged(int fromColumn) {
         if (rows() > 0)
             emit dataChanged(index(0, fromColumn), index(rows() - 1, m_columns - 1));
     }
 
-    /// Puts an entry before the others of a model whose rows these are; of more than `most` the last is
-    /// dropped.
+    /// Inserts an entry before the others, which are the rows of the model. If there are already `most`, the
+    /// last one is dropped.
     template <typename Entry>
     void putFirst(std::deque<Entry>& entries, const Entry& entry, std::size_t most) {
         if (entries.size() == most) {

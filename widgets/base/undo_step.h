@@ -8,7 +8,7 @@
 
 namespace teleta::base {
 
-/// A step that two functions do and undo.
+/// An undo step made of two functions. Pushing it on a stack calls redo.
 class UndoStep : public QUndoCommand {
 public:
     UndoStep(const QString& text, std::function<void()> redo, std::function<void()> undo)

@@ -14,7 +14,8 @@ class QSlider;
 
 namespace teleta::bracelet {
 
-/// Limits of the motors' intensities in whole percent, for all or, unfolded, for each motor. Thread: GUI.
+/// Limits of the motors' intensities in whole percent: one slider for all or, unfolded by a button, one per
+/// motor. Thread: GUI.
 class StrengthPanel : public QWidget {
     Q_OBJECT
 public:

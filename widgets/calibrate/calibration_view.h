@@ -37,7 +37,8 @@ signals:
     void exportFailed(const QString& message);
 
 protected:
-    /// tools: names of the buttons beside the title, with "undo", "redo", "load" and "save", connected here.
+    /// tools: object names of the buttons beside the title; must contain "undo", "redo", "load" and "save",
+    /// which are connected here.
     CalibrationView(std::initializer_list<const char*> tools, QWidget* parent);
 
     /// Layout for the rest of the page.

@@ -13,8 +13,9 @@
 
 namespace teleta::calibrate {
 
-/// Presents bursts one by one and asks the wearer what was felt; only then can it be answered. Keys: Space
-/// presents again, Y and Right answer yes, N and Left no, Backspace undoes the last answer. Thread: GUI.
+/// Presents bursts one by one and asks the wearer what was felt. An answer needs a presentation first. Keys:
+/// Space presents again, Y and Right answer yes, N and Left no, Backspace undoes the last answer.
+/// Thread: GUI.
 class FeltPanel : public QWidget {
     Q_OBJECT
 public:

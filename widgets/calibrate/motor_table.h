@@ -9,7 +9,8 @@
 
 namespace teleta::calibrate {
 
-/// The motors of a bracelet with their values and standard errors; assumed ones are grey. Thread: GUI.
+/// The motors of a bracelet with their values and standard errors; assumed values are grey and marked by a
+/// word. Thread: GUI.
 class MotorTable : public QTableWidget {
     Q_OBJECT
 public:

@@ -24,7 +24,7 @@ namespace teleta::calibrate {
 
 namespace {
 
-/// Share of a measurement's time without readings that is mentioned.
+/// Share of a measurement's time without readings above which the user is asked to measure again.
 constexpr double kBusyShare = 0.01;
 
 enum Page { kSteps, kFelt, kMeasuring };

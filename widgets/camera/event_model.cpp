@@ -74,11 +74,8 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
                                                 : Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ForegroundRole && bumps)
         return base::statusColours(QGuiApplication::palette()).lost;
-    if (role == Qt::FontRole && bumps) {
-        QFont bold;
-        bold.setBold(true);
-        return bold;
-    }
+    if (role == Qt::FontRole && bumps)
+        return base::bold(QFont());
     if (role != Qt::DisplayRole)
         return {};
     const Eigen::Vector3d& p = happened.p_Sensor_m;

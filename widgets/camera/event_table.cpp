@@ -30,9 +30,7 @@ EventTable::EventTable(QWidget* parent)
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->installEventFilter(this);
-    QFont bold = base::sized(font(), base::kSmallText);
-    bold.setBold(true);
-    m_provenance->setFont(bold);
+    m_provenance->setFont(base::bold(base::sized(font(), base::kSmallText)));
     m_provenance->setContentsMargins(base::grid(this), 0, 0, 0);
     m_provenance->hide();
     auto* layout = new QVBoxLayout(this);

@@ -19,7 +19,7 @@ public:
     /// Without an arm: four joints.
     explicit JointPlot(QWidget* parent = nullptr);
 
-    /// Of the arm; the curves begin anew.
+    /// Of the arm; the curves start again.
     void setJoints(std::size_t joints);
     [[nodiscard]] std::size_t joints() const { return m_count; }
     [[nodiscard]] std::size_t columns() const { return 2 * m_count; }

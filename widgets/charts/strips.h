@@ -19,7 +19,7 @@ inline constexpr std::array<Strip, kStrips> kAllStrips{Strip::force, Strip::posi
                                                        Strip::dzmp,  Strip::orientation, Strip::spread,
                                                        Strip::ratio, Strip::active};
 
-/// A text, and how it is told from others for its translators.
+/// A text to translate, and what its translators need to know.
 struct StripText {
     const char* text = nullptr;
     const char* comment = nullptr;
@@ -29,7 +29,7 @@ struct StripText {
 struct StripDefinition {
     Strip strip = Strip::force;
     StripText title;
-    const char* unit = ""; ///< on the axis; forces have that of the load
+    const char* unit = ""; ///< on the axis; empty for forces, which have that of the load
     std::vector<CurveStyle> curves;
     double minimumSpan = 1.0;               ///< of the automatic axis, in displayed units
     bool fromZero = false;                  ///< the automatic axis contains 0

@@ -37,7 +37,7 @@ public:
 
     /// Draws the history from end - span to end into the lanes (without repainting).
     void showStretch(const SampleHistory& history, double end_s, double span_s);
-    /// Writes the values of a sample beside the lanes; empty: undefined. steady: leaves out small changes.
+    /// Writes the values of a sample beside the lanes; empty: undefined. steady: small changes are not shown.
     void showValues(const SampleHistory& history, std::optional<std::size_t> index, bool steady);
     /// A line through all lanes; empty: none.
     void setCursorLine(std::optional<double> time_s);

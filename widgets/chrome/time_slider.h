@@ -9,7 +9,8 @@
 
 namespace teleta::chrome {
 
-/// The time bar of a playback: a click goes there; marks are flags with tool tips. No keys. Thread: GUI.
+/// The time bar of a playback: a click goes there; marks are flags with their texts as tool tips. The owner
+/// handles the keys. Thread: GUI.
 class TimeSlider : public QSlider {
     Q_OBJECT
 

@@ -9,7 +9,8 @@ class QCustomPlot;
 
 namespace teleta::plot {
 
-/// Gives the background, axes and grid of a plot the colours of a palette, its texts a font. Thread: GUI.
+/// Applies the colours of a palette to the background, axes and grid of a plot, and a font to its texts.
+/// Thread: GUI.
 void stylePlot(QCustomPlot& plot, const QPalette& colours, const QFont& font);
 
 /// Pen of the grid lines. Thread: any (pure).

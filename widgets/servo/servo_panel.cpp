@@ -57,9 +57,7 @@ ServoPanel::ServoPanel(QWidget* parent)
     , m_slide(spinBox(this, 0.0, 1e3 * ServoTuning::kHighestSlide_mPerS, 0.5, 1))
     , m_gain(spinBox(this, 100.0 * ServoTuning::kLeastGain, 100.0 * ServoTuning::kHighestGain, 10.0, 0))
     , m_moment(new QCheckBox(this)) {
-    QFont bold = base::sized(font(), base::kSmallText);
-    bold.setBold(true);
-    m_provenance->setFont(bold);
+    m_provenance->setFont(base::bold(base::sized(font(), base::kSmallText)));
     m_provenance->hide();
     m_state->setFont(base::sized(font(), base::kLargeText));
     m_state->setWordWrap(true);

@@ -104,9 +104,7 @@ std::array<QString, 4> ServoPicture::titles() {
 ServoPicture::Columns ServoPicture::columns(double width_px) const {
     const double em = base::em(this, 1);
     const QFontMetricsF small(base::sized(font(), base::kSmallText));
-    QFont bold = font();
-    bold.setBold(true);
-    const QFontMetricsF text(bold);
+    const QFontMetricsF text(base::bold(font()));
     // Names and numbers must be fully visible; titles may be shortened.
     std::array<double, 4> least_px{};
     for (int row = 0; row < kRows; ++row)

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] base::Figure figure() override;
 
 signals:
-    /// A recording could not be read, or a figure not be written.
+    /// A recording could not be read, or a figure could not be written.
     void failed(const QString& message);
 
 protected:

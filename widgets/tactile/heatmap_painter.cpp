@@ -250,8 +250,7 @@ int HeatmapPainter::firstColumn(const contact::Contact& contact, int row) const 
 void HeatmapPainter::paintContactLabels() {
     if (m_content->snapshot.labels.empty())
         return;
-    QFont font = base::sized(m_painter->font(), base::kSmallText);
-    font.setBold(true);
+    const QFont font = base::bold(base::sized(m_painter->font(), base::kSmallText));
     const QFont normal = m_painter->font();
     m_painter->setFont(font);
     const QFontMetricsF metrics(font);
@@ -454,8 +453,7 @@ void HeatmapPainter::paintHeader() {
     const QRectF rect =
         base::paintProvenance(*m_painter, m_layout->header(), m_content->provenance, m_palette, m_em);
     const QFont normal = m_painter->font();
-    QFont bold = base::sized(normal, base::kLargeText);
-    bold.setBold(true);
+    const QFont bold = base::bold(base::sized(normal, base::kLargeText));
     double x = rect.left();
     const auto piece = [&](const QString& text, bool strong, double width) {
         m_painter->setFont(strong ? bold : normal);

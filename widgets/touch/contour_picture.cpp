@@ -18,7 +18,7 @@ namespace teleta::touch {
 
 namespace {
 
-/// A contour smaller than this is shown as if it were so large: a point is no square metre.
+/// A contour smaller than this is shown as if it were this large: a point has no extent to scale.
 constexpr double kSmallestExtent_m = 0.005;
 
 QPointF toPoint(const contour::Point& p) {

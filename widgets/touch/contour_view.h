@@ -21,7 +21,7 @@ public:
     [[nodiscard]] base::Figure figure() override;
 
 signals:
-    /// The user asks to begin anew with another object.
+    /// The user asks to start again with another object.
     void forgetRequested();
 
 protected:

@@ -74,7 +74,7 @@ void RunSheetModel::setObjects(const std::vector<FoundObject>& objects) {
         showKept();
     if (m_kept.empty())
         return;
-    // But for the names: what is being typed would be taken for old.
+    // Not the names: the editor of a name would lose what was typed so far.
     emit dataChanged(index(0, number), index(rowCount() - 1, number));
     tellChanged(time);
 }

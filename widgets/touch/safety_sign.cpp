@@ -12,16 +12,6 @@
 
 namespace teleta::touch {
 
-namespace {
-
-QFont bold(const QFont& font) {
-    QFont result = font;
-    result.setBold(true);
-    return result;
-}
-
-} // namespace
-
 QColor safetyColour(bool safe, const QPalette& palette) {
     const base::StatusColours& colours = base::statusColours(palette);
     return safe ? colours.live : colours.lost;
@@ -54,7 +44,7 @@ void paintSafetyShape(QPainter& painter, const QRectF& square, bool safe, const 
 }
 
 QSizeF safetySignSize(const QFont& font, bool safe) {
-    const QFontMetricsF metrics(bold(font));
+    const QFontMetricsF metrics(base::bold(font));
     return {metrics.horizontalAdvance(TouchTexts::safety(safe)) + 2.2 * metrics.height(),
             1.5 * metrics.height()};
 }
@@ -71,7 +61,7 @@ void paintSafetySign(QPainter& painter, const QRectF& rect, const QFont& font, b
     const double side = 0.62 * rect.height();
     const QRectF shape(rect.left() + 0.35 * rect.height(), rect.center().y() - 0.5 * side, side, side);
     paintSafetyShape(painter, shape, safe, colour);
-    painter.setFont(bold(font));
+    painter.setFont(base::bold(font));
     painter.setPen(colour);
     painter.drawText(QRectF(shape.right(), rect.top(), rect.right() - shape.right(), rect.height()),
                      Qt::AlignCenter, TouchTexts::safety(safe));

@@ -17,7 +17,7 @@ class QTableView;
 
 namespace teleta::touch {
 
-/// A table under a line with its count and provenance; a hint stands in an empty one. Ctrl+C copies, the
+/// A table under a line with its count and provenance; an empty table shows a hint. Ctrl+C copies, the
 /// context menu offers the rest. Thread: GUI.
 class SheetView : public QWidget {
     Q_OBJECT
@@ -38,7 +38,7 @@ protected:
     /// Shows a model and writes the texts; the last step of a constructor.
     void start(QAbstractItemModel* model);
     void setHint(const QString& text);
-    /// Makes columns as wide as their title or a sample text, and a margin.
+    /// Makes columns as wide as their title or a sample text, whichever is wider, plus a margin.
     void fitColumns(const std::vector<std::pair<int, QString>>& samples, double margin_em);
     void addDataActions(QMenu& menu) { m_export->addDataActions(menu); }
     [[nodiscard]] base::Provenance provenance() const { return m_provenance; }

@@ -94,9 +94,7 @@ private:
             return; // no room left
         m_cards.push_back(rect);
         m_painter.setPen(QPen(label.colour, 1.0));
-        QColor card = m_content.colours.backgroundTop;
-        card.setAlphaF(0.86F);
-        m_painter.setBrush(card);
+        m_painter.setBrush(base::translucent(m_content.colours.backgroundTop, 0.86F));
         m_painter.drawRoundedRect(rect, 3.0, 3.0);
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(label.colour);

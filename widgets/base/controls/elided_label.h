@@ -5,7 +5,8 @@
 
 namespace teleta::base {
 
-/// A line of plain text; what does not fit is elided, and the tool tip shows all of it. Thread: GUI.
+/// A line of plain text that never asks for more room: text that does not fit is elided, and the tool tip
+/// shows all of it. Thread: GUI.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 

@@ -14,7 +14,8 @@ public:
     /// memory_s: time constant with which an extreme is forgotten.
     explicit CalmRange(double minimumSpan, double memory_s = 4.0);
 
-    /// low <= high, finite: extremes of the newest data. Time may jump. True when the shown range changed.
+    /// Takes the extremes of the newest data (low <= high, finite). The time may jump in both directions.
+    /// Returns whether the shown range changed.
     bool update(double low, double high, double time_s);
     void reset();
     /// For data whose scale becomes known later; > 0.

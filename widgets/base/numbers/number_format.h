@@ -18,7 +18,7 @@ inline constexpr int kNumberWidth = 5;
 /// Value rounded to an integer, filled up like threeDigits().
 [[nodiscard]] QString wholeNumber(std::optional<double> value);
 
-/// Value with three significant digits and an SI prefix from pico to tera: "12.3 mN"; always equally wide.
+/// Value with three significant digits and an SI prefix from pico to tera: "12.3 mN". Of constant width.
 [[nodiscard]] QString siQuantity(std::optional<double> value, const QString& unit);
 
 /// number, a no-break space and the unit; without the space before a degree sign and when the unit is empty.
@@ -27,7 +27,8 @@ inline constexpr int kNumberWidth = 5;
 /// A count in at most four characters: "0", "999", "1.23 k", "45.6 M". Rounded down: it never overstates.
 [[nodiscard]] QString shortCount(quint64 count);
 
-/// A number that does not flicker: it follows the value in full steps of its text. Thread: one.
+/// A number that does not flicker: it changes only when the value has moved by a full step of its text.
+/// Thread: one.
 class SteadyNumber {
 public:
     /// resolution: step of the text, > 0; 0 takes that of threeDigits().

@@ -44,7 +44,7 @@ Pattern withoutTracks(const Pattern& pattern) {
 
 } // namespace
 
-/// A state of the pattern. It shares the unchanged tracks of a long pattern with the previous state.
+/// A state of the pattern. Tracks that an edit does not change are shared with the previous state.
 struct PatternDocument::Snapshot {
     std::array<std::shared_ptr<const Track>, core::kTactors> tracks;
     std::shared_ptr<const Pattern> head; ///< without tracks

@@ -37,7 +37,8 @@ public:
     explicit PatternDocument(QObject* parent = nullptr);
     ~PatternDocument() override;
 
-    /// Opens a pattern and clears the undo stack. path: empty without a file. unsaved: differs from its file.
+    /// Opens a pattern and clears the undo stack. path: empty if it has no file. unsaved: the file does not
+    /// contain this state.
     void setPattern(Pattern pattern, const QString& path = {}, bool unsaved = false);
     [[nodiscard]] const Pattern& pattern() const { return m_pattern; }
     [[nodiscard]] const CompiledPattern& compiled() const { return m_compiled; }

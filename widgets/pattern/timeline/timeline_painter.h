@@ -28,7 +28,8 @@ struct TimelineContent {
     bool assumedMotors = true;
 };
 
-/// Draws the timeline; returns the number of handles drawn: only selected ones where they would overlap.
+/// Draws the timeline and returns the number of handles of breakpoints drawn. The handles of a lane are left
+/// out where they would overlap, except for selected ones.
 int paintTimeline(QPainter& painter, const TimelineGeometry& geometry, const TimelineContent& content,
                   const QPalette& palette, const QFont& font);
 

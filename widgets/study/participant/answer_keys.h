@@ -26,7 +26,8 @@ struct PhysicalKey {
     [[nodiscard]] QString device() const;
 };
 
-/// From the scan code under X11 and Wayland (evdev + 8), otherwise Qt's key; empty for others. Thread: GUI.
+/// From the scan code under X11 and Wayland (evdev + 8), otherwise from Qt's key. Empty for other keys.
+/// Thread: GUI.
 [[nodiscard]] std::optional<PhysicalKey> physicalKey(const QKeyEvent& event);
 
 } // namespace teleta::study

@@ -13,7 +13,8 @@ namespace teleta::study {
 /// difference, and for events without a usable timestamp, it is the time of handling. Thread: one.
 class EventClock {
 public:
-    /// timestamp_ms: of the event, 0: none. now_ns: steady time of its handling. Returns at most now_ns.
+    /// timestamp_ms: of the event, 0: none. now_ns: steady time of its handling. Returns steady time, at most
+    /// now_ns.
     [[nodiscard]] std::int64_t time_ns(std::uint64_t timestamp_ms, std::int64_t now_ns);
 
 private:

@@ -25,7 +25,8 @@ struct PatternDiagram {
     double span_s = 0.0;                              ///< what the course covers
 };
 
-/// span_s: shown length, > 0; shorter patterns are padded, for comparison. Thread: any (pure).
+/// span_s: shown length, > 0; shorter patterns are padded, so that pictures with the same span can be
+/// compared. Thread: any (pure).
 [[nodiscard]] PatternDiagram diagramOf(const pattern::Pattern& pattern, double span_s);
 
 /// The arm in cross-section with six tactors around it, tactor 1 on top, rising numbers counter-clockwise:

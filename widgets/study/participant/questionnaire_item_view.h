@@ -31,7 +31,8 @@ public:
     /// Why the answer is not accepted; empty: no problem.
     void setProblem(const QString& problem);
     void focusAnswer();
-    /// Answers with a key typed before the item had the focus: a digit, or a first letter. False: no answer.
+    /// Answers with a key that was typed before the item had the focus: a digit, or the first letter of a
+    /// text. False: not an answer.
     bool takeFirstKey(QKeyEvent& key);
     /// The points of a scale, or the choices; the last one of an optional item is "No answer".
     [[nodiscard]] const std::vector<QAbstractButton*>& buttons() const { return m_buttons; }

@@ -9,7 +9,8 @@
 
 namespace teleta::study {
 
-/// A button with participants to tick. A text says what no ticks mean: "All participants". Thread: GUI.
+/// A button with a list of participants to tick. If none is ticked, a text says what that means, such as "All
+/// participants". Thread: GUI.
 class ParticipantPicker : public QPushButton {
     Q_OBJECT
 

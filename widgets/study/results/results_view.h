@@ -33,7 +33,8 @@ struct ResultsScene {
 };
 
 /// The results of a study: confusion matrices, accuracy with intervals, conditions compared for each pattern,
-/// response times, information transfer with its bias, ANOVA. All can be copied and saved. Thread: GUI.
+/// response times, information transfer with its bias, ANOVA. All of it can be copied and saved.
+/// Thread: GUI.
 class ResultsView : public QWidget {
     Q_OBJECT
 

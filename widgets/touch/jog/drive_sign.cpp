@@ -84,9 +84,7 @@ void DriveSign::paintEvent(QPaintEvent*) {
         colour = palette().color(QPalette::Link);
         paintArrows(painter, square, colour);
     }
-    QFont bold = font();
-    bold.setBold(true);
-    painter.setFont(bold);
+    painter.setFont(base::bold(font()));
     painter.setPen(colour);
     const double left = m_drive ? square.right() + 0.5 * em : square.left();
     painter.drawText(QRectF(left, 0.0, width() - left, height()), Qt::AlignLeft | Qt::AlignVCenter, text());

@@ -485,7 +485,7 @@ void JogPanel::releaseAll() {
 
 void JogPanel::onDirectionHeld(bool held, Qt::KeyboardModifiers modifiers) {
     if (held) {
-        // The keyboard comes here, so that letting go of Shift is seen.
+        // Takes the keyboard, so that letting go of Shift is seen.
         setFocus(Qt::MouseFocusReason);
         m_shift = modifiers.testFlag(Qt::ShiftModifier);
         for (std::size_t axis = 0; axis < axes(); ++axis)

@@ -34,17 +34,17 @@ class JointRange;
 
 /// Moves the arm by hand, joint by joint or its tip along the axes of the base. The arm moves only while the
 /// dead-man switch (Shift, or the button on the screen) is held. Letting go of it, losing the keyboard focus
-/// or the window, hiding, STOP, or losing the arm sends zero at once and takes all holds back, so that
+/// or the window, hiding, STOP, or losing the arm sends zero at once and releases everything, so that
 /// nothing goes on by itself.
 ///
 /// By velocity, the arm moves as long as a direction (a button, or its key) is held, too. By position, the
 /// tip goes where it is led: each press of a direction is a step of the scale, and the deflection of a 3D
-/// mouse is a displacement, of kFullStep_m at most and 100 %. While the clutch (C, its button, or the second
-/// one of a 3D mouse) is held, the arm stands still; then the hand takes hold anew, as does who takes over
-/// from another (keys from the mouse, the mouse from keys). Joints are always moved by velocity.
+/// mouse is a displacement, kFullStep_m at full deflection and 100 %. While the clutch (C, its button, or the
+/// second one of a 3D mouse) is held, the arm stands still; afterwards a new hold begins where the tip is, as
+/// when the keys take over from the mouse or the mouse from the keys. Joints are always moved by velocity.
 ///
 /// A 3D mouse moves the tip, whatever the mode, while its own dead-man button is held; it needs no focus.
-/// STOP, another arm and old joint readings take it out of effect until its button was let go.
+/// After STOP, another arm or old joint readings it has no effect until its button has been released.
 ///
 /// Keys while the panel has the focus: Q W E R T Y U turn the joints 1 to 7 up, A S D F G H J down; with the
 /// tip, D A move along x, W S along y, E Q along z. Thread: GUI.
