@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <tuple>
+#include <utility>
 
 namespace teleta::stiffness {
 
@@ -16,14 +17,27 @@ bool comesBefore(const JointSample& a, const JointSample& b) {
 
 } // namespace
 
-std::vector<JointSample> loadingRamp(std::span<const JointSample> samples, const TorqueWindow& window,
-                                     double torqueReference_Nm) {
+std::vector<JointSample> inOrderOfTime(std::span<const JointSample> samples) {
     std::vector<JointSample> log(samples.begin(), samples.end());
-    for (JointSample& sample : log)
-        sample.torque_Nm -= torqueReference_Nm;
     if (!std::is_sorted(log.begin(), log.end(), comesBefore))
         std::sort(log.begin(), log.end(), comesBefore);
     log.erase(std::unique(log.begin(), log.end()), log.end());
+    return log;
+}
+
+std::vector<JointSample> loadingRamp(std::span<const JointSample> samples, const TorqueWindow& window,
+                                     double torqueReference_Nm) {
+    std::vector<JointSample> log = inOrderOfTime(samples);
+    for (JointSample& sample : log)
+        sample.torque_Nm -= torqueReference_Nm;
+    const OrderedTouch touch = orderedTouch(std::move(log), window);
+    return {touch.ramp().begin(), touch.ramp().end()};
+}
+
+OrderedTouch orderedTouch(std::vector<JointSample> samples, const TorqueWindow& window) {
+    OrderedTouch touch;
+    touch.log = std::move(samples);
+    std::vector<JointSample>& log = touch.log;
 
     // The direction of the touch is read where the torque is well above the noise.
     auto touched = std::find_if(log.begin(), log.end(), [&](const JointSample& sample) {
@@ -34,8 +48,9 @@ std::vector<JointSample> loadingRamp(std::span<const JointSample> samples, const
             return std::abs(a.torque_Nm) < std::abs(b.torque_Nm);
         });
     if (touched == log.end() || std::abs(touched->torque_Nm) < window.low_Nm)
-        return {};
+        return touch;
     if (touched->torque_Nm < 0.0) {
+        touch.turned = true;
         for (JointSample& sample : log) {
             sample.torque_Nm = -sample.torque_Nm;
             sample.angle_rad = -sample.angle_rad;
@@ -64,7 +79,9 @@ std::vector<JointSample> loadingRamp(std::span<const JointSample> samples, const
     auto first = reached;
     while (first != log.begin() && (first - 1)->torque_Nm >= least_Nm)
         --first;
-    return {first, top};
+    touch.first = static_cast<std::size_t>(first - log.begin());
+    touch.end = static_cast<std::size_t>(top - log.begin());
+    return touch;
 }
 
 EstimatedNoise estimateNoise(std::span<const JointSample> ramp) {

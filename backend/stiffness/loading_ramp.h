@@ -4,6 +4,7 @@
 #include "backend/stiffness/compliance_line.h"
 #include "backend/stiffness/joint_sample.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,25 @@ inline constexpr double kWindowMargin = 0.5;
 [[nodiscard]] std::vector<JointSample> loadingRamp(std::span<const JointSample> samples,
                                                    const TorqueWindow& window,
                                                    double torqueReference_Nm = 0.0);
+
+/// A touch in order of time, positive in its direction, with the range of its first loading.
+struct OrderedTouch {
+    std::vector<JointSample> log;
+    std::size_t first = 0; ///< of the samples that loadingRamp() gives
+    std::size_t end = 0;   ///< past the last of them; first: there are none
+    bool turned = false;   ///< the signs of torque and angle were changed
+
+    [[nodiscard]] std::span<const JointSample> ramp() const {
+        return std::span(log).subspan(first, end - first);
+    }
+};
+
+/// Sorts a log and takes repeated samples out. Thread: any (pure).
+[[nodiscard]] std::vector<JointSample> inOrderOfTime(std::span<const JointSample> samples);
+
+/// The whole log with the range of loadingRamp(). log: as inOrderOfTime() gives it, torques relative to the
+/// reference. Thread: any (pure).
+[[nodiscard]] OrderedTouch orderedTouch(std::vector<JointSample> log, const TorqueWindow& window);
 
 /// Noise of both readings and the degrees of freedom of their variances, 0 when the noise is unknown.
 struct EstimatedNoise {

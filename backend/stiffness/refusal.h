@@ -12,7 +12,7 @@ enum class Refusal {
     badWindow,           ///< not 0 <= low < high
     noSamples,           ///< there is nothing to evaluate
     windowNotReached,    ///< the torque never enters the window, or (two-point) misses one of its halves
-    tooFewSamples,       ///< fewer than two samples in the window
+    tooFewSamples,       ///< fewer than 20 independent samples in the window, for a regression
     torqueUnchanged,     ///< all samples in the window have the same torque
     angleOpposesTorque,  ///< the joint turns against the rising torque by more than the noise explains
     tooQuick,            ///< the torque rises so quickly that it includes the inertia of the link

@@ -3,11 +3,13 @@
 
 #include "backend/stiffness/compliance_line.h"
 #include "backend/stiffness/loading_ramp.h"
+#include "backend/stiffness/touch_errors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace teleta::stiffness {
@@ -21,28 +23,6 @@ constexpr double kLargest = 1e100;
 /// of the fit.
 constexpr double kBorderRounding = 1e-9;
 
-/// Result of either method before the contact distance is applied.
-struct Slope {
-    double value_radPerNm = 0.0;
-    std::optional<double> se_radPerNm;
-    double quantile95 = kNormalQuantile95;
-    double deltaTorque_Nm = 0.0;
-    double deltaTheta_rad = 0.0;
-    std::size_t samples = 0;
-};
-
-struct Noise {
-    ReadingNoise reading;
-    bool known = false;            ///< both were given
-    bool available = false;        ///< both are known or estimated
-    double degreesOfFreedom = 0.0; ///< of an estimate
-
-    /// Standard deviation of a sample from the line, in angle.
-    [[nodiscard]] double along_rad(double slope_radPerNm) const {
-        return std::hypot(reading.angle_rad, slope_radPerNm * reading.torque_Nm);
-    }
-};
-
 std::optional<Refusal> refuse(std::span<const JointSample> samples, const TouchSettings& settings) {
     const double torqueNoise_Nm = settings.torqueNoise_Nm.value_or(0.0);
     const double angleNoise_rad = settings.angleNoise_rad.value_or(0.0);
@@ -55,16 +35,19 @@ std::optional<Refusal> refuse(std::span<const JointSample> samples, const TouchS
         }
         return true;
     };
-    if (!isFinite({settings.contactDistance_m, settings.linkStiffness_NPerM, settings.linkStiffnessSe_NPerM,
-                   settings.window.low_Nm, settings.window.high_Nm, settings.torqueReference_Nm,
-                   torqueNoise_Nm, angleNoise_rad}))
+    const double distanceSe_m = settings.contactDistanceSe_m.value_or(0.0);
+    const double placeSe_mPerN = settings.placeSe_mPerN.value_or(0.0);
+    if (!isFinite({settings.contactDistance_m, distanceSe_m, placeSe_mPerN, settings.linkStiffness_NPerM,
+                   settings.linkStiffnessSe_NPerM, settings.window.low_Nm, settings.window.high_Nm,
+                   settings.torqueReference_Nm.value_or(0.0), torqueNoise_Nm, angleNoise_rad}))
         return Refusal::notFinite;
     for (const JointSample& sample : samples)
         if (!isFinite({sample.time_s, sample.angle_rad, sample.torque_Nm}))
             return Refusal::notFinite;
     if (settings.contactDistance_m <= 0.0 || settings.linkStiffness_NPerM <= 0.0)
         return Refusal::notPositive;
-    if (settings.linkStiffnessSe_NPerM < 0.0 || torqueNoise_Nm < 0.0 || angleNoise_rad < 0.0)
+    if (settings.linkStiffnessSe_NPerM < 0.0 || distanceSe_m < 0.0 || placeSe_mPerN < 0.0 ||
+        torqueNoise_Nm < 0.0 || angleNoise_rad < 0.0)
         return Refusal::negativeUncertainty;
     if (settings.window.low_Nm < 0.0 || settings.window.high_Nm <= settings.window.low_Nm)
         return Refusal::badWindow;
@@ -76,8 +59,8 @@ std::optional<Refusal> refuse(std::span<const JointSample> samples, const TouchS
     return std::nullopt;
 }
 
-Noise noiseOf(std::span<const JointSample> ramp, const TouchSettings& settings) {
-    Noise noise;
+TouchNoise noiseOf(std::span<const JointSample> ramp, const TouchSettings& settings) {
+    TouchNoise noise;
     noise.known = settings.torqueNoise_Nm && settings.angleNoise_rad;
     noise.available = noise.known;
     if (!noise.known) {
@@ -91,8 +74,8 @@ Noise noiseOf(std::span<const JointSample> ramp, const TouchSettings& settings) 
     return noise;
 }
 
-tl::expected<Slope, Refusal> twoPointSlope(std::span<const JointSample> ramp, const TorqueWindow& window,
-                                           const Noise& noise) {
+tl::expected<FittedSlope, Refusal> twoPointSlope(std::span<const JointSample> ramp,
+                                                 const TorqueWindow& window, const TouchNoise& noise) {
     const auto nearest = [&](double torque_Nm) -> const JointSample& {
         return *std::min_element(ramp.begin(), ramp.end(), [&](const JointSample& a, const JointSample& b) {
             return std::abs(a.torque_Nm - torque_Nm) < std::abs(b.torque_Nm - torque_Nm);
@@ -102,7 +85,7 @@ tl::expected<Slope, Refusal> twoPointSlope(std::span<const JointSample> ramp, co
     const JointSample& high = nearest(window.high_Nm);
     if (low.torque_Nm > window.middle_Nm() || high.torque_Nm < window.middle_Nm())
         return tl::unexpected(Refusal::windowNotReached);
-    Slope slope;
+    FittedSlope slope;
     slope.samples = 2;
     slope.deltaTorque_Nm = high.torque_Nm - low.torque_Nm;
     slope.deltaTheta_rad = high.angle_rad - low.angle_rad;
@@ -116,8 +99,8 @@ tl::expected<Slope, Refusal> twoPointSlope(std::span<const JointSample> ramp, co
     return slope;
 }
 
-tl::expected<Slope, Refusal> regressionSlope(std::span<const JointSample> ramp, const TorqueWindow& window,
-                                             const Noise& noise) {
+tl::expected<FittedSlope, Refusal> regressionSlope(std::span<const JointSample> ramp,
+                                                   const TorqueWindow& window, const TouchNoise& noise) {
     // Relative to the first sample, so that no digits are lost where the angle is far from zero.
     const double origin_rad = ramp.front().angle_rad;
     std::vector<TorqueAngle> points(ramp.size());
@@ -159,7 +142,7 @@ tl::expected<Slope, Refusal> regressionSlope(std::span<const JointSample> ramp, 
         selection = std::move(nextSelection);
     }
 
-    Slope slope;
+    FittedSlope slope;
     slope.samples = line->points;
     slope.value_radPerNm = line->slope_radPerNm;
     slope.se_radPerNm = line->slopeSe_radPerNm;
@@ -179,17 +162,50 @@ tl::expected<Slope, Refusal> regressionSlope(std::span<const JointSample> ramp, 
         [&](const TorqueAngle& a, const TorqueAngle& b) { return alongLine_Nm(a) < alongLine_Nm(b); });
     slope.deltaTorque_Nm = alongLine_Nm(*highest) - alongLine_Nm(*lowest);
     slope.deltaTheta_rad = slope.value_radPerNm * slope.deltaTorque_Nm;
+    slope.residuals_rad.reserve(selection.size());
+    for (const TorqueAngle& point : selection)
+        slope.residuals_rad.push_back(point.angle_rad - line->offset_rad -
+                                      line->slope_radPerNm * point.torque_Nm);
+    slope.points = std::move(selection);
     return slope;
+}
+
+bool inOneBand(Material material, double lower_NPerM, double upper_NPerM) {
+    return classify(lower_NPerM) == material && classify(upper_NPerM) == material;
 }
 
 /// Sets the class of the object and whether the whole interval lies in it.
 void classifyObject(TouchStiffness& touch) {
+    if (touch.solid) {
+        const Interval95& still = touch.solid->static_NPerM;
+        touch.material = classify(still.value);
+        touch.materialCertain = inOneBand(touch.material, still.lower, still.upper);
+        return;
+    }
     const Stiffness& object = touch.object;
     touch.material = object.value_NPerM ? classify(*object.value_NPerM) : Material::metal;
     const bool lowerAgrees = object.lower95_NPerM && classify(*object.lower95_NPerM) == touch.material;
     const bool upperAgrees = object.upper95_NPerM ? classify(*object.upper95_NPerM) == touch.material
                                                   : touch.material == Material::metal;
-    touch.materialCertain = lowerAgrees && upperAgrees;
+    touch.materialCertain = touch.reliable && lowerAgrees && upperAgrees;
+}
+
+/// Sets a standard error from its parts, and the quantile: Student's t for what the scatter tells.
+void setError(Compliance& compliance, const std::vector<ErrorPart>& parts, double quantile95) {
+    double scatter_mPerN = 0.0;
+    double other_mPerN = 0.0;
+    for (const ErrorPart& part : parts) {
+        const bool isScatter =
+            part.source == ErrorSource::noise || part.source == ErrorSource::correlatedNoise;
+        double& sum = isScatter ? scatter_mPerN : other_mPerN;
+        sum = std::hypot(sum, part.se_mPerN);
+    }
+    const double se_mPerN = std::hypot(scatter_mPerN, other_mPerN);
+    compliance.se_mPerN = se_mPerN;
+    compliance.quantile95 = quantile95;
+    if (other_mPerN > 0.0)
+        compliance.quantile95 =
+            std::hypot(quantile95 * (scatter_mPerN / se_mPerN), kNormalQuantile95 * (other_mPerN / se_mPerN));
 }
 
 } // namespace
@@ -205,37 +221,62 @@ std::optional<Method> methodFromString(std::string_view text) {
     return std::nullopt;
 }
 
+bool TouchStiffness::has(TouchWarning warning) const {
+    return std::ranges::find(warnings, warning) != warnings.end();
+}
+
 tl::expected<TouchStiffness, Refusal> estimateStiffness(std::span<const JointSample> samples,
                                                         const TouchSettings& settings) {
     if (const std::optional<Refusal> refusal = refuse(samples, settings))
         return tl::unexpected(*refusal);
-    const std::vector<JointSample> ramp = loadingRamp(samples, settings.window, settings.torqueReference_Nm);
+    const TaredTouch tared = tare(samples, settings);
+    const OrderedTouch ordered = orderedTouch(tared.log, settings.window);
+    const auto ramp = ordered.ramp();
     if (ramp.empty())
         return tl::unexpected(Refusal::windowNotReached);
-    const Noise noise = noiseOf(ramp, settings);
-    const tl::expected<Slope, Refusal> slope = settings.method == Method::twoPoint
-                                                   ? twoPointSlope(ramp, settings.window, noise)
-                                                   : regressionSlope(ramp, settings.window, noise);
+    const TouchNoise noise = noiseOf(ramp, settings);
+    const tl::expected<FittedSlope, Refusal> slope = settings.method == Method::twoPoint
+                                                         ? twoPointSlope(ramp, settings.window, noise)
+                                                         : regressionSlope(ramp, settings.window, noise);
     if (!slope)
         return tl::unexpected(slope.error());
+    TouchErrors errors(tared, ordered, *slope, noise, settings);
+    errors.examine();
 
-    const double distanceSquared_m2 = settings.contactDistance_m * settings.contactDistance_m;
+    const double distance_m = settings.contactDistance_m;
+    const double distanceSquared_m2 = distance_m * distance_m;
+    const double link_NPerM = settings.linkStiffness_NPerM;
     TouchStiffness touch;
     touch.method = settings.method;
     touch.samples = slope->samples;
     touch.deltaTorque_Nm = slope->deltaTorque_Nm;
     touch.deltaTheta_rad = slope->deltaTheta_rad;
     touch.totalCompliance.value_mPerN = distanceSquared_m2 * slope->value_radPerNm;
-    touch.totalCompliance.quantile95 = slope->quantile95;
-    if (slope->se_radPerNm)
-        touch.totalCompliance.se_mPerN = distanceSquared_m2 * *slope->se_radPerNm;
-
-    const double link_NPerM = settings.linkStiffness_NPerM;
-    const tl::expected<Compliance, Refusal> object =
-        objectCompliance(touch.totalCompliance, link_NPerM, settings.linkStiffnessSe_NPerM);
-    if (!object)
-        return tl::unexpected(object.error() == Refusal::notFinite ? Refusal::outOfRange : object.error());
-    touch.objectCompliance = *object;
+    touch.objectCompliance.value_mPerN = touch.totalCompliance.value_mPerN - 1.0 / link_NPerM;
+    if (!std::isfinite(touch.objectCompliance.value_mPerN))
+        return tl::unexpected(Refusal::outOfRange);
+    if (slope->se_radPerNm) {
+        double quantile95 = slope->quantile95;
+        if (settings.method == Method::regression && errors.effectiveSamples() > 3.0 &&
+            (!noise.known || errors.inflation() > 1.0))
+            quantile95 = studentQuantile95(errors.effectiveSamples() - 2.0);
+        const double distanceSe = settings.contactDistanceSe_m.value_or(kLeastDistanceSe * distance_m);
+        const double twice = 2.0 * distanceSe / distance_m;
+        std::vector<ErrorPart> parts = errors.parts();
+        std::vector<ErrorPart> objectParts = parts;
+        parts.push_back({ErrorSource::contactDistance, twice * std::abs(touch.totalCompliance.value_mPerN)});
+        objectParts.push_back(
+            {ErrorSource::contactDistance,
+             settings.placeSe_mPerN.value_or(twice * std::abs(touch.totalCompliance.value_mPerN))});
+        objectParts.push_back(
+            {ErrorSource::linkStiffness, settings.linkStiffnessSe_NPerM / link_NPerM / link_NPerM});
+        setError(touch.totalCompliance, parts, quantile95);
+        setError(touch.objectCompliance, objectParts, quantile95);
+        touch.errorBudget = budgetOf(objectParts);
+        if (!std::isfinite(*touch.objectCompliance.se_mPerN) ||
+            !std::isfinite(touch.objectCompliance.quantile95))
+            return tl::unexpected(Refusal::outOfRange);
+    }
 
     const double resolution_mPerN = kComplianceResolution / link_NPerM;
     const auto isBelowZero = [&](const Compliance& compliance) {
@@ -243,9 +284,15 @@ tl::expected<TouchStiffness, Refusal> estimateStiffness(std::span<const JointSam
     };
     if (isBelowZero(touch.totalCompliance))
         return tl::unexpected(Refusal::angleOpposesTorque);
+    const double counted =
+        errors.explainsResiduals() ? static_cast<double>(slope->samples) : errors.effectiveSamples();
+    if (settings.method == Method::regression && counted < kLeastEffectiveSamples)
+        return tl::unexpected(Refusal::tooFewSamples);
     touch.stifferThanLink = isBelowZero(touch.objectCompliance);
     touch.total = stiffnessFromCompliance(touch.totalCompliance, link_NPerM);
     touch.object = stiffnessFromCompliance(touch.objectCompliance, link_NPerM);
+    errors.tell(touch);
+    touch.solid = errors.solid();
     classifyObject(touch);
     return touch;
 }

@@ -4,7 +4,9 @@
 #include "backend/stiffness/joint_sample.h"
 #include "backend/stiffness/material.h"
 #include "backend/stiffness/refusal.h"
+#include "backend/stiffness/relaxation_fit.h"
 #include "backend/stiffness/touch_equations.h"
+#include "backend/stiffness/touch_warning.h"
 
 #include <tl/expected.hpp>
 
@@ -12,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace teleta::stiffness {
 
@@ -24,13 +27,27 @@ enum class Method {
 [[nodiscard]] const char* toString(Method method);
 [[nodiscard]] std::optional<Method> methodFromString(std::string_view text);
 
+/// Standard error of a contact distance that is told without one, over the distance: no distance is known
+/// better. The paper's own factors are rounded to as much.
+inline constexpr double kLeastDistanceSe = 0.0005;
+
+/// A regression needs so many independent samples in the window.
+inline constexpr double kLeastEffectiveSamples = 20.0;
+
 /// What is known about a touch besides its samples.
 struct TouchSettings {
     double contactDistance_m = 0.0; ///< P_C, from the joint's axis along the link; > 0
+    /// Standard error of P_C; >= 0; empty: kLeastDistanceSe of it.
+    std::optional<double> contactDistanceSe_m;
     double linkStiffness_NPerM = kPaperLinkStiffness_NPerM; ///< k_ri; > 0
     double linkStiffnessSe_NPerM = 0.0;                     ///< standard error of k_ri; >= 0
+    /// Standard error of the object's compliance from the place of the contact, where more depends on it than
+    /// the distance: instead of contactDistanceSe_m.
+    std::optional<double> placeSe_mPerN;
     TorqueWindow window;
-    double torqueReference_Nm = 0.0; ///< torque of the joint without the touch
+    /// Torque of the joint without the touch; empty: that of the free motion before the touch, or 0 when the
+    /// log has none.
+    std::optional<double> torqueReference_Nm;
     Method method = Method::regression;
     std::optional<double>
         torqueNoise_Nm; ///< standard deviation if known; otherwise estimated from the samples
@@ -52,6 +69,24 @@ struct TouchStiffness {
     bool materialCertain = false;        ///< the whole 95 % interval lies in this class
     /// The touch is stiffer than the link alone by more than its noise: some setting must be wrong.
     bool stifferThanLink = false;
+
+    bool reliable = true; ///< false: what the samples show is not a spring, or too coarse; see warnings
+    std::vector<TouchWarning> warnings; ///< what was seen, each once, in the order of kTouchWarnings
+    ErrorBudget errorBudget;            ///< of the object's compliance
+    double effectiveSamples = 0.0;      ///< independent samples among them
+    double torqueReference_Nm = 0.0;    ///< taken off, at the contact
+    double torqueDrift_NmPerS = 0.0;    ///< taken off
+    /// Where the window's line bends: the object's stiffness between the ends of the window, and at its upper
+    /// end. Empty without TouchWarning::nonlinear, or where the object cannot be told from rigid.
+    std::optional<double> secant_NPerM;
+    std::optional<double> tangent_NPerM;
+    /// Where the force depends on the rate and the log has a hold: then material is the class of the static
+    /// stiffness.
+    std::optional<StandardLinearSolid> solid;
+
+    /// Whether material and materialCertain can be told to people.
+    [[nodiscard]] bool materialKnown() const { return reliable || solid.has_value(); }
+    [[nodiscard]] bool has(TouchWarning warning) const;
 };
 
 /// Estimates the stiffness of an object from the log of one touch.
@@ -60,11 +95,16 @@ struct TouchStiffness {
 /// The regression uses the samples whose torque *on the line* lies in the window. Selecting by the measured
 /// torque would prefer positive noise at the lower border and negative noise at the upper one, which biases
 /// the slope. Its standard error comes from the scatter about the line (Student's t, n - 2); a known noise
-/// replaces it unless the scatter is larger. Noise is assumed to be white. A noise that is not given is
-/// estimated from the samples; if that is impossible, the angle counts as exact and a two-point answer has no
-/// standard error. samples: the log of one touch in any order; repeated rows count once. Free motion,
-/// unloading and later touches are ignored. Thread: any (pure). Error: see Refusal. Source: TeleTA, section
-/// 2.
+/// replaces it unless the scatter is larger. A noise that is not given is estimated from the samples; if that
+/// is impossible, the angle counts as exact and a two-point answer has no standard error.
+///
+/// The torque of the free motion is taken off, and its slope where it is over 3.5 standard errors. A smaller
+/// one enters the error, with no more than the noise has. The other parts of the error are those of
+/// ErrorSource; the distance enters squared. Patterns that a spring does not have are told as warnings, see
+/// examineTouch(). A bend of the line within the window by more than a tenth, coarse steps, rate dependence
+/// and stick-slip make the answer unreliable; offset, drift and correlation, which were taken care of, do
+/// not. samples: the log of one touch in any order; repeated rows count once. Unloading and later touches do
+/// not move the value. Thread: any (pure). Error: see Refusal. Source: TeleTA, section 2.
 [[nodiscard]] tl::expected<TouchStiffness, Refusal> estimateStiffness(std::span<const JointSample> samples,
                                                                       const TouchSettings& settings);
 

@@ -17,7 +17,7 @@ struct SimulatedTouch {
     double contactDistance_m = 0.17;
     double speed_radPerS = 0.005;
     double rate_Hz = 1000.0;
-    double freeMotion_s = 0.1;
+    double freeMotion_s = 0.1;   ///< too short to tell a drift
     double lastTorque_Nm = 0.06; ///< the motion ends with the first reading over this
     double torqueNoise_Nm = 0.0005;
     double angleNoise_rad = 0.0;

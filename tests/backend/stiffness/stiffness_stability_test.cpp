@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -23,6 +24,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 TouchSettings at(double contactDistance_m, Method method) {
     TouchSettings settings;
     settings.contactDistance_m = contactDistance_m;
+    settings.contactDistanceSe_m = 0.0;
     settings.method = method;
     return settings;
 }
@@ -98,6 +100,7 @@ TEST(StiffnessStability, noisyTouchesWidenTheirIntervalTowardsRigidAndEndInABoun
         for (int step = 0; step <= 48; ++step) {
             SimulatedTouch world;
             world.objectCompliance_mPerN = std::pow(10.0, -2.0 - 0.25 * step);
+            world.freeMotion_s = 1.0;
             const auto touch = estimate(world.record(11), at(0.17, method));
             ASSERT_TRUE(touch);
             expectSane(*touch);
@@ -240,7 +243,13 @@ TEST(StiffnessStability, everyNonFiniteNumberIsRefused) {
             }
             for (double TouchSettings::*field :
                  {&TouchSettings::contactDistance_m, &TouchSettings::linkStiffness_NPerM,
-                  &TouchSettings::linkStiffnessSe_NPerM, &TouchSettings::torqueReference_Nm}) {
+                  &TouchSettings::linkStiffnessSe_NPerM}) {
+                TouchSettings settings = at(0.17, method);
+                settings.*field = value;
+                EXPECT_EQ(estimate(log, settings).error(), Refusal::notFinite);
+            }
+            for (std::optional<double> TouchSettings::*field :
+                 {&TouchSettings::contactDistanceSe_m, &TouchSettings::torqueReference_Nm}) {
                 TouchSettings settings = at(0.17, method);
                 settings.*field = value;
                 EXPECT_EQ(estimate(log, settings).error(), Refusal::notFinite);
@@ -269,22 +278,42 @@ TEST(StiffnessStability, numbersThatCannotBeReckonedWithAreRefused) {
     }
 }
 
-TEST(StiffnessStability, emptyOneAndTwoSamplesHaveDefinedAnswers) {
-    for (const Method method : kMethods) {
+TEST(StiffnessStability, emptyOneTwoAndThreeSamplesHaveDefinedAnswers) {
+    const std::vector<JointSample> two{{0.0, 0.0, 0.02}, {1.0, 0.002, 0.05}};
+    const std::vector<JointSample> three{{0.0, 0.0, 0.02}, {0.5, 0.001, 0.0351}, {1.0, 0.002, 0.05}};
+    for (const Method method : kMethods)
         EXPECT_EQ(estimate({}, at(0.17, method)).error(), Refusal::noSamples);
-        const Refusal one = estimate({{0.0, 0.0, 0.03}}, at(0.17, method)).error();
-        EXPECT_EQ(one, method == Method::regression ? Refusal::tooFewSamples : Refusal::windowNotReached);
-        const auto two = estimate({{0.0, 0.0, 0.02}, {1.0, 0.002, 0.05}}, at(0.17, method));
-        ASSERT_TRUE(two);
-        expectSane(*two);
-        EXPECT_NEAR(two->total.value_NPerM.value(), 0.03 / (0.17 * 0.17 * 0.002), 1e-9);
-        EXPECT_FALSE(two->total.se_NPerM);
-        const auto three =
-            estimate({{0.0, 0.0, 0.02}, {0.5, 0.001, 0.0351}, {1.0, 0.002, 0.05}}, at(0.17, method));
-        ASSERT_TRUE(three);
-        expectSane(*three);
-        EXPECT_TRUE(three->total.lower95_NPerM) << "three samples tell a noise, however roughly";
-    }
+    EXPECT_EQ(estimate({{0.0, 0.0, 0.03}}, at(0.17, Method::twoPoint)).error(), Refusal::windowNotReached);
+    EXPECT_EQ(estimate({{0.0, 0.0, 0.03}}, at(0.17, Method::regression)).error(), Refusal::tooFewSamples);
+    EXPECT_EQ(estimate(two, at(0.17, Method::regression)).error(), Refusal::tooFewSamples);
+    EXPECT_EQ(estimate(three, at(0.17, Method::regression)).error(), Refusal::tooFewSamples);
+
+    const auto answer = estimate(two, at(0.17, Method::twoPoint));
+    ASSERT_TRUE(answer);
+    expectSane(*answer);
+    EXPECT_NEAR(answer->total.value_NPerM.value(), 0.03 / (0.17 * 0.17 * 0.002), 1e-9);
+    EXPECT_FALSE(answer->total.se_NPerM);
+    const auto roughly = estimate(three, at(0.17, Method::twoPoint));
+    ASSERT_TRUE(roughly);
+    expectSane(*roughly);
+    EXPECT_TRUE(roughly->total.lower95_NPerM) << "three samples tell a noise, however roughly";
+}
+
+TEST(StiffnessStability, aRegressionNeedsTwentySamplesInTheWindow) {
+    const auto rampOf = [](int samples) {
+        std::vector<JointSample> log;
+        for (int i = 0; i < samples; ++i) {
+            const double share = samples > 1 ? static_cast<double>(i) / (samples - 1) : 0.0;
+            log.push_back({0.001 * i, 0.002 * share, 0.02 + 0.03 * share});
+        }
+        return log;
+    };
+    EXPECT_EQ(estimate(rampOf(19), at(0.17, Method::regression)).error(), Refusal::tooFewSamples);
+    const auto touch = estimate(rampOf(20), at(0.17, Method::regression));
+    ASSERT_TRUE(touch);
+    expectSane(*touch);
+    EXPECT_EQ(touch->samples, 20U);
+    EXPECT_EQ(touch->effectiveSamples, 20.0);
 }
 
 TEST(StiffnessStability, oneSampleManyTimesIsOneSample) {
