@@ -257,9 +257,9 @@ tl::expected<TouchStiffness, Refusal> estimateStiffness(std::span<const JointSam
         return tl::unexpected(Refusal::outOfRange);
     if (slope->se_radPerNm) {
         double quantile95 = slope->quantile95;
-        if (settings.method == Method::regression && errors.effectiveSamples() > 3.0 &&
+        if (settings.method == Method::regression && slope->samples > 2 &&
             (!noise.known || errors.inflation() > 1.0))
-            quantile95 = studentQuantile95(errors.effectiveSamples() - 2.0);
+            quantile95 = studentQuantile95(std::max(errors.effectiveSamples() - 2.0, 1.0));
         const double distanceSe = settings.contactDistanceSe_m.value_or(kLeastDistanceSe * distance_m);
         const double twice = 2.0 * distanceSe / distance_m;
         std::vector<ErrorPart> parts = errors.parts();

@@ -45,6 +45,9 @@ struct TouchSettings {
     /// the distance: instead of contactDistanceSe_m.
     std::optional<double> placeSe_mPerN;
     TorqueWindow window;
+    /// The arm's own motion bends the line, too, as where several joints yield: a bend, a softening and
+    /// correlated residuals widen the interval, instead of making the answer unreliable or refused.
+    bool patternsAreErrors = false;
     /// Torque of the joint without the touch; empty: that of the free motion before the touch, or 0 when the
     /// log has none.
     std::optional<double> torqueReference_Nm;

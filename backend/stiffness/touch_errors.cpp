@@ -134,6 +134,8 @@ void TouchErrors::findPattern() {
     m_pattern =
         examineTouch(m_touch, contact, noise_Nm(), m_tared.free ? m_tared.free->inflation : m_inflation,
                      m_stiffness_NmPerRad, m_settings.window);
+    if (m_settings.patternsAreErrors)
+        m_pattern.rateDependent = false;
 }
 
 double TouchErrors::noise_Nm() const {
@@ -146,6 +148,10 @@ void TouchErrors::examine() {
     findInflation();
     findSteps();
     findBend();
+    // A smooth pattern is no worse than the scatter of a few independent samples.
+    constexpr double kLeastOfPattern = 4.0;
+    if (m_settings.patternsAreErrors)
+        m_inflation = std::clamp(static_cast<double>(m_slope.samples) / kLeastOfPattern, 1.0, m_inflation);
     if (std::isnormal(m_stiffness_NmPerRad))
         findPattern();
 }
@@ -217,7 +223,7 @@ void TouchErrors::tell(TouchStiffness& touch) const {
     };
     const bool coarseTorque = m_torqueStep_Nm > kCoarse * m_settings.window.width_Nm();
     const bool coarseAngle = m_angleStep_rad > kCoarse * std::abs(m_slope.deltaTheta_rad);
-    const bool bendsMuch = m_bends && std::abs(m_bend.change) > kMostBend;
+    const bool bendsMuch = !m_settings.patternsAreErrors && m_bends && std::abs(m_bend.change) > kMostBend;
     warn(TouchWarning::correlatedNoise, m_inflation > 4.0);
     warn(TouchWarning::coarseTorque, coarseTorque);
     warn(TouchWarning::coarseAngle, coarseAngle);

@@ -83,7 +83,7 @@ public:
         return static_cast<double>(m_slope.samples) / m_inflation;
     }
     [[nodiscard]] bool explainsResiduals() const {
-        return m_pattern.rateDependent || m_pattern.stickSlip || m_bends;
+        return m_settings.patternsAreErrors || m_pattern.rateDependent || m_pattern.stickSlip || m_bends;
     }
     void tell(TouchStiffness& touch) const;
     /// Those of the total compliance, but for distance and link.

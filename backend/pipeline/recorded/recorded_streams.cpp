@@ -240,7 +240,7 @@ std::array<double, kTouchValues> touchValues(const TouchRecord& touch) {
         values[10] = found.object.value_NPerM.value_or(kNothing);
         values[11] = found.object.lower95_NPerM.value_or(kNothing);
         values[12] = found.object.upper95_NPerM.value_or(kNothing);
-        values[13] = stiffness::level(found.material);
+        values[13] = found.materialKnown() ? stiffness::level(found.material) : kNothing;
     }
     return values;
 }

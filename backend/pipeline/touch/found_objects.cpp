@@ -35,7 +35,8 @@ bool areApart(const Stiffness& a, const Stiffness& b) {
 }
 
 std::optional<Stiffness> ofTouch(const TouchRecord& touch) {
-    return touch.stiffness ? std::optional(touch.stiffness->object) : std::nullopt;
+    return touch.stiffness && touch.stiffness->reliable ? std::optional(touch.stiffness->object)
+                                                        : std::nullopt;
 }
 
 double observedForce_N(const arm::ContactForce& force) {

@@ -42,8 +42,7 @@ stiffness::JointSample ofJoint(const JointSample& sample, std::size_t joint) {
 }
 
 /// From the first sample in the window to the first above it, or to the last one.
-double timeInWindow_s(const std::vector<stiffness::JointSample>& rise,
-                      const stiffness::TorqueWindow& window) {
+double timeInWindow_s(std::span<const stiffness::JointSample> rise, const stiffness::TorqueWindow& window) {
     const auto isBelow = [](double torque_Nm) {
         return [torque_Nm](const stiffness::JointSample& sample) {
             return std::abs(sample.torque_Nm) < torque_Nm;
@@ -102,6 +101,7 @@ void TouchEstimator::reset() {
     m_raisedUnfelt_s = JointVector::zeros(m_arm.joints());
     m_motion.clear();
     m_accelerated_s.reset();
+    m_free.clear();
     m_touch = {};
 }
 
@@ -205,12 +205,23 @@ void TouchEstimator::watch(const JointSample& sample) {
     const bool wasFree = elbow.phase() == ContactPhase::free;
     for (std::size_t joint = 0; joint < m_arm.joints(); ++joint)
         m_detectors[joint].update(ofJoint(sample, joint), m_reference_Nm[joint]);
-    if (elbow.phase() == ContactPhase::free)
+    if (elbow.phase() == ContactPhase::free) {
+        // What follows a touch is another free motion.
+        if (!wasFree)
+            m_free.clear();
+        keepFree(sample);
         return;
+    }
     if (wasFree)
         m_riseAngles_rad.clear();
     if (m_riseAngles_rad.size() < elbow.transition().size())
         m_riseAngles_rad.push_back(sample.angle_rad);
+}
+
+void TouchEstimator::keepFree(const JointSample& sample) {
+    m_free.push_back(sample);
+    while (sample.sourceTime_s - m_free.front().sourceTime_s > kFreeTime_s)
+        m_free.pop_front();
 }
 
 /// A payload that was hung on, a sensor whose zero jumped, a contact that was there from the start: without
@@ -328,12 +339,14 @@ void TouchEstimator::addToPlace(const SkinContact& contact) {
     const double weight_N = std::max(contact.force_N, kLeastWeight_N);
     if (!m_touch.place ||
         std::hypot(contact.x_m - m_touch.place->x_m, contact.y_m - m_touch.place->y_m) > kSamePlace_m)
-        m_touch.place = Place{contact.x_m, contact.y_m, 0.0, contact.type};
+        m_touch.place = Place{.x_m = contact.x_m, .y_m = contact.y_m, .type = contact.type};
     Place& place = *m_touch.place;
     place.type = contact.type;
     place.weight_N += weight_N;
     place.x_m += weight_N / place.weight_N * (contact.x_m - place.x_m);
     place.y_m += weight_N / place.weight_N * (contact.y_m - place.y_m);
+    place.xSe_m += weight_N / place.weight_N * (contact.xSe_m - place.xSe_m);
+    place.ySe_m += weight_N / place.weight_N * (contact.ySe_m - place.ySe_m);
 }
 
 std::optional<TouchRecord> TouchEstimator::recordWhenLocated(bool waitNoLonger) {
@@ -365,6 +378,7 @@ TouchRecord TouchEstimator::makeRecord() {
     const arm::JointVector angle_rad = toVector(m_touch.loaded.angle_rad);
     record.located = true;
     record.contactDistance_m = located.contactDistance_m;
+    record.contactDistanceSe_m = m_touch.place->xSe_m;
     record.side_rad = located.side_rad;
     record.contactType = m_touch.place->type;
     record.p_Base_Contact_m = p_Base(angle_rad, located);
@@ -374,43 +388,71 @@ TouchRecord TouchEstimator::makeRecord() {
 }
 
 void TouchEstimator::estimate(const Located& located, TouchRecord& record) const {
-    const double lever_m = located.lever_m();
-    if (located.contactDistance_m <= 0.0 || lever_m < m_settings.leastLever_m) {
+    if (located.contactDistance_m <= 0.0 || located.lever_m() < m_settings.leastLever_m) {
         record.refusal = stiffness::Refusal::notPositive;
         return;
     }
-    stiffness::TouchSettings settings;
-    settings.contactDistance_m = lever_m;
-    const arm::JointVector depthPerAngle_m = depthPerAngle(located);
-    settings.linkStiffness_NPerM = linkStiffness_NPerM(lever_m, depthPerAngle_m);
-    settings.window = m_settings.window;
-    settings.method = m_settings.method;
-    settings.torqueNoise_Nm = m_settings.torqueNoise_Nm;
-    settings.angleNoise_rad = m_settings.angleNoise_rad;
     // The detector keeps the rise of an earlier touch when the elbow felt nothing of this one.
-    const auto rise = pressingRise(depthPerAngle_m);
+    const auto transition = m_detectors[kElbow].transition();
     // An elbow that stays in the lower half of the window stood still there while others went on: its samples
     // say nothing of the object.
     const auto bears = [this](const stiffness::JointSample& sample) {
         return std::abs(sample.torque_Nm) >= m_settings.window.middle_Nm();
     };
-    if (rise.empty() || rise.front().time_s < m_touch.first.sourceTime_s ||
-        std::ranges::none_of(rise, bears)) {
+    if (transition.empty() || transition.front().time_s < m_touch.first.sourceTime_s ||
+        std::ranges::none_of(transition, bears)) {
         record.refusal = stiffness::Refusal::windowNotReached;
         return;
     }
-    const auto stiffness = stiffness::estimateStiffness(rise, settings);
+    auto stiffness = stiffnessAt(located, std::nullopt);
+    if (stiffness)
+        stiffness = stiffnessAt(located, placeSe_mPerN(stiffness->objectCompliance.value_mPerN));
     if (!stiffness) {
         record.refusal = stiffness.error();
         return;
     }
-    if (timeInWindow_s(rise, m_settings.window) < m_settings.leastRise_s) {
+    if (timeInWindow_s(transition, m_settings.window) < m_settings.leastRise_s) {
         record.refusal = stiffness::Refusal::tooQuick;
         return;
     }
     record.stiffness = *stiffness;
     record.joint = kElbow;
     record.torque_Nm = m_touch.torque_Nm[kElbow];
+}
+
+tl::expected<stiffness::TouchStiffness, stiffness::Refusal>
+TouchEstimator::stiffnessAt(const Located& located, std::optional<double> placeSe_mPerN) const {
+    const double lever_m = located.lever_m();
+    const arm::JointVector depthPerAngle_m = depthPerAngle(located);
+    stiffness::TouchSettings settings;
+    settings.contactDistance_m = lever_m;
+    settings.contactDistanceSe_m = m_touch.place->xSe_m;
+    settings.placeSe_mPerN = placeSe_mPerN;
+    settings.linkStiffness_NPerM = linkStiffness_NPerM(lever_m, depthPerAngle_m);
+    // 1/k_ri = lever^2 / K and the rest.
+    settings.linkStiffnessSe_NPerM =
+        std::pow(settings.linkStiffness_NPerM * lever_m / m_arm.elbowStiffness_NmPerRad, 2) *
+        m_settings.elbowStiffnessSe_NmPerRad;
+    settings.window = m_settings.window;
+    settings.patternsAreErrors = true;
+    settings.method = m_settings.method;
+    settings.torqueNoise_Nm = m_settings.torqueNoise_Nm;
+    settings.angleNoise_rad = m_settings.angleNoise_rad;
+    return stiffness::estimateStiffness(pressingRise(depthPerAngle_m), settings);
+}
+
+double TouchEstimator::placeSe_mPerN(double object_mPerN) const {
+    const Place& place = *m_touch.place;
+    double squares = 0.0;
+    for (const auto& [x_m, y_m] : {std::pair(place.xSe_m, 0.0), std::pair(0.0, place.ySe_m)}) {
+        if (x_m + y_m <= 0.0)
+            continue;
+        const Located moved = locate(place.x_m + x_m, place.y_m + y_m);
+        const auto there = stiffnessAt(moved, std::nullopt);
+        if (there)
+            squares += std::pow(there->objectCompliance.value_mPerN - object_mPerN, 2);
+    }
+    return std::sqrt(squares);
 }
 
 double TouchEstimator::linkStiffness_NPerM(double lever_m, const arm::JointVector& depthPerAngle_m) const {
@@ -435,11 +477,16 @@ std::vector<stiffness::JointSample>
 TouchEstimator::pressingRise(const arm::JointVector& depthPerAngle_m) const {
     const arm::JointVector pose_rad = toVector(m_touch.loaded.angle_rad);
     const auto transition = m_detectors[kElbow].transition();
-    std::vector<stiffness::JointSample> rise(transition.begin(), transition.end());
-    for (std::size_t i = 0; i < rise.size(); ++i) {
-        const arm::JointVector moved_rad = toVector(m_riseAngles_rad[i]) - pose_rad;
-        rise[i].angle_rad = depthPerAngle_m.dot(moved_rad) / depthPerAngle_m[kElbow];
-    }
+    const auto pressed_rad = [&](const JointVector& angle_rad) {
+        return depthPerAngle_m.dot(toVector(angle_rad) - pose_rad) / depthPerAngle_m[kElbow];
+    };
+    std::vector<stiffness::JointSample> rise;
+    rise.reserve(m_free.size() + transition.size());
+    for (const JointSample& sample : m_free)
+        rise.push_back({sample.sourceTime_s, pressed_rad(sample.angle_rad),
+                        sample.torque_Nm[kElbow] - m_reference_Nm[kElbow]});
+    for (std::size_t i = 0; i < transition.size(); ++i)
+        rise.push_back({transition[i].time_s, pressed_rad(m_riseAngles_rad[i]), transition[i].torque_Nm});
     return rise;
 }
 

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,6 +31,8 @@ struct TouchEstimatorSettings {
     std::optional<double> torqueNoise_Nm; ///< as in stiffness::TouchSettings
     std::optional<double> angleNoise_rad;
     arm::ForceSettings force;
+    double elbowStiffnessSe_NmPerRad = 0.0; ///< standard error of ArmDescription::elbowStiffness_NmPerRad
+    double centroidSe_m = 0.0; ///< of a calibration run of the skin, see setPlaceErrors(); 0: not known
 
     double referenceTime_s =
         0.5;                   ///< time constant with which the reference follows the torque of a free joint
@@ -75,7 +78,10 @@ struct LiveContact {
 ///   1/k_ri  lever^2 / elbowStiffness_NmPerRad + sum of d_i^2 / shoulderStiffness_NmPerRad[i]
 /// with d_i the depth that an angle of joint i presses. When the elbow alone moves and touches with the crest
 /// of the forearm (side 0 or pi), and the shoulder is rigid, these are the angle and P_C of the paper.
-/// Without a torque of the elbow in the upper half of the window there is no stiffness.
+/// Without a torque of the elbow in the upper half of the window there is no stiffness. The free motion of
+/// the last kFreeTime_s before the touch tells drift and gravity that are left in the torque. The standard
+/// errors of the place, along and around the forearm, enter the interval with what they change in lever,
+/// angle and k_ri. What the arm's own motion bends in the line widens the interval.
 ///
 /// The contact point is the mean of what the skin felt during the touch, weighted with the force; a contact
 /// elsewhere (further than kSamePlace_m) begins it anew. Without the skin the touch is recorded, but not
@@ -90,6 +96,7 @@ struct LiveContact {
 class TouchEstimator {
 public:
     static constexpr double kSamePlace_m = 0.015;
+    static constexpr double kFreeTime_s = 1.0;
 
     explicit TouchEstimator(const core::ArmDescription& arm, const TouchEstimatorSettings& settings = {});
 
@@ -125,6 +132,8 @@ private:
     struct Place {
         double x_m = 0.0;
         double y_m = 0.0;
+        double xSe_m = 0.0; ///< the systematic part does not average out: the mean of those of the frames
+        double ySe_m = 0.0;
         double weight_N = 0.0;
         contact::ContactType type = contact::ContactType::none;
     };
@@ -164,6 +173,11 @@ private:
     [[nodiscard]] std::optional<TouchRecord> recordWhenLocated(bool waitNoLonger);
     [[nodiscard]] TouchRecord makeRecord();
     void estimate(const Located& located, TouchRecord& record) const;
+    [[nodiscard]] tl::expected<stiffness::TouchStiffness, stiffness::Refusal>
+    stiffnessAt(const Located& located, std::optional<double> placeSe_mPerN) const;
+    /// Of the object's compliance: the samples are evaluated anew at places one standard error away.
+    [[nodiscard]] double placeSe_mPerN(double object_mPerN) const;
+    void keepFree(const core::JointSample& sample);
     /// How much deeper the forearm presses an angle of each joint.
     [[nodiscard]] arm::JointVector depthPerAngle(const Located& located) const;
     /// Of the arm at the contact: its joints' springs in series.
@@ -188,6 +202,7 @@ private:
     TouchEstimatorSettings m_settings;
     std::array<stiffness::ContactDetector, core::JointVector::kCapacity> m_detectors;
     std::vector<core::JointVector> m_riseAngles_rad; ///< of all joints, with the elbow's transition
+    std::deque<core::JointSample> m_free;            ///< before that transition, at most kFreeTime_s
 
     std::optional<core::JointSample> m_newest;
     std::optional<SkinContact> m_skin; ///< newest contact; empty while the skin feels nothing

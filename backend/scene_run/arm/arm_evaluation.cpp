@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene_run/arm/arm_evaluation.h"
 
+#include "backend/pipeline/touch/skin_contact.h"
 #include "backend/scene_run/base/run_csv.h"
 #include "backend/scene_run/base/scene_settings.h"
 #include "backend/scene_run/base/scene_summary.h"
@@ -23,8 +24,17 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kTouchColumns =
     "touch,start_s,ready_s,contact_distance_m,side_rad,x_m,y_m,z_m,force_x_n,force_y_n,force_z_n,"
     "condition_number,method,samples,delta_theta_rad,delta_torque_nm,total_stiffness_n_per_m,"
-    "object_stiffness_n_per_m,object_stiffness_lower_95,object_stiffness_upper_95,material,level,true_object,"
-    "true_stiffness_n_per_m,true_x_m,true_y_m,true_z_m";
+    "object_stiffness_n_per_m,object_stiffness_lower_95,object_stiffness_upper_95,material,level,reliable,"
+    "warnings,"
+    "true_object,true_stiffness_n_per_m,true_x_m,true_y_m,true_z_m";
+
+/// Separated by spaces; nothing: there is none.
+std::optional<std::string> warningsOf(const stiffness::TouchStiffness& touch) {
+    std::string text;
+    for (const stiffness::TouchWarning warning : touch.warnings)
+        text += (text.empty() ? "" : " ") + std::string(stiffness::toString(warning));
+    return valueIf(!text.empty(), text);
+}
 
 /// The observed components and the condition number; an infinite one, too, is not available.
 std::array<double, 4> forceColumns(const std::optional<arm::ContactForce>& force) {
@@ -45,6 +55,7 @@ SkinReader::SkinReader(const scene::Scene& scene)
     : m_conditioner(scene.arm().skin.layout.taxels(), {})
     , m_segmenter(scene.arm().skin.layout, channelSettings(scene).segmentation)
     , m_features(scene.arm().skin.layout, channelSettings(scene).features)
+    , m_pitch_m(scene.arm().skin.layout.pitch_m)
     , m_load_N(scene.arm().skin.layout.taxels())
     , m_dead(scene.arm().skin.layout.taxels()) {
 }
@@ -62,6 +73,8 @@ pipeline::SkinContact SkinReader::read(std::span<const float> values, const core
     contact.y_m = found.front().y_m;
     contact.force_N = found.front().force_N;
     contact.type = m_features.compute(m_load_N, m_dead).type;
+    pipeline::setPlaceErrors(contact, found.front(), m_pitch_m,
+                             pipeline::taxelNoise_N(m_segmenter.settings().threshold_N), 0.0);
     return contact;
 }
 
@@ -88,6 +101,7 @@ core::Expected<void> writeTouches(const std::string& outFolder, const std::vecto
         const bool located = record.located;
         const bool estimated = record.stiffness.has_value();
         const stiffness::TouchStiffness found = record.stiffness.value_or(stiffness::TouchStiffness{});
+        const bool classified = estimated && found.materialKnown();
         const bool known = !touch.object.empty();
         const Eigen::Vector3d unknown_m = Eigen::Vector3d::Constant(kUnknown);
         csv.row(record.number, record.start_s, record.ready_s, valueIf(located, record.contactDistance_m),
@@ -96,9 +110,11 @@ core::Expected<void> writeTouches(const std::string& outFolder, const std::vecto
                 valueIf(estimated, found.samples), valueIf(estimated, found.deltaTheta_rad),
                 valueIf(estimated, found.deltaTorque_Nm), found.total.value_NPerM, found.object.value_NPerM,
                 found.object.lower95_NPerM, found.object.upper95_NPerM,
-                valueIf(estimated, stiffness::toString(found.material)),
-                valueIf(estimated, stiffness::level(found.material)), valueIf(known, touch.object),
-                valueIf(known, touch.trueStiffness_NPerM), known ? touch.p_Base_Truth_m : unknown_m);
+                valueIf(classified, stiffness::toString(found.material)),
+                valueIf(classified, stiffness::level(found.material)),
+                valueIf(estimated, found.reliable ? "true" : "false"), warningsOf(found),
+                valueIf(known, touch.object), valueIf(known, touch.trueStiffness_NPerM),
+                known ? touch.p_Base_Truth_m : unknown_m);
     }
     return csv.finish();
 }
@@ -108,15 +124,22 @@ ordered_json touchEvent(const ComparedTouch& touch) {
                        {"event", "touch"},
                        {"touch", touch.record.number},
                        {"object", touch.object.empty() ? ordered_json() : ordered_json(touch.object)}};
+    if (touch.record.refusal)
+        event["refusal"] = stiffness::toString(*touch.record.refusal);
     if (!touch.record.stiffness)
         return event;
     const stiffness::TouchStiffness& estimate = *touch.record.stiffness;
     event["object_stiffness_n_per_m"] = orNull(estimate.object.value_NPerM);
     event["object_stiffness_lower_95"] = orNull(estimate.object.lower95_NPerM);
     event["object_stiffness_upper_95"] = orNull(estimate.object.upper95_NPerM);
-    event["material"] = stiffness::toString(estimate.material);
-    event["safe"] = stiffness::isSafe(estimate.material);
-    event["level"] = stiffness::level(estimate.material);
+    const bool known = estimate.materialKnown();
+    event["material"] = known ? ordered_json(stiffness::toString(estimate.material)) : nullptr;
+    event["safe"] = known ? ordered_json(stiffness::isSafe(estimate.material)) : nullptr;
+    event["level"] = known ? ordered_json(stiffness::level(estimate.material)) : nullptr;
+    event["reliable"] = estimate.reliable;
+    event["warnings"] = ordered_json::array();
+    for (const stiffness::TouchWarning warning : estimate.warnings)
+        event["warnings"].push_back(stiffness::toString(warning));
     return event;
 }
 
@@ -128,6 +151,23 @@ void reportContacts(const std::vector<ComparedTouch>& touches, ordered_json& mea
     reportContactErrors(errors_m, measures);
     measures["first_contact_s"] =
         touches.empty() ? ordered_json() : jsonNumber(touches.front().record.start_s);
+}
+
+void reportStiffnessCovered(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures) {
+    int known = 0;
+    int covered = 0;
+    for (const ComparedTouch& touch : touches) {
+        if (touch.object.empty() || !touch.record.stiffness || !touch.record.stiffness->reliable ||
+            !touch.record.stiffness->object.lower95_NPerM)
+            continue;
+        const stiffness::Stiffness& object = touch.record.stiffness->object;
+        ++known;
+        covered += *object.lower95_NPerM <= touch.trueStiffness_NPerM &&
+                           (!object.upper95_NPerM || touch.trueStiffness_NPerM <= *object.upper95_NPerM)
+                       ? 1
+                       : 0;
+    }
+    measures["stiffness_covered"] = orNull(valueIf(known > 0, static_cast<double>(covered) / known));
 }
 
 const char* trueShape(const scene::Outline& outline) {

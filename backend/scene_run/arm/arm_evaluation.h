@@ -33,6 +33,7 @@ private:
     contact::FrameConditioner m_conditioner;
     contact::ContactSegmenter m_segmenter;
     contact::FeatureExtractor m_features;
+    double m_pitch_m;
     std::vector<float> m_load_N;
     std::vector<std::uint8_t> m_dead;
 };
@@ -58,6 +59,10 @@ struct ComparedTouch {
 
 /// The measures of where the contacts were located, beside where they truly were, and of the first one.
 void reportContacts(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures);
+
+/// The measure stiffness_covered: share of the reliable touches with an interval, or a bound, that holds the
+/// truth; null when there is none.
+void reportStiffnessCovered(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures);
 
 /// Name of the shape that an outline is recognised as.
 [[nodiscard]] const char* trueShape(const scene::Outline& outline);

@@ -27,13 +27,16 @@ void reportStiffness(const std::vector<ComparedTouch>& touches, ordered_json& me
         const auto& stiffness = touch.record.stiffness;
         estimated.push_back(stiffness ? orNull(stiffness->object.value_NPerM) : nullptr);
         truth.push_back(jsonNumber(touch.trueStiffness_NPerM));
-        material.push_back(stiffness ? ordered_json(stiffness::toString(stiffness->material)) : nullptr);
+        material.push_back(stiffness && stiffness->materialKnown()
+                               ? ordered_json(stiffness::toString(stiffness->material))
+                               : nullptr);
     }
     if (touches.empty())
         return;
     measures["estimated_stiffness_n_per_m"] = oneOrList(estimated);
     measures["true_stiffness_n_per_m"] = oneOrList(truth);
     measures["material"] = oneOrList(material);
+    reportStiffnessCovered(touches, measures);
 }
 
 void reportContour(const pipeline::ExploredContour& contour, const simulation::SimulatedArm& arm,

@@ -153,6 +153,7 @@ void OperatorSide::report() {
         measures["shape"] = oneOrList(shape);
         measures["true_shape"] = oneOrList(shapeTruth);
     }
+    reportStiffnessCovered(m_touches, measures);
     reportContacts(m_touches, measures);
     measures["touch_to_tactor_p50_s"] = jsonNumber(quantile(m_latencies_s, 0.5));
     measures["touch_to_tactor_p99_s"] = jsonNumber(quantile(m_latencies_s, 0.99));
