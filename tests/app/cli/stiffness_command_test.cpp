@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/cli/program_run.h"
+#include "tests/backend/stiffness/disturbed_touch.h"
 #include "tests/backend/stiffness/simulated_touch.h"
 
 #include <gtest/gtest.h>
@@ -86,10 +87,30 @@ TEST_F(StiffnessCommand, jsonHasTheKeysOfTheFormatInTheirOrder) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : answer.items())
         keys.push_back(key);
-    EXPECT_EQ(keys, (std::vector<std::string>{"method", "samples", "delta_theta_rad", "delta_torque_nm",
-                                              "total_stiffness_n_per_m", "total_stiffness_se",
-                                              "object_stiffness_n_per_m", "object_stiffness_lower_95",
-                                              "object_stiffness_upper_95", "material", "safe", "level"}));
+    EXPECT_EQ(keys, (std::vector<std::string>{"method",
+                                              "samples",
+                                              "delta_theta_rad",
+                                              "delta_torque_nm",
+                                              "total_stiffness_n_per_m",
+                                              "total_stiffness_se",
+                                              "object_stiffness_n_per_m",
+                                              "object_stiffness_lower_95",
+                                              "object_stiffness_upper_95",
+                                              "material",
+                                              "safe",
+                                              "level",
+                                              "reliable",
+                                              "warnings",
+                                              "error_budget",
+                                              "effective_samples",
+                                              "torque_reference_nm",
+                                              "torque_drift_nm_per_s",
+                                              "tangent_stiffness_n_per_m",
+                                              "secant_stiffness_n_per_m",
+                                              "standard_linear_solid"}));
+    EXPECT_EQ(answer["reliable"], true);
+    EXPECT_EQ(answer["warnings"], ordered_json::array());
+    EXPECT_EQ(answer["error_budget"][0]["source"], "contact_distance");
 }
 
 TEST_F(StiffnessCommand, everyMaterialIsNamedAndHasItsLevel) {
@@ -140,9 +161,10 @@ TEST_F(StiffnessCommand, aRigidObjectHasOnlyALowerBound) {
 }
 
 TEST_F(StiffnessCommand, anAngleThatDoesNotChangeIsARigidBoundWithAWarning) {
-    const ProgramResult result =
-        touch(kHeader + "0,0.5,0.01\n1,0.5,0.02\n2,0.5,0.03\n3,0.5,0.04\n4,0.5,0.05\n",
-              {"--contact-distance", "0.17", "--json"});
+    std::string log = kHeader;
+    for (int i = 0; i <= 50; ++i)
+        log += std::to_string(i) + ",0.5," + std::to_string(0.001 * i) + '\n';
+    const ProgramResult result = touch(log, {"--contact-distance", "0.17", "--json"});
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const ordered_json answer = ordered_json::parse(result.out);
     EXPECT_TRUE(answer["total_stiffness_n_per_m"].is_null());
@@ -153,7 +175,7 @@ TEST_F(StiffnessCommand, anAngleThatDoesNotChangeIsARigidBoundWithAWarning) {
 }
 
 TEST_F(StiffnessCommand, twoSamplesHaveAValueButNoUncertainty) {
-    const ordered_json answer = json(kPaperWood, {"--contact-distance", "0.1755"});
+    const ordered_json answer = json(kPaperWood, {"--contact-distance", "0.1755", "--method", "two-point"});
     EXPECT_FALSE(answer["object_stiffness_n_per_m"].is_null());
     EXPECT_TRUE(answer["total_stiffness_se"].is_null());
     EXPECT_TRUE(answer["object_stiffness_lower_95"].is_null());
@@ -176,10 +198,56 @@ TEST_F(StiffnessCommand, optionsReachTheEstimator) {
     EXPECT_NEAR(narrow["delta_torque_nm"].get<double>(), 0.01, 2e-4);
 }
 
+TEST_F(StiffnessCommand, standardErrorsOfDistanceAndLinkWidenTheInterval) {
+    const std::string log = cleanTouch(1325.9);
+    const auto width = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"--contact-distance", "0.17"});
+        const ordered_json answer = json(log, options);
+        return answer["object_stiffness_upper_95"].get<double>() -
+               answer["object_stiffness_lower_95"].get<double>();
+    };
+    EXPECT_NEAR(width({"--contact-distance-se", "0"}), 0.0, 1e-6);
+    const double usual = width({});
+    EXPECT_GT(usual, 1.0);
+    // 2 1.96 k_o^2 c_i 2 dP / P with k_o / k_i = 1.3823.
+    EXPECT_NEAR(width({"--contact-distance-se", "0.001"}), 2 * 1.96 * 1325.9 * 1.3823 * 2 * 0.001 / 0.17,
+                1.0);
+    EXPECT_GT(width({"--link-stiffness-se", "100"}), 10.0 * usual);
+}
+
+TEST_F(StiffnessCommand, theTorqueReferenceIsThatOfTheFreeMotionUnlessToldOtherwise) {
+    SimulatedTouch world;
+    world.objectCompliance_mPerN = 1.0 / 282.0;
+    world.torqueReference_Nm = 0.03;
+    world.freeMotion_s = 1.0;
+    const std::string log = csvOf(world.record(2));
+    const ordered_json fromStart = json(log);
+    EXPECT_NEAR(fromStart["object_stiffness_n_per_m"].get<double>(), 282.0, 5.0);
+    EXPECT_NEAR(fromStart["torque_reference_nm"].get<double>(), 0.03, 1e-4);
+    EXPECT_EQ(fromStart["warnings"], ordered_json::array({"torque_offset"}));
+    EXPECT_EQ(json(log, {"--contact-distance", "0.17", "--torque-reference", "start"}), fromStart);
+    const ordered_json told = json(log, {"--contact-distance", "0.17", "--torque-reference", "0.03"});
+    EXPECT_EQ(told["torque_reference_nm"], 0.03);
+    EXPECT_EQ(told["warnings"], ordered_json::array());
+}
+
+TEST_F(StiffnessCommand, anUnreliableAnswerNamesNoMaterialAndSaysWhy) {
+    using teleta::stiffness::test::Disturbance;
+    const std::string log = csvOf(teleta::stiffness::test::disturbedTouch(Disturbance::standardSolid, 5).log);
+    const ordered_json answer = json(log);
+    EXPECT_EQ(answer["reliable"], false);
+    EXPECT_TRUE(answer["material"].is_null());
+    EXPECT_TRUE(answer["safe"].is_null());
+    const ProgramResult table = touch(log);
+    EXPECT_NE(table.out.find("cannot tell"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("how quickly the object is pressed"), std::string::npos) << table.out;
+    EXPECT_EQ(table.out.find("danger"), std::string::npos) << table.out;
+}
+
 TEST_F(StiffnessCommand, columnsMayStandInAnyOrderAmongOthers) {
     const std::string log = "joint_torque_nm,note,joint_angle_rad,time_s\n0,7,0.1,0\n0.0205,7,0.2,1\n"
                             "0.0497,7,0.200384,2\n";
-    const ordered_json answer = json(log, {"--contact-distance", "0.1755"});
+    const ordered_json answer = json(log, {"--contact-distance", "0.1755", "--method", "two-point"});
     EXPECT_NEAR(answer["total_stiffness_n_per_m"].get<double>(), 2469.0, 0.002 * 2469.0);
 }
 
@@ -187,7 +255,7 @@ TEST_F(StiffnessCommand, refusesWithAReasonAndExitCodeOne) {
     const std::vector<std::string> options{"--contact-distance", "0.17", "--json"};
     expectError(touch(kHeader + "0,0,0\n1,0.1,0.01\n", options), 1, "no sample reaches the torque window");
     expectError(touch(kHeader + "0,0,0\n1,0.1,0.01\n", options), 1, "0.01 Nm");
-    expectError(touch(kHeader + "0,0,0\n1,0.1,0.03\n", options), 1, "only one sample");
+    expectError(touch(kHeader + "0,0,0\n1,0.1,0.03\n", options), 1, "fewer than 20 independent samples");
     expectError(touch(kHeader + "0,0,0.03\n1,0.1,0.03\n", options), 1, "torque does not change");
     expectError(touch(kHeader + "0,0,0.02\n1,-0.1,0.05\n", options), 1, "turns against");
     expectError(
@@ -210,6 +278,9 @@ TEST_F(StiffnessCommand, wrongUsageIsExitCodeTwo) {
     expectError(with("--window", "0.05,0.02"), 2, "--window");
     expectError(with("--window", "-0.01,0.02"), 2, "--window");
     expectError(with("--window", "0.02"), 2, "--window");
+    expectError(with("--contact-distance-se", "-0.001"), 2, "--contact-distance-se");
+    expectError(with("--link-stiffness-se", "nan"), 2, "--link-stiffness-se");
+    expectError(with("--torque-reference", "first"), 2, "--torque-reference");
     expectError(run({"stiffness", "--contact-distance", "0.17"}), 2, "log");
 }
 

@@ -30,12 +30,36 @@ using stiffness::Method;
 using stiffness::Refusal;
 using stiffness::Stiffness;
 using stiffness::TouchStiffness;
+using stiffness::TouchWarning;
+
+constexpr const char* kFromStart = "start";
 
 struct StiffnessText {
     Q_DECLARE_TR_FUNCTIONS(StiffnessCommand)
 };
 
+nlohmann::ordered_json toJson(const stiffness::Interval95& interval) {
+    return {{"value", interval.value}, {"lower_95", interval.lower}, {"upper_95", interval.upper}};
+}
+
+nlohmann::ordered_json toJson(const std::optional<stiffness::StandardLinearSolid>& solid) {
+    if (!solid)
+        return nullptr;
+    return {{"static_stiffness_n_per_m", toJson(solid->static_NPerM)},
+            {"ratio", toJson(solid->ratio)},
+            {"relaxation_s", toJson(solid->relaxation_s)}};
+}
+
 nlohmann::ordered_json toJson(const TouchStiffness& touch) {
+    nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
+    for (const TouchWarning warning : touch.warnings)
+        warnings.push_back(stiffness::toString(warning));
+    nlohmann::ordered_json budget = nlohmann::ordered_json::array();
+    for (const stiffness::ErrorShare& part : touch.errorBudget)
+        budget.push_back({{"source", stiffness::toString(part.source)}, {"share", part.share}});
+    const auto ifKnown = [&touch](const nlohmann::ordered_json& value) {
+        return touch.materialKnown() ? value : nullptr;
+    };
     return {{"method", stiffness::toString(touch.method)},
             {"samples", touch.samples},
             {"delta_theta_rad", touch.deltaTheta_rad},
@@ -45,9 +69,18 @@ nlohmann::ordered_json toJson(const TouchStiffness& touch) {
             {"object_stiffness_n_per_m", orNull(touch.object.value_NPerM)},
             {"object_stiffness_lower_95", orNull(touch.object.lower95_NPerM)},
             {"object_stiffness_upper_95", orNull(touch.object.upper95_NPerM)},
-            {"material", stiffness::toString(touch.material)},
-            {"safe", stiffness::isSafe(touch.material)},
-            {"level", stiffness::level(touch.material)}};
+            {"material", ifKnown(stiffness::toString(touch.material))},
+            {"safe", ifKnown(stiffness::isSafe(touch.material))},
+            {"level", ifKnown(stiffness::level(touch.material))},
+            {"reliable", touch.reliable},
+            {"warnings", std::move(warnings)},
+            {"error_budget", std::move(budget)},
+            {"effective_samples", touch.effectiveSamples},
+            {"torque_reference_nm", touch.torqueReference_Nm},
+            {"torque_drift_nm_per_s", touch.torqueDrift_NmPerS},
+            {"tangent_stiffness_n_per_m", orNull(touch.tangent_NPerM)},
+            {"secant_stiffness_n_per_m", orNull(touch.secant_NPerM)},
+            {"standard_linear_solid", toJson(touch.solid)}};
 }
 
 QString materialName(Material material) {
@@ -84,22 +117,77 @@ QString inWords(const Stiffness& stiffness) {
              perMetre(*stiffness.upper95_NPerM));
 }
 
-core::Expected<void> printTable(const TouchStiffness& touch) {
+QString inWords(TouchWarning warning) {
+    switch (warning) {
+    case TouchWarning::correlatedNoise:
+        return StiffnessText::tr("the noise of neighbouring samples is not independent");
+    case TouchWarning::coarseTorque:
+        return StiffnessText::tr("one step of the torque reading is over a tenth of the window");
+    case TouchWarning::coarseAngle:
+        return StiffnessText::tr("one step of the angle reading is over a tenth of the rotation");
+    case TouchWarning::torqueOffset:
+        return StiffnessText::tr("the free joint has a torque; it was taken off");
+    case TouchWarning::torqueDrift:
+        return StiffnessText::tr("the torque of the free joint changes; the change was taken off");
+    case TouchWarning::nonlinear:
+        return StiffnessText::tr("the stiffness changes within the window");
+    case TouchWarning::rateDependent:
+        return StiffnessText::tr("the force depends on how quickly the object is pressed");
+    case TouchWarning::stickSlip:
+        return StiffnessText::tr("the torque jumps, or the joint has play");
+    }
+    return {};
+}
+
+/// An offset keeps its word only while the program takes it off.
+QString toldOf(TouchWarning warning, bool referenceTold) {
+    return warning == TouchWarning::torqueOffset && referenceTold
+               ? StiffnessText::tr("the free joint has another torque than --torque-reference says")
+               : inWords(warning);
+}
+
+QString materialLine(const TouchStiffness& touch) {
+    if (!touch.materialKnown())
+        return StiffnessText::tr("cannot tell");
+    return (stiffness::isSafe(touch.material) ? StiffnessText::tr("%1, safe to touch, level %2 of 5")
+                                              : StiffnessText::tr("%1, danger, level %2 of 5"))
+        .arg(materialName(touch.material), QString::number(stiffness::level(touch.material)));
+}
+
+QString inWords(const stiffness::Interval95& interval, const QString& pattern) {
+    return pattern.arg(perMetre(interval.value), perMetre(interval.lower), perMetre(interval.upper));
+}
+
+core::Expected<void> printTable(const TouchStiffness& touch, bool referenceTold) {
     const QString method =
         touch.method == Method::twoPoint ? StiffnessText::tr("two-point") : StiffnessText::tr("regression");
     const auto samples = static_cast<int>(touch.samples);
-    return printFields({
+    Fields fields{
         {StiffnessText::tr("Method"), method},
         {StiffnessText::tr("Samples"), QString::number(samples)},
         {StiffnessText::tr("Rotation"), StiffnessText::tr("%1 rad").arg(forPeople(touch.deltaTheta_rad))},
         {StiffnessText::tr("Torque rise"), StiffnessText::tr("%1 Nm").arg(forPeople(touch.deltaTorque_Nm))},
         {StiffnessText::tr("Total stiffness"), inWords(touch.total)},
         {StiffnessText::tr("Object stiffness"), inWords(touch.object)},
-        {StiffnessText::tr("Material"),
-         (stiffness::isSafe(touch.material) ? StiffnessText::tr("%1, safe to touch, level %2 of 5")
-                                            : StiffnessText::tr("%1, danger, level %2 of 5"))
-             .arg(materialName(touch.material), QString::number(stiffness::level(touch.material)))},
-    });
+    };
+    if (touch.secant_NPerM && touch.tangent_NPerM)
+        fields.emplace_back(StiffnessText::tr("Secant, tangent"),
+                            StiffnessText::tr("%1 N/m, %2 N/m at the upper end")
+                                .arg(perMetre(*touch.secant_NPerM), perMetre(*touch.tangent_NPerM)));
+    if (touch.solid) {
+        fields.emplace_back(StiffnessText::tr("Static stiffness"),
+                            inWords(touch.solid->static_NPerM, StiffnessText::tr("%1 N/m (95 %: %2 to %3)")));
+        fields.emplace_back(StiffnessText::tr("Quick over static"),
+                            inWords(touch.solid->ratio, StiffnessText::tr("1 + %1 (95 %: %2 to %3)")));
+        fields.emplace_back(StiffnessText::tr("Relaxation"),
+                            inWords(touch.solid->relaxation_s, StiffnessText::tr("%1 s (95 %: %2 to %3)")));
+    }
+    fields.emplace_back(StiffnessText::tr("Material"), materialLine(touch));
+    if (!touch.reliable)
+        fields.emplace_back(StiffnessText::tr("Reliable"), StiffnessText::tr("no"));
+    for (const TouchWarning warning : touch.warnings)
+        fields.emplace_back(StiffnessText::tr("Warning"), toldOf(warning, referenceTold));
+    return printFields(fields);
 }
 
 /// Why the log yields no stiffness, and what it must contain instead.
@@ -127,8 +215,11 @@ core::Unexpected explain(Refusal refusal, const std::vector<JointSample>& log,
                            .arg(forPeople(largest_Nm)),
                        StiffnessText::tr("torques from %1 to %2 Nm").arg(low, high));
     case Refusal::tooFewSamples:
-        return refused(StiffnessText::tr("only one sample lies in the torque window"),
-                       StiffnessText::tr("two or more samples from %1 to %2 Nm").arg(low, high));
+        return refused(
+            StiffnessText::tr("fewer than 20 independent samples lie in the torque window"),
+            StiffnessText::tr("a slower touch or quicker sampling from %1 to %2 Nm; --method two-point "
+                              "needs two samples")
+                .arg(low, high));
     case Refusal::torqueUnchanged:
         return refused(StiffnessText::tr("the torque does not change within the window"),
                        StiffnessText::tr("torque that rises from %1 to %2 Nm").arg(low, high));
@@ -160,12 +251,27 @@ public:
                   StiffnessText::tr("Distance of the contact from the joint's axis along the link, m"), "M")
             ->required()
             ->check(positive());
+        addOption(app, "--contact-distance-se", m_settings.contactDistanceSe_m,
+                  StiffnessText::tr("Standard error of the contact distance, m; it enters twice. Default: "
+                                    "0.05 % of the distance"),
+                  "M")
+            ->check(CLI::NonNegativeNumber)
+            ->check(finite());
         addOption(app, "--link-half-thickness", m_linkHalfThickness_m,
                   StiffnessText::tr("Half the thickness of the link, m; it cancels out of the stiffness"),
                   "M")
             ->check(finite());
         addOption(app, "--link-stiffness", m_settings.linkStiffness_NPerM,
                   StiffnessText::tr("The link's own stiffness, N/m"), positive(), "N_PER_M");
+        addOption(app, "--link-stiffness-se", m_settings.linkStiffnessSe_NPerM,
+                  StiffnessText::tr("Standard error of that stiffness, N/m"), CLI::NonNegativeNumber,
+                  "N_PER_M")
+            ->check(finite());
+        addOption(app, "--torque-reference", m_torqueReference,
+                  StiffnessText::tr("Torque of the joint without the touch, Nm; start: that of the free "
+                                    "motion before the touch, or 0 when there is none"),
+                  "NM|start")
+            ->capture_default_str();
         addOption(
             app, "--method", m_method,
             StiffnessText::tr("two-point: the samples nearest to both borders of the window; regression: all "
@@ -191,6 +297,13 @@ public:
                 refuse("--window",
                        StiffnessText::tr("a lower border of 0 or more and a higher upper one are expected"));
         }
+        if (m_torqueReference != kFromStart) {
+            bool isNumber = false;
+            const double reference_Nm = QString::fromStdString(m_torqueReference).toDouble(&isNumber);
+            if (!isNumber || !std::isfinite(reference_Nm))
+                refuse("--torque-reference", StiffnessText::tr("a torque in Nm or start is expected"));
+            m_settings.torqueReference_Nm = reference_Nm;
+        }
         m_settings.method = *stiffness::methodFromString(m_method);
 
         TELETA_TRY(const std::vector<JointSample> log, readLog());
@@ -200,7 +313,8 @@ public:
         if (touch->stifferThanLink)
             warn(StiffnessText::tr(
                 "the touch is stiffer than the link allows: check contact distance and link stiffness"));
-        return m_json ? printDocument(toJson(*touch)) : printTable(*touch);
+        return m_json ? printDocument(toJson(*touch))
+                      : printTable(*touch, m_settings.torqueReference_Nm.has_value());
     }
 
 private:
@@ -219,6 +333,7 @@ private:
     std::string m_logPath;
     std::string m_method = stiffness::toString(stiffness::Method::regression);
     std::vector<double> m_window_Nm;
+    std::string m_torqueReference = kFromStart;
     double m_linkHalfThickness_m = 0.0;
     bool m_json = false;
 };
