@@ -12,6 +12,8 @@ QString GaugeTexts::headline(const GaugeContent& content) {
 }
 
 QString GaugeTexts::material(const stiffness::TouchStiffness& touch) {
+    if (!touch.materialKnown())
+        return tr("cannot tell");
     const QString name = TouchTexts::material(touch.material);
     const int level = stiffness::level(touch.material);
     if (touch.materialCertain)
@@ -38,8 +40,10 @@ QString GaugeTexts::details(const GaugeContent& content) {
 }
 
 QString GaugeTexts::warning(const GaugeContent& content) {
-    if (!content.touch || !content.touch->stifferThanLink)
+    if (!content.touch)
         return {};
+    if (!content.touch->stifferThanLink)
+        return TouchTexts::warnings(*content.touch);
     return tr("Stiffer than the link allows: check contact distance and link stiffness.");
 }
 
@@ -62,8 +66,9 @@ QString GaugeTexts::spoken(const GaugeContent& content) {
     if (!content.touch)
         return content.refusal ? tr("No stiffness. %1").arg(TouchTexts::refusal(*content.refusal))
                                : content.emptyText;
-    const QString safety = TouchTexts::safety(stiffness::isSafe(content.touch->material));
-    QStringList parts{safety, headline(content), material(*content.touch), details(content)};
+    QStringList parts{headline(content), material(*content.touch), details(content)};
+    if (content.touch->materialKnown())
+        parts.prepend(TouchTexts::safety(stiffness::isSafe(content.touch->material)));
     if (const QString suspicious = warning(content); !suspicious.isEmpty())
         parts << suspicious;
     return parts.join(QStringLiteral("; "));
@@ -83,13 +88,15 @@ QString gaugeCsv(const GaugeContent& content) {
         TouchTexts::fileNumber(t.object.value_NPerM),
         TouchTexts::fileNumber(t.object.lower95_NPerM),
         TouchTexts::fileNumber(t.object.upper95_NPerM),
-        QString::fromLatin1(stiffness::toString(t.material)),
-        stiffness::isSafe(t.material) ? QStringLiteral("true") : QStringLiteral("false"),
-        QString::number(stiffness::level(t.material)),
+        TouchTexts::fileMaterial(t),
+        TouchTexts::fileSafety(t),
+        TouchTexts::fileLevel(t),
+        t.reliable ? QStringLiteral("true") : QStringLiteral("false"),
+        TouchTexts::fileWarnings(t),
     };
     return QStringLiteral("method,samples,delta_theta_rad,delta_torque_nm,total_stiffness_n_per_m,"
                           "total_stiffness_se,object_stiffness_n_per_m,object_stiffness_lower_95,"
-                          "object_stiffness_upper_95,material,safe,level\n") +
+                          "object_stiffness_upper_95,material,safe,level,reliable,warnings\n") +
            row.join(u',') + u'\n';
 }
 

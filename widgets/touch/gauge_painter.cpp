@@ -54,7 +54,7 @@ public:
 private:
     void verdict() {
         QRectF room = m_layout.headline;
-        if (m_content.touch) {
+        if (isKnown()) {
             const bool safe = stiffness::isSafe(m_content.touch->material);
             const QSizeF size = safetySignSize(m_font, safe);
             paintSafetySign(m_painter, QRectF(m_layout.sign.topRight() - QPointF(size.width(), 0.0), size),
@@ -73,6 +73,9 @@ private:
         if (m_content.touch)
             words(line, m_font, m_text, GaugeTexts::material(*m_content.touch));
     }
+
+    /// Whether the material may be told.
+    [[nodiscard]] bool isKnown() const { return m_content.touch && m_content.touch->materialKnown(); }
 
     /// The largest of the sizes from factor down in which the text fits.
     QFont fitting(const QString& text, double width, double factor) const {
@@ -97,7 +100,7 @@ private:
         for (std::size_t i = 0; i < kBands; ++i) {
             const QRectF room = m_layout.band(i);
             const bool safe = stiffness::isSafe(all[i].material);
-            const bool chosen = m_content.touch && m_content.touch->material == all[i].material;
+            const bool chosen = isKnown() && m_content.touch->material == all[i].material;
             const QColor colour = safetyColour(safe, m_palette);
             m_painter.setPen(Qt::NoPen);
             m_painter.setBrush(base::mixed(m_ground, colour, chosen ? 0.55 : 0.16));
@@ -122,7 +125,7 @@ private:
         const QFontMetricsF metrics(m_small);
         const auto& all = materialBands();
         for (std::size_t i = 0; i < kBands; ++i) {
-            const bool chosen = m_content.touch && m_content.touch->material == all[i].material;
+            const bool chosen = isKnown() && m_content.touch->material == all[i].material;
             QFont font = m_small;
             font.setBold(chosen);
             const QString name = TouchTexts::material(all[i].material);

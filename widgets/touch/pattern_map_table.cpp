@@ -36,11 +36,14 @@ namespace {
 
 enum Column { kRecognised, kPattern, kPreview, kColumns };
 constexpr int kLevels = static_cast<int>(pattern::kStiffnessLevels);
+constexpr int kUnknownStiffness = PatternMapTable::kRows - 1;
 
 /// Id of the pattern of a row.
 template <typename Map>
 auto& idOf(Map& map, int row) {
     const auto index = static_cast<std::size_t>(row);
+    if (row == kUnknownStiffness)
+        return map.unknownStiffness;
     return row < kLevels ? map.stiffness[index] : map.shape[index - pattern::kStiffnessLevels];
 }
 
@@ -125,6 +128,8 @@ QString PatternMapTable::rowName(int row) {
             stiffness::materialBands()[static_cast<std::size_t>(row)].material;
         return tr("level %1: %2").arg(row + 1).arg(TouchTexts::material(material));
     }
+    if (row == kUnknownStiffness)
+        return tr("unknown stiffness");
     return TouchTexts::shape(static_cast<contour::Shape>(row - kLevels));
 }
 
@@ -237,6 +242,10 @@ void PatternMapTable::setRecognisedStiffness(int level) {
 
 void PatternMapTable::setRecognisedShape(contour::Shape shape) {
     recognise(kLevels + static_cast<int>(shape));
+}
+
+void PatternMapTable::setUnknownStiffness() {
+    recognise(kUnknownStiffness);
 }
 
 void PatternMapTable::take(const PatternMap& map) {

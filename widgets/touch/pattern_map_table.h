@@ -34,7 +34,7 @@ class PatternMapTable : public QWidget {
     Q_OBJECT
 public:
     static constexpr int kRows =
-        static_cast<int>(pattern::kStiffnessLevels + pattern::kRecognisedShapes.size());
+        static_cast<int>(pattern::kStiffnessLevels + pattern::kRecognisedShapes.size() + 1);
 
     explicit PatternMapTable(QWidget* parent = nullptr);
 
@@ -42,12 +42,14 @@ public:
     /// Shows a map and forgets the edits. Emits nothing.
     void setMap(const pattern::PatternMap& map);
     [[nodiscard]] const pattern::PatternMap& map() const { return m_map; }
-    /// Chooses the pattern of a row, as the user would. Rows: the levels from soft to hard, then the shapes.
+    /// Chooses the pattern of a row, as the user would. Rows: the levels from soft to hard, the shapes,
+    /// unknown stiffness.
     void choose(int row, const std::string& id);
     void resetToDefaults();
 
     void setRecognisedStiffness(int level);
     void setRecognisedShape(contour::Shape shape);
+    void setUnknownStiffness();
     void clearRecognised() { recognise(std::nullopt); }
     [[nodiscard]] std::optional<int> recognisedRow() const { return m_recognised; }
     /// Id of the pattern that would be played now; empty: none.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/touch_model.h"
 
+#include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/touch/safety_sign.h"
 #include "widgets/touch/touch_texts.h"
@@ -88,17 +89,26 @@ QString stiffnessText(const TouchRecord& record) {
 
 QString stiffnessTip(const TouchRecord& record) {
     if (record.stiffness)
-        return TouchModel::tr("95 % interval in brackets; %1, %n sample(s)", nullptr,
-                              static_cast<int>(record.stiffness->samples))
-            .arg(TouchTexts::method(record.stiffness->method));
+        return QStringList{TouchModel::tr("95 % interval in brackets; %1, %n sample(s)", nullptr,
+                                          static_cast<int>(record.stiffness->samples))
+                               .arg(TouchTexts::method(record.stiffness->method)),
+                           TouchTexts::warnings(*record.stiffness)}
+            .join(u'\n')
+            .trimmed();
     if (record.refusal)
         return TouchTexts::refusal(*record.refusal);
     return TouchModel::tr("No stiffness: the skin did not feel where the contact is.");
 }
 
+bool hasMaterial(const TouchRecord& record) {
+    return record.stiffness && record.stiffness->materialKnown();
+}
+
 QString materialText(const TouchRecord& record) {
     if (!record.stiffness)
         return dash();
+    if (!record.stiffness->materialKnown())
+        return TouchModel::tr("cannot tell");
     const stiffness::Material material = record.stiffness->material;
     const QString name = TouchTexts::material(material);
     const QString safety = TouchTexts::safety(stiffness::isSafe(material));
@@ -125,7 +135,7 @@ QString displayText(const TouchRecord& record, int column) {
     case TouchModel::material:
         return materialText(record);
     case TouchModel::level:
-        return record.stiffness ? QString::number(stiffness::level(record.stiffness->material)) : dash();
+        return hasMaterial(record) ? QString::number(stiffness::level(record.stiffness->material)) : dash();
     case TouchModel::condition:
         return record.force ? plain(record.force->conditionNumber) : dash();
     default:
@@ -178,7 +188,7 @@ QVariant sortValue(const TouchRecord& record, int column) {
             record.stiffness->object.lower95_NPerM.value_or(0.0));
     case TouchModel::material:
     case TouchModel::level:
-        return record.stiffness ? QVariant(stiffness::level(record.stiffness->material)) : QVariant();
+        return hasMaterial(record) ? QVariant(stiffness::level(record.stiffness->material)) : QVariant();
     case TouchModel::condition:
         return record.force ? QVariant(record.force->conditionNumber) : QVariant();
     default:
@@ -230,16 +240,15 @@ QStringList fieldsOf(const TouchRecord& record) {
         const stiffness::TouchStiffness& s = *record.stiffness;
         fields << TouchTexts::fileNumber(s.object.value_NPerM)
                << TouchTexts::fileNumber(s.object.lower95_NPerM)
-               << TouchTexts::fileNumber(s.object.upper95_NPerM)
-               << QString::fromLatin1(stiffness::toString(s.material))
-               << (stiffness::isSafe(s.material) ? QStringLiteral("true") : QStringLiteral("false"))
-               << QString::number(stiffness::level(s.material));
+               << TouchTexts::fileNumber(s.object.upper95_NPerM) << TouchTexts::fileMaterial(s)
+               << TouchTexts::fileSafety(s) << TouchTexts::fileLevel(s);
     } else {
         for (int i = 0; i < 6; ++i)
             fields << QStringLiteral("NA");
     }
     fields << (record.refusal ? QString::fromLatin1(stiffness::toString(*record.refusal))
-                              : QStringLiteral("NA"));
+                              : QStringLiteral("NA"))
+           << (record.stiffness ? TouchTexts::fileWarnings(*record.stiffness) : QStringLiteral("NA"));
     return fields;
 }
 
@@ -287,8 +296,14 @@ QVariant TouchModel::data(const QModelIndex& index, int role) const {
     case Qt::TextAlignmentRole:
         return int(Qt::AlignVCenter | (isLeftAligned(index.column()) ? Qt::AlignLeft : Qt::AlignRight));
     case Qt::DecorationRole:
-        if (index.column() == material && touch.stiffness)
+        if (index.column() == material && hasMaterial(touch))
             return safetyIcon(stiffness::isSafe(touch.stiffness->material));
+        if (index.column() == TouchModel::stiffness && touch.stiffness && !touch.stiffness->warnings.empty())
+            return base::themeIcon(base::Icon::warning);
+        return {};
+    case Qt::AccessibleDescriptionRole:
+        if (index.column() == TouchModel::stiffness && touch.stiffness)
+            return TouchTexts::warnings(*touch.stiffness);
         return {};
     default:
         return {};
@@ -322,7 +337,7 @@ QString touchesText(const std::vector<TouchRecord>& records, QChar separator) {
         QStringLiteral("touch,start_s,ready_s,joint,torque_nm,contact_distance_m,side_rad,x_m,y_m,z_m,"
                        "force_x_n,force_y_n,force_z_n,condition_number,object_stiffness_n_per_m,"
                        "object_stiffness_lower_95,object_stiffness_upper_95,material,safe,level,"
-                       "refusal\n");
+                       "refusal,warnings\n");
     text.replace(u',', separator);
     for (const TouchRecord& record : records)
         text += fieldsOf(record).join(separator) + u'\n';

@@ -4,6 +4,8 @@
 #include "backend/core/number_text.h"
 #include "widgets/base/numbers/quantity_text.h"
 
+#include <QStringList>
+
 #include <array>
 #include <cmath>
 
@@ -14,6 +16,7 @@ using core::ArmDrive;
 using stiffness::Material;
 using stiffness::Method;
 using stiffness::Refusal;
+using stiffness::TouchWarning;
 
 namespace {
 constexpr QChar kNoBreakSpace(0x00a0);
@@ -60,7 +63,9 @@ QString TouchTexts::refusal(Refusal refusal) {
         return tr("The elbow felt too little: its torque did not reach the torque window. Press harder, or "
                   "from another side.");
     case Refusal::tooFewSamples:
-        return tr("The touch was too quick: fewer than two samples lie in the torque window. Press slower.");
+        return tr(
+            "The touch was too quick: fewer than 20 independent samples lie in the torque window. Press "
+            "slower.");
     case Refusal::torqueUnchanged:
         return tr("The torque did not change within the torque window. Press with rising force.");
     case Refusal::angleOpposesTorque:
@@ -69,6 +74,35 @@ QString TouchTexts::refusal(Refusal refusal) {
         return tr("The touch was too quick: the arm's own inertia was felt with the object. Press slower.");
     }
     return {};
+}
+
+QString TouchTexts::warning(TouchWarning warning) {
+    switch (warning) {
+    case TouchWarning::correlatedNoise:
+        return tr("The noise of neighbouring samples is not independent.");
+    case TouchWarning::coarseTorque:
+        return tr("One step of the torque reading is over a tenth of the window.");
+    case TouchWarning::coarseAngle:
+        return tr("One step of the angle reading is over a tenth of the rotation.");
+    case TouchWarning::torqueOffset:
+        return tr("The free joint has a torque; it was taken off.");
+    case TouchWarning::torqueDrift:
+        return tr("The torque of the free joint changes; the change was taken off.");
+    case TouchWarning::nonlinear:
+        return tr("The stiffness changes within the torque window.");
+    case TouchWarning::rateDependent:
+        return tr("The force depends on how quickly the object is pressed.");
+    case TouchWarning::stickSlip:
+        return tr("The torque jumps, or the joint has play.");
+    }
+    return {};
+}
+
+QString TouchTexts::warnings(const stiffness::TouchStiffness& touch) {
+    QStringList lines;
+    for (const TouchWarning seen : touch.warnings)
+        lines << warning(seen);
+    return lines.join(u'\n');
 }
 
 QString TouchTexts::joint(std::size_t joint, std::size_t joints) {
@@ -111,6 +145,28 @@ QString TouchTexts::interval(const stiffness::Stiffness& stiffness) {
         return {};
     const auto unitOf = [](const QString& text) { return text.section(kNoBreakSpace, 1); };
     return tr("%1 … %2").arg(unitOf(low) == unitOf(high) ? low.section(kNoBreakSpace, 0, 0) : low, high);
+}
+
+QString TouchTexts::fileMaterial(const stiffness::TouchStiffness& touch) {
+    return touch.materialKnown() ? QString::fromLatin1(stiffness::toString(touch.material))
+                                 : QStringLiteral("NA");
+}
+
+QString TouchTexts::fileSafety(const stiffness::TouchStiffness& touch) {
+    if (!touch.materialKnown())
+        return QStringLiteral("NA");
+    return stiffness::isSafe(touch.material) ? QStringLiteral("true") : QStringLiteral("false");
+}
+
+QString TouchTexts::fileLevel(const stiffness::TouchStiffness& touch) {
+    return touch.materialKnown() ? QString::number(stiffness::level(touch.material)) : QStringLiteral("NA");
+}
+
+QString TouchTexts::fileWarnings(const stiffness::TouchStiffness& touch) {
+    QStringList names;
+    for (const TouchWarning seen : touch.warnings)
+        names << QString::fromLatin1(stiffness::toString(seen));
+    return names.isEmpty() ? QStringLiteral("NA") : names.join(u' ');
 }
 
 QString TouchTexts::fileNumber(const std::optional<double>& value) {

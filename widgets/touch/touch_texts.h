@@ -27,6 +27,10 @@ public:
     [[nodiscard]] static QString method(stiffness::Method method);
     /// Why a touch has no stiffness, and what helps; a sentence.
     [[nodiscard]] static QString refusal(stiffness::Refusal refusal);
+    /// What was seen, in a sentence.
+    [[nodiscard]] static QString warning(stiffness::TouchWarning warning);
+    /// All warnings of a touch, a line each.
+    [[nodiscard]] static QString warnings(const stiffness::TouchStiffness& touch);
     /// "shoulder roll" ... "elbow pitch" of an arm with four joints, "joint 1" ... of any other.
     [[nodiscard]] static QString joint(std::size_t joint, std::size_t joints);
     [[nodiscard]] static QString drive(core::ArmDrive drive);
@@ -40,6 +44,11 @@ public:
     /// are the same.
     [[nodiscard]] static QString interval(const stiffness::Stiffness& stiffness);
 
+    /// For files: NA where an estimate is not reliable; warnings separated by spaces.
+    [[nodiscard]] static QString fileMaterial(const stiffness::TouchStiffness& touch);
+    [[nodiscard]] static QString fileSafety(const stiffness::TouchStiffness& touch);
+    [[nodiscard]] static QString fileLevel(const stiffness::TouchStiffness& touch);
+    [[nodiscard]] static QString fileWarnings(const stiffness::TouchStiffness& touch);
     /// A value as exported files have it: all digits, a point, "NA" for none.
     [[nodiscard]] static QString fileNumber(const std::optional<double>& value);
 };

@@ -92,6 +92,8 @@ void FeedbackPanel::offerPatterns() {
         choices.push_back({pattern.id, pattern::displayName(pattern),
                            pattern.task == pattern::Task::shape ? tr("shape") : tr("stiffness"),
                            pattern.condition == pattern::Condition::dynamic ? tr("dynamic") : tr("static")});
+    const pattern::Pattern& unknown = pattern::unknownStiffness();
+    choices.push_back({unknown.id, tr("Unknown stiffness"), tr("stiffness"), tr("dynamic")});
     m_choices = choices;
     m_table->setChoices(std::move(choices));
 }
@@ -122,6 +124,8 @@ void FeedbackPanel::forgetLast() {
 void FeedbackPanel::showLast(const FeedbackEvent& event) {
     if (event.sent.shape)
         m_table->setRecognisedShape(*event.sent.shape);
+    else if (event.sent.unknownStiffness)
+        m_table->setUnknownStiffness();
     else
         m_table->setRecognisedStiffness(stiffness::level(*event.sent.material));
     m_lastFelt = event;
@@ -130,8 +134,9 @@ void FeedbackPanel::showLast(const FeedbackEvent& event) {
 }
 
 void FeedbackPanel::writeLast(const FeedbackEvent& event) {
-    const QString what = event.sent.shape ? touch::TouchTexts::shape(*event.sent.shape)
-                                          : touch::TouchTexts::material(*event.sent.material);
+    const QString what = event.sent.shape              ? touch::TouchTexts::shape(*event.sent.shape)
+                         : event.sent.unknownStiffness ? touch::PatternMapTable::tr("unknown stiffness")
+                                                       : touch::TouchTexts::material(*event.sent.material);
     const QString touch = QString::number(event.sent.touch);
     const QString pattern = nameOf(event.sent.patternId);
     m_lastText = event.sent.missing

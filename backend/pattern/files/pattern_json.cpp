@@ -402,6 +402,9 @@ core::Expected<PatternMap> patternMapFromJson(std::string text, const std::strin
         reader.array(reader.member(reader.root(), "stiffness"), kStiffnessLevels, kStiffnessLevels);
     for (std::size_t i = 0; i < stiffness.size(); ++i)
         map.stiffness[i] = reader.text(stiffness[i]);
+    // Files of older versions lack it.
+    map.unknownStiffness =
+        reader.text(reader.root(), "unknown_stiffness", PatternMap::defaults().unknownStiffness);
     const ordered_json& shape = reader.member(reader.root(), "shape");
     for (std::size_t i = 0; i < kRecognisedShapes.size(); ++i)
         map.shape[i] = reader.text(shape, kRecognisedShapes[i].data(), {});
@@ -424,6 +427,7 @@ std::string patternMapToJson(const PatternMap& map) {
     return lines({{"format", kMapFormat},
                   {"version", kVersion},
                   {"stiffness", map.stiffness},
+                  {"unknown_stiffness", map.unknownStiffness},
                   {"shape", std::move(shape)}});
 }
 

@@ -111,6 +111,26 @@ Pattern stiffness(int level, Condition condition) {
     return pattern;
 }
 
+/// Three short swells of all tactors: no level of the stiffness feels like it, and it has no place in a
+/// study.
+Pattern makeUnknownStiffness() {
+    constexpr double kPulse_s = 0.2;
+    constexpr double kApart_s = 0.35;
+    constexpr double kIntensity = 0.6;
+    Pattern pattern = named("stiffness", 'U', "Unknown stiffness", Task::other, Condition::dynamic);
+    pattern.id = std::string(kUnknownStiffnessId);
+    pattern.tags = {"built-in"};
+    pattern.duration_s = 2.0 * kApart_s + kPulse_s;
+    Track track;
+    for (const double begin_s : {0.0, kApart_s, 2.0 * kApart_s}) {
+        track.push_back({begin_s, 0.0, Easing::easeInOut});
+        track.push_back({begin_s + 0.5 * kPulse_s, kIntensity, Easing::easeInOut});
+        track.push_back({begin_s + kPulse_s, 0.0});
+    }
+    pattern.tracks.fill(track);
+    return pattern;
+}
+
 std::vector<Pattern> makePatterns() {
     std::vector<Pattern> patterns;
     for (const ShapeStimulus& shape : shapes())
@@ -131,7 +151,14 @@ std::span<const Pattern> builtInPatterns() {
     return kPatterns;
 }
 
+const Pattern& unknownStiffness() {
+    static const Pattern kPattern = makeUnknownStiffness();
+    return kPattern;
+}
+
 const Pattern* findBuiltIn(std::string_view id) {
+    if (id == kUnknownStiffnessId)
+        return &unknownStiffness();
     for (const Pattern& pattern : builtInPatterns()) {
         if (pattern.id == id)
             return &pattern;

@@ -22,7 +22,14 @@ namespace teleta::pattern {
 /// Names are in English. Thread: any. Source: TeleTA, 5.3, figures 9 and 10.
 [[nodiscard]] std::span<const Pattern> builtInPatterns();
 
-/// The built-in pattern with this id, or nullptr. Thread: any.
+/// Id of unknownStiffness().
+inline constexpr std::string_view kUnknownStiffnessId = "stiffness.unknown";
+
+/// Three short swells of all tactors, 0.9 s: a touch whose stiffness is not reliable. No stimulus of the study,
+/// so that builtInPatterns() is without it. Thread: any.
+[[nodiscard]] const Pattern& unknownStiffness();
+
+/// The built-in pattern with this id, that for an unknown stiffness too, or nullptr. Thread: any.
 [[nodiscard]] const Pattern* findBuiltIn(std::string_view id);
 
 } // namespace teleta::pattern

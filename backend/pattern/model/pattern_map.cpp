@@ -15,7 +15,8 @@ PatternMap PatternMap::defaults() {
     return {{"stiffness.A.dynamic", "stiffness.B.dynamic", "stiffness.C.dynamic", "stiffness.D.dynamic",
              "stiffness.E.dynamic"},
             {"shape.A.dynamic", "shape.B.dynamic", "shape.C.dynamic", "shape.D.dynamic", "shape.E.dynamic",
-             "shape.F.dynamic", ""}};
+             "shape.F.dynamic", ""},
+            "stiffness.unknown"};
 }
 
 const std::string& PatternMap::ofStiffness(int level) const {

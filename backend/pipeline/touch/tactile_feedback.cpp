@@ -31,6 +31,7 @@ void TactileFeedback::setMap(const pattern::PatternMap& map, const Library& libr
     Settings settings = *m_settings.get();
     for (std::size_t i = 0; i < map.stiffness.size(); ++i)
         settings.stiffness[i] = entryOf(map.stiffness[i]);
+    settings.unknownStiffness = entryOf(map.unknownStiffness);
     for (std::size_t i = 0; i < map.shape.size(); ++i)
         settings.shape[i] = entryOf(map.shape[i]);
     m_settings.set(std::make_shared<const Settings>(std::move(settings)));
@@ -58,6 +59,8 @@ const TactileFeedback::Entry* TactileFeedback::ofStiffness(const Settings& setti
     const bool tells = settings.mode == FeedbackMode::stiffness || settings.mode == FeedbackMode::both;
     if (!tells || !record.stiffness)
         return nullptr;
+    if (!record.stiffness->materialKnown())
+        return &settings.unknownStiffness;
     return &settings.stiffness[static_cast<std::size_t>(stiffness::level(record.stiffness->material)) - 1];
 }
 
@@ -69,7 +72,10 @@ void TactileFeedback::onTouch(const TouchRecord& record) {
     if (entry->program.evaluate)
         m_play(entry->program);
     FeedbackSent sent = messageOf(record, *entry);
-    sent.material = record.stiffness->material;
+    if (record.stiffness->materialKnown())
+        sent.material = record.stiffness->material;
+    else
+        sent.unknownStiffness = true;
     m_sent.push(std::move(sent));
 }
 

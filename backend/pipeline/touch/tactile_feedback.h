@@ -26,9 +26,10 @@ struct FeedbackSent {
     std::uint64_t touch = 0; ///< TouchRecord::number
     std::optional<stiffness::Material> material;
     std::optional<contour::Shape> shape;
-    std::string patternId;    ///< empty: the map has none for it, nothing was sent
-    bool missing = false;     ///< the map has this id, but there is no such pattern: nothing was sent
-    std::int64_t felt_ns = 0; ///< steady time of the sample that completed the touch
+    bool unknownStiffness = false; ///< the touch has a stiffness that is not reliable: no material is told
+    std::string patternId;         ///< empty: the map has none for it, nothing was sent
+    bool missing = false;          ///< the map has this id, but there is no such pattern: nothing was sent
+    std::int64_t felt_ns = 0;      ///< steady time of the sample that completed the touch
 };
 
 /// Turns what was recognised into patterns on the bracelet: the material of every touch that has a stiffness,
@@ -70,6 +71,7 @@ private:
     struct Settings {
         FeedbackMode mode = FeedbackMode::both;
         std::array<Entry, pattern::kStiffnessLevels> stiffness;
+        Entry unknownStiffness;
         std::array<Entry, pattern::kRecognisedShapes.size()> shape;
     };
 

@@ -41,11 +41,12 @@ private slots:
     void hasARowForEveryLevelAndShape() {
         PatternMapTable table;
         table.setChoices(choices());
-        QCOMPARE(table.table()->rowCount(), 12);
+        QCOMPARE(table.table()->rowCount(), 13);
         QVERIFY(table.table()->item(0, 0)->text().contains("sponge"));
         QVERIFY(table.table()->item(4, 0)->text().contains("metal"));
         QCOMPARE(table.table()->item(kFirstShape, 0)->text(), QString("circle"));
         QCOMPARE(table.table()->item(11, 0)->text(), QString("unknown shape"));
+        QCOMPARE(table.table()->item(12, 0)->text(), QString("unknown stiffness"));
         QCOMPARE(table.box(2)->currentText(), QString("stiffness C dynamic"));
         QCOMPARE(table.table()->item(2, 2)->text(), QString("stiffness, dynamic"));
         QCOMPARE(table.box(11)->currentText(), QString("nothing"));

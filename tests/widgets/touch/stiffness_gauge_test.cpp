@@ -230,8 +230,8 @@ private slots:
         QCOMPARE(shown.gauge.figure().csv(),
                  QString("method,samples,delta_theta_rad,delta_torque_nm,total_stiffness_n_per_m,"
                          "total_stiffness_se,object_stiffness_n_per_m,object_stiffness_lower_95,"
-                         "object_stiffness_upper_95,material,safe,level\n"
-                         "regression,31,0,0,NA,NA,NA,9000,NA,metal,false,5\n"));
+                         "object_stiffness_upper_95,material,safe,level,reliable,warnings\n"
+                         "regression,31,0,0,NA,NA,NA,9000,NA,metal,false,5,true,NA\n"));
     }
 
     void picturesAreForPaperWhateverTheThemeIs() {
