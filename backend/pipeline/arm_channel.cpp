@@ -77,10 +77,8 @@ std::size_t ArmChannel::process() {
         m_joints.push_back(sample);
     m_contacts.clear();
     const double circumference_m = 2.0 * std::numbers::pi * m_arm->description().skin.radius_m;
-    const double centroidSe_m = m_settingsInUse.get().touch.centroidSe_m;
-    m_skin->process([&](const TouchSnapshot& frame) {
-        m_contacts.push_back(strongestContact(frame, circumference_m, centroidSe_m));
-    });
+    m_skin->process(
+        [&](const TouchSnapshot& frame) { m_contacts.push_back(strongestContact(frame, circumference_m)); });
 
     auto contact = m_contacts.begin();
     const auto feedContactsUntil = [&](std::int64_t time_ns) {

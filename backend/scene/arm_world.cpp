@@ -47,6 +47,9 @@ void ArmBody::describeKeys(Keys& keys) {
                 "Damping of a joint's twist over its stiffness", Need::optional);
     keys.numbers("joint_stiffness_Nm_per_rad", kArmJointNames, jointStiffness_NmPerRad, kPositive,
                  "Stiffness between motor and link", Need::optional);
+    keys.number("elbow_stiffness_se_Nm_per_rad", elbowStiffnessSe_NmPerRad, kNotNegative,
+                "Standard error of the elbow's stiffness, told to the estimates of stiffness",
+                Need::optional);
     keys.numbers("lowest_rad", kArmJointNames, lowest_rad, kAny, "Lowest joint angles", Need::optional);
     keys.numbers("highest_rad", kArmJointNames, highest_rad, kAny, "Highest joint angles", Need::optional);
     keys.numbers("fastest_rad_per_s", kArmJointNames, fastest_radPerS, kPositive, "Highest joint speeds",
@@ -70,6 +73,10 @@ void ArmSkin::describeKeys(Keys& keys) {
     keys.number("centre_distance_m", centreDistance_m, kAny,
                 "Distance of the middle of the skin from the elbow, along the forearm");
     keys.number("centre_side_rad", centreSide_rad, kAny, "Side of the forearm on which the middle lies",
+                Need::optional);
+    keys.number("centre_se_m", centreSe_m, kNotNegative,
+                "Standard error of a contact's centre, from a calibration run of the skin; what its "
+                "threshold hides comes on top",
                 Need::optional);
     describeReadings(keys, fullScale_N, firingThreshold_N);
 }

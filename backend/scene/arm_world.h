@@ -42,6 +42,7 @@ struct ArmBody {
     double jointDampingTime_s = 0.03; ///< damping of the twist over its stiffness; takes the ringing away
     /// Between motor and link. The elbow's follows from the paper's k_ri and P_C: k_ri P_C^2.
     core::JointVector jointStiffness_NmPerRad{2000.0, 2000.0, 2000.0, 3468.6 * 0.175 * 0.175};
+    double elbowStiffnessSe_NmPerRad = 0.0; ///< that the estimates are told; the arm has no such error
     core::JointVector start_rad = core::JointVector::zeros(kJoints);
     core::JointVector lowest_rad{-2.0, -1.6, -2.0, -0.2};
     core::JointVector highest_rad{2.0, 1.6, 2.0, 2.6};
@@ -57,6 +58,7 @@ struct ArmSkin {
     double rate_Hz = 200.0; ///< frames are read at the joint sample that follows
     double centreDistance_m = 0.14;
     double centreSide_rad = 0.0;
+    double centreSe_m = 0.0;        ///< core::SkinPlacement::centreSe_m
     double fullScale_N = 2.0;       ///< load at which a taxel saturates, when the scene lists that effect
     double firingThreshold_N = 0.0; ///< a taxel whose load is below this reads 0
     void describeKeys(Keys& keys);

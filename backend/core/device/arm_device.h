@@ -34,6 +34,9 @@ struct SkinPlacement {
     double centreDistance_m = 0.0;
     double centreSide_rad = 0.0;
     double radius_m = 0.0; ///< > 0
+    /// Standard error of a contact's centre that stays when the press is repeated, from a calibration run of
+    /// this skin. What its threshold hides is known without, see pipeline::setPlaceErrors().
+    double centreSe_m = 0.0;
 
     [[nodiscard]] double distance_m(double x_m) const { return centreDistance_m + x_m; }
     [[nodiscard]] double side_rad(double y_m) const { return centreSide_rad - y_m / radius_m; }
@@ -52,6 +55,7 @@ struct ArmDescription {
     double forearmLength_m = 0.0;
     double halfThickness_m = 0.0;
     double elbowStiffness_NmPerRad = 0.0; ///< of joint and link: k_ri P_C^2 at any distance P_C
+    double elbowStiffnessSe_NmPerRad = 0.0;
     /// Of the three shoulder joints; 0: taken as rigid.
     std::array<double, 3> shoulderStiffness_NmPerRad{};
     SkinPlacement skin;

@@ -177,10 +177,12 @@ recording::StreamInfo armStream(const std::string& name, const core::ArmDescript
                                {"forearm_m", description.forearmLength_m},
                                {"half_thickness_m", description.halfThickness_m},
                                {"elbow_stiffness_nm_per_rad", description.elbowStiffness_NmPerRad},
+                               {"elbow_stiffness_se_nm_per_rad", description.elbowStiffnessSe_NmPerRad},
                                {"shoulder_stiffness_nm_per_rad", description.shoulderStiffness_NmPerRad},
                                {"skin_centre_distance_m", description.skin.centreDistance_m},
                                {"skin_centre_side_rad", description.skin.centreSide_rad},
                                {"skin_radius_m", description.skin.radius_m},
+                               {"skin_centre_se_m", description.skin.centreSe_m},
                                {"lowest_rad", description.lowest_rad},
                                {"highest_rad", description.highest_rad},
                                {"fastest_rad_per_s", description.fastest_radPerS}};
@@ -293,10 +295,14 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
     description.forearmLength_m = number("forearm_m", 0.0);
     description.halfThickness_m = number("half_thickness_m", 0.0);
     description.elbowStiffness_NmPerRad = number("elbow_stiffness_nm_per_rad", 0.0);
+    // Files of older versions lack it, and that of the skin's centre.
+    description.elbowStiffnessSe_NmPerRad =
+        reader.number(root, "elbow_stiffness_se_nm_per_rad", 0.0, kHuge, 0.0);
     readNumbers(reader, root, "shoulder_stiffness_nm_per_rad", description.shoulderStiffness_NmPerRad);
     description.skin.centreDistance_m = number("skin_centre_distance_m", -kHuge);
     description.skin.centreSide_rad = number("skin_centre_side_rad", -kHuge);
     description.skin.radius_m = number("skin_radius_m", 1e-9);
+    description.skin.centreSe_m = reader.number(root, "skin_centre_se_m", 0.0, kHuge, 0.0);
     description.lowest_rad = description.highest_rad = description.fastest_radPerS =
         core::JointVector::zeros(*joints);
     readNumbers(reader, root, "lowest_rad", description.lowest_rad);

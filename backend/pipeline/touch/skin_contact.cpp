@@ -12,23 +12,17 @@ constexpr double kSeamGate_taxels = 3.0;
 
 } // namespace
 
-double taxelNoise_N(double threshold_N) {
-    return threshold_N / 3.0;
+void setPlaceErrors(SkinContact& contact, const contact::Contact& patch, double pitch_m, double threshold_N) {
+    if (!(patch.force_N > 0.0))
+        return;
+    const double rows = patch.maxRow - patch.minRow + 1;
+    const double columns = patch.maxColumn - patch.minColumn + 1;
+    const double ofTaxel_m = 0.5 * threshold_N / patch.force_N * pitch_m;
+    contact.xSe_m = ofTaxel_m * std::sqrt(rows) * 0.5 * (columns + 1.0);
+    contact.ySe_m = ofTaxel_m * std::sqrt(columns) * 0.5 * (rows + 1.0);
 }
 
-void setPlaceErrors(SkinContact& contact, const contact::Contact& patch, double pitch_m, double noise_N,
-                    double systematic_m) {
-    const double known_m = systematic_m > 0.0 ? systematic_m : kCentroidSe_pitches * pitch_m;
-    const double relativeNoise = patch.force_N > 0.0 ? noise_N / patch.force_N : 0.0;
-    const auto errorAlong_m = [&](int from, int to) {
-        const double width_m = (to - from + 1) * pitch_m;
-        return std::hypot(known_m, relativeNoise * std::sqrt(patch.taxels / 12.0) * width_m);
-    };
-    contact.xSe_m = errorAlong_m(patch.minColumn, patch.maxColumn);
-    contact.ySe_m = errorAlong_m(patch.minRow, patch.maxRow);
-}
-
-SkinContact strongestContact(const TouchSnapshot& frame, double circumference_m, double systematic_m) {
+SkinContact strongestContact(const TouchSnapshot& frame, double circumference_m) {
     SkinContact strongest;
     strongest.time_ns = frame.time_ns;
     strongest.sourceTime_s = frame.sourceTime_s;
@@ -40,7 +34,7 @@ SkinContact strongestContact(const TouchSnapshot& frame, double circumference_m,
     strongest.y_m = first.y_m;
     strongest.force_N = first.force_N;
     strongest.type = frame.features.type;
-    setPlaceErrors(strongest, first, frame.layout.pitch_m, taxelNoise_N(frame.threshold_N), systematic_m);
+    setPlaceErrors(strongest, first, frame.layout.pitch_m, frame.threshold_N);
     if (!(circumference_m > 0.0))
         return strongest;
     const double gate_m = kSeamGate_taxels * frame.layout.pitch_m;

@@ -343,10 +343,11 @@ void TouchEstimator::addToPlace(const SkinContact& contact) {
     Place& place = *m_touch.place;
     place.type = contact.type;
     place.weight_N += weight_N;
-    place.x_m += weight_N / place.weight_N * (contact.x_m - place.x_m);
-    place.y_m += weight_N / place.weight_N * (contact.y_m - place.y_m);
-    place.xSe_m += weight_N / place.weight_N * (contact.xSe_m - place.xSe_m);
-    place.ySe_m += weight_N / place.weight_N * (contact.ySe_m - place.ySe_m);
+    const double share = weight_N / place.weight_N;
+    place.x_m += share * (contact.x_m - place.x_m);
+    place.y_m += share * (contact.y_m - place.y_m);
+    place.xSe_m += share * (std::hypot(contact.xSe_m, m_arm.skin.centreSe_m) - place.xSe_m);
+    place.ySe_m += share * (std::hypot(contact.ySe_m, m_arm.skin.centreSe_m) - place.ySe_m);
 }
 
 std::optional<TouchRecord> TouchEstimator::recordWhenLocated(bool waitNoLonger) {
@@ -432,7 +433,7 @@ TouchEstimator::stiffnessAt(const Located& located, std::optional<double> placeS
     // 1/k_ri = lever^2 / K and the rest.
     settings.linkStiffnessSe_NPerM =
         std::pow(settings.linkStiffness_NPerM * lever_m / m_arm.elbowStiffness_NmPerRad, 2) *
-        m_settings.elbowStiffnessSe_NmPerRad;
+        m_arm.elbowStiffnessSe_NmPerRad;
     settings.window = m_settings.window;
     settings.patternsAreErrors = true;
     settings.method = m_settings.method;
@@ -444,10 +445,8 @@ TouchEstimator::stiffnessAt(const Located& located, std::optional<double> placeS
 double TouchEstimator::placeSe_mPerN(double object_mPerN) const {
     const Place& place = *m_touch.place;
     double squares = 0.0;
-    for (const auto& [x_m, y_m] : {std::pair(place.xSe_m, 0.0), std::pair(0.0, place.ySe_m)}) {
-        if (x_m + y_m <= 0.0)
-            continue;
-        const Located moved = locate(place.x_m + x_m, place.y_m + y_m);
+    for (const Located& moved :
+         {locate(place.x_m + place.xSe_m, place.y_m), locate(place.x_m, place.y_m + place.ySe_m)}) {
         const auto there = stiffnessAt(moved, std::nullopt);
         if (there)
             squares += std::pow(there->objectCompliance.value_mPerN - object_mPerN, 2);

@@ -31,8 +31,6 @@ struct TouchEstimatorSettings {
     std::optional<double> torqueNoise_Nm; ///< as in stiffness::TouchSettings
     std::optional<double> angleNoise_rad;
     arm::ForceSettings force;
-    double elbowStiffnessSe_NmPerRad = 0.0; ///< standard error of ArmDescription::elbowStiffness_NmPerRad
-    double centroidSe_m = 0.0; ///< of a calibration run of the skin, see setPlaceErrors(); 0: not known
 
     double referenceTime_s =
         0.5;                   ///< time constant with which the reference follows the torque of a free joint
@@ -132,7 +130,7 @@ private:
     struct Place {
         double x_m = 0.0;
         double y_m = 0.0;
-        double xSe_m = 0.0; ///< the systematic part does not average out: the mean of those of the frames
+        double xSe_m = 0.0; ///< the means of those of the frames: such an error does not average out
         double ySe_m = 0.0;
         double weight_N = 0.0;
         contact::ContactType type = contact::ContactType::none;

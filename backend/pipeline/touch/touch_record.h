@@ -26,7 +26,7 @@ struct SkinContact {
     double y_m = 0.0;
     double force_N = 0.0;
     contact::ContactType type = contact::ContactType::none; ///< of the whole frame
-    double xSe_m = 0.0; ///< standard errors of x and y; 0: they count as exact
+    double xSe_m = 0.0; ///< standard errors of the place, setPlaceErrors()
     double ySe_m = 0.0;
 };
 
@@ -42,8 +42,8 @@ struct TouchRecord {
     double torque_Nm = 0.0; ///< of that joint when the record was made, without its reference
 
     bool located = false; ///< the skin felt the contact; else the point and what rests on it is missing
-    double contactDistance_m = 0.0;   ///< P_C, from the elbow along the forearm
-    double contactDistanceSe_m = 0.0; ///< of the skin's place
+    double contactDistance_m = 0.0; ///< P_C, from the elbow along the forearm
+    double contactDistanceSe_m = 0.0;
     double side_rad = 0.0;
     Eigen::Vector3d p_Base_Contact_m = Eigen::Vector3d::Zero();
     contact::ContactType contactType = contact::ContactType::none; ///< as the skin felt it last

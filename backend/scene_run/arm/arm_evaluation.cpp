@@ -73,8 +73,7 @@ pipeline::SkinContact SkinReader::read(std::span<const float> values, const core
     contact.y_m = found.front().y_m;
     contact.force_N = found.front().force_N;
     contact.type = m_features.compute(m_load_N, m_dead).type;
-    pipeline::setPlaceErrors(contact, found.front(), m_pitch_m,
-                             pipeline::taxelNoise_N(m_segmenter.settings().threshold_N), 0.0);
+    pipeline::setPlaceErrors(contact, found.front(), m_pitch_m, m_segmenter.settings().threshold_N);
     return contact;
 }
 

@@ -40,7 +40,8 @@ std::vector<TouchedBody> bodiesOf(const scene::Scene& scene) {
 core::SkinPlacement placementOf(const scene::ArmWorld& world) {
     return {.centreDistance_m = world.skin.centreDistance_m,
             .centreSide_rad = world.skin.centreSide_rad,
-            .radius_m = world.body.halfThickness_m};
+            .radius_m = world.body.halfThickness_m,
+            .centreSe_m = world.skin.centreSe_m};
 }
 
 core::ArmDescription describeArm(const scene::Scene& scene) {
@@ -53,6 +54,7 @@ core::ArmDescription describeArm(const scene::Scene& scene) {
     description.forearmLength_m = body.forearmLength_m;
     description.halfThickness_m = body.halfThickness_m;
     description.elbowStiffness_NmPerRad = body.jointStiffness_NmPerRad[3];
+    description.elbowStiffnessSe_NmPerRad = body.elbowStiffnessSe_NmPerRad;
     std::copy_n(body.jointStiffness_NmPerRad.begin(), description.shoulderStiffness_NmPerRad.size(),
                 description.shoulderStiffness_NmPerRad.begin());
     description.skin = placementOf(scene.arm());

@@ -65,7 +65,7 @@ TEST(Completion, offersTheCommandsThatBeginSo) {
 }
 
 TEST(Completion, offersTheOptionsOfTheCommandAndTheValuesOfAnOption) {
-    EXPECT_EQ(offered({"teleta", "stiffness", "log.csv", "--con"}), Words{"--contact-distance"});
+    EXPECT_EQ(offered({"teleta", "stiffness", "log.csv", "--link-h"}), Words{"--link-half-thickness"});
     EXPECT_EQ(offered({"teleta", "stiffness", "--method", ""}), (Words{"two-point", "regression"}));
 }
 

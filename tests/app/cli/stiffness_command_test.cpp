@@ -212,7 +212,9 @@ TEST_F(StiffnessCommand, standardErrorsOfDistanceAndLinkWidenTheInterval) {
     // 2 1.96 k_o^2 c_i 2 dP / P with k_o / k_i = 1.3823.
     EXPECT_NEAR(width({"--contact-distance-se", "0.001"}), 2 * 1.96 * 1325.9 * 1.3823 * 2 * 0.001 / 0.17,
                 1.0);
-    EXPECT_GT(width({"--link-stiffness-se", "100"}), 10.0 * usual);
+    // 2 1.96 k_o^2 100 / k_ri^2, and the distance.
+    EXPECT_NEAR(width({"--link-stiffness-se", "100"}),
+                std::hypot(2 * 1.96 * std::pow(1325.9 / 3468.6, 2) * 100, usual), 0.5);
 }
 
 TEST_F(StiffnessCommand, theTorqueReferenceIsThatOfTheFreeMotionUnlessToldOtherwise) {

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QIcon>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTableView>
@@ -165,7 +166,25 @@ private slots:
         QVERIFY(lines[0].startsWith("touch\tstart_s\t"));
         QCOMPARE(lines[1],
                  QString("1\t2\t2.046\t4\t0.05\t0.17\t0\t0.47\t-0.05\t-0.012\tNA\t-0.35\t1.2\t12.5\t"
-                         "282\t270\t295\tsponge\ttrue\t1\tNA"));
+                         "282\t270\t295\tsponge\ttrue\t1\tNA\tNA"));
+    }
+
+    void anUnreliableStiffnessHasNoMaterialAndSaysWhy() {
+        auto touch = test::estimateOf(282.0, 270.0, 295.0);
+        touch.reliable = false;
+        touch.warnings = {teleta::stiffness::TouchWarning::rateDependent};
+        TouchTable table;
+        table.append(test::recordOf(1, touch));
+        table.show();
+        const QAbstractItemModel& model = *table.view()->model();
+        const QModelIndex index = model.index(0, TouchModel::stiffness);
+        QVERIFY(!index.data(Qt::DecorationRole).value<QIcon>().isNull());
+        QVERIFY(index.data(Qt::ToolTipRole).toString().contains("how quickly the object is pressed"));
+        QCOMPARE(model.index(0, TouchModel::material).data().toString(), "cannot tell");
+        QVERIFY(!model.index(0, TouchModel::material).data(Qt::DecorationRole).isValid());
+        QVERIFY(table.select(1));
+        QTest::keySequence(table.view(), QKeySequence::Copy);
+        QVERIFY(QGuiApplication::clipboard()->text().trimmed().endsWith("NA\tNA\tNA\tNA\trate_dependent"));
     }
 
     void withoutASelectionAllRowsAreTaken() {
