@@ -25,8 +25,8 @@ namespace teleta::pattern {
 /// Id of unknownStiffness().
 inline constexpr std::string_view kUnknownStiffnessId = "stiffness.unknown";
 
-/// Three short swells of all tactors, 0.9 s: a touch whose stiffness is not reliable. No stimulus of the study,
-/// so that builtInPatterns() is without it. Thread: any.
+/// Three short swells of all tactors, 0.9 s: a touch whose stiffness is not reliable. No stimulus of the
+/// study, so that builtInPatterns() is without it. Thread: any.
 [[nodiscard]] const Pattern& unknownStiffness();
 
 /// The built-in pattern with this id, that for an unknown stiffness too, or nullptr. Thread: any.

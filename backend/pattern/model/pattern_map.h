@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, 7> kRecognisedShapes{"circle", "re
 struct PatternMap {
     std::array<std::string, kStiffnessLevels> stiffness;     ///< level 1 (softest) first
     std::array<std::string, kRecognisedShapes.size()> shape; ///< as kRecognisedShapes
-    std::string unknownStiffness; ///< of a touch whose stiffness is not reliable
+    std::string unknownStiffness;                            ///< of a touch whose stiffness is not reliable
 
     bool operator==(const PatternMap&) const = default;
 
