@@ -2,6 +2,7 @@
 #include "backend/vision/calibration/camera_calibration.h"
 
 #include "backend/core/quantile.h"
+#include "backend/vision/calibration/calibration_checks.h"
 #include "backend/vision/calibration/camera_refinement.h"
 #include "backend/vision/calibration/camera_start.h"
 
@@ -311,7 +312,9 @@ std::optional<CameraParameters> unfold(const CameraParameters& camera, Pairs kep
     return valid >= needed ? std::optional(camera) : unfolded(needed, kForTheSurface);
 }
 
-/// Computes the covariance of the fitted parameters.
+/// Computes the covariance of the fitted parameters. The prior is an assumption, and lenses differ from it by
+/// more than it says: with the information J of the pairs and P of the prior, the covariance is
+/// (J + P)^-1 (J + kLensSpread^2 P) (J + P)^-1. Where the pairs decide, this changes nothing.
 CameraCovariance covarianceOf(Pairs kept, const CameraParameters& camera, bool linear, double noise_px) {
     const int freed = linear ? 0 : freeDistortion(kept.size());
     CameraCovariance information = CameraCovariance::Zero();
@@ -352,6 +355,14 @@ CameraCovariance covarianceOf(Pairs kept, const CameraParameters& camera, bool l
         for (Eigen::Index j = 0; j < count; ++j)
             covariance(free[i], free[j]) = widening * scale[i] * spread(i, j) * scale[j];
     }
+    constexpr double kLensSpread = 2.0;
+    const CameraCovariance byPrior = covariance;
+    for (const int i : free) {
+        if (i >= 11)
+            covariance += (kLensSpread * kLensSpread - 1.0) /
+                          (distortionPrior(i - 11) * distortionPrior(i - 11)) * byPrior.col(i) *
+                          byPrior.col(i).transpose();
+    }
     return covariance;
 }
 
@@ -376,35 +387,6 @@ double uncertaintyOf_m(const CameraModel& model, const CylinderSurface& surface,
         }
     }
     return std::sqrt(squares / (kAround * kAlong));
-}
-
-/// Correlation of neighbouring residuals; see Calibration::structure.
-double structureOf(Pairs pairs, const std::vector<PairResidual>& residuals) {
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (!residuals[i].kept || !residuals[i].error_px)
-            continue;
-        std::size_t nearest = i;
-        double distance = kInfinity;
-        for (std::size_t j = 0; j < pairs.size(); ++j) {
-            if (j == i || !residuals[j].kept || !residuals[j].error_px)
-                continue;
-            const double d = (pairs[i].p_Sensor_m - pairs[j].p_Sensor_m).squaredNorm();
-            if (d > 0.0 && d < distance) {
-                distance = d;
-                nearest = j;
-            }
-        }
-        const double lengths = residuals[i].error_px->norm() * residuals[nearest].error_px->norm();
-        if (nearest == i || !(lengths > 0.0))
-            continue;
-        sum += residuals[i].error_px->dot(*residuals[nearest].error_px) / lengths;
-        ++count;
-    }
-    // The cosine between independent directions in the plane has the variance 1/2; most pairs of neighbours
-    // are counted twice.
-    return count > 0 ? sum / std::sqrt(static_cast<double>(count)) : 0.0;
 }
 
 tl::expected<Calibration, CalibrationRefusal> conclude(Pairs pairs, const CalibrationSettings& settings,
@@ -458,12 +440,14 @@ tl::expected<Calibration, CalibrationRefusal> conclude(Pairs pairs, const Calibr
     result.mean_error_m /= static_cast<double>(located);
     result.structure = structureOf(pairs, result.residuals);
     result.uncertainty_m = uncertaintyOf_m(*model, settings.surface, covariance);
+    result.surfaceFactor = surfaceFactorOf(inliers, settings.surface);
     // The linear methods exist for comparison and are not refused: their errors show what they neglect.
     const bool exact = !linear;
     if (exact && !(result.mean_error_m <= kLargestMeanError * settings.surface.radius_m))
         return Refused(CalibrationRefusal::noAgreement);
     if (exact && !(result.uncertainty_m <= kLargestUncertainty_m))
         return Refused(CalibrationRefusal::notDetermined);
+    result.warnings = warningsOf(inliers, result);
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/vision/calibration/calibration_pair.h"
+#include "backend/vision/calibration/calibration_warning.h"
 #include "backend/vision/camera/cylinder_projection.h"
 
 #include <array>
@@ -85,6 +86,11 @@ struct Calibration {
     double structure = 0.0;
     static constexpr double kStructured = 5.0;
     [[nodiscard]] bool isStructured() const { return structure > kStructured; }
+    /// Brings x and y of the kept pairs' points onto the surface; empty when most of them are on the axis.
+    std::optional<SurfaceFactor> surfaceFactor{};
+    std::vector<CalibrationWarning> warnings{}; ///< in the order of kCalibrationWarnings
+    /// Whether nothing was seen in the pairs that makes the camera or its uncertainty doubtful.
+    [[nodiscard]] bool isReliable() const { return warnings.empty(); }
 };
 
 /// Finds camera pose, lens and handedness from pairs. The robust method starts from radial alignment
@@ -93,9 +99,9 @@ struct Calibration {
 /// these until the kept pairs no longer change; nearby pairs that were lost are tried once more. The lens
 /// model is made monotone up to 80 degrees, or as far as the image reaches, if this does not worsen the fit,
 /// and at least over all kept pairs. The covariance is that of the fitted parameters for the noise of the
-/// kept pairs (wider when there are few redundant equations). The order of the pairs changes the result only
-/// by rounding. Thread: any (pure); takes about 0.1 s for 250 pairs. Source: VTacArm, sections III-B and
-/// IV-A; erratum of eq. (3).
+/// kept pairs (wider when there are few redundant equations, and where only the prior for the lens decides).
+/// The order of the pairs changes the result only by rounding. Thread: any (pure); takes about 0.1 s for 250
+/// pairs. Source: VTacArm, sections III-B and IV-A; erratum of eq. (3).
 [[nodiscard]] tl::expected<Calibration, CalibrationRefusal> calibrate(std::span<const CalibrationPair> pairs,
                                                                       const CalibrationSettings& settings,
                                                                       CalibrationMethod method);

@@ -94,8 +94,12 @@ QString wordsFor(CameraModel::Refusal refusal) {
 } // namespace
 
 CalibrationSummary summaryOf(const Calibration& calibration) {
-    return {toString(calibration.method), calibration.residuals.size(), calibration.kept,
-            calibration.rms_px,           calibration.mean_px,          calibration.mean_error_m};
+    CalibrationSummary summary{
+        toString(calibration.method), calibration.residuals.size(), calibration.kept,
+        calibration.rms_px,           calibration.mean_px,          calibration.mean_error_m};
+    for (const CalibrationWarning warning : calibration.warnings)
+        summary.warnings.emplace_back(toString(warning));
+    return summary;
 }
 
 ordered_json cameraJson(const CameraFile& file) {
@@ -128,7 +132,8 @@ ordered_json cameraJson(const CameraFile& file) {
                             {"kept", file.summary.kept},
                             {"rms_px", file.summary.rms_px},
                             {"mean_px", file.summary.mean_px},
-                            {"mean_mm", 1e3 * file.summary.mean_error_m}}}};
+                            {"mean_mm", 1e3 * file.summary.mean_error_m},
+                            {"warnings", file.summary.warnings}}}};
     for (const auto& [key, value] : file.others.items())
         document[key] = value;
     return document;
@@ -181,6 +186,11 @@ core::Expected<CameraFile> parseCamera(std::string text, const std::string& file
         summary.rms_px = reader.number(*told, "rms_px", 0.0, kHuge, 0.0);
         summary.mean_px = reader.number(*told, "mean_px", 0.0, kHuge, 0.0);
         summary.mean_error_m = 1e-3 * reader.number(*told, "mean_mm", 0.0, kHuge, 0.0);
+        constexpr std::size_t kMostWarnings = 100;
+        if (const ordered_json* warnings = reader.find(*told, "warnings")) {
+            for (const ordered_json& warning : reader.array(*warnings, 0, kMostWarnings))
+                summary.warnings.push_back(reader.text(warning));
+        }
     }
     if (reader.error())
         return core::Unexpected(*reader.error());

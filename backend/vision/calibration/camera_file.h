@@ -4,9 +4,12 @@
 #include "backend/core/error.h"
 #include "backend/vision/calibration/camera_calibration.h"
 
+#include <QString>
+
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace teleta::vision {
 
@@ -18,6 +21,7 @@ struct CalibrationSummary {
     double rms_px = 0.0;
     double mean_px = 0.0;
     double mean_error_m = 0.0;
+    std::vector<std::string> warnings{}; ///< names of CalibrationWarning
 };
 [[nodiscard]] CalibrationSummary summaryOf(const Calibration& calibration);
 
@@ -54,5 +58,8 @@ struct CameraFile {
 
 /// Error for people: why no camera can be found from so many pairs, and what to do about it. Translated.
 [[nodiscard]] core::Error describe(CalibrationRefusal refusal, std::size_t pairs);
+/// Text for people: what was seen in the pairs, and what to do about it. holeFactor: by which x and y of the
+/// points were multiplied before the calibration. Translated.
+[[nodiscard]] QString describe(CalibrationWarning warning, const Calibration& calibration, double holeFactor);
 
 } // namespace teleta::vision

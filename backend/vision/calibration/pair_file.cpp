@@ -2,6 +2,7 @@
 #include "backend/core/data/csv_reader.h"
 #include "backend/core/data/csv_writer.h"
 #include "backend/core/failure.h"
+#include "backend/vision/calibration/calibration_checks.h"
 #include "backend/vision/calibration/camera_file.h"
 
 #include <QCoreApplication>
@@ -78,6 +79,41 @@ core::Expected<void> writeResiduals(const std::vector<CalibrationPair>& pairs, c
         csv.endRow();
     }
     return csv.finish();
+}
+
+QString describe(CalibrationWarning warning, const Calibration& calibration, double holeFactor) {
+    const auto number = [](double value, int digits = 4) { return QString::number(value, 'g', digits); };
+    const CameraParameters& camera = calibration.camera.camera().parameters();
+    switch (warning) {
+    case CalibrationWarning::offSurface: {
+        if (!calibration.surfaceFactor)
+            return PairText::tr("most points are on the axis of the cylinder, not on its surface");
+        const auto [factor, error] = *calibration.surfaceFactor;
+        const double radius_mm = 1e3 * calibration.camera.surface().radius_m;
+        return PairText::tr(
+                   "the points are %1 mm from the axis, the surface is at %2 mm: a hole factor of %3 "
+                   "(standard error %4) brings them onto it, unless the radius is wrong")
+            .arg(number(radius_mm / factor), number(radius_mm), number(holeFactor * factor),
+                 number(holeFactor * error, 2));
+    }
+    case CalibrationWarning::beyondEnds:
+        return PairText::tr("many points are beyond the ends of the cylinder: check its length, and where "
+                            "z = 0 is");
+    case CalibrationWarning::swappedPixels: {
+        const OffMiddle off = offMiddle(camera);
+        return PairText::tr("u and v seem to be swapped: the principal point is %1 px off the middle of the "
+                            "image, and with u and v swapped %2 px")
+            .arg(number(off.fitted_px, 3), number(off.swapped_px, 3));
+    }
+    case CalibrationWarning::outsideImage:
+        return PairText::tr("many pixels are outside the image of %1 x %2 px: check its size")
+            .arg(camera.width_px)
+            .arg(camera.height_px);
+    case CalibrationWarning::structured:
+        return PairText::tr("neighbouring residuals are alike: the camera does not explain everything in the "
+                            "pairs (a shell that has moved, a wrong radius)");
+    }
+    return {};
 }
 
 core::Error describe(CalibrationRefusal refusal, std::size_t pairs) {

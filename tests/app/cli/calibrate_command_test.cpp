@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <random>
 
 using nlohmann::ordered_json;
 using teleta::test::ProgramResult;
@@ -30,8 +31,11 @@ Pixel seen(double x_m, double y_m, double z_m) {
     return {820.0 + distance_px * x_m / across_m, 616.0 - distance_px * y_m / across_m};
 }
 
-/// The shell's holes; every outlierth pixel is somewhere else (0: none).
-std::string pairsCsv(int outlier = 0) {
+/// The shell's holes; every outlierth pixel is somewhere else (0: none); x and y of the points divided by a
+/// factor; pixels with noise.
+std::string pairsCsv(int outlier = 0, double holeFactor = 1.0, double noise_px = 0.0) {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
     std::string text = "u_px,v_px,x_m,y_m,z_m\n";
     int number = 0;
     for (int i = 0; i < 25; ++i) {
@@ -43,9 +47,11 @@ std::string pairsCsv(int outlier = 0) {
             Pixel pixel = seen(x_m, y_m, z_m);
             if (outlier > 0 && number % outlier == 0)
                 pixel = {100.0 + 37.0 * (number % 40), 1000.0 - 23.0 * (number % 31)};
+            pixel.u += noise_px * normal(random);
+            pixel.v += noise_px * normal(random);
             char line[160];
-            std::snprintf(line, sizeof line, "%.17g,%.17g,%.17g,%.17g,%.17g\n", pixel.u, pixel.v, x_m, y_m,
-                          z_m);
+            std::snprintf(line, sizeof line, "%.17g,%.17g,%.17g,%.17g,%.17g\n", pixel.u, pixel.v,
+                          x_m / holeFactor, y_m / holeFactor, z_m);
             text += line;
         }
     }
@@ -135,14 +141,7 @@ TEST_F(CalibrateCommand, aCameraWithoutALensIsWrittenWithAWarning) {
 TEST_F(CalibrateCommand, holesOfTheShellAreBroughtOntoTheElastomer) {
     constexpr double kFactor = 0.97; // of the paper
     const std::string direct = pairsCsv();
-    std::string holes = "u_px,v_px,x_m,y_m,z_m\n";
-    const std::vector<std::vector<std::string>> rows = splitCsv(direct);
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-        char line[160];
-        std::snprintf(line, sizeof line, "%s,%s,%.17g,%.17g,%s\n", rows[i][0].c_str(), rows[i][1].c_str(),
-                      std::stod(rows[i][2]) / kFactor, std::stod(rows[i][3]) / kFactor, rows[i][4].c_str());
-        holes += line;
-    }
+    const std::string holes = pairsCsv(0, kFactor);
     const ProgramResult expected = calibrate(direct, {"--json"});
     const ProgramResult result = calibrate(holes, {"--json", "--hole-factor", "0.97"});
     ASSERT_EQ(result.exitCode, 0) << result.err;
@@ -152,6 +151,40 @@ TEST_F(CalibrateCommand, holesOfTheShellAreBroughtOntoTheElastomer) {
         EXPECT_NEAR(camera["C_m"][i].get<double>(), same["C_m"][i].get<double>(), 1e-6);
     EXPECT_EQ(camera["cylinder"], same["cylinder"]);
     expectError(calibrate(direct, {"--hole-factor", "0"}), 2, "--hole-factor");
+}
+
+TEST_F(CalibrateCommand, aForgottenHoleFactorIsToldWithTheOneThatFits) {
+    const std::string holes = pairsCsv(0, 0.97, 0.4);
+    const ProgramResult table = calibrate(holes);
+    EXPECT_EQ(table.exitCode, 0) << table.err;
+    for (const char* text : {"Reliable", "Warning", "25.77 mm from the axis", "a hole factor of 0.97 "})
+        EXPECT_NE(table.out.find(text), std::string::npos) << text << " in\n" << table.out;
+    const ordered_json answer = ordered_json::parse(calibrate(holes, {"--json"}).out);
+    EXPECT_EQ(answer["reliable"], false);
+    EXPECT_EQ(answer["warnings"], ordered_json::array({"off_surface"}));
+    EXPECT_EQ(answer["camera"]["calibration"]["warnings"], answer["warnings"]);
+    EXPECT_NEAR(answer["fitting_hole_factor"].get<double>(), 0.97, 1e-9);
+    EXPECT_LT(answer["fitting_hole_factor_se"].get<double>(), 1e-9);
+    const ordered_json right = ordered_json::parse(calibrate(holes, {"--json", "--hole-factor", "0.97"}).out);
+    EXPECT_EQ(right["reliable"], true);
+    EXPECT_EQ(right["warnings"], ordered_json::array());
+    EXPECT_NEAR(right["fitting_hole_factor"].get<double>(), 0.97, 1e-9);
+    // The other way round: the points are on the elastomer already.
+    const ordered_json twice =
+        ordered_json::parse(calibrate(pairsCsv(0, 1.0, 0.4), {"--json", "--hole-factor", "0.97"}).out);
+    EXPECT_EQ(twice["warnings"], ordered_json::array({"off_surface"}));
+    EXPECT_NEAR(twice["fitting_hole_factor"].get<double>(), 1.0, 1e-9);
+}
+
+TEST_F(CalibrateCommand, swappedPixelsAreTold) {
+    std::string swapped = pairsCsv(0, 1.0, 0.4);
+    swapped.replace(0, swapped.find(",x_m"), "v_px,u_px");
+    const ProgramResult table = calibrate(swapped);
+    EXPECT_EQ(table.exitCode, 0) << table.err;
+    EXPECT_NE(table.out.find("u and v seem to be swapped"), std::string::npos) << table.out;
+    const ordered_json answer = ordered_json::parse(calibrate(swapped, {"--json"}).out);
+    EXPECT_EQ(answer["warnings"], ordered_json::array({"swapped_pixels"}));
+    EXPECT_EQ(answer["reliable"], false);
 }
 
 TEST_F(CalibrateCommand, printsATableForPeople) {

@@ -15,7 +15,7 @@ CameraFile paperFile() {
     covariance(0, 1) = covariance(1, 0) = 3e-8;
     return {CylinderCamera(*CameraModel::create(paperCamera()), CylinderSurface{0.024, -0.001, 0.09},
                            covariance, 0.4),
-            {"robust", 250, 240, 0.5, 0.6, 2e-4}};
+            {"robust", 250, 240, 0.5, 0.6, 2e-4, {"off_surface", "structured"}}};
 }
 
 std::string text() {
@@ -49,7 +49,20 @@ TEST(CameraFile, readsBackWhatItWrote) {
     EXPECT_EQ(read->camera.covariance(), written.camera.covariance());
     EXPECT_EQ(read->summary.method, "robust");
     EXPECT_EQ(read->summary.kept, 240U);
+    EXPECT_EQ(read->summary.warnings, (std::vector<std::string>{"off_surface", "structured"}));
     EXPECT_EQ(cameraJson(*read), cameraJson(written));
+}
+
+TEST(CameraFile, warningsAreWordsAndMayBeMissing) {
+    const std::string words = "\"warnings\": [\n      \"off_surface\",\n      \"structured\"\n    ]";
+    const auto unknown = parseCamera(with(text(), words, "\"warnings\": [\"of_a_newer_version\"]"), "a");
+    ASSERT_TRUE(unknown);
+    EXPECT_EQ(unknown->summary.warnings, std::vector<std::string>{"of_a_newer_version"});
+    const auto without = parseCamera(with(text(), ",\n    " + words, ""), "a");
+    ASSERT_TRUE(without);
+    EXPECT_TRUE(without->summary.warnings.empty());
+    EXPECT_EQ(errorOf(with(text(), words, "\"warnings\": [3]")).kind, core::ErrorKind::badInput);
+    EXPECT_EQ(errorOf(with(text(), words, "\"warnings\": true")).kind, core::ErrorKind::badInput);
 }
 
 TEST(CameraFile, keepsKeysThatItDoesNotKnow) {

@@ -27,7 +27,12 @@ struct CalibrateText {
     Q_DECLARE_TR_FUNCTIONS(CalibrateCommand)
 };
 
-nlohmann::ordered_json toJson(const Calibration& calibration, const CameraFile& file) {
+nlohmann::ordered_json toJson(const Calibration& calibration, const CameraFile& file, double holeFactor) {
+    const auto timesHoleFactor = [&](double vision::SurfaceFactor::*value) -> nlohmann::ordered_json {
+        if (!calibration.surfaceFactor)
+            return nullptr;
+        return holeFactor * (*calibration.surfaceFactor).*value;
+    };
     return {{"method", vision::toString(calibration.method)},
             {"pairs", calibration.residuals.size()},
             {"kept", calibration.kept},
@@ -37,14 +42,18 @@ nlohmann::ordered_json toJson(const Calibration& calibration, const CameraFile& 
             {"valid_radius_px", calibration.camera.camera().validRadius_px()},
             {"uncertainty_mm", 1e3 * calibration.uncertainty_m},
             {"structured", calibration.isStructured()},
+            {"reliable", calibration.isReliable()},
+            {"warnings", file.summary.warnings},
+            {"fitting_hole_factor", timesHoleFactor(&vision::SurfaceFactor::value)},
+            {"fitting_hole_factor_se", timesHoleFactor(&vision::SurfaceFactor::standardError)},
             {"camera", vision::cameraJson(file)}};
 }
 
-core::Expected<void> printTable(const Calibration& calibration) {
+core::Expected<void> printTable(const Calibration& calibration, double holeFactor) {
     const vision::CameraModel& camera = calibration.camera.camera();
     const vision::CameraParameters& parameters = camera.parameters();
     const Eigen::Vector3d& centre_m = camera.centre_m();
-    return printFields(Fields{
+    Fields fields{
         {CalibrateText::tr("Pairs"), QString::number(calibration.residuals.size())},
         {CalibrateText::tr("Kept"), QString::number(calibration.kept)},
         {CalibrateText::tr("3D to 2D"),
@@ -69,7 +78,16 @@ core::Expected<void> printTable(const Calibration& calibration) {
         {CalibrateText::tr("Residuals"),
          calibration.isStructured()
              ? CalibrateText::tr("neighbours are alike: the camera does not explain everything in the pairs")
-             : CalibrateText::tr("without a pattern")}});
+             : CalibrateText::tr("without a pattern")}};
+    if (!calibration.isReliable())
+        fields.emplace_back(CalibrateText::tr("Reliable"), CalibrateText::tr("no"));
+    for (const vision::CalibrationWarning warning : calibration.warnings) {
+        // The row of the residuals tells the pattern.
+        if (warning != vision::CalibrationWarning::structured)
+            fields.emplace_back(CalibrateText::tr("Warning"),
+                                vision::describe(warning, calibration, holeFactor));
+    }
+    return printFields(fields);
 }
 
 class CalibrateCommand {
@@ -135,7 +153,8 @@ public:
                          .arg(pairs.size()));
             }
         }
-        return m_json ? printDocument(toJson(*calibration, file)) : printTable(*calibration);
+        return m_json ? printDocument(toJson(*calibration, file, m_holeFactor))
+                      : printTable(*calibration, m_holeFactor);
     }
 
 private:

@@ -6,6 +6,7 @@
 #include "app/console/calibrate/camera/pair_entry.h"
 #include "app/console/calibrate/camera/probing_strip.h"
 #include "app/console/calibrate/camera/tube_fields.h"
+#include "backend/vision/calibration/camera_file.h"
 #include "widgets/base/background.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/numbers/number_format.h"
@@ -41,6 +42,29 @@ using vision::CalibrationPair;
 
 QString pixels(double value_px) {
     return base::withUnit(base::threeDigits(value_px).trimmed(), QStringLiteral("px"));
+}
+
+QString remark(vision::CalibrationWarning warning) {
+    switch (warning) {
+    case vision::CalibrationWarning::offSurface:
+        return CameraCalibrator::tr("points off the cylinder");
+    case vision::CalibrationWarning::beyondEnds:
+        return CameraCalibrator::tr("points beyond the ends");
+    case vision::CalibrationWarning::swappedPixels:
+        return CameraCalibrator::tr("u and v swapped?");
+    case vision::CalibrationWarning::outsideImage:
+        return CameraCalibrator::tr("pixels outside the image");
+    case vision::CalibrationWarning::structured:
+        return CameraCalibrator::tr("has a pattern");
+    }
+    return {};
+}
+
+QString remark(const vision::Calibration& calibration) {
+    QStringList all;
+    for (const vision::CalibrationWarning warning : calibration.warnings)
+        all << remark(warning);
+    return all.join(QStringLiteral(", "));
 }
 
 } // namespace
@@ -366,13 +390,13 @@ QString CameraCalibrator::verdict() const {
                 .arg(base::millimetres(found.mean_error_m), base::millimetres(found.uncertainty_m));
     text += tr("It is valid within %1 of its axis. ").arg(pixels(found.camera.camera().validRadius_px()));
     if (m_method == CalibrationMethod::dlt || m_method == CalibrationMethod::paper)
-        text += tr("This method ignores lens distortion: use it only for comparison.");
-    else if (found.isStructured())
-        text += tr("Caution: neighbouring residuals are alike, so the camera model misses something (a shell "
-                   "that has moved, a wrong radius).");
-    else
-        text += tr("The residuals show no pattern, as they should.");
-    return text;
+        return text + tr("This method ignores lens distortion: use it only for comparison.");
+    if (found.isReliable())
+        return text + tr("The residuals show no pattern, as they should.");
+    QStringList cautions;
+    for (const vision::CalibrationWarning warning : found.warnings)
+        cautions << tr("Caution: %1.").arg(vision::describe(warning, found, m_work.holeFactor));
+    return text + cautions.join(QStringLiteral(" "));
 }
 
 void CameraCalibrator::refresh() {
@@ -420,8 +444,7 @@ void CameraCalibrator::showComparison() {
         if (found != nullptr && found->calibration) {
             const vision::Calibration& c = *found->calibration;
             cells << QString::number(c.kept) << pixels(c.mean_px) << base::millimetres(c.mean_error_m)
-                  << base::millimetres(c.uncertainty_m)
-                  << (c.isStructured() ? tr("has a pattern") : QString());
+                  << base::millimetres(c.uncertainty_m) << remark(c);
         } else {
             const QString none = QStringLiteral("\u2014");
             cells << none << none << none << none << (found != nullptr ? found->reason() : QString());

@@ -20,6 +20,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
@@ -46,6 +47,13 @@ class CameraCalibratorTest : public QObject {
             if (one->text().remove(u'&').contains(QLatin1String(text)))
                 return one;
         return nullptr;
+    }
+
+    static QString remarkOfRobust(const CameraCalibrator& calibrator) {
+        for (const QTableWidget* table : calibrator.findChildren<QTableWidget*>())
+            if (table->columnCount() == 6 && table->rowCount() == 4)
+                return table->item(3, 5)->text();
+        return QStringLiteral("no table");
     }
 
     static void calibrate(CameraCalibrator& calibrator) {
@@ -287,6 +295,19 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!calibrator.isBusy(), 60'000);
     }
 
+    void swappedPixelsAreTold() {
+        std::vector<vision::CalibrationPair> pairs = simulated().pairs;
+        for (vision::CalibrationPair& pair : pairs)
+            std::swap(pair.pixel.x(), pair.pixel.y());
+        CameraCalibrator calibrator;
+        QSignalSpy done(&calibrator, &CameraCalibrator::calibrated);
+        calibrator.setPairs(pairs);
+        QVERIFY(done.wait(60'000));
+        QVERIFY2(calibrator.verdict().contains("Caution: u and v seem to be swapped"),
+                 qPrintable(calibrator.verdict()));
+        QCOMPARE(remarkOfRobust(calibrator), "u and v swapped?");
+    }
+
     void holesOfAShellAreMovedToTheSurfaceByTheFactorThatIsTypedIn() {
         constexpr double kFactor = 0.97;
         std::vector<vision::CalibrationPair> holes = simulated().pairs;
@@ -301,7 +322,11 @@ private slots:
         calibrator.setPairs(holes);
         QVERIFY(done.wait(60'000));
         const auto& onTheShell = calibrator.answer()->calibration; // 0.77 mm above the surface
-        QVERIFY(!onTheShell || onTheShell->mean_error_m > 0.5e-3);
+        QVERIFY(onTheShell && onTheShell->mean_error_m > 0.5e-3);
+        QVERIFY2(calibrator.verdict().contains("Caution: the points are 25.77 mm from the axis") &&
+                     calibrator.verdict().contains("a hole factor of 0.97 "),
+                 qPrintable(calibrator.verdict()));
+        QCOMPARE(remarkOfRobust(calibrator), "points off the cylinder");
         auto* factor = test::part<QDoubleSpinBox>(calibrator, "holeFactor");
         factor->setFocus();
         factor->selectAll();
@@ -310,6 +335,8 @@ private slots:
         QVERIFY(done.wait(60'000));
         QVERIFY(calibrator.answer()->calibration);
         QVERIFY(calibrator.answer()->calibration->mean_error_m < 0.25e-3);
+        QVERIFY2(!calibrator.verdict().contains("Caution"), qPrintable(calibrator.verdict()));
+        QCOMPARE(remarkOfRobust(calibrator), QString());
         const vision::CalibrationPair shown = calibrator.shown().pairs[7];
         QVERIFY((shown.p_Sensor_m - simulated().pairs[7].p_Sensor_m).norm() < 1e-12);
         // The file holds them as they were loaded, and those that follow are moved alike.
