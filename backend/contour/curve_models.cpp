@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/curve_models.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -294,6 +297,33 @@ double ellipseLength(const Eigen::VectorXd& parameters) {
     const double a = std::exp(std::clamp(parameters[2], -20.0, 5.0));
     const double b = std::exp(std::clamp(parameters[3], -20.0, 5.0));
     return std::numbers::pi * (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b)));
+}
+
+std::vector<double> placesOnEllipse(std::span<const Point> points, const Eigen::VectorXd& parameters) {
+    const double a = std::exp(std::clamp(parameters[2], -20.0, 5.0));
+    const double b = std::exp(std::clamp(parameters[3], -20.0, 5.0));
+    const Eigen::Rotation2Dd back(-parameters[4]);
+    // Places of even angles; those between them are interpolated.
+    constexpr int kSteps = 64;
+    std::array<double, kSteps + 1> at{};
+    const auto onEllipse = [&](int i) {
+        const double angle_rad = 2.0 * std::numbers::pi * i / kSteps;
+        return Point(a * std::cos(angle_rad), b * std::sin(angle_rad));
+    };
+    for (int i = 1; i <= kSteps; ++i)
+        at[static_cast<std::size_t>(i)] =
+            at[static_cast<std::size_t>(i) - 1] + (onEllipse(i) - onEllipse(i - 1)).norm();
+    const double scale = ellipseLength(parameters) / at.back();
+    std::vector<double> places;
+    places.reserve(points.size());
+    for (const Point& point : points) {
+        const Point p = back * (point - Point(parameters.head<2>()));
+        const double turn = std::atan2(p.y() / b, p.x() / a) / (2.0 * std::numbers::pi) + 0.5;
+        const double step = std::clamp(turn, 0.0, 1.0) * kSteps;
+        const auto i = std::min<std::size_t>(static_cast<std::size_t>(step), kSteps - 1);
+        places.push_back(scale * std::lerp(at[i], at[i + 1], step - static_cast<double>(i)));
+    }
+    return places;
 }
 
 } // namespace teleta::contour

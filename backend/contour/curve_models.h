@@ -46,5 +46,8 @@ struct CurvedLineFit {
 /// from a circle. Distances are of first order; exact for a circle.
 [[nodiscard]] RobustFit fitEllipse(std::span<const Point> points, const CurvedLine& circle);
 [[nodiscard]] double ellipseLength(const Eigen::VectorXd& parameters);
+/// For each point the place of the nearest point of the ellipse, about: 0 .. ellipseLength().
+[[nodiscard]] std::vector<double> placesOnEllipse(std::span<const Point> points,
+                                                  const Eigen::VectorXd& parameters);
 
 } // namespace teleta::contour

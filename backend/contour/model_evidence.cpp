@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
+#include <utility>
 
 namespace teleta::contour {
 
@@ -22,17 +22,21 @@ constexpr double kOutlierDensity = kOutlierShare / kOutlierArea;
 constexpr double kSmallestNoise = 0.005;
 constexpr double kLargestNoise = 0.08;
 constexpr std::size_t kNoiseSteps = 13;
-constexpr double kScatterLogDensity = -0.8;
+constexpr double kSmallestDeterminant = 1e-4; ///< of the covariance of scattered points
 constexpr double kSmallestSpread = 0.02;
 constexpr double kJumpShare = 0.1; ///< near a corner noise moves a point to the other edge
 constexpr std::size_t kGroups = 14;
+// Of curves that follow a fitted one only roughly.
+constexpr std::array kAmplitudes{0.03, 0.07, 0.15};
+constexpr std::array kReaches{0.08, 0.25}; ///< of the length
+constexpr std::array kDepartureNoises{0.003, 0.01, 0.03};
 
 /// From the smallest to the largest noise, uniform in the logarithm.
-std::array<double, kNoiseSteps> noiseSteps(double widening) {
+std::array<double, kNoiseSteps> noiseSteps() {
     std::array<double, kNoiseSteps> noise{};
     for (std::size_t step = 0; step < kNoiseSteps; ++step) {
         const double share = static_cast<double>(step) / static_cast<double>(kNoiseSteps - 1);
-        noise[step] = kSmallestNoise * std::pow(kLargestNoise / widening / kSmallestNoise, share);
+        noise[step] = kSmallestNoise * std::pow(kLargestNoise / kSmallestNoise, share);
     }
     return noise;
 }
@@ -46,7 +50,7 @@ double inlierDensity(double residual, double noise, double length) {
 /// Of the residuals alone, at the most probable noise.
 double logLikelihood(const Eigen::VectorXd& residuals, double length) {
     double best = -std::numeric_limits<double>::infinity();
-    for (const double noise : noiseSteps(1.0)) {
+    for (const double noise : noiseSteps()) {
         double sum = 0.0;
         for (const double r : residuals)
             sum += std::log(inlierDensity(r, noise, std::max(length, kSmallestNoise)) + kOutlierDensity);
@@ -55,21 +59,62 @@ double logLikelihood(const Eigen::VectorXd& residuals, double length) {
     return best;
 }
 
-/// Log likelihood ratio: values normal about 0 with a share of arbitrary ones, against values spread over the
-/// length.
-double logGain(std::span<const double> values, double length) {
+/// Along an open curve, or the shorter way around a closed one.
+double advance(double from, double to, double period) {
+    return period > 0.0 ? std::remainder(to - from, period) : to - from;
+}
+
+/// Log likelihood ratio: values normal about their median with a share of arbitrary ones, against values
+/// spread over the length. values: at least one.
+double logGain(std::vector<double> values, double length) {
+    const double median = core::upperMedianOf(std::vector(values));
     double best = 0.0;
     for (double spread = kSmallestSpread; spread < length; spread *= 1.5) {
+        const double height = (1.0 - kJumpShare) * length / (spread * std::sqrt(2.0 * std::numbers::pi));
         double gain = -std::log(static_cast<double>(values.size() + 1));
         for (const double value : values) {
-            const double z = value / spread;
-            gain += std::log((1.0 - kJumpShare) * length * std::exp(-0.5 * z * z) /
-                                 (spread * std::sqrt(2.0 * std::numbers::pi)) +
-                             kJumpShare);
+            const double z = (value - median) / spread;
+            gain += std::log(height * std::exp(-0.5 * z * z) + kJumpShare);
         }
         best = std::max(best, gain);
     }
     return best;
+}
+
+Eigen::VectorXd eigenvaluesOf(const Eigen::MatrixXd& information) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(information, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+/// Logarithm of the volume of the parameters that explain the points, at this noise.
+double logVolume(const Eigen::VectorXd& eigenvalues, double noise, double freedom) {
+    double sum = 0.0;
+    for (const double l : eigenvalues) {
+        const double width = l > 0.0 ? noise * std::sqrt(2.0 * std::numbers::pi / l) : freedom;
+        sum += std::log(std::min(width, freedom));
+    }
+    return sum;
+}
+
+/// Of deviations that are an Ornstein-Uhlenbeck process plus noise. sorted: places and deviations; kept: the
+/// correlation of each with the one before.
+double logLikelihoodOfProcess(std::span<const std::pair<double, double>> sorted, std::span<const double> kept,
+                              double amplitude, double noise, double length) {
+    const double prior = amplitude * amplitude;
+    double mean = 0.0;
+    double variance = prior;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const double keep = kept[i];
+        mean *= keep;
+        variance = keep * keep * variance + (1.0 - keep * keep) * prior;
+        const double expected = variance + noise * noise;
+        const double off = sorted[i].second - mean;
+        sum += std::log(inlierDensity(off, std::sqrt(expected), length) + kOutlierDensity);
+        const double gain = variance / expected;
+        mean += gain * off;
+        variance *= 1.0 - gain;
+    }
+    return sum;
 }
 
 } // namespace
@@ -85,15 +130,54 @@ double logSum(double a, double b) {
     return larger + std::log1p(std::exp(std::min(a, b) - larger));
 }
 
-double logEvidenceOfScatter(std::size_t points) {
-    return kScatterLogDensity * static_cast<double>(points);
+double logEvidenceOfScatter(std::span<const Point> points) {
+    const auto n = static_cast<double>(points.size());
+    Point mean = Point::Zero();
+    for (const Point& p : points)
+        mean += p / n;
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+    for (const Point& p : points)
+        covariance += (p - mean) * (p - mean).transpose() / n;
+    const double area =
+        4.0 * std::numbers::pi * std::sqrt(std::max(kSmallestDeterminant, covariance.determinant()));
+    return -n * std::log(area);
+}
+
+double logEvidenceOfOrder(std::span<const double> places, double length, double period) {
+    if (places.size() < 3 || length <= 0.0)
+        return 0.0;
+    std::vector<double> advances;
+    for (std::size_t i = 1; i < places.size(); ++i)
+        advances.push_back(advance(places[i - 1], places[i], period));
+    return logGain(std::move(advances), length);
+}
+
+double logEvidenceOfDeparture(const RobustFit& fit, std::span<const double> places, double length,
+                              double period) {
+    const double curve = std::max(length, kSmallestNoise);
+    std::vector<std::pair<double, double>> sorted; // place, residual
+    for (std::size_t i = 0; i < places.size(); ++i)
+        sorted.emplace_back(period > 0.0 ? places[i] - period * std::floor(places[i] / period) : places[i],
+                            fit.residuals[static_cast<Eigen::Index>(i)]);
+    std::ranges::sort(sorted);
+    const Eigen::VectorXd eigenvalues = eigenvaluesOf(fit.jacobian.transpose() * fit.jacobian);
+    double sum = -std::numeric_limits<double>::infinity();
+    std::vector<double> kept(sorted.size(), 0.0); // correlation of a deviation with the one before
+    for (const double reach : kReaches) {
+        for (std::size_t i = 1; i < sorted.size(); ++i)
+            kept[i] = std::exp(-(sorted[i].first - sorted[i - 1].first) / (reach * curve));
+        for (const double amplitude : kAmplitudes)
+            for (const double noise : kDepartureNoises) {
+                const double parameters = logVolume(eigenvalues, std::hypot(noise, amplitude), 1.0);
+                sum = logSum(sum, logLikelihoodOfProcess(sorted, kept, amplitude, noise, curve) + parameters);
+            }
+    }
+    return sum -
+           std::log(static_cast<double>(kReaches.size() * kAmplitudes.size() * kDepartureNoises.size()));
 }
 
 double logEvidenceOfWalk(std::span<const Point> points, const RobustFit& fit, std::span<const double> places,
                          double length, double period) {
-    const auto difference = [&](double from, double to) {
-        return period > 0.0 ? std::remainder(to - from, period) : to - from;
-    };
     const std::size_t n = points.size();
     const auto groups = std::max<std::size_t>(1, n / std::max<std::size_t>(1, (n + kGroups / 2) / kGroups));
     if (groups < 3 || length <= 0.0)
@@ -108,7 +192,7 @@ double logEvidenceOfWalk(std::span<const Point> points, const RobustFit& fit, st
         groupPlaces[g] = places[begin];
         for (std::size_t i = begin; i < end; ++i) {
             groupPoints[g] += points[i] / count;
-            groupPlaces[g] += difference(places[begin], places[i]) / count;
+            groupPlaces[g] += advance(places[begin], places[i], period) / count;
             groupResiduals[static_cast<Eigen::Index>(g)] +=
                 fit.residuals[static_cast<Eigen::Index>(i)] / count;
         }
@@ -119,15 +203,12 @@ double logEvidenceOfWalk(std::span<const Point> points, const RobustFit& fit, st
     std::vector<double> advances;
     for (std::size_t g = 1; g < groups; ++g) {
         squares += (groupPoints[g] - groupPoints[g - 1]).squaredNorm();
-        advances.push_back(difference(groupPlaces[g - 1], groupPlaces[g]));
+        advances.push_back(advance(groupPlaces[g - 1], groupPlaces[g], period));
     }
     const double variance = std::max(kSmallestNoise * kSmallestNoise, squares / (2.0 * steps));
     const double walk = -steps * (std::log(2.0 * std::numbers::pi * variance) + 1.0) - 0.5 * std::log(steps);
 
-    const double median = core::upperMedianOf(std::vector(advances));
-    for (double& advance : advances)
-        advance -= median;
-    const double curve = logLikelihood(groupResiduals, length) + logGain(advances, length);
+    const double curve = logLikelihood(groupResiduals, length) + logGain(std::move(advances), length);
     return logLikelihood(fit.residuals, length) + walk - curve;
 }
 
@@ -143,23 +224,13 @@ double rmsOfInliers(const RobustFit& fit, const Evidence& evidence) {
 }
 
 Evidence evidence(const RobustFit& fit, double length, const Assumptions& assumptions) {
-    const double correlation = assumptions.correlation;
     const double curve = std::max(length, kSmallestNoise);
-    const double widening = 1.0 / std::sqrt(1.0 - correlation * correlation);
     const Eigen::Index count = fit.residuals.size();
-    const auto density = [&](Eigen::Index i, double noise) {
-        if (i == 0 || correlation == 0.0)
-            return inlierDensity(fit.residuals[i], noise * widening, curve);
-        // An outlier carries no information about its neighbour.
-        const double before = fit.residuals[i - 1];
-        const double expected = std::abs(before) > 4.0 * noise * widening ? 0.0 : correlation * before;
-        return inlierDensity(fit.residuals[i] - expected, noise, curve);
-    };
-    const std::array<double, kNoiseSteps> noise = noiseSteps(widening);
+    const std::array<double, kNoiseSteps> noise = noiseSteps();
     std::array<double, kNoiseSteps> likelihood{};
     for (std::size_t step = 0; step < kNoiseSteps; ++step) {
-        for (Eigen::Index i = 0; i < count; ++i)
-            likelihood[step] += std::log(density(i, noise[step]) + kOutlierDensity);
+        for (const double r : fit.residuals)
+            likelihood[step] += std::log(inlierDensity(r, noise[step], curve) + kOutlierDensity);
     }
     const auto best =
         static_cast<std::size_t>(std::max_element(likelihood.begin(), likelihood.end()) - likelihood.begin());
@@ -169,24 +240,16 @@ Evidence evidence(const RobustFit& fit, double length, const Assumptions& assump
     Eigen::VectorXd weights(count);
     result.outliers.resize(static_cast<std::size_t>(count));
     for (Eigen::Index i = 0; i < count; ++i) {
-        const double inlier = density(i, noise[best]);
+        const double inlier = inlierDensity(fit.residuals[i], noise[best], curve);
         weights[i] = inlier / (inlier + kOutlierDensity);
         result.outliers[static_cast<std::size_t>(i)] = weights[i] < 0.5;
     }
-    const Eigen::MatrixXd information = fit.jacobian.transpose() * weights.asDiagonal() * fit.jacobian;
     const Eigen::VectorXd eigenvalues =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(information, Eigen::EigenvaluesOnly).eigenvalues();
-
+        eigenvaluesOf(fit.jacobian.transpose() * weights.asDiagonal() * fit.jacobian);
     result.logEvidence = -std::numeric_limits<double>::infinity();
-    for (std::size_t step = 0; step < kNoiseSteps; ++step) {
-        double parameters = 0.0;
-        for (const double l : eigenvalues) {
-            const double width =
-                l > 0.0 ? noise[step] * std::sqrt(2.0 * std::numbers::pi / l) : assumptions.freedom;
-            parameters += std::log(std::min(width, assumptions.freedom));
-        }
-        result.logEvidence = logSum(result.logEvidence, likelihood[step] + parameters);
-    }
+    for (std::size_t step = 0; step < kNoiseSteps; ++step)
+        result.logEvidence = logSum(
+            result.logEvidence, likelihood[step] + logVolume(eigenvalues, noise[step], assumptions.freedom));
     result.logEvidence -= std::log(static_cast<double>(kNoiseSteps));
     return result;
 }

@@ -23,10 +23,6 @@ inline constexpr double kImpossibleEvidence = -std::numeric_limits<double>::infi
 
 /// What is assumed about a model besides its fit.
 struct Assumptions {
-    /// Correlation c of the deviations of neighbouring points, 0 <= c < 1. With c > 0 the model is a curve
-    /// that follows the fitted one only roughly: r_i - c r_{i-1} replaces r_i, and for the first point s /
-    /// sqrt(1 - c^2) replaces s. The points must then be in the order of exploration.
-    double correlation = 0.0;
     /// How far a parameter that no point determines can move before some point does, in units of the size.
     double freedom = 1.0;
 };
@@ -38,21 +34,36 @@ struct Assumptions {
 /// 2: share and area of outliers; l_j: eigenvalues of J^T W J, with W the probability of not being an
 /// outlier; w: Assumptions::freedom; s: 0.5 % .. 8 % of the size, uniform in log s; the prior of a parameter
 /// is as wide as the size. The last product is the penalty per parameter; with it this is an information
-/// criterion that also holds for few points and little noise (BIC is its limit). Thread: any (pure).
+/// criterion that also holds for few points and little noise (BIC is its limit). A model may have more
+/// parameters than there are points: those that no point determines cost nothing. Thread: any (pure).
 [[nodiscard]] Evidence evidence(const RobustFit& fit, double length, const Assumptions& assumptions = {});
 
 /// Root mean square of the residuals of the inliers; 0 when all points are outliers.
 [[nodiscard]] double rmsOfInliers(const RobustFit& fit, const Evidence& evidence);
 
-/// Log evidence of points scattered without any shape.
-[[nodiscard]] double logEvidenceOfScatter(std::size_t points);
+/// Log evidence of points scattered evenly over an ellipse, that with their moments; on the scale of
+/// evidence(). points: in units of their size, at least one.
+[[nodiscard]] double logEvidenceOfScatter(std::span<const Point> points);
 
-/// Log evidence of a random walk with isotropic normal steps, on the scale of evidence() of a fitted curve.
-/// The order of the points tells the two apart: along a curve an explorer advances steadily (nine in ten
-/// steps are normal about their median, the others arbitrary), and the deviations from it are noise. Both
-/// models explain the means of about 14 groups of successive points, because noise hides the order of points
-/// that are closer together than it. points, fit.residuals, places (positions along the curve): in the order
-/// of exploration. period: length of a closed curve, 0 of an open one; length: as in evidence().
+/// What the order of touch adds to evidence(): log likelihood ratio of an explorer who advances steadily
+/// (nine in ten steps are normal about their median, the others arbitrary) against one who touches the curve
+/// at arbitrary places. The spread of the steps has the best of several values, from 2 % of the size to the
+/// length; at least 0. places: along the curve, in the order of touch; length: of the part that was touched;
+/// period: of a closed curve, 0 of an open one. 0 for fewer than three places.
+[[nodiscard]] double logEvidenceOfOrder(std::span<const double> places, double length, double period);
+
+/// Log evidence of a curve that follows the fitted one only roughly, on the scale of evidence(). Its distance
+/// from the fitted one is an Ornstein-Uhlenbeck process along the curve: normal with standard deviation a,
+/// correlated by exp(-d / (h L)) over the way d. Mean over a of 3, 7 and 15 % of the size, h of 0.08 and
+/// 0.25, and noise of 0.3, 1 and 3 %; by Kalman's filter. places, period: as in logEvidenceOfOrder().
+[[nodiscard]] double logEvidenceOfDeparture(const RobustFit& fit, std::span<const double> places,
+                                            double length, double period);
+
+/// Log evidence of a random walk with isotropic normal steps, on the scale of evidence() of a fitted curve
+/// without what its order of touch adds. Along a curve an explorer advances steadily (see
+/// logEvidenceOfOrder()), and the deviations from it are noise. Both models explain the means of about 14
+/// groups of successive points, because noise hides the order of points that are closer together than it.
+/// points, fit.residuals, places, period, length: as in logEvidenceOfOrder().
 [[nodiscard]] double logEvidenceOfWalk(std::span<const Point> points, const RobustFit& fit,
                                        std::span<const double> places, double length, double period);
 

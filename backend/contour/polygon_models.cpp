@@ -195,39 +195,39 @@ Eigen::VectorXd largeTriangle(std::span<const Point> points) {
     return vertices;
 }
 
-double gapBeyondSpacing(std::vector<double> positions, double period) {
-    if (positions.size() < 2)
-        return period;
+double untouchedShare(std::vector<double> positions, double period) {
+    if (positions.size() < 2 || period <= 0.0)
+        return 0.0;
     std::sort(positions.begin(), positions.end());
     double widest = positions.front() + period - positions.back();
-    for (std::size_t i = 1; i < positions.size(); ++i)
-        widest = std::max(widest, positions[i] - positions[i - 1]);
-    return widest - (period - widest) / static_cast<double>(positions.size() - 1);
+    double second = 0.0;
+    for (std::size_t i = 1; i < positions.size(); ++i) {
+        const double gap = positions[i] - positions[i - 1];
+        second = std::max(second, std::min(gap, widest));
+        widest = std::max(widest, gap);
+    }
+    return (widest - second) / period;
 }
 
 Explored explored(std::span<const Point> points, const Evidence& judged, const Eigen::VectorXd& vertices) {
-    const std::vector<Point> corners = toVertices(vertices);
-    std::vector<double> begins{0.0};
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        begins.push_back(begins.back() + (corners[(i + 1) % corners.size()] - corners[i]).norm());
     const std::vector<double> shares = placesOnPolyline(points, vertices, true);
-    std::vector<bool> touched(corners.size(), false);
+    std::vector<bool> touched(static_cast<std::size_t>(vertices.size()) / 2, false);
     std::vector<double> positions;
     Explored result;
-    result.period = begins.back();
+    result.period = polylineLength(vertices, true);
+    result.places = waysOnPolyline(points, vertices, true);
     for (std::size_t i = 0; i < shares.size(); ++i) {
-        const auto edge = std::min(static_cast<std::size_t>(shares[i]), corners.size() - 1);
-        const double share = shares[i] - static_cast<double>(edge);
-        result.places.push_back(begins[edge] + share * (begins[edge + 1] - begins[edge]));
         if (judged.outliers[i])
             continue;
-        positions.push_back(result.places.back());
+        positions.push_back(result.places[i]);
+        const auto edge = std::min(static_cast<std::size_t>(shares[i]), touched.size() - 1);
+        const double share = shares[i] - static_cast<double>(edge);
         if (share > kTouchedMargin && share < 1.0 - kTouchedMargin)
             touched[edge] = true;
     }
     result.everyEdge = std::find(touched.begin(), touched.end(), false) == touched.end();
-    result.gap = gapBeyondSpacing(std::move(positions), result.period);
-    result.length = result.period - std::max(0.0, result.gap);
+    result.untouched = untouchedShare(std::move(positions), result.period);
+    result.length = result.period * (1.0 - result.untouched);
     return result;
 }
 

@@ -30,18 +30,20 @@ struct PolygonFit {
 /// least one).
 [[nodiscard]] Eigen::VectorXd largeTriangle(std::span<const Point> points);
 
-/// How a closed chain was explored.
+/// How a curve was explored.
 struct Explored {
-    double length = 0.0;        ///< perimeter without the excess of the widest gap over the usual spacing
+    double length = 0.0;        ///< of the part that was touched
     double period = 0.0;        ///< perimeter; 0 for an open curve
-    double gap = 0.0;           ///< widest gap minus the usual spacing
-    bool everyEdge = false;     ///< every edge has a point that is not near its ends
-    std::vector<double> places; ///< of all points along the chain
+    double untouched = 0.0;     ///< share of the perimeter, see untouchedShare()
+    bool everyEdge = true;      ///< every edge has a point that is not near its ends
+    std::vector<double> places; ///< of all points along the curve
 };
 [[nodiscard]] Explored explored(std::span<const Point> points, const Evidence& judged,
                                 const Eigen::VectorXd& vertices);
 
-/// Widest gap between positions 0 <= s < period along a closed curve, minus the mean of the other gaps.
-[[nodiscard]] double gapBeyondSpacing(std::vector<double> positions, double period);
+/// Share of a closed curve that was left out: its widest gap minus the second widest, divided by the period.
+/// Points at random places leave about 1 / number of them, evenly spaced ones nothing. 0 for fewer than two
+/// positions. positions: 0 <= s < period.
+[[nodiscard]] double untouchedShare(std::vector<double> positions, double period);
 
 } // namespace teleta::contour

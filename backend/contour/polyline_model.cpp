@@ -113,6 +113,22 @@ std::vector<double> placesOnPolyline(std::span<const Point> points, const Eigen:
     return places;
 }
 
+std::vector<double> waysOnPolyline(std::span<const Point> points, const Eigen::VectorXd& vertices,
+                                   bool closed) {
+    const std::vector<Point> corners = toVertices(vertices);
+    const std::size_t edges = closed ? corners.size() : corners.size() - 1;
+    std::vector<double> begins{0.0};
+    for (std::size_t i = 0; i < edges; ++i)
+        begins.push_back(begins.back() + (corners[(i + 1) % corners.size()] - corners[i]).norm());
+    std::vector<double> ways = placesOnPolyline(points, vertices, closed);
+    for (double& way : ways) {
+        const double edge = std::clamp(std::floor(way), 0.0, static_cast<double>(edges - 1));
+        const auto begin = static_cast<std::size_t>(edge);
+        way = begins[begin] + (way - edge) * (begins[begin + 1] - begins[begin]);
+    }
+    return ways;
+}
+
 double polylineLength(const Eigen::VectorXd& vertices, bool closed) {
     const Eigen::Index count = vertices.size() / 2;
     double length = 0.0;

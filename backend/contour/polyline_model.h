@@ -19,6 +19,10 @@ void polylineResiduals(std::span<const Point> points, const Eigen::VectorXd& ver
 [[nodiscard]] std::vector<double> placesOnPolyline(std::span<const Point> points,
                                                    const Eigen::VectorXd& vertices, bool closed);
 
+/// The same as the way from the first vertex, in units of the size.
+[[nodiscard]] std::vector<double> waysOnPolyline(std::span<const Point> points,
+                                                 const Eigen::VectorXd& vertices, bool closed);
+
 [[nodiscard]] double polylineLength(const Eigen::VectorXd& vertices, bool closed);
 
 [[nodiscard]] std::vector<Point> toVertices(const Eigen::VectorXd& coordinates);

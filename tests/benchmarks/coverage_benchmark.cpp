@@ -2,7 +2,8 @@
 // How often the intervals of the estimators hold the truth, as CSV: coverage_benchmark [CASES], 500 a row
 // unless told otherwise. covered: the interval, or the bound, holds the truth; flagged: the answer says that
 // it is not reliable; refused: there is none; honest: any of the three. median_width: of the intervals, over
-// the truth. Every row has a generator of its own, which uses no code of the estimator.
+// the truth. Of a recognised shape, covered: it is right; flagged: others come into question too; its rows
+// are tenths of its confidence. Every row has a generator of its own, which uses no code of the estimator.
 #include "tests/benchmarks/coverage_rows.h"
 
 #include <charconv>
@@ -20,7 +21,7 @@ int main(int argc, char** argv) {
         }
     }
     std::printf("estimator,disturbance,cases,covered,flagged,refused,honest,median_width\n");
-    for (const auto rowsOf : {stiffnessRows, transferRows, cameraRows}) {
+    for (const auto rowsOf : {stiffnessRows, transferRows, cameraRows, shapeRows}) {
         rowsOf(cases, [](const CoverageRow& row) {
             std::printf("%s,\"%s\",%d,%d,%d,%d,%d,", row.estimator().c_str(), row.disturbance().c_str(),
                         row.cases(), row.covered(), row.flagged(), row.refused(), row.honest());

@@ -70,5 +70,6 @@ using TakeRow = std::function<void(const CoverageRow&)>;
 void stiffnessRows(int cases, const TakeRow& take);
 void transferRows(int cases, const TakeRow& take);
 void cameraRows(int cases, const TakeRow& take);
+void shapeRows(int cases, const TakeRow& take);
 
 } // namespace teleta::benchmarks

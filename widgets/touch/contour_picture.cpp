@@ -32,6 +32,8 @@ QString ContourPicture::headline() const {
         return tr("nothing explored yet");
     if (!contour.recognition)
         return TouchTexts::shape(teleta::contour::Shape::unknown);
+    if (contour.recognition->candidates().size() > 1)
+        return tr("undecided: %1").arg(TouchTexts::recognition(*contour.recognition));
     return tr("%1, confidence %2 %")
         .arg(TouchTexts::shape(contour.recognition->shape))
         .arg(std::lround(100.0 * contour.recognition->confidence));

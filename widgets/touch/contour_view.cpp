@@ -14,10 +14,11 @@ ContourView::ContourView(QWidget* parent)
 
 void ContourView::retranslate() {
     setAccessibleName(tr("Explored contour"));
-    setWhatsThis(
-        tr("<p>The object from above, as far as it was explored: the points at which it was touched, the "
-           "spline through them, and the vertices or the circle of the shape that was recognised.</p>"
-           "<p>The confidence is that of the decision between the known shapes.</p>"));
+    setWhatsThis(tr(
+        "<p>The object from above, as far as it was explored: the points at which it was touched, the "
+        "spline through them, and the vertices or the circle of the shape that was recognised.</p>"
+        "<p>The confidence is the share of such answers that are right. While the points do not decide, the "
+        "shapes that come into question stand there with their probabilities.</p>"));
     shown();
 }
 

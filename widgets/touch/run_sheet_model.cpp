@@ -193,10 +193,7 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
                                      TouchTexts::safety(teleta::stiffness::isSafe(*object.material)))
                                : noValue();
     case shape:
-        return object.recognition ? tr("%1 (%2 %)", "a recognised shape and its confidence")
-                                        .arg(TouchTexts::shape(object.recognition->shape))
-                                        .arg(std::lround(100.0 * object.recognition->confidence))
-                                  : noValue();
+        return object.recognition ? TouchTexts::recognition(*object.recognition) : noValue();
     default:
         return {};
     }

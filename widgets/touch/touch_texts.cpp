@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace teleta::touch {
 
@@ -35,6 +36,21 @@ QString TouchTexts::shape(Shape shape) {
         QT_TR_NOOP("line"),   QT_TR_NOOP("point"),     QT_TR_NOOP("unknown shape")};
     static_assert(kNames.size() == contour::kShapes);
     return tr(kNames[static_cast<std::size_t>(shape)]);
+}
+
+QString TouchTexts::recognition(const contour::Recognition& recognition) {
+    const std::vector<Shape> candidates = recognition.candidates();
+    QString text;
+    for (const Shape candidate : candidates) {
+        const double share = candidates.size() == 1
+                                 ? recognition.confidence
+                                 : recognition.probability[static_cast<std::size_t>(candidate)];
+        const QString one = tr("%1 (%2 %)", "a recognised shape and its confidence")
+                                .arg(shape(candidate))
+                                .arg(std::lround(100.0 * share));
+        text = text.isEmpty() ? one : tr("%1 or %2", "recognised shapes").arg(text, one);
+    }
+    return text;
 }
 
 QString TouchTexts::safety(bool safe) {

@@ -258,9 +258,7 @@ void ArmViews::showContour(const pipeline::ExploredContour& contour) {
     QString label;
     if (contour.recognition) {
         vertices_m = contour.recognition->vertices_m;
-        label = tr("%1 (%2 %)", "a recognised shape and its confidence")
-                    .arg(touch::TouchTexts::shape(contour.recognition->shape))
-                    .arg(std::lround(100.0 * contour.recognition->confidence));
+        label = touch::TouchTexts::recognition(*contour.recognition);
     }
     m_scene.setContour(atHeight(contour.points_m, contour.height_m),
                        atHeight(contour.curve_m, contour.height_m), atHeight(vertices_m, contour.height_m),

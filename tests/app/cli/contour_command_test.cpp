@@ -62,8 +62,14 @@ TEST_F(ContourCommand, jsonHasTheKeysOfTheFormatInTheirOrder) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : answer.items())
         keys.push_back(key);
-    EXPECT_EQ(keys, (std::vector<std::string>{"points", "shape", "confidence", "closed", "length_m",
-                                              "vertices", "circle", "max_curvature_per_m"}));
+    EXPECT_EQ(keys,
+              (std::vector<std::string>{"points", "shape", "confidence", "candidates", "probabilities",
+                                        "closed", "length_m", "vertices", "circle", "max_curvature_per_m"}));
+    keys.clear();
+    for (const auto& [key, value] : answer["probabilities"].items())
+        keys.push_back(key);
+    EXPECT_EQ(keys, (std::vector<std::string>{"circle", "rectangle", "triangle", "arc", "line", "point",
+                                              "unknown"}));
     keys.clear();
     for (const auto& [key, value] : answer["circle"].items())
         keys.push_back(key);
@@ -95,6 +101,21 @@ TEST_F(ContourCommand, recognisesARectangleAndItsVertices) {
         area2_m2 += a[0].get<double>() * b[1].get<double>() - a[1].get<double>() * b[0].get<double>();
     }
     EXPECT_NEAR(area2_m2, 2.0 * 0.06 * 0.04, 1e-12);
+}
+
+TEST_F(ContourCommand, namesTheCandidatesWhenThePointsDoNotDecide) {
+    const std::string square = "x_m,y_m\n0.03,0\n0.06,0.03\n0.03,0.06\n0,0.03\n";
+    const ordered_json answer = json(square);
+    ASSERT_GT(answer["candidates"].size(), 1U);
+    EXPECT_EQ(answer["candidates"][0], answer["shape"]);
+    EXPECT_EQ(answer["probabilities"][answer["shape"].get<std::string>()], answer["confidence"]);
+    double sum = 0.0;
+    for (const auto& [key, value] : answer["probabilities"].items())
+        sum += value.get<double>();
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    const ProgramResult table = contour(square);
+    EXPECT_NE(table.out.find("Candidates"), std::string::npos) << table.out;
+    EXPECT_EQ(json(kRectangle)["candidates"], ordered_json::array({"rectangle"}));
 }
 
 TEST_F(ContourCommand, theResolutionMakesAPoint) {

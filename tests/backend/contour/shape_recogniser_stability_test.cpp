@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace teleta::contour {
 namespace {
@@ -68,6 +69,8 @@ TEST(ShapeRecogniserStability, noneToThreePointsHaveDefinedAnswers) {
 
     const auto bent = recogniseShape(Points{{0.0, 0.0}, {0.06, 0.0}, {0.03, 0.05}});
     EXPECT_EQ(bent->shape, Shape::unknown); // circle, arc and triangle all fit exactly
+    EXPECT_GE(bent->candidates().size(), 4U);
+    EXPECT_NEAR(std::accumulate(bent->probability.begin(), bent->probability.end(), 0.0), 1.0, 1e-12);
 }
 
 TEST(ShapeRecogniserStability, pointsThatRepeatAreAPointOrTheShapeOfThePlaces) {
@@ -223,6 +226,11 @@ TEST(ShapeRecogniserStability, pointsANanometreOrAKilometreApartHaveAShape) {
     EXPECT_EQ(recogniseShape(circlePoints(24, 4e-9), nanometre)->shape, Shape::circle);
     EXPECT_EQ(recogniseShape(circlePoints(24, 4e-9))->shape, Shape::point);
     EXPECT_EQ(recogniseShape(circlePoints(24, 4e3))->shape, Shape::circle);
+    RecognitionSettings smaller;
+    smaller.resolution_m = 1e-11;
+    EXPECT_EQ(recogniseShape(circlePoints(24, 1e-9), smaller)->shape, Shape::circle);
+    EXPECT_EQ(recogniseShape(circlePoints(24, 1e-9))->shape, Shape::point);
+    EXPECT_EQ(recogniseShape(circlePoints(24, 1e9))->shape, Shape::circle);
     // Both in one contour: the nanometre steps are repeated points.
     Points mixed;
     for (const Point& p : evenly({{0, 0}, {3e3, 0}, {3e3, 2e3}, {0, 2e3}}, true, 24)) {

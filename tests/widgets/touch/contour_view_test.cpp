@@ -61,6 +61,15 @@ private slots:
         QVERIFY(view.accessibleDescription().contains("circle"));
     }
 
+    void namesTheShapesThatComeIntoQuestion() {
+        ContourView view;
+        pipeline::ExploredContour contour = square();
+        contour.recognition->confidence = 0.52;
+        contour.recognition->probability = {0.4, 0.52, 0.0, 0.0, 0.0, 0.0, 0.08};
+        view.setContour(contour);
+        QCOMPARE(view.picture().headline(), QString("undecided: rectangle (52 %) or circle (40 %)"));
+    }
+
     void isToScaleWithYUpwards() {
         ContourView view;
         view.setContour(square());

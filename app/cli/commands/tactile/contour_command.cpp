@@ -8,6 +8,7 @@
 #include "backend/core/data/csv_writer.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -68,11 +69,26 @@ QString shapeName(Shape shape) {
     return {};
 }
 
+/// "rectangle 0.55, circle 0.4"; a single one where the points decide.
+QString candidateNames(const Recognition& seen) {
+    QStringList names;
+    for (const Shape shape : seen.candidates())
+        names << QStringLiteral("%1 %2").arg(shapeName(shape),
+                                             forPeople(seen.probability[static_cast<std::size_t>(shape)], 2));
+    return names.join(QStringLiteral(", "));
+}
+
 nlohmann::ordered_json toJson(std::size_t points, const Recognition& seen, double length_m,
                               double curvature_perM) {
     nlohmann::ordered_json vertices = nlohmann::ordered_json::array();
     for (const Point& p : seen.vertices_m)
         vertices.push_back(nlohmann::ordered_json::array({p.x(), p.y()}));
+    nlohmann::ordered_json probabilities = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < contour::kShapes; ++i)
+        probabilities[contour::toString(static_cast<Shape>(i))] = seen.probability[i];
+    nlohmann::ordered_json candidates = nlohmann::ordered_json::array();
+    for (const Shape shape : seen.candidates())
+        candidates.push_back(contour::toString(shape));
     nlohmann::ordered_json circle = nullptr;
     if (seen.circle)
         circle = {{"x", seen.circle->centre_m.x()},
@@ -82,6 +98,8 @@ nlohmann::ordered_json toJson(std::size_t points, const Recognition& seen, doubl
     return {{"points", points},
             {"shape", contour::toString(seen.shape)},
             {"confidence", seen.confidence},
+            {"candidates", std::move(candidates)},
+            {"probabilities", std::move(probabilities)},
             {"closed", seen.closed},
             {"length_m", length_m},
             {"vertices", std::move(vertices)},
@@ -95,6 +113,7 @@ core::Expected<void> printTable(std::size_t points, const Recognition& seen, dou
         {ContourText::tr("Points"), QString::number(points)},
         {ContourText::tr("Shape"),
          ContourText::tr("%1 (confidence %2)").arg(shapeName(seen.shape), forPeople(seen.confidence, 3))},
+        {ContourText::tr("Candidates"), candidateNames(seen)},
         {ContourText::tr("Closed"), seen.closed ? ContourText::tr("yes") : ContourText::tr("no")},
         {ContourText::tr("Length"), ContourText::tr("%1 m").arg(forPeople(length_m))},
         {ContourText::tr("Largest curvature"), ContourText::tr("%1 1/m").arg(forPeople(curvature_perM))}};
