@@ -20,6 +20,8 @@ constexpr double kCoarse = 0.1;
 constexpr double kMostBend = 0.1;
 /// A drift that was taken off may have changed by so much of itself since it was seen.
 constexpr double kDriftChange = 0.1;
+/// Samples of the log after the contact for each of the free motion, from which its drift is taken over.
+constexpr std::size_t kLongestTouch = 10;
 
 /// Share of a step that the noise does not smooth (Widrow and Kollar, Quantization Noise, 2008).
 double undithered(double step, double noise) {
@@ -37,7 +39,9 @@ TaredTouch tare(std::span<const JointSample> samples, const TouchSettings& setti
     const std::optional<FreeMotion>& free = tared.free;
     double middle_Nm = settings.torqueReference_Nm.value_or(0.0);
     if (free) {
-        if (std::abs(free->drift_NmPerS) > kSeen_se * free->driftSe_NmPerS)
+        // A short free motion tells no drift of a long touch.
+        const bool lasts = free->samples * kLongestTouch >= tared.log.size() - free->contact;
+        if (lasts && std::abs(free->drift_NmPerS) > kSeen_se * free->driftSe_NmPerS)
             tared.drift_NmPerS = free->drift_NmPerS;
         const double seen_Nm =
             free->torque_Nm + tared.drift_NmPerS * free->later_s(tared.log[free->contact]) - middle_Nm;

@@ -202,17 +202,17 @@ JointVector TouchEstimator::torqueWithoutReference(const JointSample& sample) co
 
 void TouchEstimator::watch(const JointSample& sample) {
     const stiffness::ContactDetector& elbow = m_detectors[kElbow];
-    const bool wasFree = elbow.phase() == ContactPhase::free;
+    const ContactPhase before = elbow.phase();
     for (std::size_t joint = 0; joint < m_arm.joints(); ++joint)
         m_detectors[joint].update(ofJoint(sample, joint), m_reference_Nm[joint]);
     if (elbow.phase() == ContactPhase::free) {
-        // What follows a touch is another free motion.
-        if (!wasFree)
+        // What follows a touch is another free motion; a spike of noise ends none.
+        if (before == ContactPhase::contact)
             m_free.clear();
         keepFree(sample);
         return;
     }
-    if (wasFree)
+    if (before == ContactPhase::free)
         m_riseAngles_rad.clear();
     if (m_riseAngles_rad.size() < elbow.transition().size())
         m_riseAngles_rad.push_back(sample.angle_rad);

@@ -452,6 +452,31 @@ TEST(TouchEstimator, followsSlowDriftOfAFreeJoint) {
     EXPECT_NEAR(*run.records[0].stiffness->object.value_NPerM, 1325.9, 0.001 * 1325.9);
 }
 
+// c_o = P_C^2 (dTheta/dTau - 1/K): 2 c_o dP_C / P_C for the skin, P_C^2 dK / K^2 for the elbow.
+TEST(TouchEstimator, standardErrorsOfSkinAndElbowEnterThatOfTheObject) {
+    const auto touch = [](double centreSe_m, double elbowSe_NmPerRad) {
+        core::ArmDescription description = paperArm();
+        description.skin.centreSe_m = centreSe_m;
+        description.elbowStiffnessSe_NmPerRad = elbowSe_NmPerRad;
+        TouchRun run(ScriptedArm{});
+        run.estimator = TouchEstimator(description, TouchRun::withoutInertia());
+        run.idle(100);
+        run.elbowTo(0.08, 80);
+        return run.records.at(0);
+    };
+    const TouchRecord exact = touch(0.0, 0.0);
+    ASSERT_TRUE(exact.stiffness);
+    const double distance_m = exact.contactDistance_m;
+    const stiffness::Compliance& object = exact.stiffness->objectCompliance;
+    const double ofSkin_mPerN = 2.0 * object.value_mPerN * 1e-4 / distance_m;
+    EXPECT_NEAR(touch(1e-4, 0.0).stiffness->objectCompliance.se_mPerN.value(),
+                std::hypot(object.se_mPerN.value(), ofSkin_mPerN), 0.01 * ofSkin_mPerN);
+    EXPECT_EQ(touch(1e-4, 0.0).contactDistanceSe_m, 1e-4);
+    const double ofElbow_mPerN = std::pow(distance_m / paperArm().elbowStiffness_NmPerRad, 2);
+    EXPECT_NEAR(touch(0.0, 1.0).stiffness->objectCompliance.se_mPerN.value(),
+                std::hypot(object.se_mPerN.value(), ofElbow_mPerN), 0.01 * ofElbow_mPerN);
+}
+
 TEST(TouchEstimator, doesNotLearnAHeldTouchAsReference) {
     TouchRun run(ScriptedArm{});
     run.idle(100);
