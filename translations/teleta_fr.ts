@@ -556,6 +556,14 @@
         <source>Write each pair and its residual as CSV</source>
         <translation>Écrire en CSV chaque paire avec ce que la caméra en fait</translation>
     </message>
+    <message>
+        <source>Reliable</source>
+        <translation>Fiable</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
 </context>
 <context>
     <name>Camera</name>
@@ -1118,6 +1126,10 @@ Exemples&#xa0;:
         <source>A contour smaller than this is a point, m</source>
         <translation>Une étendue inférieure à cette valeur est un point, m</translation>
     </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Candidats</translation>
+    </message>
 </context>
 <context>
     <name>ContourPicture</name>
@@ -1163,6 +1175,10 @@ Exemples&#xa0;:
     <message>
         <source>y [mm]</source>
         <translation>y [mm]</translation>
+    </message>
+    <message>
+        <source>undecided: %1</source>
+        <translation>indécis&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -2267,6 +2283,10 @@ Exemples&#xa0;:
         <source>no touch yet</source>
         <translation>pas encore de toucher</translation>
     </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>indéterminé</translation>
+    </message>
 </context>
 <context>
     <name>HandStation</name>
@@ -3013,6 +3033,30 @@ Aire %6</translation>
     <message>
         <source>the lens model folds in the region of the pairs</source>
         <translation>le modèle d’objectif se replie dans la zone des paires</translation>
+    </message>
+    <message>
+        <source>most points are on the axis of the cylinder, not on its surface</source>
+        <translation>la plupart des points sont sur l’axe du cylindre, pas sur sa surface</translation>
+    </message>
+    <message>
+        <source>the points are %1 mm from the axis, the surface is at %2 mm: a hole factor of %3 (standard error %4) brings them onto it, unless the radius is wrong</source>
+        <translation>les points sont à %1 mm de l’axe, la surface à %2 mm&#xa0;: un facteur des trous de %3 (erreur type %4) les y amène, à moins que le rayon ne soit faux</translation>
+    </message>
+    <message>
+        <source>many points are beyond the ends of the cylinder: check its length, and where z = 0 is</source>
+        <translation>beaucoup de points sont au-delà des extrémités du cylindre&#xa0;: vérifiez sa longueur et l’endroit où z = 0</translation>
+    </message>
+    <message>
+        <source>u and v seem to be swapped: the principal point is %1 px off the middle of the image, and with u and v swapped %2 px</source>
+        <translation>u et v semblent échangés&#xa0;: le point principal est à %1 px du milieu de l’image, et à %2 px si l’on échange u et v</translation>
+    </message>
+    <message>
+        <source>many pixels are outside the image of %1 x %2 px: check its size</source>
+        <translation>beaucoup de pixels sont hors de l’image de %1 x %2 px&#xa0;: vérifiez sa taille</translation>
+    </message>
+    <message>
+        <source>neighbouring residuals are alike: the camera does not explain everything in the pairs (a shell that has moved, a wrong radius)</source>
+        <translation>les résidus voisins se ressemblent&#xa0;: la caméra n’explique pas tout ce que contiennent les paires (une enveloppe qui a bougé, un rayon faux)</translation>
     </message>
 </context>
 <context>
@@ -4931,6 +4975,30 @@ Run %2 --help for more.
         <source>α z</source>
         <translation>α z</translation>
     </message>
+    <message>
+        <source>task completed</source>
+        <translation>tâche accomplie</translation>
+    </message>
+    <message>
+        <source>task not completed: stalled by the limit “%1”</source>
+        <translation>tâche non accomplie&#xa0;: bloqué par la limite «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>task not completed: never in contact</source>
+        <translation>tâche non accomplie&#xa0;: jamais en contact</translation>
+    </message>
+    <message>
+        <source>task not completed: the contact was lost</source>
+        <translation>tâche non accomplie&#xa0;: le contact a été perdu</translation>
+    </message>
+    <message>
+        <source>task not completed: stalled</source>
+        <translation>tâche non accomplie&#xa0;: bras bloqué</translation>
+    </message>
+    <message>
+        <source>task not completed: not aligned</source>
+        <translation>tâche non accomplie&#xa0;: matrice non alignée</translation>
+    </message>
 </context>
 <context>
     <name>SettingsNotice</name>
@@ -5335,6 +5403,105 @@ Run %2 --help for more.
         <translation>le toucher est plus raide que le segment ne le permet&#xa0;: vérifiez la distance du contact et la raideur du segment</translation>
     </message>
     <message>
+        <source>the noise of neighbouring samples is not independent</source>
+        <translation>le bruit d’échantillons voisins n’est pas indépendant</translation>
+    </message>
+    <message>
+        <source>one step of the torque reading is over a tenth of the window</source>
+        <translation>un pas de la lecture du couple dépasse un dixième de la fenêtre</translation>
+    </message>
+    <message>
+        <source>one step of the angle reading is over a tenth of the rotation</source>
+        <translation>un pas de la lecture de l’angle dépasse un dixième de la rotation</translation>
+    </message>
+    <message>
+        <source>the free joint has a torque; it was taken off</source>
+        <translation>l’articulation libre a un couple&#xa0;; il a été retranché</translation>
+    </message>
+    <message>
+        <source>the torque of the free joint changes; the change was taken off</source>
+        <translation>le couple de l’articulation libre change&#xa0;; ce changement a été retranché</translation>
+    </message>
+    <message>
+        <source>the stiffness changes within the window</source>
+        <translation>la raideur change dans la fenêtre</translation>
+    </message>
+    <message>
+        <source>the force depends on how quickly the object is pressed</source>
+        <translation>la force dépend de la vitesse à laquelle on presse l’objet</translation>
+    </message>
+    <message>
+        <source>the torque jumps, or the joint has play</source>
+        <translation>le couple saute, ou l’articulation a du jeu</translation>
+    </message>
+    <message>
+        <source>the free joint has another torque than --torque-reference says</source>
+        <translation>l’articulation libre a un autre couple que celui de --torque-reference</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>indéterminé</translation>
+    </message>
+    <message>
+        <source>Secant, tangent</source>
+        <translation>Sécante, tangente</translation>
+    </message>
+    <message>
+        <source>%1 N/m, %2 N/m at the upper end</source>
+        <translation>%1 N/m, %2 N/m à l’extrémité supérieure</translation>
+    </message>
+    <message>
+        <source>Static stiffness</source>
+        <translation>Raideur statique</translation>
+    </message>
+    <message>
+        <source>Quick over static</source>
+        <translation>Rapide sur statique</translation>
+    </message>
+    <message>
+        <source>1 + %1 (95 %: %2 to %3)</source>
+        <translation>1 + %1 (95&#xa0;%&#xa0;: %2 à %3)</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>%1 s (95 %: %2 to %3)</source>
+        <translation>%1 s (95&#xa0;%&#xa0;: %2 à %3)</translation>
+    </message>
+    <message>
+        <source>Reliable</source>
+        <translation>Fiable</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Standard error of the contact distance, m; it enters twice. Default: 0.05 % of the distance</source>
+        <translation>Erreur type de la distance de contact, en m&#xa0;; elle compte deux fois. Par défaut&#xa0;: 0.05&#xa0;% de la distance</translation>
+    </message>
+    <message>
+        <source>Standard error of that stiffness, N/m</source>
+        <translation>Erreur type de cette raideur, en N/m</translation>
+    </message>
+    <message>
+        <source>Torque of the joint without the touch, Nm; start: that of the free motion before the touch, or 0 when there is none</source>
+        <translation>Couple de l’articulation sans le toucher, en Nm&#xa0;; start&#xa0;: celui du mouvement libre avant le toucher, ou 0 s’il n’y en a pas</translation>
+    </message>
+    <message>
+        <source>a torque in Nm or start is expected</source>
+        <translation>attendu&#xa0;: un couple en Nm ou start</translation>
+    </message>
+</context>
+<context>
+    <name>StiffnessText</name>
+    <message>
         <source>the log has no samples</source>
         <translation>le journal n’a pas d’échantillons</translation>
     </message>
@@ -5359,12 +5526,12 @@ Run %2 --help for more.
         <translation>des couples de %1 à %2 Nm</translation>
     </message>
     <message>
-        <source>only one sample lies in the torque window</source>
-        <translation>un seul échantillon se trouve dans la fenêtre de couple</translation>
+        <source>fewer than 20 independent samples lie in the torque window</source>
+        <translation>moins de 20 échantillons indépendants se trouvent dans la fenêtre de couple</translation>
     </message>
     <message>
-        <source>two or more samples from %1 to %2 Nm</source>
-        <translation>deux échantillons ou plus de %1 à %2 Nm</translation>
+        <source>a slower touch or quicker sampling from %1 to %2 Nm; --method two-point needs two samples</source>
+        <translation>un toucher plus lent ou un échantillonnage plus rapide de %1 à %2 Nm&#xa0;; --method two-point demande deux échantillons</translation>
     </message>
     <message>
         <source>the torque does not change within the window</source>
@@ -5383,20 +5550,20 @@ Run %2 --help for more.
         <translation>un angle et un couple qui montent ensemble&#xa0;; le signe d’une colonne peut être inversé</translation>
     </message>
     <message>
-        <source>the numbers are too large or too small to compute with</source>
-        <translation>les nombres sont trop grands ou trop petits pour le calcul</translation>
-    </message>
-    <message>
-        <source>SI units</source>
-        <translation>des unités SI</translation>
-    </message>
-    <message>
         <source>the torque rises so quickly that the arm&apos;s inertia is part of it</source>
         <translation>le couple monte si vite que l’inertie du bras y prend part</translation>
     </message>
     <message>
         <source>a slower touch</source>
         <translation>un toucher plus lent</translation>
+    </message>
+    <message>
+        <source>the numbers are too large or too small to compute with</source>
+        <translation>les nombres sont trop grands ou trop petits pour le calcul</translation>
+    </message>
+    <message>
+        <source>SI units</source>
+        <translation>des unités SI</translation>
     </message>
 </context>
 <context>
@@ -7174,10 +7341,6 @@ Run %2 --help for more.
         <translation>Aucun échantillon articulaire n’est arrivé pendant le toucher.</translation>
     </message>
     <message>
-        <source>The touch was too quick: fewer than two samples lie in the torque window. Press slower.</source>
-        <translation>Le toucher était trop rapide&#xa0;: moins de deux échantillons dans la fenêtre de couple. Appuyez plus lentement.</translation>
-    </message>
-    <message>
         <source>The torque did not change within the torque window. Press with rising force.</source>
         <translation>Le couple n’a pas changé dans la fenêtre de couple. Appuyez avec une force croissante.</translation>
     </message>
@@ -7248,6 +7411,52 @@ Run %2 --help for more.
     <message>
         <source>joint %1</source>
         <translation>articulation %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <comment>a recognised shape and its confidence</comment>
+        <translation>%1 (%2&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <comment>recognised shapes</comment>
+        <translation>%1 ou %2</translation>
+    </message>
+    <message>
+        <source>The touch was too quick: fewer than 20 independent samples lie in the torque window. Press slower.</source>
+        <translation>Le toucher était trop rapide&#xa0;: moins de 20 échantillons indépendants dans la fenêtre de couple. Appuyez plus lentement.</translation>
+    </message>
+    <message>
+        <source>The noise of neighbouring samples is not independent.</source>
+        <translation>Le bruit d’échantillons voisins n’est pas indépendant.</translation>
+    </message>
+    <message>
+        <source>One step of the torque reading is over a tenth of the window.</source>
+        <translation>Un pas de la lecture du couple dépasse un dixième de la fenêtre.</translation>
+    </message>
+    <message>
+        <source>One step of the angle reading is over a tenth of the rotation.</source>
+        <translation>Un pas de la lecture de l’angle dépasse un dixième de la rotation.</translation>
+    </message>
+    <message>
+        <source>The free joint has a torque; it was taken off.</source>
+        <translation>L’articulation libre a un couple&#xa0;; il a été retranché.</translation>
+    </message>
+    <message>
+        <source>The torque of the free joint changes; the change was taken off.</source>
+        <translation>Le couple de l’articulation libre change&#xa0;; ce changement a été retranché.</translation>
+    </message>
+    <message>
+        <source>The stiffness changes within the torque window.</source>
+        <translation>La raideur change dans la fenêtre de couple.</translation>
+    </message>
+    <message>
+        <source>The force depends on how quickly the object is pressed.</source>
+        <translation>La force dépend de la vitesse à laquelle on presse l’objet.</translation>
+    </message>
+    <message>
+        <source>The torque jumps, or the joint has play.</source>
+        <translation>Le couple saute, ou l’articulation a du jeu.</translation>
     </message>
 </context>
 <context>
@@ -9310,14 +9519,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::console::ArmViews</name>
-    <message>
-        <source>%1 (%2 %)</source>
-        <comment>a recognised shape and its confidence</comment>
-        <translation>%1 (%2&#xa0;%)</translation>
-    </message>
-</context>
-<context>
     <name>teleta::console::BraceletMenu</name>
     <message>
         <source>&amp;Simulated</source>
@@ -9624,10 +9825,6 @@ Run %2 --help for more.
         <translation>Cette méthode ne connaît pas d’objectif&#xa0;: ne l’utilisez que pour comparer.</translation>
     </message>
     <message>
-        <source>Caution: neighbouring residuals are alike, so the camera model misses something (a shell that has moved, a wrong radius).</source>
-        <translation>Attention&#xa0;: les résidus voisins se ressemblent, les paires contiennent donc un effet que cette caméra ne décrit pas (une enveloppe qui a bougé, un rayon faux).</translation>
-    </message>
-    <message>
         <source>The residuals show no pattern, as they should.</source>
         <translation>Les résidus sont sans structure. Bien.</translation>
     </message>
@@ -9638,6 +9835,26 @@ Run %2 --help for more.
     <message>
         <source>All files (*)</source>
         <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>points off the cylinder</source>
+        <translation>points hors du cylindre</translation>
+    </message>
+    <message>
+        <source>points beyond the ends</source>
+        <translation>points au-delà des extrémités</translation>
+    </message>
+    <message>
+        <source>u and v swapped?</source>
+        <translation>u et v échangés&#xa0;?</translation>
+    </message>
+    <message>
+        <source>pixels outside the image</source>
+        <translation>pixels hors de l’image</translation>
+    </message>
+    <message>
+        <source>Caution: %1.</source>
+        <translation>Attention&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -10006,6 +10223,10 @@ Run %2 --help for more.
         <source>Nothing is played (last: %1)</source>
         <comment>what was recognised and its pattern</comment>
         <translation>Rien n’est joué (dernier&#xa0;: %1)</translation>
+    </message>
+    <message>
+        <source>Unknown stiffness</source>
+        <translation>Raideur inconnue</translation>
     </message>
 </context>
 <context>
@@ -12862,6 +13083,14 @@ Run %2 --help for more.
         <source>All controller gains, in percent of those in the scene</source>
         <translation>Tous les gains des régulateurs, en pour cent de ceux de la scène</translation>
     </message>
+    <message>
+        <source>So far: %1</source>
+        <translation>Jusqu’ici&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Last run: %1</source>
+        <translation>Dernière exécution&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -13709,16 +13938,16 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Contour exploré</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The object from above, as far as it was explored: the points at which it was touched, the spline through them, and the vertices or the circle of the shape that was recognised.&lt;/p&gt;&lt;p&gt;The confidence is that of the decision between the known shapes.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;L’objet vu d’en haut, tel qu’il a été exploré&#xa0;: les points où il a été touché, la spline qui les relie, et les sommets ou le cercle de la forme reconnue.&lt;/p&gt;&lt;p&gt;La confiance est celle de la décision entre les formes connues.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>contour</source>
         <translation>contour</translation>
     </message>
     <message>
         <source>&amp;Forget the explored contour</source>
         <translation>&amp;Oublier le contour exploré</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The object from above, as far as it was explored: the points at which it was touched, the spline through them, and the vertices or the circle of the shape that was recognised.&lt;/p&gt;&lt;p&gt;The confidence is the share of such answers that are right. While the points do not decide, the shapes that come into question stand there with their probabilities.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;L’objet vu d’en haut, tel qu’il a été exploré&#xa0;: les points où il a été touché, la spline qui les relie, et les sommets ou le cercle de la forme reconnue.&lt;/p&gt;&lt;p&gt;La confiance est la part de telles réponses qui sont justes. Tant que les points ne décident pas, les formes possibles sont affichées avec leurs probabilités.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -14044,6 +14273,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>Import patterns</source>
         <translation>Importer des motifs</translation>
     </message>
+    <message>
+        <source>unknown stiffness</source>
+        <translation>raideur inconnue</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::RunSheet</name>
@@ -14101,11 +14334,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Delete from the run sheet</source>
         <translation>Supprimer du relevé</translation>
-    </message>
-    <message>
-        <source>%1 (%2 %)</source>
-        <comment>a recognised shape and its confidence</comment>
-        <translation>%1 (%2&#xa0;%)</translation>
     </message>
     <message>
         <source>No.</source>
@@ -14271,6 +14499,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Condition</source>
         <translation>Conditionnement</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>indéterminé</translation>
     </message>
 </context>
 <context>

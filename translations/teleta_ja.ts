@@ -556,6 +556,14 @@
         <source>Write each pair and its residual as CSV</source>
         <translation>各ペアとカメラによる計算結果をCSVに書き込む</translation>
     </message>
+    <message>
+        <source>Reliable</source>
+        <translation>信頼性</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
 </context>
 <context>
     <name>Camera</name>
@@ -1118,6 +1126,10 @@ Examples:
         <source>A contour smaller than this is a point, m</source>
         <translation>これより小さい広がりは点とみなす、m</translation>
     </message>
+    <message>
+        <source>Candidates</source>
+        <translation>候補</translation>
+    </message>
 </context>
 <context>
     <name>ContourPicture</name>
@@ -1162,6 +1174,10 @@ Examples:
     <message>
         <source>y [mm]</source>
         <translation>y [mm]</translation>
+    </message>
+    <message>
+        <source>undecided: %1</source>
+        <translation>未確定: %1</translation>
     </message>
 </context>
 <context>
@@ -2263,6 +2279,10 @@ Examples:
         <source>no touch yet</source>
         <translation>タッチはまだありません</translation>
     </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>判定不能</translation>
+    </message>
 </context>
 <context>
     <name>HandStation</name>
@@ -3009,6 +3029,30 @@ x %4, y %5
     <message>
         <source>the lens model folds in the region of the pairs</source>
         <translation>レンズモデルがペアの範囲内で折り返しています</translation>
+    </message>
+    <message>
+        <source>most points are on the axis of the cylinder, not on its surface</source>
+        <translation>ほとんどの点が円筒の表面ではなく軸上にあります</translation>
+    </message>
+    <message>
+        <source>the points are %1 mm from the axis, the surface is at %2 mm: a hole factor of %3 (standard error %4) brings them onto it, unless the radius is wrong</source>
+        <translation>点は軸から %1 mm、表面は %2 mm です。半径が誤りでなければ、穴の係数 %3 (標準誤差 %4) で表面に移ります</translation>
+    </message>
+    <message>
+        <source>many points are beyond the ends of the cylinder: check its length, and where z = 0 is</source>
+        <translation>多くの点が円筒の端の外にあります。長さと z = 0 の位置を確かめてください</translation>
+    </message>
+    <message>
+        <source>u and v seem to be swapped: the principal point is %1 px off the middle of the image, and with u and v swapped %2 px</source>
+        <translation>u と v が入れ替わっているようです。主点は画像の中央から %1 px、入れ替えると %2 px です</translation>
+    </message>
+    <message>
+        <source>many pixels are outside the image of %1 x %2 px: check its size</source>
+        <translation>多くの画素が %1 x %2 px の画像の外にあります。サイズを確かめてください</translation>
+    </message>
+    <message>
+        <source>neighbouring residuals are alike: the camera does not explain everything in the pairs (a shell that has moved, a wrong radius)</source>
+        <translation>隣り合う残差が似ており、このカメラではペアのすべてを説明できません (シェルのずれ、半径の誤り)</translation>
     </message>
 </context>
 <context>
@@ -4922,6 +4966,30 @@ Run %2 --help for more.
         <source>α z</source>
         <translation>α z</translation>
     </message>
+    <message>
+        <source>task completed</source>
+        <translation>タスク完了</translation>
+    </message>
+    <message>
+        <source>task not completed: stalled by the limit “%1”</source>
+        <translation>タスク未完了: 制限「%1」で停滞した</translation>
+    </message>
+    <message>
+        <source>task not completed: never in contact</source>
+        <translation>タスク未完了: 一度も接触していない</translation>
+    </message>
+    <message>
+        <source>task not completed: the contact was lost</source>
+        <translation>タスク未完了: 接触が失われた</translation>
+    </message>
+    <message>
+        <source>task not completed: stalled</source>
+        <translation>タスク未完了: 停滞した</translation>
+    </message>
+    <message>
+        <source>task not completed: not aligned</source>
+        <translation>タスク未完了: 向きが揃っていない</translation>
+    </message>
 </context>
 <context>
     <name>SettingsNotice</name>
@@ -5326,6 +5394,105 @@ Run %2 --help for more.
         <translation>タッチがリンクの許す値より硬い結果です: 接触距離とリンク剛性を確認してください</translation>
     </message>
     <message>
+        <source>the noise of neighbouring samples is not independent</source>
+        <translation>隣り合うサンプルの雑音が独立ではありません</translation>
+    </message>
+    <message>
+        <source>one step of the torque reading is over a tenth of the window</source>
+        <translation>トルクの読みの1刻みが窓の10分の1を超えています</translation>
+    </message>
+    <message>
+        <source>one step of the angle reading is over a tenth of the rotation</source>
+        <translation>角度の読みの1刻みが回転の10分の1を超えています</translation>
+    </message>
+    <message>
+        <source>the free joint has a torque; it was taken off</source>
+        <translation>自由な関節にトルクがあり、差し引かれました</translation>
+    </message>
+    <message>
+        <source>the torque of the free joint changes; the change was taken off</source>
+        <translation>自由な関節のトルクが変化しており、その変化は差し引かれました</translation>
+    </message>
+    <message>
+        <source>the stiffness changes within the window</source>
+        <translation>窓の中で硬さが変化しています</translation>
+    </message>
+    <message>
+        <source>the force depends on how quickly the object is pressed</source>
+        <translation>力が物体を押す速さに依存しています</translation>
+    </message>
+    <message>
+        <source>the torque jumps, or the joint has play</source>
+        <translation>トルクが飛んでいるか、関節に遊びがあります</translation>
+    </message>
+    <message>
+        <source>the free joint has another torque than --torque-reference says</source>
+        <translation>自由な関節のトルクが --torque-reference の値と異なります</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>判定不能</translation>
+    </message>
+    <message>
+        <source>Secant, tangent</source>
+        <translation>割線、接線</translation>
+    </message>
+    <message>
+        <source>%1 N/m, %2 N/m at the upper end</source>
+        <translation>%1 N/m、上端で%2 N/m</translation>
+    </message>
+    <message>
+        <source>Static stiffness</source>
+        <translation>静的な硬さ</translation>
+    </message>
+    <message>
+        <source>Quick over static</source>
+        <translation>動的と静的の比</translation>
+    </message>
+    <message>
+        <source>1 + %1 (95 %: %2 to %3)</source>
+        <translation>1 + %1 (95 %: %2～%3)</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>緩和時間</translation>
+    </message>
+    <message>
+        <source>%1 s (95 %: %2 to %3)</source>
+        <translation>%1 s (95 %: %2～%3)</translation>
+    </message>
+    <message>
+        <source>Reliable</source>
+        <translation>信頼性</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Standard error of the contact distance, m; it enters twice. Default: 0.05 % of the distance</source>
+        <translation>接触距離の標準誤差 (m)。2回効きます。既定値: 距離の0.05 %</translation>
+    </message>
+    <message>
+        <source>Standard error of that stiffness, N/m</source>
+        <translation>その硬さの標準誤差 (N/m)</translation>
+    </message>
+    <message>
+        <source>Torque of the joint without the touch, Nm; start: that of the free motion before the touch, or 0 when there is none</source>
+        <translation>タッチがないときの関節のトルク (Nm)。start: タッチ前の自由な動きのトルク、なければ0</translation>
+    </message>
+    <message>
+        <source>a torque in Nm or start is expected</source>
+        <translation>トルク (Nm) または start が必要です</translation>
+    </message>
+</context>
+<context>
+    <name>StiffnessText</name>
+    <message>
         <source>the log has no samples</source>
         <translation>ログにサンプルがありません</translation>
     </message>
@@ -5350,12 +5517,12 @@ Run %2 --help for more.
         <translation>%1から%2 Nmまでのトルク</translation>
     </message>
     <message>
-        <source>only one sample lies in the torque window</source>
-        <translation>トルク窓内のサンプルが1つしかありません</translation>
+        <source>fewer than 20 independent samples lie in the torque window</source>
+        <translation>トルク窓内の独立なサンプルが20個未満です</translation>
     </message>
     <message>
-        <source>two or more samples from %1 to %2 Nm</source>
-        <translation>%1から%2 Nmまでの2つ以上のサンプル</translation>
+        <source>a slower touch or quicker sampling from %1 to %2 Nm; --method two-point needs two samples</source>
+        <translation>%1～%2 Nmでのより遅いタッチまたはより速いサンプリング。--method two-point では2サンプルで足ります</translation>
     </message>
     <message>
         <source>the torque does not change within the window</source>
@@ -5374,20 +5541,20 @@ Run %2 --help for more.
         <translation>ともに増加する角度とトルク。一方の列の符号が逆かもしれません</translation>
     </message>
     <message>
-        <source>the numbers are too large or too small to compute with</source>
-        <translation>数値が大きすぎるか小さすぎて計算できません</translation>
-    </message>
-    <message>
-        <source>SI units</source>
-        <translation>SI単位</translation>
-    </message>
-    <message>
         <source>the torque rises so quickly that the arm&apos;s inertia is part of it</source>
         <translation>トルクの上昇が速すぎて、アームの慣性が含まれています</translation>
     </message>
     <message>
         <source>a slower touch</source>
         <translation>もっとゆっくりしたタッチ</translation>
+    </message>
+    <message>
+        <source>the numbers are too large or too small to compute with</source>
+        <translation>数値が大きすぎるか小さすぎて計算できません</translation>
+    </message>
+    <message>
+        <source>SI units</source>
+        <translation>SI単位</translation>
     </message>
 </context>
 <context>
@@ -7164,10 +7331,6 @@ Run %2 --help for more.
         <translation>タッチ中に関節のサンプルが届きませんでした。</translation>
     </message>
     <message>
-        <source>The touch was too quick: fewer than two samples lie in the torque window. Press slower.</source>
-        <translation>タッチが速すぎます: トルク窓内のサンプルが2つ未満です。もっとゆっくり押してください。</translation>
-    </message>
-    <message>
         <source>The torque did not change within the torque window. Press with rising force.</source>
         <translation>トルク窓の中でトルクが変化しませんでした。力を増しながら押してください。</translation>
     </message>
@@ -7238,6 +7401,52 @@ Run %2 --help for more.
     <message>
         <source>joint %1</source>
         <translation>関節 %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <comment>a recognised shape and its confidence</comment>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <comment>recognised shapes</comment>
+        <translation>%1または%2</translation>
+    </message>
+    <message>
+        <source>The touch was too quick: fewer than 20 independent samples lie in the torque window. Press slower.</source>
+        <translation>タッチが速すぎます: トルク窓内の独立なサンプルが20個未満です。もっとゆっくり押してください。</translation>
+    </message>
+    <message>
+        <source>The noise of neighbouring samples is not independent.</source>
+        <translation>隣り合うサンプルの雑音が独立ではありません。</translation>
+    </message>
+    <message>
+        <source>One step of the torque reading is over a tenth of the window.</source>
+        <translation>トルクの読みの1刻みが窓の10分の1を超えています。</translation>
+    </message>
+    <message>
+        <source>One step of the angle reading is over a tenth of the rotation.</source>
+        <translation>角度の読みの1刻みが回転の10分の1を超えています。</translation>
+    </message>
+    <message>
+        <source>The free joint has a torque; it was taken off.</source>
+        <translation>自由な関節にトルクがあり、差し引かれました。</translation>
+    </message>
+    <message>
+        <source>The torque of the free joint changes; the change was taken off.</source>
+        <translation>自由な関節のトルクが変化しており、その変化は差し引かれました。</translation>
+    </message>
+    <message>
+        <source>The stiffness changes within the torque window.</source>
+        <translation>トルク窓の中で硬さが変化しています。</translation>
+    </message>
+    <message>
+        <source>The force depends on how quickly the object is pressed.</source>
+        <translation>力が物体を押す速さに依存しています。</translation>
+    </message>
+    <message>
+        <source>The torque jumps, or the joint has play.</source>
+        <translation>トルクが飛んでいるか、関節に遊びがあります。</translation>
     </message>
 </context>
 <context>
@@ -9289,14 +9498,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::console::ArmViews</name>
-    <message>
-        <source>%1 (%2 %)</source>
-        <comment>a recognised shape and its confidence</comment>
-        <translation>%1 (%2 %)</translation>
-    </message>
-</context>
-<context>
     <name>teleta::console::BraceletMenu</name>
     <message>
         <source>&amp;Simulated</source>
@@ -9599,10 +9800,6 @@ Run %2 --help for more.
         <translation>この方法はレンズを考慮しません: 比較にのみ使用してください。</translation>
     </message>
     <message>
-        <source>Caution: neighbouring residuals are alike, so the camera model misses something (a shell that has moved, a wrong radius).</source>
-        <translation>注意: 隣り合う残差が似ており、このカメラで表せないもの (シェルのずれ、半径の誤りなど) がペアに含まれています。</translation>
-    </message>
-    <message>
         <source>The residuals show no pattern, as they should.</source>
         <translation>残差に規則性はありません。良好です。</translation>
     </message>
@@ -9613,6 +9810,26 @@ Run %2 --help for more.
     <message>
         <source>All files (*)</source>
         <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>points off the cylinder</source>
+        <translation>点が円筒上にない</translation>
+    </message>
+    <message>
+        <source>points beyond the ends</source>
+        <translation>点が端の外</translation>
+    </message>
+    <message>
+        <source>u and v swapped?</source>
+        <translation>uとvが逆？</translation>
+    </message>
+    <message>
+        <source>pixels outside the image</source>
+        <translation>画素が画像の外</translation>
+    </message>
+    <message>
+        <source>Caution: %1.</source>
+        <translation>注意: %1。</translation>
     </message>
 </context>
 <context>
@@ -9981,6 +10198,10 @@ Run %2 --help for more.
         <source>Nothing is played (last: %1)</source>
         <comment>what was recognised and its pattern</comment>
         <translation>再生していません(直前: %1)</translation>
+    </message>
+    <message>
+        <source>Unknown stiffness</source>
+        <translation>硬さ不明</translation>
     </message>
 </context>
 <context>
@@ -12831,6 +13052,14 @@ Run %2 --help for more.
         <source>All controller gains, in percent of those in the scene</source>
         <translation>調節器の全ゲイン (シーンの値に対する%)</translation>
     </message>
+    <message>
+        <source>So far: %1</source>
+        <translation>現在まで: %1</translation>
+    </message>
+    <message>
+        <source>Last run: %1</source>
+        <translation>前回の実行: %1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -13676,16 +13905,16 @@ Double-click to type the upper end.</source>
         <translation>探索した輪郭</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The object from above, as far as it was explored: the points at which it was touched, the spline through them, and the vertices or the circle of the shape that was recognised.&lt;/p&gt;&lt;p&gt;The confidence is that of the decision between the known shapes.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;これまでに探索した範囲の物体を上から見た図です: 触れた点、それらを通るスプライン、認識された形状の頂点または円を示します。&lt;/p&gt;&lt;p&gt;確信度は、既知の形状の間での判定に対するものです。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>contour</source>
         <translation>輪郭</translation>
     </message>
     <message>
         <source>&amp;Forget the explored contour</source>
         <translation>探索した輪郭を破棄(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The object from above, as far as it was explored: the points at which it was touched, the spline through them, and the vertices or the circle of the shape that was recognised.&lt;/p&gt;&lt;p&gt;The confidence is the share of such answers that are right. While the points do not decide, the shapes that come into question stand there with their probabilities.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;これまでに探索した範囲の物体を上から見た図です: 触れた点、それらを通るスプライン、認識された形状の頂点または円を示します。&lt;/p&gt;&lt;p&gt;確信度は、そのような答えのうち正しいものの割合です。点からまだ決まらない間は、可能性のある形状とその確率を表示します。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -14011,6 +14240,10 @@ Double-click to type the upper end.</source>
         <source>Import patterns</source>
         <translation>パターンのインポート</translation>
     </message>
+    <message>
+        <source>unknown stiffness</source>
+        <translation>硬さ不明</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::RunSheet</name>
@@ -14067,11 +14300,6 @@ Double-click to type the upper end.</source>
     <message>
         <source>Delete from the run sheet</source>
         <translation>探索シートから削除</translation>
-    </message>
-    <message>
-        <source>%1 (%2 %)</source>
-        <comment>a recognised shape and its confidence</comment>
-        <translation>%1 (%2 %)</translation>
     </message>
     <message>
         <source>No.</source>
@@ -14236,6 +14464,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>Condition</source>
         <translation>条件数</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>判定不能</translation>
     </message>
 </context>
 <context>

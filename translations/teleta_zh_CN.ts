@@ -556,6 +556,14 @@
         <source>Write each pair and its residual as CSV</source>
         <translation>将每个点对及相机对它的计算结果写为 CSV</translation>
     </message>
+    <message>
+        <source>Reliable</source>
+        <translation>可靠</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
 </context>
 <context>
     <name>Camera</name>
@@ -1118,6 +1126,10 @@ Examples:
         <source>A contour smaller than this is a point, m</source>
         <translation>小于此范围视为一个点，m</translation>
     </message>
+    <message>
+        <source>Candidates</source>
+        <translation>候选</translation>
+    </message>
 </context>
 <context>
     <name>ContourPicture</name>
@@ -1162,6 +1174,10 @@ Examples:
     <message>
         <source>y [mm]</source>
         <translation>y [mm]</translation>
+    </message>
+    <message>
+        <source>undecided: %1</source>
+        <translation>未定：%1</translation>
     </message>
 </context>
 <context>
@@ -2263,6 +2279,10 @@ Examples:
         <source>no touch yet</source>
         <translation>尚无触碰</translation>
     </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>无法判断</translation>
+    </message>
 </context>
 <context>
     <name>HandStation</name>
@@ -3009,6 +3029,30 @@ x %4，y %5
     <message>
         <source>the lens model folds in the region of the pairs</source>
         <translation>镜头模型在点对范围内发生折叠</translation>
+    </message>
+    <message>
+        <source>most points are on the axis of the cylinder, not on its surface</source>
+        <translation>多数点位于圆柱的轴线上，而不在其表面</translation>
+    </message>
+    <message>
+        <source>the points are %1 mm from the axis, the surface is at %2 mm: a hole factor of %3 (standard error %4) brings them onto it, unless the radius is wrong</source>
+        <translation>点距轴线 %1 mm，表面在 %2 mm：除非半径有误，孔系数 %3（标准误差 %4）可使其落在表面上</translation>
+    </message>
+    <message>
+        <source>many points are beyond the ends of the cylinder: check its length, and where z = 0 is</source>
+        <translation>许多点超出圆柱两端：请检查其长度以及 z = 0 的位置</translation>
+    </message>
+    <message>
+        <source>u and v seem to be swapped: the principal point is %1 px off the middle of the image, and with u and v swapped %2 px</source>
+        <translation>u 与 v 似乎颠倒：主点距图像中心 %1 px，交换 u 与 v 后为 %2 px</translation>
+    </message>
+    <message>
+        <source>many pixels are outside the image of %1 x %2 px: check its size</source>
+        <translation>许多像素在 %1 x %2 px 的图像之外：请检查其尺寸</translation>
+    </message>
+    <message>
+        <source>neighbouring residuals are alike: the camera does not explain everything in the pairs (a shell that has moved, a wrong radius)</source>
+        <translation>相邻残差相似：相机不能解释点对中的全部内容（外壳移动、半径有误）</translation>
     </message>
 </context>
 <context>
@@ -4922,6 +4966,30 @@ Run %2 --help for more.
         <source>α z</source>
         <translation>α z</translation>
     </message>
+    <message>
+        <source>task completed</source>
+        <translation>任务已完成</translation>
+    </message>
+    <message>
+        <source>task not completed: stalled by the limit “%1”</source>
+        <translation>任务未完成：因限制“%1”而停滞</translation>
+    </message>
+    <message>
+        <source>task not completed: never in contact</source>
+        <translation>任务未完成：从未接触</translation>
+    </message>
+    <message>
+        <source>task not completed: the contact was lost</source>
+        <translation>任务未完成：接触已丢失</translation>
+    </message>
+    <message>
+        <source>task not completed: stalled</source>
+        <translation>任务未完成：停滞</translation>
+    </message>
+    <message>
+        <source>task not completed: not aligned</source>
+        <translation>任务未完成：未对准</translation>
+    </message>
 </context>
 <context>
     <name>SettingsNotice</name>
@@ -5326,6 +5394,105 @@ Run %2 --help for more.
         <translation>触碰的刚度超出连杆允许的范围：请检查接触距离和连杆刚度</translation>
     </message>
     <message>
+        <source>the noise of neighbouring samples is not independent</source>
+        <translation>相邻样本的噪声不独立</translation>
+    </message>
+    <message>
+        <source>one step of the torque reading is over a tenth of the window</source>
+        <translation>力矩读数的一个步长超过窗口的十分之一</translation>
+    </message>
+    <message>
+        <source>one step of the angle reading is over a tenth of the rotation</source>
+        <translation>角度读数的一个步长超过转角的十分之一</translation>
+    </message>
+    <message>
+        <source>the free joint has a torque; it was taken off</source>
+        <translation>自由关节存在力矩，已扣除</translation>
+    </message>
+    <message>
+        <source>the torque of the free joint changes; the change was taken off</source>
+        <translation>自由关节的力矩有变化，该变化已扣除</translation>
+    </message>
+    <message>
+        <source>the stiffness changes within the window</source>
+        <translation>刚度在窗口内发生变化</translation>
+    </message>
+    <message>
+        <source>the force depends on how quickly the object is pressed</source>
+        <translation>力取决于按压物体的快慢</translation>
+    </message>
+    <message>
+        <source>the torque jumps, or the joint has play</source>
+        <translation>力矩跳变，或关节有间隙</translation>
+    </message>
+    <message>
+        <source>the free joint has another torque than --torque-reference says</source>
+        <translation>自由关节的力矩与 --torque-reference 的值不同</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>无法判断</translation>
+    </message>
+    <message>
+        <source>Secant, tangent</source>
+        <translation>割线、切线</translation>
+    </message>
+    <message>
+        <source>%1 N/m, %2 N/m at the upper end</source>
+        <translation>%1 N/m，上端为 %2 N/m</translation>
+    </message>
+    <message>
+        <source>Static stiffness</source>
+        <translation>静态刚度</translation>
+    </message>
+    <message>
+        <source>Quick over static</source>
+        <translation>快速与静态之比</translation>
+    </message>
+    <message>
+        <source>1 + %1 (95 %: %2 to %3)</source>
+        <translation>1 + %1（95 %：%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>松弛时间</translation>
+    </message>
+    <message>
+        <source>%1 s (95 %: %2 to %3)</source>
+        <translation>%1 s（95 %：%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>Reliable</source>
+        <translation>可靠</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Standard error of the contact distance, m; it enters twice. Default: 0.05 % of the distance</source>
+        <translation>接触距离的标准误差（m），计入两次。默认：距离的 0.05 %</translation>
+    </message>
+    <message>
+        <source>Standard error of that stiffness, N/m</source>
+        <translation>该刚度的标准误差（N/m）</translation>
+    </message>
+    <message>
+        <source>Torque of the joint without the touch, Nm; start: that of the free motion before the touch, or 0 when there is none</source>
+        <translation>没有触碰时关节的力矩（Nm）；start：触碰前自由运动的力矩，没有则为 0</translation>
+    </message>
+    <message>
+        <source>a torque in Nm or start is expected</source>
+        <translation>应为以 Nm 为单位的力矩或 start</translation>
+    </message>
+</context>
+<context>
+    <name>StiffnessText</name>
+    <message>
         <source>the log has no samples</source>
         <translation>日志中没有样本</translation>
     </message>
@@ -5350,12 +5517,12 @@ Run %2 --help for more.
         <translation>%1 至 %2 Nm 的力矩</translation>
     </message>
     <message>
-        <source>only one sample lies in the torque window</source>
-        <translation>力矩窗口中只有一个样本</translation>
+        <source>fewer than 20 independent samples lie in the torque window</source>
+        <translation>力矩窗口内的独立样本少于 20 个</translation>
     </message>
     <message>
-        <source>two or more samples from %1 to %2 Nm</source>
-        <translation>%1 至 %2 Nm 之间的两个或更多样本</translation>
+        <source>a slower touch or quicker sampling from %1 to %2 Nm; --method two-point needs two samples</source>
+        <translation>在 %1 至 %2 Nm 间放慢触碰或加快采样；--method two-point 只需两个样本</translation>
     </message>
     <message>
         <source>the torque does not change within the window</source>
@@ -5374,20 +5541,20 @@ Run %2 --help for more.
         <translation>同时上升的角度和力矩；可能有一列的符号相反</translation>
     </message>
     <message>
-        <source>the numbers are too large or too small to compute with</source>
-        <translation>数值过大或过小，无法计算</translation>
-    </message>
-    <message>
-        <source>SI units</source>
-        <translation>SI 单位</translation>
-    </message>
-    <message>
         <source>the torque rises so quickly that the arm&apos;s inertia is part of it</source>
         <translation>力矩上升过快，其中包含了机械臂的惯性</translation>
     </message>
     <message>
         <source>a slower touch</source>
         <translation>更慢的触碰</translation>
+    </message>
+    <message>
+        <source>the numbers are too large or too small to compute with</source>
+        <translation>数值过大或过小，无法计算</translation>
+    </message>
+    <message>
+        <source>SI units</source>
+        <translation>SI 单位</translation>
     </message>
 </context>
 <context>
@@ -7164,10 +7331,6 @@ Run %2 --help for more.
         <translation>触碰期间没有收到关节样本。</translation>
     </message>
     <message>
-        <source>The touch was too quick: fewer than two samples lie in the torque window. Press slower.</source>
-        <translation>触碰过快：力矩窗口内的样本少于两个。请放慢按压。</translation>
-    </message>
-    <message>
         <source>The torque did not change within the torque window. Press with rising force.</source>
         <translation>力矩在力矩窗口内没有变化。请以逐渐增大的力按压。</translation>
     </message>
@@ -7238,6 +7401,52 @@ Run %2 --help for more.
     <message>
         <source>joint %1</source>
         <translation>关节 %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <comment>a recognised shape and its confidence</comment>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <comment>recognised shapes</comment>
+        <translation>%1 或 %2</translation>
+    </message>
+    <message>
+        <source>The touch was too quick: fewer than 20 independent samples lie in the torque window. Press slower.</source>
+        <translation>触碰过快：力矩窗口内的独立样本少于 20 个。请放慢按压。</translation>
+    </message>
+    <message>
+        <source>The noise of neighbouring samples is not independent.</source>
+        <translation>相邻样本的噪声不独立。</translation>
+    </message>
+    <message>
+        <source>One step of the torque reading is over a tenth of the window.</source>
+        <translation>力矩读数的一个步长超过窗口的十分之一。</translation>
+    </message>
+    <message>
+        <source>One step of the angle reading is over a tenth of the rotation.</source>
+        <translation>角度读数的一个步长超过转角的十分之一。</translation>
+    </message>
+    <message>
+        <source>The free joint has a torque; it was taken off.</source>
+        <translation>自由关节存在力矩，已扣除。</translation>
+    </message>
+    <message>
+        <source>The torque of the free joint changes; the change was taken off.</source>
+        <translation>自由关节的力矩有变化，该变化已扣除。</translation>
+    </message>
+    <message>
+        <source>The stiffness changes within the torque window.</source>
+        <translation>刚度在力矩窗口内发生变化。</translation>
+    </message>
+    <message>
+        <source>The force depends on how quickly the object is pressed.</source>
+        <translation>力取决于按压物体的快慢。</translation>
+    </message>
+    <message>
+        <source>The torque jumps, or the joint has play.</source>
+        <translation>力矩跳变，或关节有间隙。</translation>
     </message>
 </context>
 <context>
@@ -9289,14 +9498,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>teleta::console::ArmViews</name>
-    <message>
-        <source>%1 (%2 %)</source>
-        <comment>a recognised shape and its confidence</comment>
-        <translation>%1 (%2 %)</translation>
-    </message>
-</context>
-<context>
     <name>teleta::console::BraceletMenu</name>
     <message>
         <source>&amp;Simulated</source>
@@ -9599,10 +9800,6 @@ Run %2 --help for more.
         <translation>此方法不含镜头模型：仅供比较。</translation>
     </message>
     <message>
-        <source>Caution: neighbouring residuals are alike, so the camera model misses something (a shell that has moved, a wrong radius).</source>
-        <translation>请注意：相邻残差相似，说明点对中含有此相机模型未描述的因素（外壳移动、半径有误）。</translation>
-    </message>
-    <message>
         <source>The residuals show no pattern, as they should.</source>
         <translation>残差无规律。良好。</translation>
     </message>
@@ -9613,6 +9810,26 @@ Run %2 --help for more.
     <message>
         <source>All files (*)</source>
         <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>points off the cylinder</source>
+        <translation>点不在圆柱上</translation>
+    </message>
+    <message>
+        <source>points beyond the ends</source>
+        <translation>点超出两端</translation>
+    </message>
+    <message>
+        <source>u and v swapped?</source>
+        <translation>u 与 v 颠倒？</translation>
+    </message>
+    <message>
+        <source>pixels outside the image</source>
+        <translation>像素在图像之外</translation>
+    </message>
+    <message>
+        <source>Caution: %1.</source>
+        <translation>请注意：%1。</translation>
     </message>
 </context>
 <context>
@@ -9981,6 +10198,10 @@ Run %2 --help for more.
         <source>Nothing is played (last: %1)</source>
         <comment>what was recognised and its pattern</comment>
         <translation>未在播放（上一个：%1）</translation>
+    </message>
+    <message>
+        <source>Unknown stiffness</source>
+        <translation>刚度未知</translation>
     </message>
 </context>
 <context>
@@ -12831,6 +13052,14 @@ Run %2 --help for more.
         <source>All controller gains, in percent of those in the scene</source>
         <translation>调节器的全部增益，以场景设定的百分比表示</translation>
     </message>
+    <message>
+        <source>So far: %1</source>
+        <translation>到目前为止：%1</translation>
+    </message>
+    <message>
+        <source>Last run: %1</source>
+        <translation>上一次运行：%1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -13676,16 +13905,16 @@ Double-click to type the upper end.</source>
         <translation>已探索的轮廓</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The object from above, as far as it was explored: the points at which it was touched, the spline through them, and the vertices or the circle of the shape that was recognised.&lt;/p&gt;&lt;p&gt;The confidence is that of the decision between the known shapes.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;从上方看已探索部分的物体：触碰过的点、通过这些点的样条曲线，以及所识别形状的顶点或圆。&lt;/p&gt;&lt;p&gt;置信度是在已知形状之间判定的置信度。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>contour</source>
         <translation>轮廓</translation>
     </message>
     <message>
         <source>&amp;Forget the explored contour</source>
         <translation>清除已探索的轮廓(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The object from above, as far as it was explored: the points at which it was touched, the spline through them, and the vertices or the circle of the shape that was recognised.&lt;/p&gt;&lt;p&gt;The confidence is the share of such answers that are right. While the points do not decide, the shapes that come into question stand there with their probabilities.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;从上方看已探索部分的物体：触碰过的点、通过这些点的样条曲线，以及所识别形状的顶点或圆。&lt;/p&gt;&lt;p&gt;置信度是此类答案中正确者所占的比例。各点尚不足以判定时，显示可能的形状及其概率。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -14011,6 +14240,10 @@ Double-click to type the upper end.</source>
         <source>Import patterns</source>
         <translation>导入图案</translation>
     </message>
+    <message>
+        <source>unknown stiffness</source>
+        <translation>刚度未知</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::RunSheet</name>
@@ -14067,11 +14300,6 @@ Double-click to type the upper end.</source>
     <message>
         <source>Delete from the run sheet</source>
         <translation>从物体清单中删除</translation>
-    </message>
-    <message>
-        <source>%1 (%2 %)</source>
-        <comment>a recognised shape and its confidence</comment>
-        <translation>%1 (%2 %)</translation>
     </message>
     <message>
         <source>No.</source>
@@ -14236,6 +14464,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>Condition</source>
         <translation>条件数</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>无法判断</translation>
     </message>
 </context>
 <context>
