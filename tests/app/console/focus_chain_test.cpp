@@ -137,7 +137,7 @@ private slots:
     void everythingIsNamedAndTabGoesThere_data() {
         QTest::addColumn<int>("key");
         int key = Qt::Key_1;
-        for (const QString& page : pageNames())
+        for (const QString& page : console::pageNames())
             QTest::newRow(qPrintable(page)) << key++;
     }
     void everythingIsNamedAndTabGoesThere() {

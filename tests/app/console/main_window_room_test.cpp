@@ -86,8 +86,8 @@ private slots:
             m_window->activateWindow();
             QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
             QStringList pages;
-            for (int i = 0; i < pageNames().size(); ++i) {
-                QTest::keyClick(m_window.get(), static_cast<Qt::Key>(Qt::Key_1 + i), Qt::ControlModifier);
+            for (int page = 0; page < console::pageNames().size(); ++page) {
+                QTest::keyClick(m_window.get(), static_cast<Qt::Key>(Qt::Key_1 + page), Qt::ControlModifier);
                 QCoreApplication::processEvents();
                 const QSize least = m_window->minimumSizeHint();
                 const QString where = name + ' ' + child<chrome::PageRail>()->currentPage();
@@ -99,7 +99,7 @@ private slots:
                     m_window->rect().contains(QRect(stop->mapTo(m_window.get(), QPoint()), stop->size())),
                     qPrintable(where));
             }
-            QCOMPARE(pages, pageNames());
+            QCOMPARE(pages, console::pageNames());
         }
         m_window->findChild<QMenu*>("languages")->actions().front()->trigger();
     }
