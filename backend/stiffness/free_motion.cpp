@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t kLeastFree = 10;
 /// The rise must be so much steeper than the free motion.
 constexpr double kSteeper = 2.5;
+/// The bend must take off so many times the variance of the noise from the squares: noise alone bends a line
+/// somewhere, too, by about 2 ln n.
+constexpr double kBendSquares = 50.0;
 /// Samples beyond so many windows or durations would lose the digits of the others.
 constexpr double kFarthest = 1e6;
 
@@ -130,7 +133,8 @@ std::optional<FreeMotion> findFreeMotion(std::span<const JointSample> log, const
             bend = k;
         }
     }
-    if (bend == 0)
+    const double freedom = static_cast<double>(sums.size()) - 5.0;
+    if (bend == 0 || (all.squares() - least) * freedom < kBendSquares * least)
         return std::nullopt;
     const double steep = all.minus(sums[bend]).slope();
     if (!(steep > 0.0) || steep < kSteeper * std::abs(sums[bend].slope()))

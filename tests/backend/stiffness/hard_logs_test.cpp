@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Logs that a user may have by mistake. Every call runs with floating-point exceptions trapped.
+#include "backend/stiffness/free_motion.h"
 #include "backend/stiffness/stiffness_estimator.h"
 #include "tests/backend/stiffness/disturbed_touch.h"
 #include "tests/backend/stiffness/simulated_touch.h"
@@ -52,6 +53,21 @@ TEST(HardLogs, anOffsetLargerThanTheWindowIsTakenOff) {
         EXPECT_NEAR(*touch->object.value_NPerM, 282.0, 0.02 * 282.0);
         EXPECT_TRUE(touch->has(TouchWarning::torqueOffset));
         EXPECT_NEAR(touch->torqueReference_Nm, offset_Nm, 0.0002);
+    }
+}
+
+// The noise bends any line somewhere, which must not be taken for the end of a free motion.
+TEST(HardLogs, aTorqueThatRisesFromTheStartHasNoFreeMotion) {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> noise;
+    for (int i = 0; i < 500; ++i) {
+        const int samples = i % 2 == 0 ? 200 : 2000;
+        std::vector<JointSample> log;
+        for (int j = 0; j < samples; ++j) {
+            const double torque_Nm = 0.06 * j / samples;
+            log.push_back({0.001 * j, torque_Nm / 40.0, torque_Nm + 5e-4 * noise(random)});
+        }
+        EXPECT_FALSE(findFreeMotion(log, TorqueWindow{})) << i;
     }
 }
 
