@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
         }
     }
     std::printf("estimator,disturbance,cases,covered,flagged,refused,honest,median_width\n");
-    for (const auto rowsOf : {stiffnessRows, transferRows, cameraRows, shapeRows}) {
+    for (const auto rowsOf : {stiffnessRows, transferRows, motorRows, cameraRows, shapeRows}) {
         rowsOf(cases, [](const CoverageRow& row) {
             std::printf("%s,\"%s\",%d,%d,%d,%d,%d,", row.estimator().c_str(), row.disturbance().c_str(),
                         row.cases(), row.covered(), row.flagged(), row.refused(), row.honest());

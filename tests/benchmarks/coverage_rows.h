@@ -69,6 +69,7 @@ using TakeRow = std::function<void(const CoverageRow&)>;
 /// Each computes the rows of one estimator, with so many random cases a row, and hands them over one by one.
 void stiffnessRows(int cases, const TakeRow& take);
 void transferRows(int cases, const TakeRow& take);
+void motorRows(int cases, const TakeRow& take);
 void cameraRows(int cases, const TakeRow& take);
 void shapeRows(int cases, const TakeRow& take);
 
