@@ -5277,229 +5277,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>StiffnessCommand</name>
-    <message>
-        <source>sponge</source>
-        <translation>éponge</translation>
-    </message>
-    <message>
-        <source>rubber sponge</source>
-        <translation>caoutchouc mousse</translation>
-    </message>
-    <message>
-        <source>rubber</source>
-        <translation>caoutchouc</translation>
-    </message>
-    <message>
-        <source>wood</source>
-        <translation>bois</translation>
-    </message>
-    <message>
-        <source>metal</source>
-        <translation>métal</translation>
-    </message>
-    <message>
-        <source>at least %1 N/m (95 %)</source>
-        <translation>au moins %1 N/m (95&#xa0;%)</translation>
-    </message>
-    <message>
-        <source>%1 N/m (uncertainty not available)</source>
-        <translation>%1 N/m (incertitude non disponible)</translation>
-    </message>
-    <message>
-        <source>%1 N/m (95 %: %2 to %3)</source>
-        <translation>%1 N/m (95&#xa0;%&#xa0;: %2 à %3)</translation>
-    </message>
-    <message>
-        <source>two-point</source>
-        <translation>deux points</translation>
-    </message>
-    <message>
-        <source>regression</source>
-        <translation>régression</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Méthode</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>Échantillons</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Rotation</translation>
-    </message>
-    <message>
-        <source>%1 rad</source>
-        <translation>%1 rad</translation>
-    </message>
-    <message>
-        <source>Torque rise</source>
-        <translation>Hausse du couple</translation>
-    </message>
-    <message>
-        <source>%1 Nm</source>
-        <translation>%1 Nm</translation>
-    </message>
-    <message>
-        <source>Total stiffness</source>
-        <translation>Raideur totale</translation>
-    </message>
-    <message>
-        <source>Object stiffness</source>
-        <translation>Raideur de l’objet</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>Matériau</translation>
-    </message>
-    <message>
-        <source>%1, safe to touch, level %2 of 5</source>
-        <translation>%1, toucher sans danger, niveau %2 sur 5</translation>
-    </message>
-    <message>
-        <source>%1, danger, level %2 of 5</source>
-        <translation>%1, danger, niveau %2 sur 5</translation>
-    </message>
-    <message>
-        <source>Stiffness and material of an object from joint angle and torque during a touch</source>
-        <translation>Raideur et matériau d’un objet d’après l’angle et le couple articulaires pendant un toucher</translation>
-    </message>
-    <message>
-        <source>CSV with the columns time_s,joint_angle_rad,joint_torque_nm</source>
-        <translation>CSV avec les colonnes time_s,joint_angle_rad,joint_torque_nm</translation>
-    </message>
-    <message>
-        <source>Distance of the contact from the joint&apos;s axis along the link, m</source>
-        <translation>Distance du contact à l’axe de l’articulation le long du segment, m</translation>
-    </message>
-    <message>
-        <source>Half the thickness of the link, m; it cancels out of the stiffness</source>
-        <translation>Demi-épaisseur du segment, m&#xa0;; elle s’élimine de la raideur</translation>
-    </message>
-    <message>
-        <source>The link&apos;s own stiffness, N/m</source>
-        <translation>Raideur propre du segment, N/m</translation>
-    </message>
-    <message>
-        <source>two-point: the samples nearest to both borders of the window; regression: all samples in it</source>
-        <translation>two-point&#xa0;: les échantillons les plus proches des deux bornes de la fenêtre&#xa0;; regression&#xa0;: tous ses échantillons</translation>
-    </message>
-    <message>
-        <source>Torques between which the touch is evaluated, Nm</source>
-        <translation>Couples entre lesquels le toucher est évalué, Nm</translation>
-    </message>
-    <message>
-        <source>0 or more is expected</source>
-        <translation>0 ou plus est attendu</translation>
-    </message>
-    <message>
-        <source>a lower border of 0 or more and a higher upper one are expected</source>
-        <translation>une borne inférieure de 0 ou plus et une borne supérieure plus grande sont attendues</translation>
-    </message>
-    <message>
-        <source>the touch is stiffer than the link allows: check contact distance and link stiffness</source>
-        <translation>le toucher est plus raide que le segment ne le permet&#xa0;: vérifiez la distance du contact et la raideur du segment</translation>
-    </message>
-    <message>
-        <source>the noise of neighbouring samples is not independent</source>
-        <translation>le bruit d’échantillons voisins n’est pas indépendant</translation>
-    </message>
-    <message>
-        <source>one step of the torque reading is over a tenth of the window</source>
-        <translation>un pas de la lecture du couple dépasse un dixième de la fenêtre</translation>
-    </message>
-    <message>
-        <source>one step of the angle reading is over a tenth of the rotation</source>
-        <translation>un pas de la lecture de l’angle dépasse un dixième de la rotation</translation>
-    </message>
-    <message>
-        <source>the free joint has a torque; it was taken off</source>
-        <translation>l’articulation libre a un couple&#xa0;; il a été retranché</translation>
-    </message>
-    <message>
-        <source>the torque of the free joint changes; the change was taken off</source>
-        <translation>le couple de l’articulation libre change&#xa0;; ce changement a été retranché</translation>
-    </message>
-    <message>
-        <source>the stiffness changes within the window</source>
-        <translation>la raideur change dans la fenêtre</translation>
-    </message>
-    <message>
-        <source>the force depends on how quickly the object is pressed</source>
-        <translation>la force dépend de la vitesse à laquelle on presse l’objet</translation>
-    </message>
-    <message>
-        <source>the torque jumps, or the joint has play</source>
-        <translation>le couple saute, ou l’articulation a du jeu</translation>
-    </message>
-    <message>
-        <source>the free joint has another torque than --torque-reference says</source>
-        <translation>l’articulation libre a un autre couple que celui de --torque-reference</translation>
-    </message>
-    <message>
-        <source>cannot tell</source>
-        <translation>indéterminé</translation>
-    </message>
-    <message>
-        <source>Secant, tangent</source>
-        <translation>Sécante, tangente</translation>
-    </message>
-    <message>
-        <source>%1 N/m, %2 N/m at the upper end</source>
-        <translation>%1 N/m, %2 N/m à l’extrémité supérieure</translation>
-    </message>
-    <message>
-        <source>Static stiffness</source>
-        <translation>Raideur statique</translation>
-    </message>
-    <message>
-        <source>Quick over static</source>
-        <translation>Rapide sur statique</translation>
-    </message>
-    <message>
-        <source>1 + %1 (95 %: %2 to %3)</source>
-        <translation>1 + %1 (95&#xa0;%&#xa0;: %2 à %3)</translation>
-    </message>
-    <message>
-        <source>Relaxation</source>
-        <translation>Relaxation</translation>
-    </message>
-    <message>
-        <source>%1 s (95 %: %2 to %3)</source>
-        <translation>%1 s (95&#xa0;%&#xa0;: %2 à %3)</translation>
-    </message>
-    <message>
-        <source>Reliable</source>
-        <translation>Fiable</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>non</translation>
-    </message>
-    <message>
-        <source>Warning</source>
-        <translation>Avertissement</translation>
-    </message>
-    <message>
-        <source>Standard error of the contact distance, m; it enters twice. Default: 0.05 % of the distance</source>
-        <translation>Erreur type de la distance de contact, en m&#xa0;; elle compte deux fois. Par défaut&#xa0;: 0.05&#xa0;% de la distance</translation>
-    </message>
-    <message>
-        <source>Standard error of that stiffness, N/m</source>
-        <translation>Erreur type de cette raideur, en N/m</translation>
-    </message>
-    <message>
-        <source>Torque of the joint without the touch, Nm; start: that of the free motion before the touch, or 0 when there is none</source>
-        <translation>Couple de l’articulation sans le toucher, en Nm&#xa0;; start&#xa0;: celui du mouvement libre avant le toucher, ou 0 s’il n’y en a pas</translation>
-    </message>
-    <message>
-        <source>a torque in Nm or start is expected</source>
-        <translation>attendu&#xa0;: un couple en Nm ou start</translation>
-    </message>
-</context>
-<context>
     <name>StiffnessText</name>
     <message>
         <source>the log has no samples</source>
@@ -5564,6 +5341,226 @@ Run %2 --help for more.
     <message>
         <source>SI units</source>
         <translation>des unités SI</translation>
+    </message>
+    <message>
+        <source>sponge</source>
+        <translation>éponge</translation>
+    </message>
+    <message>
+        <source>rubber sponge</source>
+        <translation>caoutchouc mousse</translation>
+    </message>
+    <message>
+        <source>rubber</source>
+        <translation>caoutchouc</translation>
+    </message>
+    <message>
+        <source>wood</source>
+        <translation>bois</translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation>métal</translation>
+    </message>
+    <message>
+        <source>at least %1 N/m (95 %)</source>
+        <translation>au moins %1 N/m (95&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>%1 N/m (uncertainty not available)</source>
+        <translation>%1 N/m (incertitude non disponible)</translation>
+    </message>
+    <message>
+        <source>%1 N/m (95 %: %2 to %3)</source>
+        <translation>%1 N/m (95&#xa0;%&#xa0;: %2 à %3)</translation>
+    </message>
+    <message>
+        <source>the noise of neighbouring samples is not independent</source>
+        <translation>le bruit d’échantillons voisins n’est pas indépendant</translation>
+    </message>
+    <message>
+        <source>one step of the torque reading is over a tenth of the window</source>
+        <translation>un pas de la lecture du couple dépasse un dixième de la fenêtre</translation>
+    </message>
+    <message>
+        <source>one step of the angle reading is over a tenth of the rotation</source>
+        <translation>un pas de la lecture de l’angle dépasse un dixième de la rotation</translation>
+    </message>
+    <message>
+        <source>the free joint has a torque; it was taken off</source>
+        <translation>l’articulation libre a un couple&#xa0;; il a été retranché</translation>
+    </message>
+    <message>
+        <source>the torque of the free joint changes; the change was taken off</source>
+        <translation>le couple de l’articulation libre change&#xa0;; ce changement a été retranché</translation>
+    </message>
+    <message>
+        <source>the stiffness changes within the window</source>
+        <translation>la raideur change dans la fenêtre</translation>
+    </message>
+    <message>
+        <source>the force depends on how quickly the object is pressed</source>
+        <translation>la force dépend de la vitesse à laquelle on presse l’objet</translation>
+    </message>
+    <message>
+        <source>the torque jumps, or the joint has play</source>
+        <translation>le couple saute, ou l’articulation a du jeu</translation>
+    </message>
+    <message>
+        <source>the free joint has another torque than --torque-reference says</source>
+        <translation>l’articulation libre a un autre couple que celui de --torque-reference</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>indéterminé</translation>
+    </message>
+    <message>
+        <source>%1, safe to touch, level %2 of 5</source>
+        <translation>%1, toucher sans danger, niveau %2 sur 5</translation>
+    </message>
+    <message>
+        <source>%1, danger, level %2 of 5</source>
+        <translation>%1, danger, niveau %2 sur 5</translation>
+    </message>
+    <message>
+        <source>two-point</source>
+        <translation>deux points</translation>
+    </message>
+    <message>
+        <source>regression</source>
+        <translation>régression</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Échantillons</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>%1 rad</source>
+        <translation>%1 rad</translation>
+    </message>
+    <message>
+        <source>Torque rise</source>
+        <translation>Hausse du couple</translation>
+    </message>
+    <message>
+        <source>%1 Nm</source>
+        <translation>%1 Nm</translation>
+    </message>
+    <message>
+        <source>Total stiffness</source>
+        <translation>Raideur totale</translation>
+    </message>
+    <message>
+        <source>Object stiffness</source>
+        <translation>Raideur de l’objet</translation>
+    </message>
+    <message>
+        <source>Secant, tangent</source>
+        <translation>Sécante, tangente</translation>
+    </message>
+    <message>
+        <source>%1 N/m, %2 N/m at the upper end</source>
+        <translation>%1 N/m, %2 N/m à l’extrémité supérieure</translation>
+    </message>
+    <message>
+        <source>Static stiffness</source>
+        <translation>Raideur statique</translation>
+    </message>
+    <message>
+        <source>Quick over static</source>
+        <translation>Rapide sur statique</translation>
+    </message>
+    <message>
+        <source>1 + %1 (95 %: %2 to %3)</source>
+        <translation>1 + %1 (95&#xa0;%&#xa0;: %2 à %3)</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>%1 s (95 %: %2 to %3)</source>
+        <translation>%1 s (95&#xa0;%&#xa0;: %2 à %3)</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Reliable</source>
+        <translation>Fiable</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>CSV with the columns time_s,joint_angle_rad,joint_torque_nm</source>
+        <translation>CSV avec les colonnes time_s,joint_angle_rad,joint_torque_nm</translation>
+    </message>
+    <message>
+        <source>Distance of the contact from the joint&apos;s axis along the link, m</source>
+        <translation>Distance du contact à l’axe de l’articulation le long du segment, m</translation>
+    </message>
+    <message>
+        <source>Standard error of the contact distance, m; it enters twice. Default: 0.05 % of the distance</source>
+        <translation>Erreur type de la distance de contact, en m&#xa0;; elle compte deux fois. Par défaut&#xa0;: 0.05&#xa0;% de la distance</translation>
+    </message>
+    <message>
+        <source>Half the thickness of the link, m; it cancels out of the stiffness</source>
+        <translation>Demi-épaisseur du segment, m&#xa0;; elle s’élimine de la raideur</translation>
+    </message>
+    <message>
+        <source>The link&apos;s own stiffness, N/m</source>
+        <translation>Raideur propre du segment, N/m</translation>
+    </message>
+    <message>
+        <source>Standard error of that stiffness, N/m</source>
+        <translation>Erreur type de cette raideur, en N/m</translation>
+    </message>
+    <message>
+        <source>Torque of the joint without the touch, Nm; start: that of the free motion before the touch, or 0 when there is none</source>
+        <translation>Couple de l’articulation sans le toucher, en Nm&#xa0;; start&#xa0;: celui du mouvement libre avant le toucher, ou 0 s’il n’y en a pas</translation>
+    </message>
+    <message>
+        <source>two-point: the samples nearest to both borders of the window; regression: all samples in it</source>
+        <translation>two-point&#xa0;: les échantillons les plus proches des deux bornes de la fenêtre&#xa0;; regression&#xa0;: tous ses échantillons</translation>
+    </message>
+    <message>
+        <source>Torques between which the touch is evaluated, Nm</source>
+        <translation>Couples entre lesquels le toucher est évalué, Nm</translation>
+    </message>
+    <message>
+        <source>0 or more is expected</source>
+        <translation>0 ou plus est attendu</translation>
+    </message>
+    <message>
+        <source>a lower border of 0 or more and a higher upper one are expected</source>
+        <translation>une borne inférieure de 0 ou plus et une borne supérieure plus grande sont attendues</translation>
+    </message>
+    <message>
+        <source>a torque in Nm or start is expected</source>
+        <translation>attendu&#xa0;: un couple en Nm ou start</translation>
+    </message>
+    <message>
+        <source>the touch is stiffer than the link allows: check contact distance and link stiffness</source>
+        <translation>le toucher est plus raide que le segment ne le permet&#xa0;: vérifiez la distance du contact et la raideur du segment</translation>
+    </message>
+    <message>
+        <source>Stiffness and material of an object from joint angle and torque during a touch</source>
+        <translation>Raideur et matériau d’un objet d’après l’angle et le couple articulaires pendant un toucher</translation>
     </message>
 </context>
 <context>

@@ -5268,229 +5268,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>StiffnessCommand</name>
-    <message>
-        <source>sponge</source>
-        <translation>スポンジ</translation>
-    </message>
-    <message>
-        <source>rubber sponge</source>
-        <translation>ゴムスポンジ</translation>
-    </message>
-    <message>
-        <source>rubber</source>
-        <translation>ゴム</translation>
-    </message>
-    <message>
-        <source>wood</source>
-        <translation>木</translation>
-    </message>
-    <message>
-        <source>metal</source>
-        <translation>金属</translation>
-    </message>
-    <message>
-        <source>at least %1 N/m (95 %)</source>
-        <translation>%1 N/m以上 (95 %)</translation>
-    </message>
-    <message>
-        <source>%1 N/m (uncertainty not available)</source>
-        <translation>%1 N/m (不確かさは不明)</translation>
-    </message>
-    <message>
-        <source>%1 N/m (95 %: %2 to %3)</source>
-        <translation>%1 N/m (95 %: %2～%3)</translation>
-    </message>
-    <message>
-        <source>two-point</source>
-        <translation>2点法</translation>
-    </message>
-    <message>
-        <source>regression</source>
-        <translation>回帰</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>方法</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>サンプル数</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>回転</translation>
-    </message>
-    <message>
-        <source>%1 rad</source>
-        <translation>%1 rad</translation>
-    </message>
-    <message>
-        <source>Torque rise</source>
-        <translation>トルク上昇</translation>
-    </message>
-    <message>
-        <source>%1 Nm</source>
-        <translation>%1 Nm</translation>
-    </message>
-    <message>
-        <source>Total stiffness</source>
-        <translation>全体の剛性</translation>
-    </message>
-    <message>
-        <source>Object stiffness</source>
-        <translation>物体の剛性</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>材料</translation>
-    </message>
-    <message>
-        <source>%1, safe to touch, level %2 of 5</source>
-        <translation>%1、触れても安全、レベル%2/5</translation>
-    </message>
-    <message>
-        <source>%1, danger, level %2 of 5</source>
-        <translation>%1、危険、レベル%2/5</translation>
-    </message>
-    <message>
-        <source>Stiffness and material of an object from joint angle and torque during a touch</source>
-        <translation>タッチ中の関節角度とトルクから求めた物体の剛性と材料</translation>
-    </message>
-    <message>
-        <source>CSV with the columns time_s,joint_angle_rad,joint_torque_nm</source>
-        <translation>time_s,joint_angle_rad,joint_torque_nm の列を持つCSV</translation>
-    </message>
-    <message>
-        <source>Distance of the contact from the joint&apos;s axis along the link, m</source>
-        <translation>関節軸からリンクに沿った接触点までの距離、m</translation>
-    </message>
-    <message>
-        <source>Half the thickness of the link, m; it cancels out of the stiffness</source>
-        <translation>リンクの厚さの半分、m。剛性の計算では打ち消し合います</translation>
-    </message>
-    <message>
-        <source>The link&apos;s own stiffness, N/m</source>
-        <translation>リンク自体の剛性、N/m</translation>
-    </message>
-    <message>
-        <source>two-point: the samples nearest to both borders of the window; regression: all samples in it</source>
-        <translation>two-point: 窓の両端に最も近いサンプル。regression: 窓内の全サンプル</translation>
-    </message>
-    <message>
-        <source>Torques between which the touch is evaluated, Nm</source>
-        <translation>タッチを評価するトルクの範囲、Nm</translation>
-    </message>
-    <message>
-        <source>0 or more is expected</source>
-        <translation>0以上の値が必要です</translation>
-    </message>
-    <message>
-        <source>a lower border of 0 or more and a higher upper one are expected</source>
-        <translation>0以上の下限と、それより大きい上限が必要です</translation>
-    </message>
-    <message>
-        <source>the touch is stiffer than the link allows: check contact distance and link stiffness</source>
-        <translation>タッチがリンクの許す値より硬い結果です: 接触距離とリンク剛性を確認してください</translation>
-    </message>
-    <message>
-        <source>the noise of neighbouring samples is not independent</source>
-        <translation>隣り合うサンプルの雑音が独立ではありません</translation>
-    </message>
-    <message>
-        <source>one step of the torque reading is over a tenth of the window</source>
-        <translation>トルクの読みの1刻みが窓の10分の1を超えています</translation>
-    </message>
-    <message>
-        <source>one step of the angle reading is over a tenth of the rotation</source>
-        <translation>角度の読みの1刻みが回転の10分の1を超えています</translation>
-    </message>
-    <message>
-        <source>the free joint has a torque; it was taken off</source>
-        <translation>自由な関節にトルクがあり、差し引かれました</translation>
-    </message>
-    <message>
-        <source>the torque of the free joint changes; the change was taken off</source>
-        <translation>自由な関節のトルクが変化しており、その変化は差し引かれました</translation>
-    </message>
-    <message>
-        <source>the stiffness changes within the window</source>
-        <translation>窓の中で硬さが変化しています</translation>
-    </message>
-    <message>
-        <source>the force depends on how quickly the object is pressed</source>
-        <translation>力が物体を押す速さに依存しています</translation>
-    </message>
-    <message>
-        <source>the torque jumps, or the joint has play</source>
-        <translation>トルクが飛んでいるか、関節に遊びがあります</translation>
-    </message>
-    <message>
-        <source>the free joint has another torque than --torque-reference says</source>
-        <translation>自由な関節のトルクが --torque-reference の値と異なります</translation>
-    </message>
-    <message>
-        <source>cannot tell</source>
-        <translation>判定不能</translation>
-    </message>
-    <message>
-        <source>Secant, tangent</source>
-        <translation>割線、接線</translation>
-    </message>
-    <message>
-        <source>%1 N/m, %2 N/m at the upper end</source>
-        <translation>%1 N/m、上端で%2 N/m</translation>
-    </message>
-    <message>
-        <source>Static stiffness</source>
-        <translation>静的な硬さ</translation>
-    </message>
-    <message>
-        <source>Quick over static</source>
-        <translation>動的と静的の比</translation>
-    </message>
-    <message>
-        <source>1 + %1 (95 %: %2 to %3)</source>
-        <translation>1 + %1 (95 %: %2～%3)</translation>
-    </message>
-    <message>
-        <source>Relaxation</source>
-        <translation>緩和時間</translation>
-    </message>
-    <message>
-        <source>%1 s (95 %: %2 to %3)</source>
-        <translation>%1 s (95 %: %2～%3)</translation>
-    </message>
-    <message>
-        <source>Reliable</source>
-        <translation>信頼性</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>いいえ</translation>
-    </message>
-    <message>
-        <source>Warning</source>
-        <translation>警告</translation>
-    </message>
-    <message>
-        <source>Standard error of the contact distance, m; it enters twice. Default: 0.05 % of the distance</source>
-        <translation>接触距離の標準誤差 (m)。2回効きます。既定値: 距離の0.05 %</translation>
-    </message>
-    <message>
-        <source>Standard error of that stiffness, N/m</source>
-        <translation>その硬さの標準誤差 (N/m)</translation>
-    </message>
-    <message>
-        <source>Torque of the joint without the touch, Nm; start: that of the free motion before the touch, or 0 when there is none</source>
-        <translation>タッチがないときの関節のトルク (Nm)。start: タッチ前の自由な動きのトルク、なければ0</translation>
-    </message>
-    <message>
-        <source>a torque in Nm or start is expected</source>
-        <translation>トルク (Nm) または start が必要です</translation>
-    </message>
-</context>
-<context>
     <name>StiffnessText</name>
     <message>
         <source>the log has no samples</source>
@@ -5555,6 +5332,226 @@ Run %2 --help for more.
     <message>
         <source>SI units</source>
         <translation>SI単位</translation>
+    </message>
+    <message>
+        <source>sponge</source>
+        <translation>スポンジ</translation>
+    </message>
+    <message>
+        <source>rubber sponge</source>
+        <translation>ゴムスポンジ</translation>
+    </message>
+    <message>
+        <source>rubber</source>
+        <translation>ゴム</translation>
+    </message>
+    <message>
+        <source>wood</source>
+        <translation>木</translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation>金属</translation>
+    </message>
+    <message>
+        <source>at least %1 N/m (95 %)</source>
+        <translation>%1 N/m以上 (95 %)</translation>
+    </message>
+    <message>
+        <source>%1 N/m (uncertainty not available)</source>
+        <translation>%1 N/m (不確かさは不明)</translation>
+    </message>
+    <message>
+        <source>%1 N/m (95 %: %2 to %3)</source>
+        <translation>%1 N/m (95 %: %2～%3)</translation>
+    </message>
+    <message>
+        <source>the noise of neighbouring samples is not independent</source>
+        <translation>隣り合うサンプルの雑音が独立ではありません</translation>
+    </message>
+    <message>
+        <source>one step of the torque reading is over a tenth of the window</source>
+        <translation>トルクの読みの1刻みが窓の10分の1を超えています</translation>
+    </message>
+    <message>
+        <source>one step of the angle reading is over a tenth of the rotation</source>
+        <translation>角度の読みの1刻みが回転の10分の1を超えています</translation>
+    </message>
+    <message>
+        <source>the free joint has a torque; it was taken off</source>
+        <translation>自由な関節にトルクがあり、差し引かれました</translation>
+    </message>
+    <message>
+        <source>the torque of the free joint changes; the change was taken off</source>
+        <translation>自由な関節のトルクが変化しており、その変化は差し引かれました</translation>
+    </message>
+    <message>
+        <source>the stiffness changes within the window</source>
+        <translation>窓の中で硬さが変化しています</translation>
+    </message>
+    <message>
+        <source>the force depends on how quickly the object is pressed</source>
+        <translation>力が物体を押す速さに依存しています</translation>
+    </message>
+    <message>
+        <source>the torque jumps, or the joint has play</source>
+        <translation>トルクが飛んでいるか、関節に遊びがあります</translation>
+    </message>
+    <message>
+        <source>the free joint has another torque than --torque-reference says</source>
+        <translation>自由な関節のトルクが --torque-reference の値と異なります</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>判定不能</translation>
+    </message>
+    <message>
+        <source>%1, safe to touch, level %2 of 5</source>
+        <translation>%1、触れても安全、レベル%2/5</translation>
+    </message>
+    <message>
+        <source>%1, danger, level %2 of 5</source>
+        <translation>%1、危険、レベル%2/5</translation>
+    </message>
+    <message>
+        <source>two-point</source>
+        <translation>2点法</translation>
+    </message>
+    <message>
+        <source>regression</source>
+        <translation>回帰</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>サンプル数</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>%1 rad</source>
+        <translation>%1 rad</translation>
+    </message>
+    <message>
+        <source>Torque rise</source>
+        <translation>トルク上昇</translation>
+    </message>
+    <message>
+        <source>%1 Nm</source>
+        <translation>%1 Nm</translation>
+    </message>
+    <message>
+        <source>Total stiffness</source>
+        <translation>全体の剛性</translation>
+    </message>
+    <message>
+        <source>Object stiffness</source>
+        <translation>物体の剛性</translation>
+    </message>
+    <message>
+        <source>Secant, tangent</source>
+        <translation>割線、接線</translation>
+    </message>
+    <message>
+        <source>%1 N/m, %2 N/m at the upper end</source>
+        <translation>%1 N/m、上端で%2 N/m</translation>
+    </message>
+    <message>
+        <source>Static stiffness</source>
+        <translation>静的な硬さ</translation>
+    </message>
+    <message>
+        <source>Quick over static</source>
+        <translation>動的と静的の比</translation>
+    </message>
+    <message>
+        <source>1 + %1 (95 %: %2 to %3)</source>
+        <translation>1 + %1 (95 %: %2～%3)</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>緩和時間</translation>
+    </message>
+    <message>
+        <source>%1 s (95 %: %2 to %3)</source>
+        <translation>%1 s (95 %: %2～%3)</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Reliable</source>
+        <translation>信頼性</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>CSV with the columns time_s,joint_angle_rad,joint_torque_nm</source>
+        <translation>time_s,joint_angle_rad,joint_torque_nm の列を持つCSV</translation>
+    </message>
+    <message>
+        <source>Distance of the contact from the joint&apos;s axis along the link, m</source>
+        <translation>関節軸からリンクに沿った接触点までの距離、m</translation>
+    </message>
+    <message>
+        <source>Standard error of the contact distance, m; it enters twice. Default: 0.05 % of the distance</source>
+        <translation>接触距離の標準誤差 (m)。2回効きます。既定値: 距離の0.05 %</translation>
+    </message>
+    <message>
+        <source>Half the thickness of the link, m; it cancels out of the stiffness</source>
+        <translation>リンクの厚さの半分、m。剛性の計算では打ち消し合います</translation>
+    </message>
+    <message>
+        <source>The link&apos;s own stiffness, N/m</source>
+        <translation>リンク自体の剛性、N/m</translation>
+    </message>
+    <message>
+        <source>Standard error of that stiffness, N/m</source>
+        <translation>その硬さの標準誤差 (N/m)</translation>
+    </message>
+    <message>
+        <source>Torque of the joint without the touch, Nm; start: that of the free motion before the touch, or 0 when there is none</source>
+        <translation>タッチがないときの関節のトルク (Nm)。start: タッチ前の自由な動きのトルク、なければ0</translation>
+    </message>
+    <message>
+        <source>two-point: the samples nearest to both borders of the window; regression: all samples in it</source>
+        <translation>two-point: 窓の両端に最も近いサンプル。regression: 窓内の全サンプル</translation>
+    </message>
+    <message>
+        <source>Torques between which the touch is evaluated, Nm</source>
+        <translation>タッチを評価するトルクの範囲、Nm</translation>
+    </message>
+    <message>
+        <source>0 or more is expected</source>
+        <translation>0以上の値が必要です</translation>
+    </message>
+    <message>
+        <source>a lower border of 0 or more and a higher upper one are expected</source>
+        <translation>0以上の下限と、それより大きい上限が必要です</translation>
+    </message>
+    <message>
+        <source>a torque in Nm or start is expected</source>
+        <translation>トルク (Nm) または start が必要です</translation>
+    </message>
+    <message>
+        <source>the touch is stiffer than the link allows: check contact distance and link stiffness</source>
+        <translation>タッチがリンクの許す値より硬い結果です: 接触距離とリンク剛性を確認してください</translation>
+    </message>
+    <message>
+        <source>Stiffness and material of an object from joint angle and torque during a touch</source>
+        <translation>タッチ中の関節角度とトルクから求めた物体の剛性と材料</translation>
     </message>
 </context>
 <context>

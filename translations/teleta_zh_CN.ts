@@ -5268,229 +5268,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>StiffnessCommand</name>
-    <message>
-        <source>sponge</source>
-        <translation>海绵</translation>
-    </message>
-    <message>
-        <source>rubber sponge</source>
-        <translation>橡胶海绵</translation>
-    </message>
-    <message>
-        <source>rubber</source>
-        <translation>橡胶</translation>
-    </message>
-    <message>
-        <source>wood</source>
-        <translation>木材</translation>
-    </message>
-    <message>
-        <source>metal</source>
-        <translation>金属</translation>
-    </message>
-    <message>
-        <source>at least %1 N/m (95 %)</source>
-        <translation>至少 %1 N/m (95 %)</translation>
-    </message>
-    <message>
-        <source>%1 N/m (uncertainty not available)</source>
-        <translation>%1 N/m（不确定度不可用）</translation>
-    </message>
-    <message>
-        <source>%1 N/m (95 %: %2 to %3)</source>
-        <translation>%1 N/m（95 %：%2 至 %3）</translation>
-    </message>
-    <message>
-        <source>two-point</source>
-        <translation>两点法</translation>
-    </message>
-    <message>
-        <source>regression</source>
-        <translation>回归法</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>方法</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>样本</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>转角</translation>
-    </message>
-    <message>
-        <source>%1 rad</source>
-        <translation>%1 rad</translation>
-    </message>
-    <message>
-        <source>Torque rise</source>
-        <translation>力矩上升</translation>
-    </message>
-    <message>
-        <source>%1 Nm</source>
-        <translation>%1 Nm</translation>
-    </message>
-    <message>
-        <source>Total stiffness</source>
-        <translation>总刚度</translation>
-    </message>
-    <message>
-        <source>Object stiffness</source>
-        <translation>物体刚度</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>材料</translation>
-    </message>
-    <message>
-        <source>%1, safe to touch, level %2 of 5</source>
-        <translation>%1，可安全触碰，等级 %2（共 5 级）</translation>
-    </message>
-    <message>
-        <source>%1, danger, level %2 of 5</source>
-        <translation>%1，危险，等级 %2（共 5 级）</translation>
-    </message>
-    <message>
-        <source>Stiffness and material of an object from joint angle and torque during a touch</source>
-        <translation>由触碰期间的关节角和力矩求物体的刚度和材料</translation>
-    </message>
-    <message>
-        <source>CSV with the columns time_s,joint_angle_rad,joint_torque_nm</source>
-        <translation>CSV，含列 time_s,joint_angle_rad,joint_torque_nm</translation>
-    </message>
-    <message>
-        <source>Distance of the contact from the joint&apos;s axis along the link, m</source>
-        <translation>接触点沿连杆到关节轴的距离，m</translation>
-    </message>
-    <message>
-        <source>Half the thickness of the link, m; it cancels out of the stiffness</source>
-        <translation>连杆厚度的一半，m；在刚度中相互抵消</translation>
-    </message>
-    <message>
-        <source>The link&apos;s own stiffness, N/m</source>
-        <translation>连杆自身的刚度，N/m</translation>
-    </message>
-    <message>
-        <source>two-point: the samples nearest to both borders of the window; regression: all samples in it</source>
-        <translation>two-point：最接近窗口两端的样本；regression：窗口内的所有样本</translation>
-    </message>
-    <message>
-        <source>Torques between which the touch is evaluated, Nm</source>
-        <translation>用于评估触碰的力矩范围，Nm</translation>
-    </message>
-    <message>
-        <source>0 or more is expected</source>
-        <translation>应为 0 或更大</translation>
-    </message>
-    <message>
-        <source>a lower border of 0 or more and a higher upper one are expected</source>
-        <translation>应为 0 或更大的下限和更高的上限</translation>
-    </message>
-    <message>
-        <source>the touch is stiffer than the link allows: check contact distance and link stiffness</source>
-        <translation>触碰的刚度超出连杆允许的范围：请检查接触距离和连杆刚度</translation>
-    </message>
-    <message>
-        <source>the noise of neighbouring samples is not independent</source>
-        <translation>相邻样本的噪声不独立</translation>
-    </message>
-    <message>
-        <source>one step of the torque reading is over a tenth of the window</source>
-        <translation>力矩读数的一个步长超过窗口的十分之一</translation>
-    </message>
-    <message>
-        <source>one step of the angle reading is over a tenth of the rotation</source>
-        <translation>角度读数的一个步长超过转角的十分之一</translation>
-    </message>
-    <message>
-        <source>the free joint has a torque; it was taken off</source>
-        <translation>自由关节存在力矩，已扣除</translation>
-    </message>
-    <message>
-        <source>the torque of the free joint changes; the change was taken off</source>
-        <translation>自由关节的力矩有变化，该变化已扣除</translation>
-    </message>
-    <message>
-        <source>the stiffness changes within the window</source>
-        <translation>刚度在窗口内发生变化</translation>
-    </message>
-    <message>
-        <source>the force depends on how quickly the object is pressed</source>
-        <translation>力取决于按压物体的快慢</translation>
-    </message>
-    <message>
-        <source>the torque jumps, or the joint has play</source>
-        <translation>力矩跳变，或关节有间隙</translation>
-    </message>
-    <message>
-        <source>the free joint has another torque than --torque-reference says</source>
-        <translation>自由关节的力矩与 --torque-reference 的值不同</translation>
-    </message>
-    <message>
-        <source>cannot tell</source>
-        <translation>无法判断</translation>
-    </message>
-    <message>
-        <source>Secant, tangent</source>
-        <translation>割线、切线</translation>
-    </message>
-    <message>
-        <source>%1 N/m, %2 N/m at the upper end</source>
-        <translation>%1 N/m，上端为 %2 N/m</translation>
-    </message>
-    <message>
-        <source>Static stiffness</source>
-        <translation>静态刚度</translation>
-    </message>
-    <message>
-        <source>Quick over static</source>
-        <translation>快速与静态之比</translation>
-    </message>
-    <message>
-        <source>1 + %1 (95 %: %2 to %3)</source>
-        <translation>1 + %1（95 %：%2 至 %3）</translation>
-    </message>
-    <message>
-        <source>Relaxation</source>
-        <translation>松弛时间</translation>
-    </message>
-    <message>
-        <source>%1 s (95 %: %2 to %3)</source>
-        <translation>%1 s（95 %：%2 至 %3）</translation>
-    </message>
-    <message>
-        <source>Reliable</source>
-        <translation>可靠</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>否</translation>
-    </message>
-    <message>
-        <source>Warning</source>
-        <translation>警告</translation>
-    </message>
-    <message>
-        <source>Standard error of the contact distance, m; it enters twice. Default: 0.05 % of the distance</source>
-        <translation>接触距离的标准误差（m），计入两次。默认：距离的 0.05 %</translation>
-    </message>
-    <message>
-        <source>Standard error of that stiffness, N/m</source>
-        <translation>该刚度的标准误差（N/m）</translation>
-    </message>
-    <message>
-        <source>Torque of the joint without the touch, Nm; start: that of the free motion before the touch, or 0 when there is none</source>
-        <translation>没有触碰时关节的力矩（Nm）；start：触碰前自由运动的力矩，没有则为 0</translation>
-    </message>
-    <message>
-        <source>a torque in Nm or start is expected</source>
-        <translation>应为以 Nm 为单位的力矩或 start</translation>
-    </message>
-</context>
-<context>
     <name>StiffnessText</name>
     <message>
         <source>the log has no samples</source>
@@ -5555,6 +5332,226 @@ Run %2 --help for more.
     <message>
         <source>SI units</source>
         <translation>SI 单位</translation>
+    </message>
+    <message>
+        <source>sponge</source>
+        <translation>海绵</translation>
+    </message>
+    <message>
+        <source>rubber sponge</source>
+        <translation>橡胶海绵</translation>
+    </message>
+    <message>
+        <source>rubber</source>
+        <translation>橡胶</translation>
+    </message>
+    <message>
+        <source>wood</source>
+        <translation>木材</translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation>金属</translation>
+    </message>
+    <message>
+        <source>at least %1 N/m (95 %)</source>
+        <translation>至少 %1 N/m (95 %)</translation>
+    </message>
+    <message>
+        <source>%1 N/m (uncertainty not available)</source>
+        <translation>%1 N/m（不确定度不可用）</translation>
+    </message>
+    <message>
+        <source>%1 N/m (95 %: %2 to %3)</source>
+        <translation>%1 N/m（95 %：%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>the noise of neighbouring samples is not independent</source>
+        <translation>相邻样本的噪声不独立</translation>
+    </message>
+    <message>
+        <source>one step of the torque reading is over a tenth of the window</source>
+        <translation>力矩读数的一个步长超过窗口的十分之一</translation>
+    </message>
+    <message>
+        <source>one step of the angle reading is over a tenth of the rotation</source>
+        <translation>角度读数的一个步长超过转角的十分之一</translation>
+    </message>
+    <message>
+        <source>the free joint has a torque; it was taken off</source>
+        <translation>自由关节存在力矩，已扣除</translation>
+    </message>
+    <message>
+        <source>the torque of the free joint changes; the change was taken off</source>
+        <translation>自由关节的力矩有变化，该变化已扣除</translation>
+    </message>
+    <message>
+        <source>the stiffness changes within the window</source>
+        <translation>刚度在窗口内发生变化</translation>
+    </message>
+    <message>
+        <source>the force depends on how quickly the object is pressed</source>
+        <translation>力取决于按压物体的快慢</translation>
+    </message>
+    <message>
+        <source>the torque jumps, or the joint has play</source>
+        <translation>力矩跳变，或关节有间隙</translation>
+    </message>
+    <message>
+        <source>the free joint has another torque than --torque-reference says</source>
+        <translation>自由关节的力矩与 --torque-reference 的值不同</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>无法判断</translation>
+    </message>
+    <message>
+        <source>%1, safe to touch, level %2 of 5</source>
+        <translation>%1，可安全触碰，等级 %2（共 5 级）</translation>
+    </message>
+    <message>
+        <source>%1, danger, level %2 of 5</source>
+        <translation>%1，危险，等级 %2（共 5 级）</translation>
+    </message>
+    <message>
+        <source>two-point</source>
+        <translation>两点法</translation>
+    </message>
+    <message>
+        <source>regression</source>
+        <translation>回归法</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>样本</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>转角</translation>
+    </message>
+    <message>
+        <source>%1 rad</source>
+        <translation>%1 rad</translation>
+    </message>
+    <message>
+        <source>Torque rise</source>
+        <translation>力矩上升</translation>
+    </message>
+    <message>
+        <source>%1 Nm</source>
+        <translation>%1 Nm</translation>
+    </message>
+    <message>
+        <source>Total stiffness</source>
+        <translation>总刚度</translation>
+    </message>
+    <message>
+        <source>Object stiffness</source>
+        <translation>物体刚度</translation>
+    </message>
+    <message>
+        <source>Secant, tangent</source>
+        <translation>割线、切线</translation>
+    </message>
+    <message>
+        <source>%1 N/m, %2 N/m at the upper end</source>
+        <translation>%1 N/m，上端为 %2 N/m</translation>
+    </message>
+    <message>
+        <source>Static stiffness</source>
+        <translation>静态刚度</translation>
+    </message>
+    <message>
+        <source>Quick over static</source>
+        <translation>快速与静态之比</translation>
+    </message>
+    <message>
+        <source>1 + %1 (95 %: %2 to %3)</source>
+        <translation>1 + %1（95 %：%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>松弛时间</translation>
+    </message>
+    <message>
+        <source>%1 s (95 %: %2 to %3)</source>
+        <translation>%1 s（95 %：%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Reliable</source>
+        <translation>可靠</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>CSV with the columns time_s,joint_angle_rad,joint_torque_nm</source>
+        <translation>CSV，含列 time_s,joint_angle_rad,joint_torque_nm</translation>
+    </message>
+    <message>
+        <source>Distance of the contact from the joint&apos;s axis along the link, m</source>
+        <translation>接触点沿连杆到关节轴的距离，m</translation>
+    </message>
+    <message>
+        <source>Standard error of the contact distance, m; it enters twice. Default: 0.05 % of the distance</source>
+        <translation>接触距离的标准误差（m），计入两次。默认：距离的 0.05 %</translation>
+    </message>
+    <message>
+        <source>Half the thickness of the link, m; it cancels out of the stiffness</source>
+        <translation>连杆厚度的一半，m；在刚度中相互抵消</translation>
+    </message>
+    <message>
+        <source>The link&apos;s own stiffness, N/m</source>
+        <translation>连杆自身的刚度，N/m</translation>
+    </message>
+    <message>
+        <source>Standard error of that stiffness, N/m</source>
+        <translation>该刚度的标准误差（N/m）</translation>
+    </message>
+    <message>
+        <source>Torque of the joint without the touch, Nm; start: that of the free motion before the touch, or 0 when there is none</source>
+        <translation>没有触碰时关节的力矩（Nm）；start：触碰前自由运动的力矩，没有则为 0</translation>
+    </message>
+    <message>
+        <source>two-point: the samples nearest to both borders of the window; regression: all samples in it</source>
+        <translation>two-point：最接近窗口两端的样本；regression：窗口内的所有样本</translation>
+    </message>
+    <message>
+        <source>Torques between which the touch is evaluated, Nm</source>
+        <translation>用于评估触碰的力矩范围，Nm</translation>
+    </message>
+    <message>
+        <source>0 or more is expected</source>
+        <translation>应为 0 或更大</translation>
+    </message>
+    <message>
+        <source>a lower border of 0 or more and a higher upper one are expected</source>
+        <translation>应为 0 或更大的下限和更高的上限</translation>
+    </message>
+    <message>
+        <source>a torque in Nm or start is expected</source>
+        <translation>应为以 Nm 为单位的力矩或 start</translation>
+    </message>
+    <message>
+        <source>the touch is stiffer than the link allows: check contact distance and link stiffness</source>
+        <translation>触碰的刚度超出连杆允许的范围：请检查接触距离和连杆刚度</translation>
+    </message>
+    <message>
+        <source>Stiffness and material of an object from joint angle and torque during a touch</source>
+        <translation>由触碰期间的关节角和力矩求物体的刚度和材料</translation>
     </message>
 </context>
 <context>

@@ -35,7 +35,7 @@ using stiffness::TouchWarning;
 constexpr const char* kFromStart = "start";
 
 struct StiffnessText {
-    Q_DECLARE_TR_FUNCTIONS(StiffnessCommand)
+    Q_DECLARE_TR_FUNCTIONS(StiffnessText)
 };
 
 nlohmann::ordered_json toJson(const stiffness::Interval95& interval) {
