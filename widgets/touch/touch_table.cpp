@@ -101,7 +101,7 @@ void TouchTable::restyle() {
                 {TouchModel::point, QStringLiteral("\u2212888, \u2212888, \u2212888 mm")},
                 {TouchModel::distance, QStringLiteral("888 mm")},
                 {TouchModel::force, QStringLiteral("\u22128.88, \u22128.88, \u22128.88 N")},
-                {TouchModel::stiffness, QStringLiteral("88.8 kN/m (88.8 … 88.8 kN/m)")},
+                {TouchModel::stiffness, QStringLiteral("      88.8 kN/m (88.8 … 88.8 kN/m)")},
                 {TouchModel::material, QStringLiteral("rubber (not certain), DANGER     ")},
                 {TouchModel::level, QStringLiteral("8")}},
                1.8);

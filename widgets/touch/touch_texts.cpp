@@ -38,16 +38,19 @@ QString TouchTexts::shape(Shape shape) {
     return tr(kNames[static_cast<std::size_t>(shape)]);
 }
 
+QString TouchTexts::shape(Shape shape, double confidence) {
+    return tr("%1 (%2 %)", "a recognised shape and its confidence")
+        .arg(TouchTexts::shape(shape))
+        .arg(std::lround(100.0 * confidence));
+}
+
 QString TouchTexts::recognition(const contour::Recognition& recognition) {
     const std::vector<Shape> candidates = recognition.candidates();
     QString text;
+    if (candidates.size() == 1)
+        return shape(candidates.front(), recognition.confidence);
     for (const Shape candidate : candidates) {
-        const double share = candidates.size() == 1
-                                 ? recognition.confidence
-                                 : recognition.probability[static_cast<std::size_t>(candidate)];
-        const QString one = tr("%1 (%2 %)", "a recognised shape and its confidence")
-                                .arg(shape(candidate))
-                                .arg(std::lround(100.0 * share));
+        const QString one = shape(candidate, recognition.probability[static_cast<std::size_t>(candidate)]);
         text = text.isEmpty() ? one : tr("%1 or %2", "recognised shapes").arg(text, one);
     }
     return text;

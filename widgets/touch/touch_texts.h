@@ -22,6 +22,8 @@ class TouchTexts {
 public:
     [[nodiscard]] static QString material(stiffness::Material material);
     [[nodiscard]] static QString shape(contour::Shape shape);
+    /// "circle (97 %)". confidence: 0 .. 1.
+    [[nodiscard]] static QString shape(contour::Shape shape, double confidence);
     /// "circle (97 %)", or the candidates where the points do not decide: "circle (55 %) or rectangle (40
     /// %)".
     [[nodiscard]] static QString recognition(const contour::Recognition& recognition);

@@ -258,7 +258,8 @@ void ArmViews::showContour(const pipeline::ExploredContour& contour) {
     QString label;
     if (contour.recognition) {
         vertices_m = contour.recognition->vertices_m;
-        label = touch::TouchTexts::recognition(*contour.recognition);
+        // The other candidates would hide the scene; the contour's dock has them.
+        label = touch::TouchTexts::shape(contour.recognition->shape, contour.recognition->confidence);
     }
     m_scene.setContour(atHeight(contour.points_m, contour.height_m),
                        atHeight(contour.curve_m, contour.height_m), atHeight(vertices_m, contour.height_m),
