@@ -125,6 +125,11 @@ void Protocol::describeKeys(Keys& keys) {
     describeQuestionnaires(keys, questionnaires);
 }
 
+double StudyTask::referenceOf(const std::string& condition) const {
+    const auto own = references.find(condition);
+    return own == references.end() ? levels.reference : own->second;
+}
+
 std::size_t Protocol::testTrials() const {
     std::size_t trials = 0;
     for (const StudyTask& task : tasks)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "backend/study/protocol/level_task.h"
 #include "backend/study/protocol/questionnaire.h"
 #include "backend/study/protocol/trial_order.h"
 
@@ -48,6 +49,14 @@ struct StudyTask {
     std::string name;
     std::vector<StudyPattern> patterns;
     std::vector<std::string> conditions;
+    Design design = Design::identification;
+    /// Of all designs but identification; `patterns` are then the answers that the design has.
+    LevelTask levels = {};
+    /// References of conditions that have their own.
+    std::map<std::string, double> references = {};
+
+    /// The level to which a condition compares.
+    [[nodiscard]] double referenceOf(const std::string& condition) const;
 };
 
 /// When the time to answer starts. Response times are measured from the onset in either case.

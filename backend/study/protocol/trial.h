@@ -33,7 +33,11 @@ struct PlannedTrial {
     std::size_t trial = 1;      ///< number in its phase, from 1; stays the same when it is shown again
     std::size_t repetition = 1; ///< occurrence of its pattern in the plan, from 1
     std::size_t attempt = 1;    ///< from 1; more after device faults and interruptions
-    std::size_t stimulus = 0;   ///< index of the pattern
+    std::size_t stimulus = 0;   ///< index of the pattern, or of the right answer
+    // Of trials with a level.
+    std::string track = {};                 ///< empty: none
+    std::optional<double> level = {};       ///< in the unit of what the task varies
+    std::optional<std::size_t> target = {}; ///< which intervals have the level, see trialPattern()
 };
 
 /// A trial that was shown, and its result.
@@ -54,6 +58,9 @@ struct TrialResult {
     std::size_t deviceFaults = 0;
     std::optional<double> frameWrite_ms;     ///< longest write of a frame of the stimulus; empty: unknown
     std::optional<std::size_t> framesMissed; ///< deadlines without a frame, and frames that were lost
+    std::optional<double> trigger_ms;        ///< from the onset to the marker that was written; empty: none
+    std::string recording;                   ///< file of the recording that has the trial; empty: none
+    std::optional<double> recording_s;       ///< its onset on the recording's clock
 
     [[nodiscard]] bool isComplete() const {
         return outcome != Outcome::aborted && outcome != Outcome::deviceError;

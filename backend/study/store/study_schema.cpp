@@ -61,7 +61,14 @@ const std::vector<QStringList>& steps() {
          QStringLiteral("CREATE TABLE note (key AUTOKEY, session INTEGER NOT NULL REFERENCES session (key), "
                         "text TEXT NOT NULL, time_utc TEXT NOT NULL)")},
         {QStringLiteral("CREATE TABLE stimulus (id TEXT PRIMARY KEY, file TEXT NOT NULL, "
-                        "pattern TEXT NOT NULL)")}};
+                        "pattern TEXT NOT NULL)")},
+        {QStringLiteral("ALTER TABLE trial ADD COLUMN track TEXT"),
+         QStringLiteral("ALTER TABLE trial ADD COLUMN level FLOAT"),
+         QStringLiteral("ALTER TABLE trial ADD COLUMN target INTEGER"),
+         QStringLiteral("ALTER TABLE trial ADD COLUMN trigger_ms FLOAT"),
+         QStringLiteral("ALTER TABLE trial ADD COLUMN recording TEXT"),
+         QStringLiteral("ALTER TABLE trial ADD COLUMN recording_s FLOAT"),
+         QStringLiteral("ALTER TABLE study ADD COLUMN observer TEXT NOT NULL DEFAULT ''")}};
     return kSteps;
 }
 

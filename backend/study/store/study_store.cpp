@@ -70,11 +70,12 @@ core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, con
     // The row is unique: of two programs that create the same study only one succeeds.
     const core::Expected<void> made = connection.inTransaction([&]() -> core::Expected<void> {
         TELETA_CHECK(
-            connection.run(QStringLiteral("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)"),
+            connection.run(QStringLiteral("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
                            {QString::fromStdString(head.protocol.source), QString::number(head.seed),
                             QString::fromLatin1(toString(head.mode)), sqlValue(head.plannedParticipants),
                             head.lapses, timeText(head.created), QString::fromStdString(head.appVersion),
-                            QString::fromStdString(stimulusSetSha256(head.protocol, own))}));
+                            QString::fromStdString(stimulusSetSha256(head.protocol, own)),
+                            QString::fromStdString(head.observer)}));
         for (const OwnStimulus& one : own) {
             TELETA_CHECK(
                 connection.run(QStringLiteral("INSERT INTO stimulus (id, file, pattern) VALUES (?, ?, ?)"),
@@ -124,9 +125,9 @@ core::Expected<StudyStore> StudyStore::open(const StoreLocation& location) {
 }
 
 core::Expected<void> StudyStore::readHead() {
-    TELETA_TRY(auto query,
-               m_connection->run(QStringLiteral("SELECT protocol, seed, mode, planned_participants, lapses, "
-                                                "created_utc, app_version, stimulus_set_sha256 FROM study")));
+    TELETA_TRY(auto query, m_connection->run(QStringLiteral(
+                               "SELECT protocol, seed, mode, planned_participants, lapses, "
+                               "created_utc, app_version, stimulus_set_sha256, observer FROM study")));
     if (!query.next())
         return core::failed(core::ErrorKind::badInput, StoreText::tr("the study was not created completely"),
                             {}, {m_connection->shownName()});
@@ -140,6 +141,7 @@ core::Expected<void> StudyStore::readHead() {
     m_head.created = timeOf(query.value(5).toString());
     m_head.appVersion = stringOf(query.value(6));
     m_head.stimulusSetSha256 = stringOf(query.value(7));
+    m_head.observer = stringOf(query.value(8));
     TELETA_TRY(auto copies,
                m_connection->run(QStringLiteral("SELECT id, file, pattern FROM stimulus ORDER BY id")));
     std::vector<OwnStimulus> own;

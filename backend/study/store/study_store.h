@@ -26,7 +26,8 @@ struct StudyHead {
     Mode mode = Mode::run;
     std::size_t plannedParticipants = 0; ///< of a rehearsal; 0: open
     double lapses = 0.0;                 ///< of simulated participants
-    QDateTime created;                   ///< UTC
+    std::string observer; ///< of simulated participants: SimulatedObserver in words; empty: the usual one
+    QDateTime created;    ///< UTC
     std::string appVersion;
     std::string stimulusSetSha256; ///< stimulusSetSha256() of the protocol when the study was made
     StimulusSet stimuli;           ///< as the store has them; create() reads those that the protocol names

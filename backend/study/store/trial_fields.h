@@ -29,6 +29,13 @@ void forEachField(Trial& trial, const Visit& visit) {
     visit("frame_write_ms", result.frameWrite_ms);
     visit("frames_missed", result.framesMissed);
     visit("time_utc", trial.time);
+    // Since schema 6.
+    visit("track", result.planned.track);
+    visit("level", result.planned.level);
+    visit("target", result.planned.target);
+    visit("trigger_ms", result.trigger_ms);
+    visit("recording", result.recording);
+    visit("recording_s", result.recording_s);
 }
 
 } // namespace teleta::study

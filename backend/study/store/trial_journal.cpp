@@ -12,8 +12,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <fcntl.h>
 #include <stdexcept>
+#include <string_view>
 #include <unistd.h>
 
 namespace teleta::study {
@@ -75,13 +78,23 @@ ordered_json toJson(const PendingTrial& trial) {
     return json;
 }
 
+bool isNewer(std::string_view field) {
+    constexpr std::array<std::string_view, 6> kNewer{"track",      "level",     "target",
+                                                     "trigger_ms", "recording", "recording_s"};
+    return std::ranges::find(kNewer, field) != kNewer.end();
+}
+
 PendingTrial fromJson(const ordered_json& json) {
     PendingTrial trial;
     if (!json.at("session_key").is_number_integer())
         throw std::out_of_range("not a key");
     trial.sessionKey = json.at("session_key");
     trial.sessionId = json.at("session_id");
-    forEachField(trial, [&](const char* name, auto& field) { readInto(json.at(name), field); });
+    forEachField(trial, [&](const char* name, auto& field) {
+        // Journals of older programs do not have the fields at the end.
+        if (json.contains(name) || !isNewer(name))
+            readInto(json.at(name), field);
+    });
     return trial;
 }
 

@@ -29,10 +29,13 @@ TrialCell numberCell(const std::optional<Number>& value) {
     return value ? numberCell(*value) : TrialCell{};
 }
 
+/// Of trial tables. 1 had no column after app_version.
+constexpr int kTrialSchema = 2;
+
 /// What rows of every table begin with. session: null for a participant as a whole.
 TrialRow firstCells(const StudyHead& head, const Participant& participant, const SessionRecord* session,
-                    const PlannedSession& plan) {
-    TrialRow row{numberCell(1), textCell(participant.id), {}, textCell(toString(head.mode)), {}, {}};
+                    const PlannedSession& plan, int schema = 1) {
+    TrialRow row{numberCell(schema), textCell(participant.id), {}, textCell(toString(head.mode)), {}, {}};
     if (session != nullptr) {
         const StudyTask& task = head.protocol.tasks[plan.task];
         row[2] = textCell(session->id);
@@ -125,7 +128,8 @@ std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& partic
         const TrialResult& result = stored.result;
         const bool practice = result.planned.phase == Phase::practice;
         const bool feedback = (practice ? protocol.practice : protocol.test).feedback;
-        TrialRow row = firstCells(head, participant, &session, plan);
+        TrialRow row = firstCells(head, participant, &session, plan, kTrialSchema);
+        const bool hasLevels = task.design != Design::identification;
         const std::initializer_list<TrialCell> others{
             numberCell(plan.conditionPosition + 1),
             numberCell(plan.sequenceRow + 1),
@@ -157,7 +161,17 @@ std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& partic
             textCell(std::to_string(plan.seed)),
             textCell(toString(protocol.order)),
             textCell(head.stimulusSetSha256),
-            textCell(head.appVersion)};
+            textCell(head.appVersion),
+            textCell(toString(task.design)),
+            textCell(result.planned.track),
+            numberCell(result.planned.level),
+            hasLevels ? textCell(unitOf(task.levels.vary)) : TrialCell{},
+            hasLevels ? numberCell(task.referenceOf(task.conditions[plan.condition])) : TrialCell{},
+            hasLevels ? textCell(task.levels.procedure) : TrialCell{},
+            TrialCell{},
+            numberCell(result.trigger_ms),
+            textCell(result.recording),
+            numberCell(result.recording_s)};
         row.insert(row.end(), others);
         rows.push_back(std::move(row));
     }

@@ -12,7 +12,7 @@
 namespace teleta::study {
 
 /// The columns of a trial table in every export.
-inline constexpr std::array<std::string_view, 37> kTrialColumns{
+inline constexpr std::array<std::string_view, 47> kTrialColumns{
     // The session.
     "schema", "participant_id", "session_id", "mode", "task", "condition", "condition_position",
     "sequence_row",
@@ -22,7 +22,10 @@ inline constexpr std::array<std::string_view, 37> kTrialColumns{
     "response_device", "response_key", "n_replays", "early_presses", "onset_s", "duration_s",
     "device_latency_ms", "device_faults",
     // How it was made.
-    "feedback", "masking_noise", "time_utc", "seed", "order_method", "stimulus_set_sha256", "app_version"};
+    "feedback", "masking_noise", "time_utc", "seed", "order_method", "stimulus_set_sha256", "app_version",
+    // Since schema 2: levels, exclusions, markers and recordings.
+    "design", "track", "level", "level_unit", "reference", "procedure", "excluded", "trigger_ms", "recording",
+    "recording_s"};
 
 /// A value of a trial table.
 struct TrialCell {

@@ -228,7 +228,11 @@ TEST_F(ReadOnlyStudyTest, ofAnOlderProgramIsRefusedThereAndBroughtUpToDateElsewh
             QSqlQuery query(database);
             for (const char* step :
                  {"DROP TABLE stimulus", "DROP TABLE note", "ALTER TABLE trial DROP COLUMN frame_write_ms",
-                  "ALTER TABLE trial DROP COLUMN frames_missed", "PRAGMA user_version = 3"})
+                  "ALTER TABLE trial DROP COLUMN frames_missed", "ALTER TABLE trial DROP COLUMN track",
+                  "ALTER TABLE trial DROP COLUMN level", "ALTER TABLE trial DROP COLUMN target",
+                  "ALTER TABLE trial DROP COLUMN trigger_ms", "ALTER TABLE trial DROP COLUMN recording",
+                  "ALTER TABLE trial DROP COLUMN recording_s", "ALTER TABLE study DROP COLUMN observer",
+                  "PRAGMA user_version = 3"})
                 ASSERT_TRUE(query.exec(step)) << step;
         }
         QSqlDatabase::removeDatabase("older");

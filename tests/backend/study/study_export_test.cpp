@@ -76,22 +76,25 @@ TEST_F(StudyExportTest, psychDsHasTheNamesAndColumnsOfTheFormat) {
     ASSERT_EQ(exportStudy(store, ExportFormat::psychds), 1U);
     const std::string path = "data/subject-P07/subject-P07_session-20261103T142233_task-shape_data";
     const std::string table = read(path + ".csv");
-    EXPECT_EQ(firstLine(table),
-              "schema,participant_id,session_id,mode,task,condition,condition_position,sequence_row,phase,"
-              "block,trial,"
-              "trial_in_block,repetition,attempt,stimulus,response,outcome,correct,response_time_s,"
-              "response_time_offset_s,response_limit_s,n_alternatives,response_device,response_key,n_replays,"
-              "early_presses,onset_s,duration_s,device_latency_ms,device_faults,feedback,masking_noise,time_"
-              "utc,seed,"
-              "order_method,stimulus_set_sha256,app_version");
+    EXPECT_EQ(
+        firstLine(table),
+        "schema,participant_id,session_id,mode,task,condition,condition_position,sequence_row,phase,"
+        "block,trial,"
+        "trial_in_block,repetition,attempt,stimulus,response,outcome,correct,response_time_s,"
+        "response_time_offset_s,response_limit_s,n_alternatives,response_device,response_key,n_replays,"
+        "early_presses,onset_s,duration_s,device_latency_ms,device_faults,feedback,masking_noise,time_"
+        "utc,seed,"
+        "order_method,stimulus_set_sha256,app_version,design,track,level,level_unit,reference,procedure,"
+        "excluded,trigger_ms,recording,recording_s");
     const std::string seed = std::to_string(planSessions(store.head().protocol, 5, 0)[0].seed);
     const std::string common = ",none,2026-11-03T14:22:33.000Z," + seed + ",full_random," +
-                               stimulusSetSha256(store.head().protocol) + ",0.1.0\n";
-    EXPECT_EQ(table.substr(table.find('\n') + 1), "1,P07,20261103T142233,run,shape,static,1,1,test,2,1,1,1,1,"
+                               stimulusSetSha256(store.head().protocol) +
+                               ",0.1.0,identification,NA,NA,NA,NA,NA,NA,NA,NA,NA\n";
+    EXPECT_EQ(table.substr(table.find('\n') + 1), "2,P07,20261103T142233,run,shape,static,1,1,test,2,1,1,1,1,"
                                                   "A,B,incorrect,0,1.25,-0.75,10,3,keyboard,;,0,"
                                                   "0,0,0,NA,0,0" +
                                                       common +
-                                                      "1,P07,20261103T142233,run,shape,static,1,1,test,2,2,2,"
+                                                      "2,P07,20261103T142233,run,shape,static,1,1,test,2,2,2,"
                                                       "1,1,C,NA,timeout,0,NA,NA,10,3,NA,NA,0,0,0,0,"
                                                       "NA,0,0" +
                                                       common);

@@ -205,10 +205,14 @@ TEST_F(StudyServerTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
         ASSERT_TRUE(store.keepTrial(session, trialNumber(1), kNow));
     }
     // As schema 2 left it.
-    s_server->sql("DROP TABLE " + m_study + ".answer, " + m_study + ".note, " + m_study +
-                  ".stimulus; ALTER TABLE " + m_study +
-                  ".trial DROP COLUMN frame_write_ms, DROP COLUMN frames_missed; DELETE FROM " + m_study +
-                  ".schema_version WHERE version > 2");
+    s_server->sql(
+        "DROP TABLE " + m_study + ".answer, " + m_study + ".note, " + m_study + ".stimulus; ALTER TABLE " +
+        m_study +
+        ".trial DROP COLUMN frame_write_ms, DROP COLUMN frames_missed, DROP COLUMN track, DROP COLUMN "
+        "level, DROP COLUMN target, DROP COLUMN trigger_ms, DROP COLUMN recording, DROP COLUMN "
+        "recording_s; ALTER TABLE " +
+        m_study + ".study DROP COLUMN observer; DELETE FROM " + m_study +
+        ".schema_version WHERE version > 2");
     const auto store = StudyStore::open(at());
     ASSERT_TRUE(store) << core::describe(store.error());
     EXPECT_EQ(store->trials(session)->size(), 1U);

@@ -49,6 +49,7 @@ protected:
         head.mode = Mode::pilot;
         head.created = kNow;
         head.appVersion = "0.1.0";
+        head.observer = "t=0.2,slope=3.5";
         return head;
     }
 
@@ -90,6 +91,12 @@ protected:
         result.deviceFaults = 1;
         result.frameWrite_ms = 0.125;
         result.framesMissed = 3;
+        result.planned.track = "t2";
+        result.planned.level = 0.1;
+        result.planned.target = 1;
+        result.trigger_ms = 0.75;
+        result.recording = "P07_1.teleta";
+        result.recording_s = 12.625;
         return result;
     }
 
@@ -105,6 +112,7 @@ TEST_F(StudyStoreTest, keepsWhatTheStudyIs) {
     EXPECT_EQ(store->head().seed, 18'000'000'000'000'000'001U);
     EXPECT_EQ(store->head().mode, Mode::pilot);
     EXPECT_EQ(store->head().created, kNow);
+    EXPECT_EQ(store->head().observer, "t=0.2,slope=3.5");
     EXPECT_EQ(store->head().protocol.tasks[0].patterns.size(), 3U);
     EXPECT_EQ(store->head().protocol.source, smallProtocol().source);
 }
@@ -150,6 +158,12 @@ TEST_F(StudyStoreTest, givesATrialBackAsItWas) {
     EXPECT_EQ(first.deviceFaults, 1U);
     EXPECT_EQ(first.frameWrite_ms, 0.125);
     EXPECT_EQ(first.framesMissed, 3U);
+    EXPECT_EQ(first.planned.track, "t2");
+    EXPECT_EQ(first.planned.level, 0.1);
+    EXPECT_EQ(first.planned.target, 1U);
+    EXPECT_EQ(first.trigger_ms, 0.75);
+    EXPECT_EQ(first.recording, "P07_1.teleta");
+    EXPECT_EQ(first.recording_s, 12.625);
     EXPECT_EQ(trials->front().time, kNow);
     const TrialResult& second = trials->back().result;
     EXPECT_FALSE(second.response);
@@ -157,6 +171,12 @@ TEST_F(StudyStoreTest, givesATrialBackAsItWas) {
     EXPECT_FALSE(second.deviceLatency_ms);
     EXPECT_FALSE(second.frameWrite_ms);
     EXPECT_FALSE(second.framesMissed);
+    EXPECT_EQ(second.planned.track, "");
+    EXPECT_FALSE(second.planned.level);
+    EXPECT_FALSE(second.planned.target);
+    EXPECT_FALSE(second.trigger_ms);
+    EXPECT_EQ(second.recording, "");
+    EXPECT_FALSE(second.recording_s);
     EXPECT_EQ(second.outcome, Outcome::timeout);
 }
 

@@ -55,6 +55,25 @@ TEST(TrialJournal, aLineThatDidNotFitOnTheDiskSpoilsNoOther) {
     EXPECT_EQ(trials->back().result.responseTime_s, 0.1 + 0.2);
 }
 
+TEST(TrialJournal, readsLinesOfProgramsThatKnewNoLevels) {
+    const test::TemporaryFolder folder;
+    const TrialJournal journal(folder.path(""), 7);
+    std::ofstream(journal.path())
+        << R"({"session_key":7,"session_id":"20261103T142233","phase":"test","trial":1,"repetition":2,)"
+           R"("attempt":1,"stimulus":1,"trial_in_block":1,"response":2,"outcome":"incorrect",)"
+           R"("response_time_s":0.25,"response_time_offset_s":null,"response_device":"","response_key":"",)"
+           R"("n_replays":0,"early_presses":0,"onset_s":0.0,"duration_s":0.0,"device_latency_ms":null,)"
+           R"("device_faults":0,"frame_write_ms":null,"frames_missed":null,)"
+           R"("time_utc":"2026-11-03T14:22:33.250Z"})"
+        << '\n';
+    const auto trials = journal.read();
+    ASSERT_TRUE(trials) << core::describe(trials.error());
+    ASSERT_EQ(trials->size(), 1U);
+    EXPECT_EQ(trials->front().result.response, 2U);
+    EXPECT_FALSE(trials->front().result.planned.level);
+    EXPECT_EQ(trials->front().result.planned.track, "");
+}
+
 TEST(TrialJournal, leavesOutALastLineThatACrashCutOffAndReportsAnyOtherDamage) {
     const test::TemporaryFolder folder;
     const TrialJournal journal(folder.path(""), 7);
