@@ -4,7 +4,7 @@
 # FOLDER holds the exported trials (data/.../*_data.csv), or else the results of an analysis (confusion_long.csv, which
 # has no response times, and of the patterns only those that it names); summary_r.csv, group_r.csv and anova_r.csv are
 # written to OUT. Both are the present folder unless named. Their columns are those of summary.csv, group.csv and
-# anova.csv.
+# anova.csv. Tasks with levels also give thresholds_r.csv and sdt_r.csv.
 
 arguments <- commandArgs(trailingOnly = TRUE)
 folder <- if (length(arguments) > 0) arguments[1] else "."
@@ -41,6 +41,316 @@ write_table <- function(table, name) {
     write.csv(table, file.path(out, name), row.names = FALSE, quote = FALSE)
 }
 
+# Tasks with levels: psychometric functions and signal detection, from the trials or from levels.csv and sdt.csv.
+# p of the deviance and what adaptive procedures themselves estimate are not computed here.
+levels_of_trials <- function(trials) {
+    if (!all(c("design", "level") %in% names(trials)))
+        return(NULL)
+    trials <- trials[!is.na(trials$level) & !is.na(trials$design) & trials$design != "identification", ]
+    if ("excluded" %in% names(trials))
+        trials <- trials[is.na(trials$excluded), ]
+    if (nrow(trials) == 0)
+        return(NULL)
+    trials$level <- as.numeric(trials$level)
+    trials$reference <- as.numeric(trials$reference)
+    equal <- abs(trials$level - trials$reference) <= 1e-9 * abs(trials$reference)
+    right <- !is.na(trials$response) & trials$response == trials$stimulus
+    more <- trials$level >= trials$reference | equal
+    trials$positive <- ifelse(trials$design == "yes_no", trials$response %in% "yes",
+                       ifelse(trials$design == "same_different", trials$response %in% "different",
+                       ifelse(trials$design == "compare", right == more, right)))
+    trials$counts <- !(trials$design == "yes_no" & trials$stimulus == "no") &
+                     !(trials$design == "same_different" & trials$stimulus == "same")
+    trials[trials$design != "compare" | !is.na(trials$response), ]
+}
+
+place_columns <- c("participant_id", "task", "condition", "track")
+split_places <- function(rows) split(rows, rows[place_columns], drop = TRUE)
+
+level_table_of <- function(part) {
+    shown <- part[part$counts, ]
+    if (nrow(shown) == 0)
+        return(NULL)
+    design <- shown$design[1]
+    none <- part[!part$counts, ]
+    scale <- if (shown$level_unit[1] %in% c("drive", NA) && design != "compare" && min(shown$level) > 0) "log10" else "linear"
+    guess <- if (design == "interval") 1 / as.numeric(shown$n_alternatives[1])
+             else if (design == "compare") NA
+             else if (nrow(none) > 0) (sum(none$positive) + 0.5) / (nrow(none) + 1)
+             else 0.02
+    n <- aggregate(cbind(n = 1, n_positive = as.numeric(positive)) ~ level, shown, sum)
+    cbind(shown[rep(1, nrow(n)), c(place_columns, "design")], "function" = if (scale == "log10") "weibull" else "gauss",
+          scale = scale, guess = guess, lapse_lo = 0, lapse_hi = 0.06, level = n$level,
+          level_unit = shown$level_unit[1], reference = shown$reference[1], n = n$n, n_positive = n$n_positive)
+}
+
+# F and 1 - F, without cancellation.
+rise_of <- function(name, x, t, s, complement = FALSE)
+    switch(name, gauss = pnorm(x, t, s, lower.tail = !complement), logistic = plogis(x, t, s, lower.tail = !complement),
+           weibull = {
+               u <- ifelse(x > 0, exp(pmin(s * log(pmax(x, 1e-300) / t), 700)), 0) * log(2)
+               if (complement) exp(-u) else -expm1(-u)
+           })
+
+fit_of <- function(part) {
+    name <- part[["function"]][1]
+    x <- part$level
+    n <- part$n
+    k <- part$n_positive
+    guess <- part$guess[1]
+    middle <- if (is.na(guess)) 0.5 else (1 + guess) / 2
+    free <- part$lapse_hi[1] > part$lapse_lo[1]
+    line <- data.frame(part[1, c(place_columns, "design", "function")], n = sum(n), threshold = NA, lo = NA, hi = NA,
+                       interval = "profile", unit = part$level_unit[1], spread = NA, guess = guess,
+                       lapse = if (free) NA else part$lapse_lo[1], deviance = NA, jnd = NA, weber = NA, pse = NA,
+                       note = NA, check.names = FALSE)
+    said <- function(note) {
+        line$note <- note
+        line
+    }
+    log_scale <- part$scale[1] == "log10" || name == "weibull"
+    if (log_scale && max(x) <= 0)
+        return(said("levelsNotAbove0"))
+    rank <- seq_along(x) - 1
+    share <- sum(k) / sum(n)
+    trend <- share * (1 - share) * (sum(n * rank^2) - sum(n * rank)^2 / sum(n))
+    if (trend > 0 && (sum(rank * k) - share * sum(n * rank)) / sqrt(trend) < -1.96)
+        return(said("falls"))
+    if (length(x) < 2 + free)
+        return(said("tooFewLevels"))
+    range <- max(x) - min(x)
+    gap <- min(diff(x))
+    positive <- min(x[x > 0 | !log_scale])
+    ends <- if (part$scale[1] == "log10") c(positive / 10, max(x) * 10)
+            else c(if (log_scale) max(min(x) - range, positive / 10) else min(x) - range, max(x) + range)
+    if (log_scale)
+        ends <- log(ends)
+    spreads <- log(if (name == "weibull") c(0.3, 60) else c(gap / 20, 10 * range))
+    low <- c(ends[1], spreads[1], part$lapse_lo[1])
+    high <- c(ends[2], spreads[2], part$lapse_hi[1])
+    term <- function(count, p) sum(ifelse(count == 0, 0, count * log(pmax(p, 1e-100))))
+    minus <- function(at) {
+        t <- if (log_scale) exp(at[1]) else at[1]
+        g <- if (is.na(guess)) at[3] else guess
+        rising <- 1 - g - at[3]
+        -term(k, g + rising * rise_of(name, x, t, exp(at[2]))) -
+            term(n - k, at[3] + rising * rise_of(name, x, t, exp(at[2]), TRUE))
+    }
+    # Parameters with `held` in place of NA are searched from the best points of a grid, never from one start.
+    search <- function(held = c(NA, NA, if (free) NA else low[3]), also = NULL) {
+        open <- which(is.na(held))
+        inner <- if (log_scale) log(c(positive, max(x))) else range(x)
+        values <- list(if (is.na(held[1])) c(seq(inner[1], inner[2], length.out = 14), seq(inner[1], low[1], length.out = 4)[-1],
+                                             seq(inner[2], high[1], length.out = 4)[-1]) else held[1],
+                       if (is.na(held[2])) low[2] + (seq_len(10) - 0.5) / 10 * (high[2] - low[2]) else held[2],
+                       if (is.na(held[3])) low[3] + (seq_len(4) - 0.5) / 4 * (high[3] - low[3]) else held[3])
+        grid <- as.matrix(expand.grid(values))
+        starts <- grid[order(apply(grid, 1, minus))[seq_len(min(3, nrow(grid)))], , drop = FALSE]
+        if (!is.null(also))
+            starts <- rbind(also, starts)
+        best <- list(value = Inf)
+        for (i in seq_len(nrow(starts))) {
+            put <- function(some) replace(ifelse(is.na(held), 0, held), open, some)
+            end <- nlminb(starts[i, open], function(some) minus(put(some)), lower = low[open], upper = high[open],
+                          control = list(rel.tol = 1e-13, x.tol = 1e-11, iter.max = 500, eval.max = 1000))
+            if (end$objective < best$value)
+                best <- list(value = end$objective, at = put(end$par))
+        }
+        best
+    }
+    best <- search()
+    constant <- -term(k, share) - term(n - k, 1 - share)
+    exact <- binom.test(sum(k), sum(n))$conf.int
+    if (2 * (constant - best$value) < qchisq(0.95, 1))
+        return(said(if (exact[1] > middle) sprintf("belowRange (below %s)", format(min(x), digits = 15))
+                    else if (exact[2] < middle) sprintf("aboveRange (above %s)", format(max(x), digits = 15))
+                    else "noRise"))
+    t_of <- function(parameter) if (log_scale) exp(parameter) else parameter
+    outside <- function(t) if (t < min(x) * (1 - 1e-9)) sprintf("belowRange (below %s)", format(min(x), digits = 15))
+                           else if (t > max(x) * (1 + 1e-9)) sprintf("aboveRange (above %s)", format(max(x), digits = 15))
+    t <- t_of(best$at[1])
+    if (!is.null(outside(t)))
+        return(said(outside(t)))
+    lapse_held <- if (free) NA else low[3]
+    step <- any(sapply(c(low[2], high[2]), function(limit) search(c(NA, limit, lapse_held), best$at)$value - best$value < 1e-6))
+    excess <- function(parameter) 2 * (search(c(parameter, NA, lapse_held), best$at)$value - best$value) - qchisq(0.95, 1)
+    # Outwards in twentieths of the way to the limit, as far as the profile stays close.
+    end_of <- function(limit) {
+        before <- best$at[1]
+        for (share in (seq_len(40) / 40)^2) {
+            at <- best$at[1] + share * (limit - best$at[1])
+            if (excess(at) > 0)
+                return(t_of(uniroot(excess, sort(c(before, at)), tol = 1e-10)$root))
+            before <- at
+        }
+        NA
+    }
+    line$lo <- end_of(low[1])
+    line$hi <- end_of(high[1])
+    if (step) {
+        t <- if (part$scale[1] == "log10") sqrt(line$lo * line$hi) else (line$lo + line$hi) / 2
+        if (!is.na(t) && !is.null(outside(t))) {
+            line$lo <- NA
+            line$hi <- NA
+            return(said(outside(t)))
+        }
+    }
+    line$threshold <- t
+    line$lapse <- best$at[3]
+    line$guess <- if (is.na(guess)) best$at[3] else guess
+    own <- k / n
+    line$deviance <- max(0, 2 * (best$value + term(k, own) + term(n - k, 1 - own)))
+    if (part$design[1] %in% "compare")
+        line$pse <- t
+    if (step)
+        return(said("slopeAtLimit"))
+    line$spread <- exp(best$at[2])
+    if (part$design[1] %in% "compare") {
+        quarter <- switch(name, gauss = qnorm(0.75) * line$spread, logistic = log(3) * line$spread,
+                          weibull = t * ((log(4) / log(2))^(1 / line$spread) - (log(4 / 3) / log(2))^(1 / line$spread)) / 2)
+        line$jnd <- quarter
+        if (part$reference[1] != 0)
+            line$weber <- quarter / part$reference[1]
+    }
+    if (free && best$at[3] > high[3] - 1e-6) said("lapseAtLimit") else line
+}
+
+group_threshold_of <- function(lines, scales) {
+    log_scale <- scales == "log10"
+    known <- lines$threshold[!is.na(lines$threshold)]
+    places <- if (log_scale) log10(known) else known
+    back <- function(value) if (log_scale) 10^value else value
+    m <- length(places)
+    half <- if (m > 1) qt(0.975, m - 1) * sd(places) / sqrt(m) else NA
+    group <- lines[1, ]
+    group[] <- NA
+    same <- c("task", "condition", "track", "design", "function", "unit")
+    group[same] <- lines[1, same]
+    group$participant_id <- "GROUP"
+    group$interval <- "t"
+    group$n <- m
+    if (m > 0) {
+        group$threshold <- back(mean(places))
+        group$lo <- back(mean(places) - half)
+        group$hi <- back(mean(places) + half)
+    }
+    average <- function(values) if (any(!is.na(values))) mean(values, na.rm = TRUE) else NA
+    group$jnd <- average(lines$jnd)
+    group$weber <- average(lines$weber)
+    if (lines$design[1] %in% "compare")
+        group$pse <- group$threshold
+    if (m < nrow(lines))
+        group$note <- sprintf("%d of %d without threshold", nrow(lines) - m, nrow(lines))
+    group
+}
+
+# Counts of each track for signal detection.
+detection_counts_of <- function(part) {
+    design <- part$design[1]
+    row <- data.frame(part[1, place_columns], hits = NA, n_signal = NA, false_alarms = NA, n_noise = NA, method = NA)
+    m <- as.numeric(part$n_alternatives[1])
+    if (design == "interval" && m > 2) {
+        row$hits <- sum(part$positive)
+        row$n_signal <- nrow(part)
+        row$method <- sprintf("%d intervals", m)
+        return(row)
+    }
+    signal <- switch(design, yes_no = "yes", same_different = "different", interval = "1")
+    said <- part$response %in% signal
+    row$hits <- sum(said & part$stimulus == signal)
+    row$n_signal <- sum(part$stimulus == signal)
+    row$false_alarms <- sum(said & part$stimulus != signal)
+    row$n_noise <- sum(part$stimulus != signal)
+    row$method <- switch(design, yes_no = "yes/no", interval = "2 intervals",
+                         same_different = if (length(unique(part$level[part$counts])) <= 1) "independent" else "differencing")
+    row
+}
+
+detection_of <- function(row) {
+    result <- data.frame(dprime = NA, lo = NA, hi = NA, c = NA)
+    if (grepl("intervals", row$method) && is.na(row$n_noise)) {
+        m <- as.numeric(sub(" .*", "", row$method))
+        share <- function(d) integrate(function(u) dnorm(u - d) * pnorm(u)^(m - 1), d - 9, d + 9, rel.tol = 1e-11)$value
+        solve <- function(p) if (p <= 0 || p >= 1) NA else uniroot(function(d) share(d) - p, c(-20, 20), tol = 1e-11)$root
+        wilson <- suppressWarnings(prop.test(row$hits, row$n_signal, correct = FALSE))$conf.int
+        result$dprime <- solve((row$hits + 1 / m) / (row$n_signal + 1))
+        ends <- sapply(wilson, solve)
+        if (!anyNA(ends))
+            result[c("lo", "hi")] <- ends
+        return(result)
+    }
+    if (row$n_signal == 0 || row$n_noise == 0)
+        return(result)
+    h <- (row$hits + 0.5) / (row$n_signal + 1)
+    f <- (row$false_alarms + 0.5) / (row$n_noise + 1)
+    z <- qnorm(c(h, f))
+    if (grepl("differencing|independent", row$method)) {
+        result$dprime <- if (h <= f) 0
+            else if (grepl("independent", row$method)) 2 * qnorm((1 + sqrt(2 * pnorm((z[1] - z[2]) / 2) - 1)) / 2)
+            else {
+                k <- -sqrt(2) * qnorm(f / 2)
+                uniroot(function(d) pnorm((d - k) / sqrt(2)) + pnorm((-d - k) / sqrt(2)) - h, c(0, 40), tol = 1e-11)$root
+            }
+        return(result)
+    }
+    deviation <- sqrt(h * (1 - h) / (row$n_signal * dnorm(z[1])^2) + f * (1 - f) / (row$n_noise * dnorm(z[2])^2))
+    factor <- if (row$method == "2 intervals") sqrt(2) else 1
+    result$dprime <- (z[1] - z[2]) / factor
+    result$lo <- (z[1] - z[2] - qnorm(0.975) * deviation) / factor
+    result$hi <- (z[1] - z[2] + qnorm(0.975) * deviation) / factor
+    result$c <- -sum(z) / 2
+    result
+}
+
+write_levels <- function(level_trials) {
+    if (!is.null(level_trials)) {
+        table <- do.call(rbind, lapply(split_places(level_trials), level_table_of))
+        detectable <- level_trials[level_trials$design != "compare", ]
+        detection <- if (nrow(detectable) > 0) do.call(rbind, lapply(split_places(detectable), detection_counts_of))
+    } else if (file.exists(file.path(folder, "levels.csv"))) {
+        table <- read(file.path(folder, "levels.csv"))
+        names(table)[names(table) == "function."] <- "function"
+        numbers <- c("guess", "lapse_lo", "lapse_hi", "level", "reference", "n", "n_positive")
+        table[numbers] <- lapply(table[numbers], as.numeric)
+        detection <- if (file.exists(file.path(folder, "sdt.csv"))) read(file.path(folder, "sdt.csv"))
+        if (!is.null(detection)) {
+            detection <- detection[detection$participant_id != "GROUP", ]
+            counted <- c("hits", "n_signal", "false_alarms", "n_noise")
+            detection[counted] <- lapply(detection[counted], as.numeric)
+        }
+    } else {
+        return()
+    }
+    if (is.null(table))
+        return()
+    parts <- split_places(table)
+    lines <- do.call(rbind, lapply(parts, fit_of))
+    scales <- sapply(parts, function(part) part$scale[1])
+    together <- lines[c("task", "condition", "track")]
+    groups <- lapply(split(seq_len(nrow(lines)), together, drop = TRUE),
+                     function(rows) group_threshold_of(lines[rows, ], scales[rows[1]]))
+    write_table(rbind(lines, do.call(rbind, groups)), "thresholds_r.csv")
+    if (is.null(detection) || nrow(detection) == 0)
+        return()
+    detected <- cbind(detection[c(place_columns, "hits", "n_signal", "false_alarms", "n_noise")],
+                      do.call(rbind, lapply(split(detection, seq_len(nrow(detection))), detection_of)),
+                      method = detection$method)
+    means <- lapply(split(detected, detected[c("task", "condition", "track")], drop = TRUE), function(own) {
+        values <- own$dprime[!is.na(own$dprime)]
+        m <- length(values)
+        half <- if (m > 1) qt(0.975, m - 1) * sd(values) / sqrt(m) else NA
+        group <- own[1, ]
+        group[] <- NA
+        group[c("task", "condition", "track")] <- own[1, c("task", "condition", "track")]
+        group$participant_id <- "GROUP"
+        group$method <- "t"
+        if (m > 0)
+            group[c("dprime", "lo", "hi")] <- mean(values) + c(0, -half, half)
+        group
+    })
+    write_table(rbind(detected, do.call(rbind, means)), "sdt_r.csv")
+}
+
 files <- list.files(file.path(folder, "data"), "_task-.*_data\\.csv$", recursive = TRUE, full.names = TRUE)
 keys <- c("participant_id", "task", "condition", "stimulus", "response")
 if (length(files) > 0) {
@@ -50,13 +360,20 @@ if (length(files) > 0) {
     trials <- trials[trials$phase == "test", ]
     trials$response_time_s <- as.numeric(trials$response_time_s)
     times <- trials[trials$outcome == "correct" & !is.na(trials$response_time_s), ]
+    write_levels(levels_of_trials(trials))
     trials$response[is.na(trials$response)] <- "NONE"
     counts <- aggregate(list(count = rep(1, nrow(trials))), trials[keys], sum)
 } else {
+    write_levels(NULL)
+    # The results of a fit alone have no confusion matrices.
+    if (!file.exists(file.path(folder, "confusion_long.csv")) && file.exists(file.path(folder, "levels.csv")))
+        quit(save = "no")
     counts <- read(file.path(folder, "confusion_long.csv"))
     alternatives <- alternatives_of(counts)
     times <- NULL
     counts <- counts[counts$phase == "test" & counts$participant_id != "GROUP", c(keys, "count")]
+    if (nrow(counts) == 0)
+        quit(save = "no")
     counts$count <- as.numeric(counts$count)
 }
 counts$correct <- ifelse(counts$stimulus == counts$response, counts$count, 0)
@@ -139,7 +456,8 @@ group_transfer_of <- function(part, patterns) {
         most <- bits + qnorm(0.95) * sqrt(max(variance, trials))
         if (guessing) {
             g <- max(g, freedom)
-            lambda <- uniroot(function(x) pchisq(g, max(1, freedom), x) - 0.05, c(0, 4 * (g + 10)), tol = 1e-12)$root
+            lambda <- if (pchisq(g, max(1, freedom)) <= 0.05) 0
+                      else uniroot(function(x) pchisq(g, max(1, freedom), x) - 0.05, c(0, 4 * (g + 10)), tol = 1e-12)$root
             most <- max(most, lambda / 2 / log(2) / n)
         }
         at_most <- within(most)

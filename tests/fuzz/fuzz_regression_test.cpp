@@ -27,6 +27,7 @@ const std::map<std::string, Target> kTargets{
     {"gain_csv", teleta::fuzz::gainCsv},
     {"hid_bracelet_file", teleta::fuzz::hidBraceletFile},
     {"hid_reports", teleta::fuzz::hidReports},
+    {"level_csv", teleta::fuzz::levelCsv},
     {"motor_profile", teleta::fuzz::motorProfile},
     {"motor_recording", teleta::fuzz::motorRecording},
     {"pattern_export", teleta::fuzz::patternExport},

@@ -23,6 +23,7 @@ bool contourCsv(Bytes bytes);
 bool touchCsv(Bytes bytes);
 bool cameraPairs(Bytes bytes);
 bool motorRecording(Bytes bytes);
+bool levelCsv(Bytes bytes);
 bool trialCsv(Bytes bytes);
 bool servoCsv(Bytes bytes);
 bool costCsv(Bytes bytes);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/analysis/study_results.h"
 #include "backend/study/analysis/trial_source.h"
+#include "backend/study/methods/results/detection_results.h"
+#include "backend/study/methods/results/level_trial_source.h"
+#include "backend/study/methods/results/threshold_results.h"
 #include "backend/study/protocol/protocol.h"
 #include "backend/study/session/study_scene.h"
 #include "backend/study/store/trial_journal.h"
@@ -35,6 +38,32 @@ bool trialCsv(Bytes bytes) {
             require(!group.accuracy || (group.accuracy->mean >= 0.0 && group.accuracy->mean <= 1.0),
                     "an accuracy is 0..1");
     }
+    return true;
+}
+
+bool levelCsv(Bytes bytes) {
+    const MemoryFile file(bytes);
+    ModeFilter modes;
+    LevelTrials trials;
+    const core::Expected<void> added =
+        addLevelTrials(file.path(), modes, trials, [](std::uint64_t) { return true; });
+    if (!added) {
+        requireExplained(added.error(), file.path());
+        return false;
+    }
+    constexpr std::size_t kMostTracks = 4; // the rest are fitted like these
+    if (trials.tracks().size() > kMostTracks)
+        return true;
+    FitChoices choices;
+    choices.resamples = 5;
+    for (const ThresholdLine& line : thresholdResults(trials, choices).lines) {
+        const PsychometricFit& fit = line.fit;
+        require(!fit.threshold || std::isfinite(*fit.threshold), "a threshold is a number");
+        require(!fit.deviance || *fit.deviance >= 0.0, "a deviance is not negative");
+        require(!fit.lapse || (*fit.lapse >= 0.0 && *fit.lapse <= 0.06), "a lapse rate is in its range");
+    }
+    for (const DetectionLine& line : detectionResults(trials).lines)
+        require(!line.detection || std::isfinite(line.detection->sensitivity), "a d' is a number");
     return true;
 }
 

@@ -29,8 +29,9 @@ double normalPlace(double share) {
 }
 
 bool areCounts(const DetectionCounts& counts) {
-    return counts.signals > 0 && counts.noises > 0 && counts.hits >= 0 && counts.hits <= counts.signals &&
-           counts.falseAlarms >= 0 && counts.falseAlarms <= counts.noises;
+    return counts.signalTrials > 0 && counts.noiseTrials > 0 && counts.hits >= 0 &&
+           counts.hits <= counts.signalTrials && counts.falseAlarms >= 0 &&
+           counts.falseAlarms <= counts.noiseTrials;
 }
 
 double loglinear(std::int64_t count, std::int64_t trials) {
@@ -75,12 +76,13 @@ double shareOfIntervals(double sensitivity, int intervals) {
 std::optional<Detection> yesNoDetection(const DetectionCounts& counts) {
     if (!areCounts(counts))
         return std::nullopt;
-    const double hit = loglinear(counts.hits, counts.signals);
-    const double falseAlarm = loglinear(counts.falseAlarms, counts.noises);
+    const double hit = loglinear(counts.hits, counts.signalTrials);
+    const double falseAlarm = loglinear(counts.falseAlarms, counts.noiseTrials);
     Detection result;
     result.sensitivity = normalPlace(hit) - normalPlace(falseAlarm);
     result.criterion = -0.5 * (normalPlace(hit) + normalPlace(falseAlarm));
-    const double sd = std::sqrt(rateVariance(hit, counts.signals) + rateVariance(falseAlarm, counts.noises));
+    const double sd =
+        std::sqrt(rateVariance(hit, counts.signalTrials) + rateVariance(falseAlarm, counts.noiseTrials));
     result.interval = Interval{result.sensitivity - kNormal95 * sd, result.sensitivity + kNormal95 * sd};
     return result;
 }
@@ -139,8 +141,8 @@ std::optional<double> sameDifferentSensitivity(double hitRate, double falseAlarm
 std::optional<Detection> sameDifferentDetection(const DetectionCounts& counts, SameDifferentRule rule) {
     if (!areCounts(counts))
         return std::nullopt;
-    const double hit = loglinear(counts.hits, counts.signals);
-    const double falseAlarm = loglinear(counts.falseAlarms, counts.noises);
+    const double hit = loglinear(counts.hits, counts.signalTrials);
+    const double falseAlarm = loglinear(counts.falseAlarms, counts.noiseTrials);
     Detection result;
     result.sensitivity = sameDifferentSensitivity(hit, falseAlarm, rule).value_or(0.0);
     result.worseThanNothing = hit <= falseAlarm;

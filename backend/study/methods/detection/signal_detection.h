@@ -13,9 +13,9 @@ namespace teleta::study {
 /// it was 2; "different" when different and when the same.
 struct DetectionCounts {
     std::int64_t hits = 0;
-    std::int64_t signals = 0; ///< trials with a signal
+    std::int64_t signalTrials = 0; ///< trials with a signal
     std::int64_t falseAlarms = 0;
-    std::int64_t noises = 0; ///< trials without
+    std::int64_t noiseTrials = 0; ///< trials without
 };
 
 /// Sensitivity and criterion. Rates are log-linear, always: (count + 1/2) / (trials + 1).

@@ -20,6 +20,8 @@ constexpr double kMostSlope = 60.0;
 /// Shares below this count as this: their logarithm is finite, and no data are likely there.
 constexpr double kLeastShare = 1e-100;
 constexpr double kSearchPrecision = 1e-11; ///< in the log likelihood
+constexpr double kLeastDamping = 1e-6;     ///< in units of information over the range of a parameter
+constexpr double kMostDamping = 1e12;
 
 double logLikelihoodOf(double count, double share) {
     return count == 0.0 ? 0.0 : count * std::log(share);
@@ -61,7 +63,7 @@ Rise weibullRise(double logRatio, double slope) {
 LikelihoodSearch::LikelihoodSearch(std::span<const LevelCount> counts, const FitModel& model)
     : m_counts(counts.begin(), counts.end())
     , m_model(model)
-    , m_logThreshold(model.scale == LevelScale::log10 || model.shape == RiseShape::weibull) {
+    , m_logThreshold(usesLogarithm(model)) {
     const double highest = m_counts.back().level;
     double lowest = m_counts.front().level;
     double leastPositive = highest;
@@ -109,10 +111,15 @@ double LikelihoodSearch::parameterOf(double threshold) const {
     return m_logThreshold ? std::log(threshold) : threshold;
 }
 
+PsychometricFunction LikelihoodSearch::functionOf(const FitModel& model, const std::array<double, 3>& at) {
+    const double threshold = at[Parameter::threshold];
+    const double lapse = at[Parameter::lapse];
+    return {model.shape, usesLogarithm(model) ? std::exp(threshold) : threshold,
+            std::exp(at[Parameter::spread]), model.guess.value_or(lapse), lapse};
+}
+
 PsychometricFunction LikelihoodSearch::functionAt(const SearchPoint& point) const {
-    const double lapse = point.at[Parameter::lapse];
-    return {m_model.shape, thresholdOf(point.at[Parameter::threshold]), std::exp(point.at[Parameter::spread]),
-            m_model.guess.value_or(lapse), lapse};
+    return functionOf(m_model, point.at);
 }
 
 LikelihoodRise LikelihoodSearch::riseAt(std::size_t index, const std::array<double, 3>& at) const {
@@ -121,7 +128,9 @@ LikelihoodRise LikelihoodSearch::riseAt(std::size_t index, const std::array<doub
     if (m_model.shape == RiseShape::weibull)
         return level > 0.0 ? weibullRise(m_logLevels[index] - at[Parameter::threshold], spread) : Rise{};
     const double threshold = thresholdOf(at[Parameter::threshold]);
-    const double z = (level - threshold) / spread;
+    // So far away that F is 0 or 1; an infinite z would make the derivatives undefined.
+    constexpr double kFar = 1e100;
+    const double z = std::clamp((level - threshold) / spread, -kFar, kFar);
     Rise rise = m_model.shape == RiseShape::gauss ? gaussRise(z, spread) : logisticRise(z, spread);
     if (m_logThreshold)
         rise.byThreshold *= threshold;
@@ -151,11 +160,11 @@ double LikelihoodSearch::logLikelihood(const std::array<double, 3>& at, Slopes* 
 }
 
 SearchPoint LikelihoodSearch::climb(SearchPoint from, std::optional<Parameter> held) const {
-    double damping = 1e-4;
+    double damping = kLeastDamping;
     int small = 0;
     Slopes slopes;
     from.logLikelihood = logLikelihood(from.at, &slopes);
-    for (int step = 0; step < 200 && small < 2 && damping < 1e10; ++step) {
+    for (int step = 0; step < 200 && small < 2 && damping < kMostDamping; ++step) {
         // Parameters at a limit that the likelihood pushes against stay there.
         std::array<Eigen::Index, 3> free{};
         Eigen::Index count = 0;
@@ -175,7 +184,10 @@ SearchPoint LikelihoodSearch::climb(SearchPoint from, std::optional<Parameter> h
             for (Eigen::Index j = 0; j < count; ++j)
                 matrix(i, j) =
                     slopes.information(free[static_cast<std::size_t>(i)], free[static_cast<std::size_t>(j)]);
-            matrix(i, i) = matrix(i, i) * (1.0 + damping) + 1e-9 * damping + 1e-14;
+            // Damping shortens first the steps of parameters of which the data tell next to nothing.
+            const auto p = static_cast<std::size_t>(free[static_cast<std::size_t>(i)]);
+            const double range = m_high[p] - m_low[p];
+            matrix(i, i) = matrix(i, i) * (1.0 + 0.01 * damping) + damping / (range * range);
         }
         const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> move = matrix.llt().solve(gradient);
         SearchPoint to = from;
@@ -190,7 +202,7 @@ SearchPoint LikelihoodSearch::climb(SearchPoint from, std::optional<Parameter> h
             continue;
         }
         small = to.logLikelihood - from.logLikelihood < kSearchPrecision ? small + 1 : 0;
-        damping = std::max(damping / 10.0, 1e-8);
+        damping = std::max(damping / 10.0, kLeastDamping);
         from = to;
         slopes = there;
     }
@@ -287,17 +299,27 @@ SearchPoint LikelihoodSearch::bestWith(Parameter held, double value, const Searc
     return other.logLikelihood > best.logLikelihood ? other : best;
 }
 
-std::optional<double> LikelihoodSearch::errorOf(Parameter parameter, const SearchPoint& point) const {
+std::optional<Eigen::Matrix3d> LikelihoodSearch::covarianceAt(const SearchPoint& point) const {
     Slopes slopes;
     static_cast<void>(logLikelihood(point.at, &slopes));
-    const auto size = static_cast<Eigen::Index>(m_model.freeParameters());
-    const Eigen::MatrixXd information = slopes.information.topLeftCorner(size, size);
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu(information);
-    if (!lu.isInvertible())
+    std::vector<Eigen::Index> free;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (point.at[i] > m_low[i] && point.at[i] < m_high[i])
+            free.push_back(static_cast<Eigen::Index>(i));
+    }
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd(slopes.information(free, free)));
+    if (free.empty() || !lu.isInvertible())
         return std::nullopt;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    covariance(free, free) = lu.inverse();
+    return covariance.allFinite() ? std::optional(covariance) : std::nullopt;
+}
+
+std::optional<double> LikelihoodSearch::errorOf(Parameter parameter, const SearchPoint& point) const {
+    const std::optional<Eigen::Matrix3d> covariance = covarianceAt(point);
     const auto i = static_cast<Eigen::Index>(parameter);
-    const double variance = lu.inverse()(i, i);
-    return variance > 0.0 && std::isfinite(variance) ? std::optional(std::sqrt(variance)) : std::nullopt;
+    return covariance && (*covariance)(i, i) > 0.0 ? std::optional(std::sqrt((*covariance)(i, i)))
+                                                   : std::nullopt;
 }
 
 double LikelihoodSearch::constantLikelihood() const {

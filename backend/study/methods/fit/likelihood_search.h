@@ -63,11 +63,21 @@ public:
                                        const SearchPoint& near) const;
 
     [[nodiscard]] PsychometricFunction functionAt(const SearchPoint& point) const;
+    /// The function of the parameters, by the model alone.
+    [[nodiscard]] static PsychometricFunction functionOf(const FitModel& model,
+                                                         const std::array<double, 3>& at);
+    /// Whether a search of the model has the logarithm of the threshold.
+    [[nodiscard]] static bool usesLogarithm(const FitModel& model) {
+        return model.scale == LevelScale::log10 || model.shape == RiseShape::weibull;
+    }
     [[nodiscard]] double thresholdOf(double parameter) const;
     /// The inverse. threshold: > 0 where the search uses its logarithm.
     [[nodiscard]] double parameterOf(double threshold) const;
     [[nodiscard]] const std::array<double, 3>& lowest() const { return m_low; }
     [[nodiscard]] const std::array<double, 3>& highest() const { return m_high; }
+    /// Covariance of the estimates by the expected information at a point; parameters at a limit, and a fixed
+    /// lapse rate, do not vary. Empty where the information has no inverse.
+    [[nodiscard]] std::optional<Eigen::Matrix3d> covarianceAt(const SearchPoint& point) const;
     /// Standard error of a parameter by the expected information at a point; empty where it has none.
     [[nodiscard]] std::optional<double> errorOf(SearchPoint::Parameter parameter,
                                                 const SearchPoint& point) const;

@@ -2,7 +2,6 @@
 #include "backend/study/methods/fit/psychometric_fit.h"
 
 #include "backend/core/words.h"
-#include "backend/study/analysis/proportion.h"
 #include "backend/study/methods/fit/fit_resamples.h"
 #include "backend/study/methods/fit/profile_interval.h"
 
@@ -89,6 +88,32 @@ std::optional<double> PsychometricFit::justNoticeable(RiseShape shape) const {
     return 0.5 * (*curve->levelOf(0.75) - *curve->levelOf(0.25));
 }
 
+std::optional<Interval> shareBand(const PsychometricFit& fit, const FitModel& model, double level) {
+    const std::optional<PsychometricFunction> curve = fit.function(model.shape);
+    if (!curve || !fit.covariance)
+        return std::nullopt;
+    const std::array<double, 3> at{LikelihoodSearch::usesLogarithm(model) ? std::log(curve->threshold)
+                                                                          : curve->threshold,
+                                   std::log(curve->spread), curve->lapse};
+    Eigen::Vector3d slope;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double step = i == SearchPoint::threshold && !LikelihoodSearch::usesLogarithm(model)
+                                ? 1e-5 * curve->spread
+                                : 1e-5;
+        std::array<double, 3> more = at;
+        std::array<double, 3> less = at;
+        more[i] += step;
+        less[i] -= step;
+        slope[static_cast<Eigen::Index>(i)] = (LikelihoodSearch::functionOf(model, more).shareAt(level) -
+                                               LikelihoodSearch::functionOf(model, less).shareAt(level)) /
+                                              (2.0 * step);
+    }
+    const double variance = slope.dot(*fit.covariance * slope);
+    const double half = 1.959963984540054 * std::sqrt(std::max(variance, 0.0));
+    const double share = curve->shareAt(level);
+    return Interval{std::max(0.0, share - half), std::min(1.0, share + half)};
+}
+
 FitNote quickNote(std::span<const LevelCount> counts, const FitModel& model) {
     if (counts.empty())
         return FitNote::noData;
@@ -159,6 +184,7 @@ PsychometricFit fitPsychometric(std::span<const LevelCount> counts, const FitSet
         return fit;
     fit.threshold = function.threshold;
     fit.spread = function.spread;
+    fit.covariance = search.covarianceAt(best);
     if (settings.interval == FitInterval::profile) {
         fit.thresholdInterval = inUnit(profileInterval(search, SearchPoint::threshold, best), search);
         const OpenInterval spread = profileInterval(search, SearchPoint::spread, best);

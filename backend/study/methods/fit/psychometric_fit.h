@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/study/analysis/proportion.h"
 #include "backend/study/methods/fit/likelihood_search.h"
 
 #include <cstddef>
@@ -83,6 +84,8 @@ struct PsychometricFit {
     std::optional<double> logLikelihood; ///< without the binomial coefficients
     std::optional<double> deviance;
     std::optional<GoodnessOfFit> goodness;
+    /// Of threshold (its logarithm on a log10 scale and for weibull), logarithm of the spread, lapse rate.
+    std::optional<Eigen::Matrix3d> covariance;
     std::size_t refusedResamples = 0; ///< bootstrap: of settings.resamples; over 5 %: no interval
 
     /// The function, where it has threshold and spread.
@@ -90,6 +93,11 @@ struct PsychometricFit {
     /// Half the distance between the levels where F is 1/4 and 3/4; empty without a function.
     [[nodiscard]] std::optional<double> justNoticeable(RiseShape shape) const;
 };
+
+/// Where the fitted share lies at a level, 95 %: share +- 1.96 sd by the delta method, within 0 .. 1. For
+/// pictures; empty without a function or its covariance. Thread: any.
+[[nodiscard]] std::optional<Interval> shareBand(const PsychometricFit& fit, const FitModel& model,
+                                                double level);
 
 /// Fits Psi = g + (1 - g - l) F by maximum likelihood to the counts of one participant. The note's order:
 /// noData, levelsNotAbove0, falls (trend z < -1.96), tooFewLevels, then by 2 (Lmax - Lconstant) < 3.841459

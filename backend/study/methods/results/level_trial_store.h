@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/study/analysis/trial_source.h"
+#include "backend/study/methods/results/level_trials.h"
+#include "backend/study/store/study_store.h"
+
+namespace teleta::study {
+
+/// Adds the completed test trials with a level of a store, with what its protocol says of their tasks. Error:
+/// what the store reports; refused for mixed modes. Thread: that of the store.
+[[nodiscard]] core::Expected<void> addLevelTrials(const StudyStore& store, ModeFilter& modes,
+                                                  LevelTrials& trials);
+
+} // namespace teleta::study
