@@ -32,6 +32,8 @@ build_packages=(
     libopencv-dev
     # motor drivers and joints over Modbus
     libmodbus-dev
+    # descriptions of robots
+    liburdfdom-dev
 )
 # Build and run. GoogleTest and Google Benchmark are here because every preset configures the tests.
 packages=(
@@ -47,6 +49,8 @@ test_packages=(clang-format clang-tidy desktop-file-utils appstream r-base-core)
 test_packages+=(postgresql python3-html5lib poppler-utils locales zsh)
 # Independent servers and serial lines, as peers of the devices.
 test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 busybox-static cpio)
+# The simulator with which kinematics are compared.
+test_packages+=(libmujoco-dev)
 # For building and testing the Debian package only.
 package_packages=(help2man dpkg-dev file lintian debootstrap)
 # For building and testing the Flatpak only.

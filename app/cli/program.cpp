@@ -4,6 +4,7 @@
 #include "app/cli/base/command.h"
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
+#include "app/cli/commands/arm/arm_commands.h"
 #include "app/cli/commands/camera/camera_commands.h"
 #include "app/cli/commands/devices/devices_commands.h"
 #include "app/cli/commands/scenes/scene_commands.h"
@@ -21,9 +22,10 @@ namespace {
 
 /// In the order of the help.
 std::vector<Command> allCommands() {
-    return {featuresCommand(),  contactsCommand(), gainsCommand(), stiffnessCommand(), contourCommand(),
-            calibrateCommand(), locateCommand(),   trackCommand(), simulateCommand(),  replayCommand(),
-            exportCommand(),    patternCommand(),  studyCommand(), tradeoffCommand(),  devicesCommand()};
+    return {featuresCommand(), contactsCommand(),  gainsCommand(),  stiffnessCommand(),
+            contourCommand(),  calibrateCommand(), locateCommand(), trackCommand(),
+            simulateCommand(), replayCommand(),    exportCommand(), patternCommand(),
+            studyCommand(),    tradeoffCommand(),  armCommand(),    devicesCommand()};
 }
 
 struct ProgramText {
