@@ -26,6 +26,19 @@ struct UrdfText {
 /// Deeper elements would exhaust the stack of the library's parser. A robot needs six levels.
 constexpr int kDeepestElement = 32;
 
+/// Larger numbers describe no robot and would overflow somewhere: m, rad, kg, factors.
+constexpr double kLargestNumber = 1e6;
+
+/// Not NaN either.
+template <typename Numbers>
+bool inRange(const Numbers& numbers) {
+    return (numbers.array().abs() <= kLargestNumber).all();
+}
+
+bool inRange(double number) {
+    return std::abs(number) <= kLargestNumber;
+}
+
 core::Unexpected bad(const std::string& file, const QString& message, const QString& expected = {},
                      long long line = 0, long long column = 0) {
     return core::Unexpected(core::Error{
@@ -118,6 +131,8 @@ private:
         return bad(m_file, UrdfText::tr("joint '%1': %2").arg(QString::fromStdString(joint), what), expected);
     }
 
+    static QString range() { return UrdfText::tr("numbers from -%1 to %1").arg(kLargestNumber); }
+
     static Eigen::Vector3d vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
     static Eigen::Isometry3d pose(const urdf::Pose& source) {
@@ -131,11 +146,11 @@ private:
     core::Expected<void> addLink(const urdf::Link& source) {
         ModelLink link;
         link.name = source.name;
-        const QString finite = UrdfText::tr("finite numbers");
         if (source.inertial) {
             link.inertial = Inertial{source.inertial->mass, vector(source.inertial->origin.position)};
-            if (!std::isfinite(link.inertial->mass_kg) || !link.inertial->p_Link_Com_m.allFinite())
-                return badLink(source.name, UrdfText::tr("a number of its inertial is not finite"), finite);
+            if (!inRange(link.inertial->mass_kg) || !inRange(link.inertial->p_Link_Com_m))
+                return badLink(source.name, UrdfText::tr("a number of its inertial is out of range"),
+                               range());
             if (link.inertial->mass_kg < 0.0)
                 return badLink(source.name, UrdfText::tr("its mass is negative"),
                                UrdfText::tr("0 kg or more"));
@@ -144,9 +159,8 @@ private:
             if (!visual->geometry)
                 continue;
             link.visuals.push_back(shape(*visual));
-            if (!link.visuals.back().X_Link_Shape.matrix().allFinite() ||
-                !link.visuals.back().size.allFinite())
-                return badLink(source.name, UrdfText::tr("a number of its visual is not finite"), finite);
+            if (!inRange(link.visuals.back().X_Link_Shape.matrix()) || !inRange(link.visuals.back().size))
+                return badLink(source.name, UrdfText::tr("a number of its visual is out of range"), range());
         }
         m_model.links.push_back(std::move(link));
         return {};
@@ -208,9 +222,8 @@ private:
             return badJoint(source.name, UrdfText::tr("it is floating or planar"),
                             UrdfText::tr("revolute, continuous, prismatic or fixed"));
         }
-        if (!joint.X_Parent_Joint.matrix().allFinite())
-            return badJoint(source.name, UrdfText::tr("a number of its origin is not finite"),
-                            UrdfText::tr("finite numbers"));
+        if (!inRange(joint.X_Parent_Joint.matrix()))
+            return badJoint(source.name, UrdfText::tr("a number of its origin is out of range"), range());
         if (joint.type != JointType::fixed) {
             TELETA_CHECK(setAxis(source, joint));
             TELETA_CHECK(setLimits(source, joint));
@@ -241,10 +254,9 @@ private:
             return {};
         }
         const urdf::JointLimits& limits = *source.limits;
-        if (!std::isfinite(limits.lower) || !std::isfinite(limits.upper) || !std::isfinite(limits.velocity) ||
-            !std::isfinite(limits.effort))
-            return badJoint(source.name, UrdfText::tr("a number of its limits is not finite"),
-                            UrdfText::tr("finite numbers"));
+        if (!inRange(limits.lower) || !inRange(limits.upper) || !inRange(limits.velocity) ||
+            !inRange(limits.effort))
+            return badJoint(source.name, UrdfText::tr("a number of its limits is out of range"), range());
         if (limits.velocity < 0.0 || limits.effort < 0.0)
             return badJoint(source.name, UrdfText::tr("a limit of velocity or effort is negative"),
                             UrdfText::tr("0 or more"));
@@ -272,9 +284,6 @@ private:
                 if (steps > m_model.joints.size())
                     return badJoint(joint.name, UrdfText::tr("it mimics itself"),
                                     UrdfText::tr("a mimic of another joint"));
-                if (!std::isfinite(source->mimic->multiplier) || !std::isfinite(source->mimic->offset))
-                    return badJoint(joint.name, UrdfText::tr("a number of its mimic is not finite"),
-                                    UrdfText::tr("finite numbers"));
                 const std::optional<std::size_t> followed = m_model.findJoint(source->mimic->joint_name);
                 if (!followed)
                     return badJoint(joint.name,
@@ -284,6 +293,9 @@ private:
                 mimic.followed = *followed;
                 mimic.offset += mimic.factor * source->mimic->offset;
                 mimic.factor *= source->mimic->multiplier;
+                if (!inRange(mimic.factor) || !inRange(mimic.offset))
+                    return badJoint(joint.name, UrdfText::tr("a number of its mimic is out of range"),
+                                    range());
                 joint.mimic = mimic;
                 name = source->mimic->joint_name;
             }

@@ -50,6 +50,7 @@ bool cameraJson(Bytes bytes);
 bool motorProfile(Bytes bytes);
 bool registerMap(Bytes bytes);
 bool hidBraceletFile(Bytes bytes);
+bool urdf(Bytes bytes);
 
 // What devices send.
 bool wtsFrames(Bytes bytes);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/arm_model/serial_chain.h"
+#include "backend/arm_model/urdf_reader.h"
 #include "backend/motors/motor_file.h"
 #include "backend/motors/motor_fit.h"
 #include "backend/motors/motor_recording.h"
@@ -9,7 +11,9 @@
 #include "tests/fuzz/memory_file.h"
 #include "tests/support/floating_point_traps.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace teleta::fuzz {
 
@@ -71,6 +75,39 @@ bool cameraPairs(Bytes bytes) {
         require(calibration->residuals.size() == pairs->size(), "every pair has a residual");
         require(std::isfinite(calibration->rms_px), "a calibration has a residual");
         requireLocates(calibration->camera);
+    }
+    return true;
+}
+
+bool urdf(Bytes bytes) {
+    core::Expected<arm_model::ArmModel> read = arm_model::parseUrdf(textOf(bytes), kInput);
+    if (!read) {
+        requireExplained(read.error());
+        return false;
+    }
+    const auto model = std::make_shared<const arm_model::ArmModel>(*std::move(read));
+    require(model->joints.size() + 1 == model->links.size(), "each joint carries a link");
+    for (std::size_t i = 0; i < model->joints.size(); ++i) {
+        const arm_model::ModelJoint& joint = model->joints[i];
+        require(joint.parentLink <= i, "parents stand before their children");
+        require(joint.lowest <= joint.highest, "a range is not empty");
+        require(std::abs(joint.axis.norm() - 1.0) < 1e-12, "an axis has length 1");
+        require(!joint.mimic || !model->joints[joint.mimic->followed].mimic, "a mimic follows what moves");
+    }
+    const test::FloatingPointTraps traps;
+    for (const std::size_t tip : model->leaves()) {
+        const auto chain =
+            arm_model::SerialChain::create(model, model->links.front().name, model->links[tip].name);
+        if (!chain)
+            continue;
+        core::JointVector q = core::JointVector::zeros(chain->joints());
+        for (std::size_t i = 0; i < q.size(); ++i)
+            q[i] = std::clamp(0.3, chain->joint(i).lowest, chain->joint(i).highest);
+        require(chain->X_Base_Tip(q).matrix().allFinite(), "a pose is finite");
+        require(chain->jacobian(q).allFinite(), "a derivative is finite");
+        if (const auto torque = chain->gravityTorque(q))
+            require(std::ranges::all_of(*torque, [](double value) { return std::isfinite(value); }),
+                    "a torque is finite");
     }
     return true;
 }
