@@ -101,6 +101,7 @@ MotionStep MotionGovernor::step(const MotionDemand& demand, const MotionReading&
                       dt_s, result.flags);
     limitTip(rate, result.flags);
     limitEnds(rate, dt_s, result.flags);
+    limitTip(rate, result.flags); // a joint that stops at its end may have slowed the tip down
     limitBox(rate, dt_s, result.flags);
 
     m_rate = rate;
@@ -203,17 +204,31 @@ void MotionGovernor::limitEnds(core::JointVector& rate, double dt_s, std::uint32
 }
 
 double MotionGovernor::outside_m(const core::JointVector& rate, double dt_s) const {
-    core::JointVector rest = m_commanded;
-    for (std::size_t i = 0; i < rest.size(); ++i)
-        rest[i] += rate[i] * (dt_s + m_reaction_s) +
-                   rate[i] * std::abs(rate[i]) / (2.0 * m_limits.deceleration_radPerS2);
-    return m_limits.box_m->exteriorDistance(m_chain->X_Base_Tip(rest).translation());
+    // Along the ride that follows if this is the last command: on for the reaction time, then braking.
+    const double deceleration = m_limits.deceleration_radPerS2;
+    double braking_s = 0.0;
+    for (const double v : rate)
+        braking_s = std::max(braking_s, std::abs(v) / deceleration);
+    const double on_s = dt_s + m_reaction_s;
+    double farthest_m = 0.0;
+    for (const double time_s :
+         {dt_s, on_s, on_s + 0.25 * braking_s, on_s + 0.5 * braking_s, on_s + braking_s}) {
+        core::JointVector place = m_commanded;
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            const double braked_s = std::clamp(time_s - on_s, 0.0, std::abs(rate[i]) / deceleration);
+            place[i] += rate[i] * std::min(time_s, on_s) + rate[i] * braked_s -
+                        std::copysign(0.5 * deceleration * braked_s * braked_s, rate[i]);
+        }
+        farthest_m =
+            std::max(farthest_m, m_limits.box_m->exteriorDistance(m_chain->X_Base_Tip(place).translation()));
+    }
+    return farthest_m;
 }
 
 void MotionGovernor::limitBox(core::JointVector& rate, double dt_s, std::uint32_t& flags) const {
     if (!m_limits.box_m || !moves(rate))
         return;
-    // Where the arm would come to rest must lie in the box, or less far outside than the arm is now.
+    // The way to rest must lie in the box, or less far outside than the arm is now.
     const double now_m = m_limits.box_m->exteriorDistance(m_chain->X_Base_Tip(m_commanded).translation());
     const auto allowed = [&](double factor) {
         core::JointVector slower = rate;

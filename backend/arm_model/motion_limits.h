@@ -106,6 +106,7 @@ private:
     void limitTip(core::JointVector& rate, std::uint32_t& flags) const;
     void limitEnds(core::JointVector& rate, double dt_s, std::uint32_t& flags) const;
     void limitBox(core::JointVector& rate, double dt_s, std::uint32_t& flags) const;
+    /// How far outside the box the tip comes on its way to rest.
     [[nodiscard]] double outside_m(const core::JointVector& rate, double dt_s) const;
     [[nodiscard]] bool keepLeash(const core::JointVector& measured, double dt_s, std::uint32_t& flags);
 

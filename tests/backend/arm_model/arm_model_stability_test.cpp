@@ -62,6 +62,7 @@ TEST(ArmModelStability, aMillionStepsOfRandomDemandsStayWithinTheLimits) {
             demand = {{any(random), any(random)}, random() % 50 == 0};
         const MotionStep step = governor.step(demand, {at, {}, {}}, 0.02);
         ASSERT_FALSE(step.fault);
+        const core::JointVector before = at;
         at = step.commanded;
         ASSERT_LE(std::abs(step.rate[0]), 0.25 * 2.0 + 1e-12);
         ASSERT_LE(std::abs(step.rate[1]), 0.25 * 3.0 + 1e-12);
@@ -69,7 +70,8 @@ TEST(ArmModelStability, aMillionStepsOfRandomDemandsStayWithinTheLimits) {
         ASSERT_LE(std::abs(at[1]), 2.0 - 0.05 + 1e-9);
         ASSERT_LE(limits.box_m->exteriorDistance(arm->X_Base_Tip(at).translation()), 1e-3);
         ASSERT_LE(
-            (arm->jacobian(at).topRows<3>() * Eigen::Map<const Eigen::VectorXd>(step.rate.data(), 2)).norm(),
-            0.1 * 1.02);
+            (arm->jacobian(before).topRows<3>() * Eigen::Map<const Eigen::VectorXd>(step.rate.data(), 2))
+                .norm(),
+            0.1 * (1.0 + 1e-12));
     }
 }

@@ -150,16 +150,16 @@ TEST(MotionLimits, holdWhenTheEffortOfAJointRises) {
     const MotionReading rest{{}, {12.0, 1.0}, {}};
     for (int i = 0; i < 30; ++i)
         arm.step({}, rest);
-    EXPECT_FALSE(arm.step({{0.3, 0.0}}, {{}, {16.9, 1.0}, {}}).has(MotionFlag::effort));
-    EXPECT_GT(arm.step({{0.3, 0.0}}, {{}, {16.9, 1.0}, {}}).rate[0], 0.0);
+    EXPECT_FALSE(arm.step({{0.3, 0.0}}, {{}, {16.0, 1.0}, {}}).has(MotionFlag::effort));
+    EXPECT_GT(arm.step({{0.3, 0.0}}, {{}, {16.0, 1.0}, {}}).rate[0], 0.0);
     MotionStep held;
     for (int i = 0; i < 5; ++i)
-        held = arm.step({{0.3, 0.0}}, {{}, {17.1, 1.0}, {}});
+        held = arm.step({{0.3, 0.0}}, {{}, {18.0, 1.0}, {}});
     EXPECT_TRUE(held.has(MotionFlag::effort));
     EXPECT_EQ(held.rate[0], 0.0);
     // At rest for half a second the new effort is the one of rest.
     for (int i = 0; i < 40; ++i)
-        held = arm.step({{0.3, 0.0}}, {{}, {17.1, 1.0}, {}});
+        held = arm.step({{0.3, 0.0}}, {{}, {18.0, 1.0}, {}});
     EXPECT_GT(held.rate[0], 0.0);
 }
 
