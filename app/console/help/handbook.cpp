@@ -17,7 +17,7 @@ QString firstHeading(const QString& text) {
 QStringList handbookPages() {
     return {QStringLiteral("first-steps"), QStringLiteral("operate"),   QStringLiteral("teleoperation"),
             QStringLiteral("recordings"),  QStringLiteral("patterns"),  QStringLiteral("study"),
-            QStringLiteral("calibrate"),   QStringLiteral("intervals"), QStringLiteral("cost"),
+            QStringLiteral("thresholds"),  QStringLiteral("calibrate"), QStringLiteral("intervals"), QStringLiteral("cost"),
             QStringLiteral("devices"),     QStringLiteral("files"),     QStringLiteral("command-line")};
 }
 

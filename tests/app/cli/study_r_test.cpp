@@ -131,3 +131,78 @@ TEST(StudyR, anIdWithACommaOrAQuoteIsOneFieldAndPatternsThatNobodyFeltCount) {
     expectSame(tableOf(results + "/anova.csv", 3), tableOf(folder.path("of_trials/anova_r.csv"), 3),
                {"f", "p", "n"});
 }
+
+// Thresholds and signal detection: from the trials, and from the counts in the results of an analysis.
+TEST(StudyR, fitsTheSameThresholdsInR) {
+    if (std::system("Rscript --version > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "Rscript is not installed, so there is nothing to compare with";
+    const TemporaryFolder folder;
+    const std::string results = folder.path("results");
+    std::string table =
+        "participant_id,task,condition,phase,track,level,stimulus,response,outcome,response_time_s,"
+        "design,n_alternatives,level_unit,reference,procedure\n";
+    const auto add = [&](const std::string& who, const std::string& track, const std::string& level,
+                         int right, int trials, const std::string& stimulus, const std::string& other,
+                         const std::string& rest) {
+        for (int i = 0; i < trials; ++i) {
+            const bool isRight = i < right;
+            table += who + ",t_" + rest.substr(0, rest.find(',')) + ",rest,test," + track + ',' + level +
+                     ',' + stimulus + ',' + (isRight ? stimulus : other) +
+                     (isRight ? ",correct" : ",incorrect") + ",1.5," + rest + '\n';
+        }
+    };
+    const std::vector<std::string> levels{"0.02", "0.04", "0.06", "0.08", "0.12", "0.16"};
+    const std::map<std::string, std::vector<int>> answers{
+        {"P1", {22, 25, 29, 33, 38, 39}}, {"P2", {22, 25, 36, 28, 38, 32}}, {"P3", {40, 40, 40, 40, 40, 40}},
+        {"P4", {39, 38, 33, 29, 25, 22}}, {"P5", {20, 20, 20, 40, 40, 40}}, {"P6", {21, 24, 30, 36, 39, 40}}};
+    for (const auto& [who, right] : answers) {
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+            add(who, "a", levels[i], right[i] / 2, 20, "1", "2", "interval,2,drive,0,constant");
+            add(who, "a", levels[i], right[i] - right[i] / 2, 20, "2", "1", "interval,2,drive,0,constant");
+        }
+    }
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        add("P1", "a", levels[i], answers.at("P6")[i] - 18, 22, "yes", "no", "yes_no,2,drive,0,constant");
+    add("P1", "a", "0", 25, 28, "no", "yes", "yes_no,2,drive,0,constant");
+    const std::vector<int> more{0, 2, 5, 9, 15, 19, 20};
+    for (int i = 0; i < 7; ++i) {
+        const std::string level = "0." + std::to_string(i + 2);
+        add("P1", "a", level,
+            i < 3 ? 20 - more[static_cast<std::size_t>(i)] : more[static_cast<std::size_t>(i)], 20, "1", "2",
+            "compare,2,drive,0.5,constant");
+    }
+    const std::string data = "study/data/subject-1_task-t_data.csv";
+    std::filesystem::create_directories(folder.path("study/data"));
+    const std::string trials = folder.write(data, table);
+    const auto analysed = run({"study", "analyze", trials, "--out", results});
+    ASSERT_EQ(analysed.exitCode, 0) << analysed.err;
+    const Table ours = tableOf(results + "/thresholds.csv", 4);
+    const Table detection = tableOf(results + "/sdt.csv", 4);
+    EXPECT_EQ(ours.size(), 8U + 3U);
+    for (const std::string& from : {folder.path("study"), results}) {
+        const std::string out = folder.path("out");
+        ASSERT_EQ(std::system(("Rscript --vanilla '" + results + "/analysis.R' '" + from + "' '" + out +
+                               "' > /dev/null")
+                                  .c_str()),
+                  0);
+        const Table theirs = tableOf(out + "/thresholds_r.csv", 4);
+        EXPECT_EQ(theirs.size(), ours.size());
+        for (const auto& [key, row] : theirs) {
+            ASSERT_TRUE(ours.contains(key)) << key;
+            for (const char* column : {"design", "function", "n", "interval", "unit", "note"})
+                EXPECT_EQ(ours.at(key).at(column), row.at(column)) << key << ' ' << column;
+            for (const char* column :
+                 {"threshold", "lo", "hi", "spread", "guess", "lapse", "deviance", "jnd", "weber", "pse"}) {
+                const std::string& value = ours.at(key).at(column);
+                ASSERT_EQ(value == "NA", row.at(column) == "NA") << key << ' ' << column;
+                const double expected = std::strtod(row.at(column).c_str(), nullptr);
+                EXPECT_NEAR(std::strtod(value.c_str(), nullptr), expected,
+                            1e-4 * std::max(1e-2, std::abs(expected)))
+                    << key << ' ' << column;
+            }
+        }
+        const Table detected = tableOf(out + "/sdt_r.csv", 4);
+        EXPECT_EQ(detected.size(), detection.size());
+        expectSame(detection, detected, {"dprime", "lo", "hi", "c"});
+    }
+}

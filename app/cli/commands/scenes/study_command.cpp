@@ -4,11 +4,13 @@
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/commands/scenes/scene_commands.h"
+#include "app/cli/commands/scenes/study_fit.h"
 #include "backend/core/failure.h"
 #include "backend/figure/figure_file.h"
 #include "backend/study/analysis/study_results.h"
 #include "backend/study/analysis/trial_source.h"
 #include "backend/study/analysis/trial_tally.h"
+#include "backend/study/methods/results/level_trial_source.h"
 #include "backend/study/report/study_export.h"
 #include "backend/study/report/study_figures.h"
 #include "backend/study/report/study_report.h"
@@ -144,6 +146,10 @@ public:
                     StudyText::tr("Confusion matrices, accuracy, information transfer and ANOVA of "
                                   "studies or trial CSVs"),
                     [this] { return analyze(); }));
+        m_fit.declare(addPart(app, "fit",
+                              StudyText::tr("Thresholds, slopes and d' of tasks with levels, by maximum "
+                                            "likelihood"),
+                              [this] { return m_fit.run(); }));
         declareExport(addPart(app, "export",
                               StudyText::tr("Write the trials of a study as files into its folder"),
                               [this] { return exportTrials(); }));
@@ -194,7 +200,7 @@ private:
         addOption(
             app, "--out", m_outFolder,
             StudyText::tr("Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, "
-                          "figures"),
+                          "thresholds.csv, levels.csv, sdt.csv, figures"),
             "DIR")
             ->required();
         declareJson(app, m_json);
@@ -285,11 +291,18 @@ private:
             TELETA_CHECK(tallyStudy({m_outFolder, m_server}));
         }
         std::set<QString> seen;
+        bool onlyLevels = false;
         for (const std::string& input : m_inputs) {
             const QFileInfo info(QString::fromStdString(input));
             if (info.exists() && !seen.insert(info.canonicalFilePath()).second)
                 return core::failed(core::ErrorKind::badInput, StudyText::tr("this is named twice"),
                                     StudyText::tr("each study and each file once"), {input});
+            if (info.isFile()) { // a pipe is read only once
+                TELETA_TRY(const bool hasNoPatterns, study::hasOnlyLevels(input));
+                onlyLevels = onlyLevels || hasNoPatterns;
+                if (hasNoPatterns)
+                    continue;
+            }
             core::Expected<void> counted;
             if (info.isDir()) {
                 counted = tallyStudy(input);
@@ -303,7 +316,7 @@ private:
             if (!counted)
                 return core::Unexpected(interrupted() ? interruption() : counted.error());
         }
-        if (tally.cells().empty())
+        if (tally.cells().empty() && !onlyLevels)
             return core::failed(core::ErrorKind::badInput, StudyText::tr("there are no completed trials"),
                                 StudyText::tr("trials that were answered or timed out"),
                                 {m_inputs.empty() ? std::string() : m_inputs.front()});
@@ -332,7 +345,24 @@ private:
         }
         return study::writeResults(results, m_outFolder)
             .and_then([&] { return study::writeFigures(results, m_outFolder, heading.mode, formats); })
+            .and_then([&] { return writeLevelResults(modes); })
             .and_then([&] { return study::writeReport(results, heading, m_outFolder); });
+    }
+
+    /// Thresholds and sensitivity, where the inputs have tasks with levels.
+    [[nodiscard]] core::Expected<void> writeLevelResults(const study::ModeFilter& modes) const {
+        study::ModeFilter same{modes.wanted, {}};
+        std::optional<study::StoreLocation> server;
+        if (!m_server.empty())
+            server = {m_outFolder, m_server};
+        std::vector<std::string> again;
+        for (const std::string& input : m_inputs) {
+            const QFileInfo info(QString::fromStdString(input));
+            if (info.isDir() || info.isFile())
+                again.push_back(input);
+        }
+        TELETA_TRY(const LevelAnalysis levels, analyzeLevels(server, again, same, {}));
+        return writeLevels(levels, m_outFolder, same.wanted ? same.wanted : same.seen, m_figures);
     }
 
     [[nodiscard]] core::Expected<void> analyze() const {
@@ -392,6 +422,7 @@ private:
     }
 
     std::string m_server;
+    StudyFit m_fit;
     std::string m_protocolPath;
     std::size_t m_participants = 6;
     std::uint64_t m_seed = 1;
