@@ -17,8 +17,9 @@ QString firstHeading(const QString& text) {
 QStringList handbookPages() {
     return {QStringLiteral("first-steps"), QStringLiteral("operate"),   QStringLiteral("teleoperation"),
             QStringLiteral("recordings"),  QStringLiteral("patterns"),  QStringLiteral("study"),
-            QStringLiteral("thresholds"),  QStringLiteral("calibrate"), QStringLiteral("intervals"), QStringLiteral("cost"),
-            QStringLiteral("devices"),     QStringLiteral("files"),     QStringLiteral("command-line")};
+            QStringLiteral("thresholds"),  QStringLiteral("calibrate"), QStringLiteral("intervals"),
+            QStringLiteral("cost"),        QStringLiteral("devices"),   QStringLiteral("files"),
+            QStringLiteral("command-line")};
 }
 
 std::optional<HandbookPage> handbookPage(const QString& name, const QString& language) {

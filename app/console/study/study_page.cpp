@@ -501,10 +501,11 @@ void StudyPage::analyse() {
     }
     base::runInBackground(
         this, [location = overview.location] { return resultsOf(location); },
-        [this, scene](core::Expected<std::vector<study::TaskResults>> results) mutable {
+        [this, scene](core::Expected<StudyResults> results) mutable {
             m_analysing = false;
             if (results) {
-                scene.tasks = std::move(*results);
+                scene.tasks = std::move(results->tasks);
+                scene.levels = std::move(results->levels);
                 m_results->setState(scene.tasks.empty() ? tr("There are no completed trials yet.")
                                                         : tr("Completed test trials only."));
                 m_results->setScene(std::move(scene));

@@ -3,12 +3,17 @@
 
 #include "backend/figure/figure_file.h"
 #include "backend/study/analysis/trial_source.h"
+#include "backend/study/methods/figures/threshold_figures.h"
+#include "backend/study/methods/results/level_trial_store.h"
+#include "backend/study/methods/results/threshold_files.h"
 #include "backend/study/report/study_export.h"
 #include "backend/study/report/study_figures.h"
 #include "backend/study/report/study_report.h"
 
 #include <QCoreApplication>
 #include <QDir>
+
+#include <utility>
 
 namespace teleta::console {
 
@@ -18,17 +23,30 @@ struct WritingText {
     Q_DECLARE_TR_FUNCTIONS(StudyWriting)
 };
 
-core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StudyStore& store,
-                                                          study::TrialTally& tally) {
+core::Expected<StudyResults> resultsOf(const study::StudyStore& store, study::TrialTally& tally) {
     study::ModeFilter modes;
     TELETA_CHECK(study::tallyStore(store, modes, tally));
-    return study::studyResults(tally);
+    study::LevelTrials trials;
+    TELETA_CHECK(study::addLevelTrials(store, modes, trials));
+    auto levels = std::make_shared<const study::LevelResults>(
+        study::LevelResults{study::thresholdResults(trials), study::detectionResults(trials)});
+    return StudyResults{study::studyResults(tally), std::move(levels)};
+}
+
+core::Expected<void> writeLevelResults(const study::LevelResults& levels, const std::string& folder,
+                                       study::Mode mode, const std::vector<study::FigureFormat>& formats) {
+    std::vector<study::ThresholdFigureFormat> same;
+    for (const study::FigureFormat& format : formats)
+        same.push_back({format.extension, format.convert});
+    TELETA_CHECK(study::writeThresholds(levels.thresholds, levels.detection, folder));
+    return study::writeThresholdFigures(levels.thresholds, levels.detection, folder, mode, same);
 }
 
 /// Writes tables, figures and report into the study's folder "results", which is returned.
 core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir& study) {
     study::TrialTally tally;
-    TELETA_TRY(const std::vector<study::TaskResults> tasks, resultsOf(store, tally));
+    TELETA_TRY(const StudyResults found, resultsOf(store, tally));
+    const std::vector<study::TaskResults>& tasks = found.tasks;
     const QString results = study.filePath(QStringLiteral("results"));
     const std::string folder = results.toStdString();
     const study::Mode mode = store.head().mode;
@@ -44,13 +62,14 @@ core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir
                                        tally.frames()};
     return study::writeResults(tasks, folder)
         .and_then([&] { return study::writeFigures(tasks, folder, mode, formats); })
+        .and_then([&] { return writeLevelResults(*found.levels, folder, mode, formats); })
         .and_then([&] { return study::writeReport(tasks, heading, folder); })
         .map([&] { return results; });
 }
 
 } // namespace
 
-core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StoreLocation& location) {
+core::Expected<StudyResults> resultsOf(const study::StoreLocation& location) {
     TELETA_TRY(const study::StudyStore store, study::StudyStore::openForReading(location));
     study::TrialTally tally;
     return resultsOf(store, tally);

@@ -3,15 +3,23 @@
 
 #include "backend/study/analysis/study_results.h"
 #include "backend/study/store/study_store.h"
+#include "widgets/study/results/level_content.h"
 
 #include <QString>
 
+#include <memory>
 #include <vector>
 
 namespace teleta::console {
 
-/// The current results of a study. Error: what the store reports. Thread: any.
-[[nodiscard]] core::Expected<std::vector<study::TaskResults>> resultsOf(const study::StoreLocation& location);
+/// What the page shows of the results of a study.
+struct StudyResults {
+    std::vector<study::TaskResults> tasks;
+    std::shared_ptr<const study::LevelResults> levels; ///< of tasks with levels
+};
+
+/// The current results of a study. Error: what the store reports. Thread: any; fits take several threads.
+[[nodiscard]] core::Expected<StudyResults> resultsOf(const study::StoreLocation& location);
 
 /// Writes the files of a study. format: psychds, bids, excel, or analysis for tables, figures and report.
 /// Returns the folder of the files. Error: what the store reports, ioFailed. Thread: that of the store; for

@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QSignalBlocker>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -84,7 +85,14 @@ ResultsView::ResultsView(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, margin, 0, 0);
     layout->addLayout(bar);
-    layout->addWidget(area, 1);
+    m_tabs->addTab(area, QString());
+    m_tabs->addTab(m_thresholds, QString());
+    m_tabs->addTab(m_tracks, QString());
+    m_tabs->addTab(m_detection, QString());
+    m_tabs->setDocumentMode(true);
+    layout->addWidget(m_tabs, 1);
+    for (FigurePage* page : {m_thresholds, m_tracks, m_detection})
+        connect(page, &FigurePage::figureFailed, this, &ResultsView::figureFailed);
 
     m_export->setMenu(new QMenu(m_export));
     connect(m_task, &QComboBox::currentIndexChanged, this, &ResultsView::refresh);
@@ -160,11 +168,34 @@ void ResultsView::refresh() {
     m_content->setVisible(any);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_task, m_who, m_beside, m_counts, m_export})
         widget->setEnabled(any);
-    if (!any)
+    if (!any) {
+        showLevels();
         return;
+    }
     showMatrices(*results);
     showCharts(*results);
     showTables(*results);
+    showLevels();
+}
+
+/// The tabs of a task with levels; other tasks have no tabs.
+void ResultsView::showLevels() {
+    const std::shared_ptr<const LevelResults>& levels = m_scene.levels;
+    const bool any = levels && levels->has(task());
+    const bool detects = levels && levels->hasDetection(task());
+    m_tabs->tabBar()->setVisible(any);
+    m_tabs->setTabVisible(m_tabs->indexOf(m_thresholds), any);
+    m_tabs->setTabVisible(m_tabs->indexOf(m_tracks), any);
+    m_tabs->setTabVisible(m_tabs->indexOf(m_detection), detects);
+    if (!any)
+        return;
+    const ConditionNames names = conditionNames();
+    m_thresholds->setItems(LevelContent::curves(levels, task(), m_scene.mode, names),
+                           LevelContent::thresholdTable(*levels, task(), names));
+    m_tracks->setItems(LevelContent::tracks(levels, task(), m_scene.mode, names),
+                       LevelContent::trackTable(*levels, task(), names));
+    m_detection->setItems(LevelContent::detection(levels, task(), m_scene.mode, names),
+                          LevelContent::detectionTable(*levels, task(), names));
 }
 
 void ResultsView::showMatrices(const TaskResults& results) {
@@ -231,6 +262,16 @@ void ResultsView::retranslate() {
     m_groupsTitle->setText(tr("All participants together"));
     m_anovaTitle->setText(tr("Analysis of variance"));
     m_peopleTitle->setText(tr("Each participant"));
+    m_tabs->setTabText(0, tr("Answers"));
+    m_tabs->setTabText(m_tabs->indexOf(m_thresholds), tr("Thresholds"));
+    m_tabs->setTabText(m_tabs->indexOf(m_tracks), tr("Tracks"));
+    m_tabs->setTabText(m_tabs->indexOf(m_detection), tr("d' and c"));
+    m_thresholds->setChoiceName(tr("Whose threshold is shown"));
+    m_thresholds->setTableName(tr("Thresholds"));
+    m_tracks->setChoiceName(tr("Which track is shown"));
+    m_tracks->setTableName(tr("Tracks"));
+    m_detection->setChoiceName(tr("Which condition is shown"));
+    m_detection->setTableName(tr("d' and c"));
     m_groups->setAccessibleName(m_groupsTitle->text());
     m_anova->setAccessibleName(m_anovaTitle->text());
     m_people->setAccessibleName(m_peopleTitle->text());

@@ -5,6 +5,7 @@
 #include "backend/study/protocol/trial.h"
 #include "widgets/base/compose.h"
 #include "widgets/study/results/interval_chart.h"
+#include "widgets/study/results/level_content.h"
 #include "widgets/study/results/participant_picker.h"
 
 #include <QComboBox>
@@ -13,8 +14,10 @@
 #include <QMap>
 #include <QPushButton>
 #include <QString>
+#include <QTabWidget>
 #include <QWidget>
 
+#include <memory>
 #include <vector>
 
 namespace teleta::study {
@@ -30,11 +33,12 @@ struct ResultsScene {
     QMap<QString, QString> taskNames;             ///< by id
     QMap<QString, ConditionNames> conditionNames; ///< by id of the task
     Mode mode = Mode::run;
+    std::shared_ptr<const LevelResults> levels = {}; ///< of tasks with levels; null: none
 };
 
 /// The results of a study: confusion matrices, accuracy with intervals, conditions compared for each pattern,
-/// response times, information transfer with its bias, ANOVA. All of it can be copied and saved.
-/// Thread: GUI.
+/// response times, information transfer with its bias, ANOVA. Tasks with levels have further tabs:
+/// thresholds, tracks, d' and c. All of it can be copied and saved. Thread: GUI.
 class ResultsView : public QWidget {
     Q_OBJECT
 
@@ -60,6 +64,7 @@ private:
     void showMatrices(const TaskResults& task);
     void showCharts(const TaskResults& task);
     void showTables(const TaskResults& task);
+    void showLevels();
     [[nodiscard]] ConditionNames conditionNames() const;
     [[nodiscard]] const TaskResults* chosen() const;
     [[nodiscard]] ShownPeople shown() const;
@@ -72,6 +77,10 @@ private:
     QPushButton* m_export = base::named<QPushButton>("resultExport", this);
     QLabel* m_state = new QLabel(this);
     QWidget* m_content = new QWidget(this);
+    QTabWidget* m_tabs = base::named<QTabWidget>("resultTabs", this);
+    FigurePage* m_thresholds = new FigurePage(QStringLiteral("thresholds"), this);
+    FigurePage* m_tracks = new FigurePage(QStringLiteral("tracks"), this);
+    FigurePage* m_detection = new FigurePage(QStringLiteral("sdt"), this);
     QGridLayout* m_matrixGrid = new QGridLayout;
     std::vector<ConfusionView*> m_matrices;
     IntervalChart* m_accuracy = base::named<IntervalChart>("accuracyChart", m_content);
