@@ -24,6 +24,8 @@ build_packages=(
     libeigen3-dev libceres-dev libboost-math-dev
     # files, queues, command line
     libtomlplusplus-dev nlohmann-json3-dev libzip-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
+    # MCAP files
+    libzstd-dev liblz4-dev zlib1g-dev
     # figures as PDF and PNG without a GUI library
     librsvg2-dev libcairo2-dev
     # the bracelet over USB HID
@@ -51,6 +53,8 @@ test_packages+=(postgresql python3-html5lib poppler-utils locales zsh)
 test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 busybox-static cpio)
 # The simulator with which kinematics are compared.
 test_packages+=(libmujoco-dev)
+# Independent readers and writers of MCAP, which npm installs.
+command -v npm >/dev/null || test_packages+=(nodejs npm)
 # For building and testing the Debian package only.
 package_packages=(help2man dpkg-dev file lintian debootstrap)
 # For building and testing the Flatpak only.

@@ -28,6 +28,7 @@ checks=("$@")
 ((${#checks[@]})) || checks=("${all_checks[@]}")
 
 "$root/packaging/install_dependencies.sh" --test || exit 1
+"$root/tests/peer/mcap/install.sh" || exit 1
 ensure_runtime_folder
 
 passed=0

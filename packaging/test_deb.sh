@@ -36,7 +36,8 @@ inside teleta study analyze /tmp/study --out /tmp/results >/dev/null
 [[ -s $tree/tmp/results/anova.csv ]] || fail "analyze left no ANOVA"
 for file in man/man1/teleta.1.gz man/man1/teleta-console.1.gz man/man1/teleta-stiffness.1.gz \
     applications/org.teleta.Console.desktop metainfo/org.teleta.Console.metainfo.xml \
-    icons/hicolor/scalable/apps/teleta-console.svg bash-completion/completions/teleta doc/teleta-console/copyright; do
+    icons/hicolor/scalable/apps/teleta-console.svg bash-completion/completions/teleta doc/teleta-console/copyright \
+    teleta-console/teleta_msgs/msg/Touch.msg; do
     [[ -s $tree/usr/share/$file || $file == doc/* || $file == man/* ]] || fail "/usr/share/$file is missing"
     inside dpkg -L teleta-console | grep -qxF "/usr/share/$file" || fail "the package does not hold /usr/share/$file"
 done

@@ -22,10 +22,10 @@ namespace {
 
 /// In the order of the help.
 std::vector<Command> allCommands() {
-    return {featuresCommand(), contactsCommand(),  gainsCommand(),  stiffnessCommand(),
-            contourCommand(),  calibrateCommand(), locateCommand(), trackCommand(),
-            simulateCommand(), replayCommand(),    exportCommand(), patternCommand(),
-            studyCommand(),    tradeoffCommand(),  armCommand(),    devicesCommand()};
+    return {featuresCommand(),  contactsCommand(), gainsCommand(),   stiffnessCommand(), contourCommand(),
+            calibrateCommand(), locateCommand(),   trackCommand(),   simulateCommand(),  replayCommand(),
+            exportCommand(),    importCommand(),   patternCommand(), studyCommand(),     tradeoffCommand(),
+            armCommand(),       devicesCommand()};
 }
 
 struct ProgramText {

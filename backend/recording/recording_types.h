@@ -21,6 +21,7 @@ enum class StreamKind {
     camera,   ///< pictures, grey levels, shape height x width
     contacts, ///< contacts in them, float64, one frame a contact
     tactors,  ///< what was sent to a bracelet, float32
+    wrench,   ///< force and torque as another program measured them, float64
 };
 
 /// How the numbers of a stream are kept; little-endian.

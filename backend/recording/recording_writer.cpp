@@ -61,6 +61,12 @@ RecordingWriter::RecordingWriter(std::string path, std::function<QDateTime()> ut
     , m_simulatedTime(simulatedTime) {
 }
 
+RecordingWriter::RecordingWriter(std::string path, std::vector<TimeAnchor> anchors)
+    : m_database(std::move(path))
+    , m_given(std::move(anchors))
+    , m_simulatedTime(true) {
+}
+
 core::Expected<void> RecordingWriter::begin(const RecordingHead& head) {
     m_start_ns = head.start_ns;
     m_newest_ns = head.start_ns;
@@ -232,15 +238,28 @@ core::Expected<void> RecordingWriter::writeAnchor() {
     // A simulation runs as fast as it can: only its start is a time of the wall clock.
     if (m_anchor && m_simulatedTime)
         return {};
+    if (!m_given.empty()) {
+        for (const TimeAnchor& anchor : m_given) {
+            TELETA_CHECK(insertAnchor(anchor));
+        }
+        m_anchor = m_given.back();
+        return {};
+    }
     const TimeAnchor now{m_simulatedTime ? m_start_ns : core::steadyNow_ns(), m_utcNow().toUTC()};
     if (m_anchor) {
         const std::int64_t expected_ms = (now.time_ns - m_anchor->time_ns) / 1'000'000;
         if (std::abs(m_anchor->utc.msecsTo(now.utc) - expected_ms) < kClockStep_ms)
             return {};
     }
-    TELETA_CHECK(m_database.run(QStringLiteral("INSERT INTO anchor VALUES (?, ?)"),
-                                {static_cast<qlonglong>(now.time_ns), now.utc.toString(Qt::ISODateWithMs)}));
+    TELETA_CHECK(insertAnchor(now));
     m_anchor = now;
+    return {};
+}
+
+core::Expected<void> RecordingWriter::insertAnchor(const TimeAnchor& anchor) {
+    TELETA_CHECK(
+        m_database.run(QStringLiteral("INSERT INTO anchor VALUES (?, ?)"),
+                       {static_cast<qlonglong>(anchor.time_ns), anchor.utc.toString(Qt::ISODateWithMs)}));
     return {};
 }
 

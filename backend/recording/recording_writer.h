@@ -19,6 +19,8 @@ namespace teleta::recording {
 class RecordingWriter {
 public:
     RecordingWriter(std::string path, std::function<QDateTime()> utcNow, bool simulatedTime);
+    /// Of frames that were recorded before, elsewhere. anchors: as they were then.
+    RecordingWriter(std::string path, std::vector<TimeAnchor> anchors);
 
     /// Creates the file and writes its head. On failure the file is removed.
     [[nodiscard]] core::Expected<void> begin(const RecordingHead& head);
@@ -62,9 +64,11 @@ private:
     [[nodiscard]] core::Expected<void> writeAll();
     [[nodiscard]] core::Expected<void> writeBlock(const Stream& stream, const core::TappedFrames& block);
     [[nodiscard]] core::Expected<void> writeAnchor();
+    [[nodiscard]] core::Expected<void> insertAnchor(const TimeAnchor& anchor);
 
     RecordingDatabase m_database;
     std::function<QDateTime()> m_utcNow;
+    std::vector<TimeAnchor> m_given; ///< instead of those of the wall clock
     bool m_simulatedTime;
     std::int64_t m_start_ns = 0;
     std::int64_t m_newest_ns = 0;

@@ -80,4 +80,11 @@ const std::vector<Column>& contactColumns() {
     return columns;
 }
 
+const std::vector<Column>& wrenchColumns() {
+    static const std::vector<Column> columns{{"force_x_n", "N"},    {"force_y_n", "N"},
+                                             {"force_z_n", "N"},    {"torque_x_nm", "Nm"},
+                                             {"torque_y_nm", "Nm"}, {"torque_z_nm", "Nm"}};
+    return columns;
+}
+
 } // namespace teleta::recording

@@ -28,6 +28,8 @@ const std::map<std::string, Target> kTargets{
     {"hid_bracelet_file", teleta::fuzz::hidBraceletFile},
     {"hid_reports", teleta::fuzz::hidReports},
     {"level_csv", teleta::fuzz::levelCsv},
+    {"mcap_file", teleta::fuzz::mcapFile},
+    {"mcap_message", teleta::fuzz::mcapMessage},
     {"motor_profile", teleta::fuzz::motorProfile},
     {"motor_recording", teleta::fuzz::motorRecording},
     {"pattern_export", teleta::fuzz::patternExport},

@@ -30,6 +30,8 @@ bool costCsv(Bytes bytes);
 
 // Recordings.
 bool recording(Bytes bytes);
+bool mcapFile(Bytes bytes);
+bool mcapMessage(Bytes bytes); ///< in CDR
 
 // Patterns.
 bool patternJson(Bytes bytes);

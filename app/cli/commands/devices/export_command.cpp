@@ -4,6 +4,8 @@
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/commands/devices/devices_commands.h"
+#include "backend/mcap/chunk_compression.h"
+#include "backend/mcap/recorded/mcap_export.h"
 #include "backend/recording/csv_export.h"
 
 #include <QCoreApplication>
@@ -53,6 +55,43 @@ core::Expected<void> printFiles(const Recording& recording, const std::vector<Ex
     return printFields(fields);
 }
 
+core::Expected<void> printJson(const Recording& recording, const mcap::McapExport& file) {
+    nlohmann::ordered_json document{{"recording", recording.path()},
+                                    {"complete", recording.isComplete()},
+                                    {"scene", recording.head().scene},
+                                    {"app_version", recording.head().appVersion},
+                                    {"path", file.path},
+                                    {"bytes", file.bytes},
+                                    {"damaged_blocks", file.damagedBlocks},
+                                    {"topics", nlohmann::ordered_json::array()},
+                                    {"left_out", file.leftOut},
+                                    {"y_turned", file.turned}};
+    for (const mcap::McapExport::Topic& topic : file.topics)
+        document["topics"].push_back(
+            {{"topic", topic.name}, {"type", topic.type}, {"messages", topic.messages}});
+    return printDocument(document);
+}
+
+core::Expected<void> printTopics(const Recording& recording, const mcap::McapExport& file) {
+    Fields fields;
+    for (const mcap::McapExport::Topic& topic : file.topics)
+        fields.emplace_back(QString::fromStdString(topic.name),
+                            ExportText::tr("%n message(s)", nullptr, static_cast<int>(topic.messages)) +
+                                QStringLiteral(", ") + QString::fromStdString(topic.type));
+    const auto note = [&fields](const QString& text) { fields.emplace_back(ExportText::tr("Note"), text); };
+    for (const std::string& stream : file.turned)
+        note(ExportText::tr("The camera sees a left-handed frame: y of %1 has changed its sign.")
+                 .arg(QString::fromStdString(stream)));
+    for (const std::string& stream : file.leftOut)
+        note(ExportText::tr("%1 has no messages in ROS and was left out.")
+                 .arg(QString::fromStdString(stream)));
+    if (file.damagedBlocks > 0)
+        note(ExportText::tr("%n damaged block(s) left out", nullptr, static_cast<int>(file.damagedBlocks)));
+    if (!recording.isComplete())
+        note(ExportText::tr("The recording was cut off; what had been written is there."));
+    return printFields(fields);
+}
+
 class ExportCommand {
 public:
     void declare(CLI::App& app) {
@@ -60,14 +99,53 @@ public:
                   "")
             ->required();
         addOption(app, "--csv", m_folder, ExportText::tr("Folder for a CSV file a stream and events.csv"),
-                  "DIR")
-            ->required();
+                  "DIR");
+        addOption(app, "--mcap", m_mcapPath, ExportText::tr("MCAP file for Foxglove and ROS 2"), "FILE");
+        addOption(app, "--stream", m_streams, ExportText::tr("Only these streams into the MCAP file"),
+                  "NAME");
+        addChoice(app, "--compression", m_compression, ExportText::tr("Compression of the MCAP file"),
+                  {"zstd", "lz4", "none"})
+            ->capture_default_str();
+        addOption(app, "--chunk-mb", m_chunk_MB, ExportText::tr("Size of a chunk of the MCAP file in MiB"),
+                  between(0.01, 64.0), "NUMBER");
         addFlag(app, "--force", m_force, ExportText::tr("Write over files that are there already"));
         declareJson(app, m_json);
     }
 
     [[nodiscard]] core::Expected<void> run() {
+        if (m_folder.empty() == m_mcapPath.empty())
+            refuse("--csv", ExportText::tr("either a folder here or a file after --mcap is needed"));
+        if (m_mcapPath.empty() && !m_streams.empty())
+            refuse("--stream", ExportText::tr("only with --mcap"));
         TELETA_TRY(const Recording recording, Recording::open(m_path));
+        return m_mcapPath.empty() ? writeCsv(recording) : writeMcap(recording);
+    }
+
+private:
+    [[nodiscard]] core::Expected<void> writeMcap(const Recording& recording) {
+        ProgressBar progress(ProgressBar::Unit::frames, false);
+        mcap::McapExportOptions options;
+        options.streams = m_streams;
+        options.compression =
+            m_compression == "none" ? mcap::Compression::none : mcap::compressionOf(m_compression).value();
+        options.chunkBytes = static_cast<std::size_t>(m_chunk_MB * (1U << 20U));
+        options.overwrite = m_force;
+        options.goOn = [&](double done, double all) {
+            progress.update(done, all);
+            return !interrupted();
+        };
+        const auto exported = mcap::exportMcap(recording, m_mcapPath, options);
+        progress.erase();
+        if (!exported) {
+            core::Error error = exported.error();
+            if (error.kind == core::ErrorKind::refused && error.where.file == m_mcapPath)
+                error.expected = ExportText::tr("another name, or --force").toStdString();
+            return core::Unexpected(std::move(error));
+        }
+        return m_json ? printJson(recording, *exported) : printTopics(recording, *exported);
+    }
+
+    [[nodiscard]] core::Expected<void> writeCsv(const Recording& recording) {
         ProgressBar progress(ProgressBar::Unit::frames, false);
         recording::ExportOptions options;
         options.overwrite = m_force;
@@ -90,9 +168,12 @@ public:
                          stopped);
     }
 
-private:
     std::string m_path;
     std::string m_folder;
+    std::string m_mcapPath;
+    std::vector<std::string> m_streams;
+    std::string m_compression = "zstd";
+    double m_chunk_MB = 4.0;
     bool m_force = false;
     bool m_json = false;
 };
@@ -101,9 +182,10 @@ private:
 
 Command exportCommand() {
     return makeCommand<ExportCommand>("export",
-                                      ExportText::tr("Write the streams of a recording as CSV files"),
+                                      ExportText::tr("Write the streams of a recording as CSV or MCAP files"),
                                       "teleta simulate tactile-indenter --out run\n"
-                                      "  teleta export run/recording.teleta --csv run/csv");
+                                      "  teleta export run/recording.teleta --csv run/csv\n"
+                                      "  teleta export run/recording.teleta --mcap run/recording.mcap");
 }
 
 } // namespace teleta::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/camera_source.h"
+
+#include <optional>
+#include <string_view>
+
+namespace teleta::mcap {
+
+/// Pixels of a picture, at most.
+inline constexpr std::size_t kMostPixels = std::size_t{1} << 26U;
+
+/// A PNG or JPEG picture as grey levels of 8 bits; empty: it is another, damaged, or too large. Thread: any
+/// (pure).
+[[nodiscard]] std::optional<core::GreyImage> decodePicture(std::string_view bytes);
+
+} // namespace teleta::mcap

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/camera_source.h"
+
+#include <string>
+
+namespace teleta::mcap {
+
+/// A picture as PNG, 8-bit grey, rows without filter: fast, where what holds it is compressed anyway. level:
+/// of zlib, 0 (stored) to 9. Thread: any (pure). Source: PNG specification, third edition.
+[[nodiscard]] std::string encodePng(const core::GreyImage& image, int level);
+
+} // namespace teleta::mcap
