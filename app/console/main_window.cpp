@@ -100,6 +100,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
     , m_questions(*this, *m_patterns, *m_calibrate, *m_study) {
+    m_study->controller().setRecording(&m_sessionRecorder);
     setAcceptDrops(true);
     for (const Page& page : pages()) {
         m_rail->addPage(page.name, page.icon, page.title, page.about);

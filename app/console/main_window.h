@@ -7,6 +7,7 @@
 #include "app/console/closing_questions.h"
 #include "app/console/console_options.h"
 #include "app/console/operate/recording/recording_service.h"
+#include "app/console/session_recorder.h"
 #include "app/console/sources/source_manager.h"
 #include "backend/core/threads/stop_switch.h"
 #include "widgets/base/icons.h"
@@ -104,6 +105,7 @@ private:
     BraceletService m_bracelet;
     SourceManager m_sources;
     RecordingService m_recorder;
+    SessionRecorder m_sessionRecorder{m_recorder};
     GuiClock m_clock;
     PatternCollection* m_collection;
     RecordingFiles* m_recordings;

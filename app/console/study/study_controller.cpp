@@ -78,9 +78,13 @@ StudyController::StudyController(BraceletService& station, core::StopSwitch& sto
     connect(&m_runner, &StudyRunner::changed, this, &StudyController::changed);
     // During a session nothing else may play on the bracelet.
     connect(&m_runner, &StudyRunner::changed, this, [this] { m_station.reserve(m_runner.isActive()); });
+    m_runner.observe(&m_marks);
+    connect(&m_runner, &StudyRunner::changed, this,
+            [this] { m_marks.setPaused(m_runner.hold() != study::Hold::none, now_ns()); });
     connect(&m_runner, &StudyRunner::blockKept, this, &StudyController::exportSession);
     connect(&m_runner, &StudyRunner::finished, this, &StudyController::conclude);
     connect(&m_runner, &StudyRunner::aborted, this, [this] {
+        m_marks.end(true, now_ns());
         stopRehearsal();
         exportSession();
         refresh();
@@ -226,6 +230,7 @@ void StudyController::refresh() {
 void StudyController::take(StudyOverview overview) {
     const bool another = !m_overview || m_overview->store != overview.store;
     m_overview = std::move(overview);
+    m_marks.setTrigger(isSimulated() ? core::TriggerSettings() : m_overview->head.protocol.trigger);
     if (another) {
         m_chosen.reset();
         m_saved.clear();
@@ -322,6 +327,7 @@ std::vector<study::RunCheck> StudyController::checks() const {
         now.participant = participant->participant.id;
         now.finished = session->isFinished();
     }
+    now.trigger = m_marks.trigger();
     now.runner = m_otherRunner;
     now.folder = m_folder;
     now.store = m_storeError;
@@ -384,8 +390,13 @@ void StudyController::beginTrials(const OpenedSession& opened) {
         emit failed(tr("The session could not start."), begun.error());
         return;
     }
-    if (!isSimulated())
+    if (!isSimulated()) {
+        const study::Protocol& protocol = m_overview->head.protocol;
+        const QString folder = QString::fromStdString(m_overview->location.folder);
+        m_marks.begin(m_running->record.id, folder, protocol.recordSessions ? recordingPath() : QString(),
+                      now_ns());
         return;
+    }
     const study::StudyTask& task = m_overview->head.protocol.tasks[plan.task];
     const std::string& condition = task.conditions[plan.condition];
     m_person.begin(m_scene
@@ -397,26 +408,40 @@ void StudyController::beginTrials(const OpenedSession& opened) {
         m_runner.pause();
 }
 
+QString StudyController::recordingPath() const {
+    std::vector<study::Participant> people;
+    for (const ParticipantOverview& person : m_overview->participants)
+        people.push_back(person.participant);
+    const std::vector<std::string> labels = study::fileLabels(people);
+    std::string label;
+    for (std::size_t i = 0; i < people.size(); ++i) {
+        if (people[i].key == m_running->participant.key)
+            label = labels[i];
+    }
+    return QStringLiteral("%1/recordings/%2_%3.teleta")
+        .arg(QString::fromStdString(m_overview->location.folder), QString::fromStdString(label),
+             QString::fromStdString(m_running->record.id));
+}
+
 void StudyController::exportSession() {
     if (!m_running)
         return;
-    m_store.ask(
-        [who = m_running->participant, record = m_running->record](StudyStoreThread::Store& store) {
-            return study::exportSession(*store, who, record, study::ExportFormat::psychds);
-        },
-        [this](const core::Expected<void>& written) {
-            if (written)
-                m_saved = tr("Saved and verified: %1")
-                              .arg(QDir(QString::fromStdString(m_overview->location.folder))
-                                       .filePath(QStringLiteral("data")));
-            else
-                emit failed(tr("The trials are safe in the study, but could not be exported."),
-                            written.error());
-            emit changed();
-        });
+    m_store.ask([who = m_running->participant, record = m_running->record](
+                    StudyStoreThread::Store& store) { return study::exportSession(*store, who, record); },
+                [this](const core::Expected<void>& written) {
+                    if (written)
+                        m_saved = tr("Saved and verified: %1")
+                                      .arg(QDir(QString::fromStdString(m_overview->location.folder))
+                                               .filePath(QStringLiteral("data")));
+                    else
+                        emit failed(tr("The trials are safe in the study, but could not be exported."),
+                                    written.error());
+                    emit changed();
+                });
 }
 
 void StudyController::conclude() {
+    m_marks.end(false, now_ns());
     m_person.leave();
     m_questionnaires.begin({m_overview->head, m_running->participant, m_running->plan, m_running->record},
                            m_running->after,
@@ -447,6 +472,7 @@ void StudyController::forgetSession() {
     m_questionnaires.leave();
     m_person.leave();
     m_runner.clear();
+    m_marks.end(false, now_ns());
     if (!m_running)
         return;
     // A claim may hold the server's connection, which belongs to the store's thread.
@@ -483,7 +509,7 @@ void StudyController::keepNote(const QString& text) {
          now = m_utcNow()](StudyStoreThread::Store& store) {
             Written written{store->keepNote(record, text, now), {}};
             if (written.kept)
-                written.exported = study::exportNotes(*store, who, study::ExportFormat::psychds);
+                written.exported = study::exportNotes(*store, who);
             return written;
         },
         [this, text](const Written& written) {

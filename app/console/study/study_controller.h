@@ -3,6 +3,7 @@
 
 #include "app/console/study/running/bracelet_stimulus.h"
 #include "app/console/study/running/questionnaire_sequence.h"
+#include "app/console/study/running/session_marks.h"
 #include "app/console/study/running/simulated_person.h"
 #include "app/console/study/running/study_runner.h"
 #include "app/console/study/running/study_store_thread.h"
@@ -94,6 +95,10 @@ public:
     [[nodiscard]] const QuestionnaireSequence& questionnaires() const { return m_questionnaires; }
     [[nodiscard]] StudyRunner& runner() { return m_runner; }
     [[nodiscard]] const StudyRunner& runner() const { return m_runner; }
+    /// Where sessions are recorded when the protocol asks for it; null: nowhere. Must outlive it.
+    void setRecording(SessionRecording* recording) { m_marks.setRecording(recording); }
+    /// Empty: the study has no triggers, or is a rehearsal.
+    [[nodiscard]] std::optional<study::TriggerStatus> trigger() const { return m_marks.trigger(); }
     [[nodiscard]] const StimulusOutput& output() const;
     [[nodiscard]] StimulusOutput& output();
     /// Says where the last block was written, once it was read back and compared.
@@ -135,6 +140,8 @@ private:
     void closeSession(bool answered);
     void forgetSession();
     void exportSession();
+    /// Of the running session.
+    [[nodiscard]] QString recordingPath() const;
     void goOnRehearsing();
     void followSimulated();
     [[nodiscard]] bool isFast() const { return isSimulated() && m_speed > 1.0; }
@@ -153,6 +160,7 @@ private:
     UnplayedStimulus m_unplayed;
     StudyStoreThread m_store;
     QuestionnaireSequence m_questionnaires;
+    SessionMarks m_marks;
     StudyRunner m_runner;
     SimulatedPerson m_person;
 

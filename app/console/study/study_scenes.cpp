@@ -170,6 +170,13 @@ study::SessionScene StudyScenes::session(const StudyController& controller) {
     scene.device = controller.output().description();
     const QString obstacle = controller.output().obstacle();
     scene.deviceTone = !obstacle.isEmpty() ? Tone::alarm : Tone::calm;
+    if (const auto trigger = controller.trigger(); trigger && trigger->failures > 0) {
+        scene.device = tr("%1. %n trigger(s) could not be written: %2", "device; why",
+                          static_cast<int>(trigger->failures))
+                           .arg(scene.device, trigger->error ? text(core::describe(*trigger->error))
+                                                             : tr("the line was not open"));
+        scene.deviceTone = Tone::alarm;
+    }
     if (const SessionOverview* session = controller.chosenSession()) {
         const ParticipantOverview& person = *controller.chosenParticipant();
         scene.title =

@@ -4,6 +4,7 @@
 #include "backend/core/data/csv_reader.h"
 #include "backend/core/failure.h"
 
+#include <QByteArrayView>
 #include <QCoreApplication>
 #include <QString>
 
@@ -65,6 +66,8 @@ public:
         , m_attempt(optionalColumn("attempt"))
         , m_alternatives(optionalColumn("n_alternatives")) {}
 
+    /// Names in another encoding would be other names.
+    [[nodiscard]] core::Expected<void> checkEncoding(const std::vector<std::string_view>& fields) const;
     /// False: the row is not counted.
     [[nodiscard]] core::Expected<bool> read(const std::vector<std::string_view>& fields, ModeFilter& modes,
                                             TalliedTrial& trial) const;
@@ -104,6 +107,18 @@ private:
     std::optional<std::size_t> m_attempt;
     std::optional<std::size_t> m_alternatives;
 };
+
+core::Expected<void> RowReader::checkEncoding(const std::vector<std::string_view>& fields) const {
+    for (const std::size_t column : m_needed) {
+        const std::string_view text = fields[column];
+        const bool plain =
+            std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+        if (!plain && !QByteArrayView(text.data(), static_cast<qsizetype>(text.size())).isValidUtf8())
+            return core::failed(core::ErrorKind::badInput, SourceText::tr("this text is not UTF-8"),
+                                SourceText::tr("a file that was saved as UTF-8"), m_csv.place(column));
+    }
+    return {};
+}
 
 core::Expected<bool> RowReader::hasCountedMode(std::string_view text, ModeFilter& modes) const {
     // Comparing with the last mode first saves a string per row.
@@ -205,11 +220,28 @@ core::Expected<void> RowReader::take(const std::vector<std::string_view>& fields
     return {};
 }
 
+/// Spreadsheets and BIDS separate columns by other characters.
+core::Expected<void> checkSeparator(const core::CsvReader& csv) {
+    if (csv.header().size() != 1)
+        return {};
+    const std::string& line = csv.header().front();
+    const bool semicolons = line.find(';') != std::string::npos;
+    if (!semicolons && line.find('\t') == std::string::npos)
+        return {};
+    return core::failed(core::ErrorKind::badInput,
+                        semicolons ? SourceText::tr("the columns are separated by semicolons")
+                                   : SourceText::tr("the columns are separated by tabs"),
+                        SourceText::tr("commas, and a point in numbers: the trials that are in data/ of the "
+                                       "study, or the file saved as CSV with commas"),
+                        csv.place(0));
+}
+
 } // namespace
 
 core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialTally& tally,
                               const std::function<bool(std::uint64_t)>& goOn) {
     TELETA_TRY(core::CsvReader csv, core::CsvReader::open(path));
+    TELETA_CHECK(checkSeparator(csv));
     TELETA_TRY(const std::vector<std::size_t> needed, csv.columns(kNeeded));
     const RowReader reader(csv, needed);
     std::vector<std::string_view> fields;
@@ -220,6 +252,7 @@ core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialT
             return {};
         if (row % kRowsBetweenQuestions == 0 && !goOn(csv.bytesRead()))
             return core::failed(core::ErrorKind::cancelled, SourceText::tr("interrupted"), {}, {path});
+        TELETA_CHECK(reader.checkEncoding(fields));
         TELETA_TRY(const bool counts, reader.read(fields, modes, trial));
         if (!counts)
             continue;

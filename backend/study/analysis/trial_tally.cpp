@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/analysis/trial_tally.h"
 
+#include <QString>
+
 #include <algorithm>
 
 namespace teleta::study {
@@ -61,6 +63,34 @@ void TrialTally::expectCount(std::string_view task, std::size_t patterns) {
 const TrialTally::Alternatives* TrialTally::alternatives(std::string_view task) const {
     const auto found = m_alternatives.find(task);
     return found == m_alternatives.end() ? nullptr : &found->second;
+}
+
+std::set<std::pair<std::string, std::string>> TrialTally::answersInOtherCase() const {
+    std::map<std::string, std::set<std::size_t>> presented;
+    for (const auto& [task, alternatives] : m_alternatives)
+        presented[task] = alternatives.patterns;
+    for (const auto& [key, cell] : m_cells) {
+        for (const auto& [answer, count] : cell.counts)
+            presented[key.task].insert(answer.first);
+    }
+    const auto lower = [](const std::string& name) { return QString::fromStdString(name).toLower(); };
+    std::set<std::pair<std::string, std::string>> found;
+    for (const auto& [key, cell] : m_cells) {
+        const std::set<std::size_t>& patterns = presented[key.task];
+        for (const auto& [answer, count] : cell.counts) {
+            if (answer.second == kNone || patterns.contains(answer.second))
+                continue;
+            for (const std::size_t pattern : patterns) {
+                if (lower(m_names[pattern]) == lower(m_names[answer.second]))
+                    found.emplace(m_names[answer.second], m_names[pattern]);
+            }
+        }
+    }
+    return found;
+}
+
+bool TrialTally::hasTestTrials() const {
+    return std::ranges::any_of(m_cells, [](const auto& cell) { return cell.first.phase == Phase::test; });
 }
 
 std::size_t TrialTally::indexOf(std::string_view name) {

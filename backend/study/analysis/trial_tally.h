@@ -75,6 +75,11 @@ public:
     void addFrames(std::optional<double> longestWrite_ms, std::optional<std::size_t> missed);
     [[nodiscard]] const Frames& frames() const { return m_frames; }
 
+    /// Answers that no pattern of their task has, but one with letters of another case: answer and pattern.
+    /// They count as wrong.
+    [[nodiscard]] std::set<std::pair<std::string, std::string>> answersInOtherCase() const;
+    [[nodiscard]] bool hasTestTrials() const;
+
     [[nodiscard]] const std::map<Key, Cell>& cells() const { return m_cells; }
     [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
 

@@ -3,6 +3,7 @@
 
 #include "backend/core/data/toml_keys.h"
 #include "backend/core/failure.h"
+#include "backend/pattern/model/built_in_patterns.h"
 #include "backend/study/protocol/identifier.h"
 
 #include <QCoreApplication>
@@ -30,6 +31,7 @@ struct ProtocolText {
 constexpr long long kMostRepetitions = 1000;
 constexpr long long kMostTrials = 100'000;
 constexpr double kLongest_s = 3600.0;
+constexpr double kLongestPulse_ms = 1000.0;
 constexpr char kBuiltIn[] = ":/studies";
 constexpr char kPaper[] = "teleta.toml";
 
@@ -57,16 +59,19 @@ void describePattern(Keys& keys, StudyPattern& pattern, std::set<std::string>& l
                     ProtocolText::tr("another letter").toStdString());
     pattern.name = pattern.letter;
     keys.text("name", pattern.name, "What the participant reads; otherwise the letter", Need::optional);
-    keys.table("stimulus", "Pattern files by condition; otherwise the built-in patterns", Need::optional,
-               [&](Keys& files) {
-                   for (const std::string& condition : conditions) {
-                       std::string file;
-                       files.text(condition.empty() ? "CONDITION" : condition, file,
-                                  "File of the tactile pattern, relative to the protocol", Need::optional);
-                       if (!file.empty())
-                           pattern.files[condition] = file;
-                   }
-               });
+    keys.table(
+        "stimulus", "Pattern files by condition; otherwise the built-in patterns", Need::optional,
+        [&](Keys& files) {
+            for (const std::string& condition : conditions) {
+                std::string file;
+                files.text(
+                    condition.empty() ? "CONDITION" : condition, file,
+                    "File of the tactile pattern, relative to the protocol, or the id of a built-in pattern",
+                    Need::optional);
+                if (!file.empty())
+                    pattern.files[condition] = file;
+            }
+        });
 }
 
 void describeTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds) {
@@ -89,6 +94,25 @@ void describeTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds) {
                 });
 }
 
+void describeTrigger(Keys& keys, core::TriggerSettings& trigger) {
+    using Kind = core::TriggerSettings::Kind;
+    keys.choose("kind", static_cast<std::size_t>(trigger.kind),
+                {{"none", "No triggers"},
+                 {"serial", "A byte on a serial line"},
+                 {"osc", "A message of Open Sound Control by UDP"}},
+                "Where triggers go", Need::required, [&trigger](Keys& same, std::size_t chosen) {
+                    trigger.kind = static_cast<Kind>(chosen);
+                    if (trigger.kind == Kind::serial) {
+                        same.text("device", trigger.device, "The serial port, such as /dev/ttyUSB0");
+                        same.number("pulse_ms", trigger.pulse_ms, NumberRange::between(0.0, kLongestPulse_ms),
+                                    "Until the byte 0 follows; 0: it does not", Need::optional);
+                    } else if (trigger.kind == Kind::osc) {
+                        same.text("host", trigger.host, "Name or address of the receiver", Need::optional);
+                        same.whole("port", trigger.port, {1, 65535}, "Its UDP port", Need::optional);
+                    }
+                });
+}
+
 } // namespace
 
 void Protocol::describeKeys(Keys& keys) {
@@ -96,6 +120,10 @@ void Protocol::describeKeys(Keys& keys) {
     keys.text("name", name, "Name of the protocol");
     description = "-";
     keys.text("description", description, "What is studied", Need::optional);
+    keys.tables("author", authors, 0, "Who is named as an author of exported data",
+                [](Keys& entry, std::vector<std::string>& names, std::size_t i) {
+                    entry.text("name", names[i], "The author's name");
+                });
     keys.number("stimulus_s", stimulus_s, time, "How long a stimulus lasts");
     keys.number("response_limit_s", responseLimit_s, time, "Time to answer");
     keys.choice("response_window", window, {"from_onset", "from_end"},
@@ -123,6 +151,12 @@ void Protocol::describeKeys(Keys& keys) {
                     describeTask(table, all[i], ids);
                 });
     describeQuestionnaires(keys, questionnaires);
+    keys.table("trigger", "Marks of events for other recorders; without it there are none", Need::optional,
+               [this](Keys& table) { describeTrigger(table, trigger); });
+    keys.table("recording", "What this program records of a session", Need::optional, [this](Keys& table) {
+        table.flag("sessions", recordSessions,
+                   "Record the bracelet and all open sources of each session into a file");
+    });
 }
 
 double StudyTask::referenceOf(const std::string& condition) const {
@@ -159,6 +193,8 @@ core::Expected<Protocol> readProtocol(const std::string& path) {
     for (StudyTask& task : protocol->tasks) {
         for (StudyPattern& pattern : task.patterns) {
             for (auto& [condition, name] : pattern.files) {
+                if (pattern::findBuiltIn(name) != nullptr)
+                    continue;
                 const QString given = QString::fromStdString(name);
                 moved = moved || QDir::isRelativePath(given);
                 name = QDir::cleanPath(folder.absoluteFilePath(given)).toStdString();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/trigger_port.h"
 #include "backend/core/error.h"
 #include "backend/study/protocol/level_task.h"
 #include "backend/study/protocol/questionnaire.h"
@@ -38,7 +39,8 @@ inline constexpr std::size_t kMostPatterns = 9;
 struct StudyPattern {
     std::string letter; ///< what rows have: A, B, ..
     std::string name;
-    /// Files of custom tactile patterns, by condition; other conditions use the built-in pattern.
+    /// Files of custom tactile patterns, or ids of built-in ones, by condition; other conditions use the
+    /// built-in pattern of this task, letter and condition.
     std::map<std::string, std::string> files = {};
 };
 
@@ -66,6 +68,7 @@ enum class ResponseWindow { fromOnset, fromEnd };
 struct Protocol {
     std::string name;
     std::string description;
+    std::vector<std::string> authors; ///< for descriptions of exported data; may be empty
     double stimulus_s = 2.0;
     double responseLimit_s = 10.0;
     ResponseWindow window = ResponseWindow::fromOnset;
@@ -78,7 +81,9 @@ struct Protocol {
     double noise_dBA = 0.0;
     std::vector<StudyTask> tasks;
     std::vector<Questionnaire> questionnaires;
-    std::string source; ///< text of the file, kept with the study
+    core::TriggerSettings trigger;
+    bool recordSessions = false; ///< the streams of each session are recorded into a file
+    std::string source;          ///< text of the file, kept with the study
 
     void describeKeys(core::Keys& keys);
 
@@ -88,8 +93,8 @@ struct Protocol {
 
 /// Reads a protocol (TOML). Unknown keys, keys without their unit, wrong types, values out of range, and
 /// letters or conditions that occur twice are errors with file, line, column and what was expected. Paths of
-/// pattern files are relative to the protocol; the files are not read. Error: notFound, ioFailed, badInput.
-/// Thread: any.
+/// pattern files are relative to the protocol, ids of built-in patterns are none; the files are not read.
+/// Error: notFound, ioFailed, badInput. Thread: any.
 [[nodiscard]] core::Expected<Protocol> readProtocol(const std::string& path);
 
 /// The same from text. file: name for errors. Paths of pattern files stay as they are.
@@ -112,6 +117,7 @@ inline constexpr std::uint64_t kSeedOfTest = 1;
 inline constexpr std::uint64_t kSeedOfAnswers = 2; ///< of simulated participants
 /// Of a session's or a participant's seed: answers of simulated participants to questionnaires.
 inline constexpr std::uint64_t kSeedOfQuestionnaires = 1'000'000;
+inline constexpr std::uint64_t kSeedOfPairs = 1'000'001; ///< the order in which pairs are shown
 
 /// One participant's session: one condition of a task.
 struct PlannedSession {

@@ -64,6 +64,16 @@ private:
     std::string m_text;
 };
 
+/// [{ name = "..." }, ..]
+std::string authorList(const std::vector<std::string>& authors) {
+    std::string list;
+    for (const std::string& author : authors)
+        list.append(list.empty() ? "[{ name = " : ", { name = ")
+            .append(core::quotedToml(author))
+            .append(" }");
+    return list + ']';
+}
+
 void addPhase(Lines& lines, const char* head, const PhaseSettings& phase) {
     lines.head(head)
         .count("repetitions", phase.repetitions)
@@ -91,14 +101,15 @@ void addItem(Lines& lines, const QuestionnaireItem& item) {
         .text("kind", toString(item.kind))
         .text("question", item.question)
         .truth("required", item.required);
-    if (item.kind == ItemKind::likert) {
+    if (item.kind == ItemKind::likert)
         lines.count("points", item.points);
+    if (item.kind == ItemKind::likert || item.kind == ItemKind::scale) {
         if (!item.low.empty())
             lines.text("low", item.low);
         if (!item.high.empty())
             lines.text("high", item.high);
     }
-    if (item.kind == ItemKind::choice) {
+    if (item.kind == ItemKind::choice || item.kind == ItemKind::pair) {
         lines.raw("choice = [\n");
         for (const ItemChoice& choice : item.choices)
             lines.pair("id", choice.id, "text", choice.text);
@@ -106,13 +117,44 @@ void addItem(Lines& lines, const QuestionnaireItem& item) {
     }
 }
 
+void addQuestionnaire(Lines& lines, const Questionnaire& questionnaire) {
+    lines.head("[[questionnaire]]").text("id", questionnaire.id);
+    if (questionnaire.use != StandardQuestionnaire::none) {
+        const bool required = questionnaire.items.empty() || questionnaire.items.front().required;
+        lines.text("when", toString(questionnaire.when))
+            .text("use", toString(questionnaire.use))
+            .truth("required", required);
+        return;
+    }
+    lines.text("title", questionnaire.title).text("when", toString(questionnaire.when));
+    for (const QuestionnaireItem& item : questionnaire.items)
+        addItem(lines, item);
+}
+
+void addTrigger(Lines& lines, const core::TriggerSettings& trigger) {
+    switch (trigger.kind) {
+    case core::TriggerSettings::Kind::none:
+        break;
+    case core::TriggerSettings::Kind::serial:
+        lines.head("[trigger]")
+            .text("kind", "serial")
+            .text("device", trigger.device)
+            .value("pulse_ms", number(trigger.pulse_ms));
+        break;
+    case core::TriggerSettings::Kind::osc:
+        lines.head("[trigger]").text("kind", "osc").text("host", trigger.host).count("port", trigger.port);
+        break;
+    }
+}
+
 } // namespace
 
 std::string protocolText(const Protocol& protocol) {
     Lines lines;
-    lines.text("name", protocol.name)
-        .text("description", protocol.description)
-        .value("stimulus_s", number(protocol.stimulus_s))
+    lines.text("name", protocol.name).text("description", protocol.description);
+    if (!protocol.authors.empty())
+        lines.value("author", authorList(protocol.authors));
+    lines.value("stimulus_s", number(protocol.stimulus_s))
         .value("response_limit_s", number(protocol.responseLimit_s))
         .text("response_window", protocol.window == ResponseWindow::fromOnset ? "from_onset" : "from_end")
         .count("replays", protocol.replays)
@@ -128,14 +170,11 @@ std::string protocolText(const Protocol& protocol) {
         lines.value("level_dBA", number(protocol.noise_dBA));
     for (const StudyTask& task : protocol.tasks)
         addTask(lines, task);
-    for (const Questionnaire& questionnaire : protocol.questionnaires) {
-        lines.head("[[questionnaire]]")
-            .text("id", questionnaire.id)
-            .text("title", questionnaire.title)
-            .text("when", toString(questionnaire.when));
-        for (const QuestionnaireItem& item : questionnaire.items)
-            addItem(lines, item);
-    }
+    for (const Questionnaire& questionnaire : protocol.questionnaires)
+        addQuestionnaire(lines, questionnaire);
+    addTrigger(lines, protocol.trigger);
+    if (protocol.recordSessions)
+        lines.head("[recording]").truth("sessions", true);
     return lines.take();
 }
 

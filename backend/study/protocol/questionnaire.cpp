@@ -2,8 +2,10 @@
 #include "backend/study/protocol/questionnaire.h"
 
 #include "backend/core/failure.h"
+#include "backend/core/random_stream.h"
 #include "backend/core/words.h"
 #include "backend/study/protocol/identifier.h"
+#include "backend/study/protocol/standard_questionnaire.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -12,6 +14,7 @@
 #include <charconv>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace teleta::study {
 
@@ -26,7 +29,8 @@ struct ItemText {
 
 constexpr core::Words<QuestionnaireTime, 4> kTimes{
     {"before_study", "before_session", "after_session", "after_study"}};
-constexpr core::Words<ItemKind, 3> kKinds{{"text", "likert", "choice"}};
+constexpr core::Words<ItemKind, 5> kKinds{{"text", "likert", "choice", "scale", "pair"}};
+constexpr core::Words<StandardQuestionnaire, 4> kStandards{{"own", "nasa-tlx", "nasa-tlx-weighted", "sus"}};
 constexpr int kLongestAnswer = 10'000;
 constexpr long long kMostPoints = 11;
 
@@ -40,22 +44,30 @@ void describeItem(Keys& keys, QuestionnaireItem& item, std::set<std::string>& us
         "kind", static_cast<std::size_t>(item.kind),
         {{"text", "Answered in the participant's own words"},
          {"likert", "Answered by a point on a scale"},
-         {"choice", "Answered by one of some choices"}},
+         {"choice", "Answered by one of some choices"},
+         {"scale", "Answered by a value from 0 to 100 in steps of 5"},
+         {"pair", "Answered by one of two choices"}},
         "Kind of question", Need::required, [&item](Keys& same, std::size_t chosen) {
             item.kind = static_cast<ItemKind>(chosen);
             if (item.kind == ItemKind::likert) {
                 same.whole("points", item.points, {2, kMostPoints}, "Points of the scale", Need::optional);
                 same.text("low", item.low, "What the first point means", Need::optional);
                 same.text("high", item.high, "What the last point means", Need::optional);
-            } else if (item.kind == ItemKind::choice) {
+            } else if (item.kind == ItemKind::scale) {
+                same.text("low", item.low, "What 0 means", Need::optional);
+                same.text("high", item.high, "What 100 means", Need::optional);
+            } else if (item.kind == ItemKind::choice || item.kind == ItemKind::pair) {
                 std::set<std::string> ids;
                 same.tables("choice", item.choices, 2, "The choices",
-                            [&ids](Keys& entry, std::vector<ItemChoice>& choices, std::size_t i) {
+                            [&ids, &item](Keys& entry, std::vector<ItemChoice>& choices, std::size_t i) {
                                 describeIdentifier(entry, "id", choices[i].id, ids,
                                                    "The choice's name in results");
                                 choices[i].text = choices[i].id;
                                 entry.text("text", choices[i].text,
                                            "What the participant reads; otherwise the id", Need::optional);
+                                if (item.kind == ItemKind::pair && i == 2)
+                                    entry.refuse("id", ItemText::tr("a pair has two choices").toStdString(),
+                                                 ItemText::tr("two of them").toStdString());
                             });
             }
         });
@@ -68,6 +80,14 @@ bool isPoint(const std::string& value, std::size_t points) {
     const auto [stop, code] = std::from_chars(value.data(), value.data() + value.size(), point);
     return code == std::errc{} && stop == value.data() + value.size() && value.front() != '0' && point >= 1 &&
            point <= points;
+}
+
+bool isOnScale(const std::string& value) {
+    for (std::size_t point = 0; point < kScalePoints; ++point) {
+        if (value == std::to_string(point * kScaleStep))
+            return true;
+    }
+    return false;
 }
 
 core::Expected<void> checkAnswer(const QuestionnaireItem& item, const std::optional<std::string>& value) {
@@ -91,7 +111,15 @@ core::Expected<void> checkAnswer(const QuestionnaireItem& item, const std::optio
                               .arg(question, QString::fromStdString(*value)),
                           ItemText::tr("a number from 1 to %1").arg(item.points));
         break;
+    case ItemKind::scale:
+        if (!isOnScale(*value))
+            return misfit(item.id,
+                          ItemText::tr("\"%1\" cannot be answered with \"%2\"")
+                              .arg(question, QString::fromStdString(*value)),
+                          ItemText::tr("a number from 0 to 100 in steps of 5"));
+        break;
     case ItemKind::choice:
+    case ItemKind::pair:
         if (std::ranges::find(item.choices, *value, &ItemChoice::id) == item.choices.end())
             return misfit(item.id,
                           ItemText::tr("\"%1\" cannot be answered with \"%2\"")
@@ -100,6 +128,40 @@ core::Expected<void> checkAnswer(const QuestionnaireItem& item, const std::optio
         break;
     }
     return {};
+}
+
+void describeItems(Keys& keys, std::vector<QuestionnaireItem>& items) {
+    std::set<std::string> used;
+    keys.tables("item", items, 1, "Its questions",
+                [&used](Keys& item, std::vector<QuestionnaireItem>& all, std::size_t i) {
+                    describeItem(item, all[i], used);
+                });
+}
+
+/// Everything but the id.
+void describeQuestionnaire(Keys& keys, Questionnaire& questionnaire) {
+    keys.choice("when", questionnaire.when,
+                {"before_study", "before_session", "after_session", "after_study"}, "When it is filled in");
+    keys.choose("use", static_cast<std::size_t>(questionnaire.use),
+                {{"own", "The questions of `item`"},
+                 {"nasa-tlx", "Task Load Index, six ratings"},
+                 {"nasa-tlx-weighted", "Task Load Index, six ratings and 15 comparisons that weight them"},
+                 {"sus", "System Usability Scale, ten questions"}},
+                "Which questions it has", Need::optional, [&questionnaire](Keys& same, std::size_t chosen) {
+                    questionnaire.use = static_cast<StandardQuestionnaire>(chosen);
+                    if (questionnaire.use == StandardQuestionnaire::none) {
+                        questionnaire.title = questionnaire.id;
+                        same.text("title", questionnaire.title, "Its heading; otherwise the id",
+                                  Need::optional);
+                        describeItems(same, questionnaire.items);
+                        return;
+                    }
+                    bool required = questionnaire.items.empty() || questionnaire.items.front().required;
+                    same.flag("required", required, "All its questions have to be answered");
+                    const Questionnaire standard = standardQuestionnaire(questionnaire.use, required);
+                    questionnaire.title = standard.title;
+                    questionnaire.items = standard.items;
+                });
 }
 
 } // namespace
@@ -112,6 +174,10 @@ const char* toString(ItemKind kind) {
     return kKinds.of(kind);
 }
 
+const char* toString(StandardQuestionnaire standard) {
+    return kStandards.of(standard);
+}
+
 void describeQuestionnaires(Keys& keys, std::vector<Questionnaire>& questionnaires) {
     std::set<std::string> ids;
     keys.tables("questionnaire", questionnaires, 0, "Questions to the participants",
@@ -119,16 +185,7 @@ void describeQuestionnaires(Keys& keys, std::vector<Questionnaire>& questionnair
                     Questionnaire& questionnaire = all[q];
                     describeIdentifier(table, "id", questionnaire.id, ids,
                                        "The questionnaire's name in results");
-                    questionnaire.title = questionnaire.id;
-                    table.text("title", questionnaire.title, "Its heading; otherwise the id", Need::optional);
-                    table.choice("when", questionnaire.when,
-                                 {"before_study", "before_session", "after_session", "after_study"},
-                                 "When it is filled in");
-                    std::set<std::string> used;
-                    table.tables("item", questionnaire.items, 1, "Its questions",
-                                 [&used](Keys& item, std::vector<QuestionnaireItem>& items, std::size_t i) {
-                                     describeItem(item, items[i], used);
-                                 });
+                    describeQuestionnaire(table, questionnaire);
                 });
 }
 
@@ -149,6 +206,34 @@ std::string shownAnswer(const QuestionnaireItem& item, const std::optional<std::
     const auto choice =
         std::ranges::find_if(item.choices, [&](const ItemChoice& c) { return value && c.id == *value; });
     return choice != item.choices.end() ? choice->text : value.value_or(std::string());
+}
+
+Questionnaire shownQuestionnaire(const Questionnaire& questionnaire, std::uint64_t seed) {
+    Questionnaire shown = questionnaire;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < shown.items.size(); ++i) {
+        if (shown.items[i].kind == ItemKind::pair)
+            places.push_back(i);
+    }
+    if (places.empty())
+        return shown;
+    core::RandomStream random(seed);
+    for (std::size_t i = places.size() - 1; i > 0; --i)
+        std::swap(shown.items[places[i]], shown.items[places[static_cast<std::size_t>(random.below(i + 1))]]);
+    for (const std::size_t place : places) {
+        if (random.below(2) == 1)
+            std::ranges::reverse(shown.items[place].choices);
+    }
+    return shown;
+}
+
+std::vector<ItemAnswer> inOrderOfItems(const Questionnaire& questionnaire, std::vector<ItemAnswer> answers) {
+    const auto placeOf = [&](const ItemAnswer& answer) {
+        return std::ranges::find(questionnaire.items, answer.item, &QuestionnaireItem::id) -
+               questionnaire.items.begin();
+    };
+    std::ranges::stable_sort(answers, {}, placeOf);
+    return answers;
 }
 
 } // namespace teleta::study

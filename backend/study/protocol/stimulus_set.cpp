@@ -52,6 +52,10 @@ core::Expected<std::vector<OwnStimulus>> readOwnStimuli(const Protocol& protocol
     forEachStimulus(protocol, [&](const std::string& id, const std::string& file) {
         if (file.empty() || failed)
             return;
+        if (const pattern::Pattern* builtIn = pattern::findBuiltIn(file)) {
+            own.push_back({id, file, pattern::patternToJson(*builtIn).value_or(std::string())});
+            return;
+        }
         const QFileInfo info(QString::fromStdString(file));
         if (info.isRelative()) {
             failed = core::Error{core::ErrorKind::refused,

@@ -19,11 +19,12 @@ namespace teleta::study {
 /// A custom pattern of a study, as the study keeps it.
 struct OwnStimulus {
     std::string id;   ///< stimulusId()
-    std::string file; ///< from which it came, without its folder
+    std::string file; ///< from which it came, without its folder; or the id of a built-in pattern
     std::string json; ///< patternToJson()
 };
 
-/// Reads the pattern files that a protocol names, in any supported format. Error: refused for a relative
+/// Reads the pattern files that a protocol names, in any supported format; ids of built-in patterns stand for
+/// these. Error: refused for a relative
 /// path; what loadPattern() reports. Thread: any but the GUI's (I/O).
 [[nodiscard]] core::Expected<std::vector<OwnStimulus>> readOwnStimuli(const Protocol& protocol);
 

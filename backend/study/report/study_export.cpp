@@ -2,14 +2,14 @@
 #include "backend/study/report/study_export.h"
 
 #include "backend/core/data/json_document.h"
-#include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"
-#include "backend/study/protocol/stimulus_set.h"
+#include "backend/study/report/bids_export.h"
+#include "backend/study/report/codebook.h"
+#include "backend/study/report/export_parts.h"
 #include "backend/study/store/trial_table.h"
 
 #include <QCoreApplication>
 #include <QFile>
-#include <QFileInfo>
 #include <QLocale>
 #include <QString>
 
@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -32,97 +31,34 @@ struct ExportText {
     Q_DECLARE_TR_FUNCTIONS(StudyExport)
 };
 
-core::Expected<void> writeChecked(const std::string& path, const std::string& content) {
-    const QString name = QString::fromStdString(path);
-    TELETA_CHECK(core::makeFolder(QFileInfo(name).path().toStdString()));
-    TELETA_CHECK(core::writeFile(path, content));
-    QFile file(name);
-    if (!file.open(QIODevice::ReadOnly) || file.readAll().toStdString() != content)
-        return core::failed(core::ErrorKind::ioFailed,
-                            ExportText::tr("the file differs from what was written"), {}, {path});
-    return {};
-}
-
+/// Those of Psych-DS and of the copy for spreadsheets.
 TableFormat tableFormat(ExportFormat format) {
-    switch (format) {
-    case ExportFormat::psychds:
+    if (format != ExportFormat::excel)
         return {};
-    case ExportFormat::bids:
-        return {'\t', "n/a", '.', false, false, false};
-    case ExportFormat::excel:
-        break;
-    }
-    const QString point = QLocale().decimalPoint();
-    return {';', "NA", point == QStringLiteral(",") ? ',' : '.', true, true, true};
+    const bool comma = QLocale().decimalPoint() == QStringLiteral(",");
+    return {';', "NA", comma ? ',' : '.', true, true, true};
 }
 
 /// Path of a session's file in the study's folder, without its extension.
 std::string sessionPath(ExportFormat format, const std::string& label, const std::string& session,
                         const std::string& task) {
-    switch (format) {
-    case ExportFormat::psychds:
-        return "data/subject-" + label + "/subject-" + label + "_session-" + session + "_task-" + task +
-               "_data";
-    case ExportFormat::bids: {
-        const std::string folder = "bids/sub-" + label + "/ses-" + session + "/beh/";
-        return folder + "sub-" + label + "_ses-" + session + "_task-" + task + "_beh";
-    }
-    case ExportFormat::excel:
-        break;
-    }
-    return "excel/" + label + '_' + session + '_' + task;
-}
-
-/// Psych-DS and BIDS reserve - and _.
-std::string alphanumeric(const std::string& text) {
-    std::string kept;
-    std::ranges::copy_if(text, std::back_inserter(kept), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    });
-    return kept;
+    if (format == ExportFormat::excel)
+        return "excel/" + label + '_' + session + '_' + task;
+    return "data/subject-" + label + "/subject-" + label + "_session-" + session + "_task-" + task + "_data";
 }
 
 std::string psychDsDescription(const StudyHead& head) {
-    const ordered_json description = {
+    ordered_json description = {
         {"@context", "https://schema.org/"}, {"@type", "Dataset"},
         {"name", head.protocol.name},        {"description", head.protocol.description},
-        {"schemaVersion", "Psych-DS 0.4.0"}, {"variableMeasured", kTrialColumns},
+        {"schemaVersion", "Psych-DS 0.4.0"}, {"variableMeasured", psychDsVariables("trials", kTrialColumns)},
         {"mode", toString(head.mode)},       {"seed", std::to_string(head.seed)}};
-    return core::jsonText(description);
-}
-
-std::string bidsDescription(const StudyHead& head) {
-    const ordered_json description = {
-        {"Name", head.protocol.name},
-        {"BIDSVersion", "1.8.0"},
-        {"DatasetType", "raw"},
-        {"GeneratedBy", ordered_json::array({{{"Name", "TeleTA Console"}, {"Version", head.appVersion}}})}};
-    return core::jsonText(description);
-}
-
-/// Metadata of a session's trials.
-ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan) {
-    const StudyTask& task = head.protocol.tasks[plan.task];
-    const std::string& condition = task.conditions[plan.condition];
-    ordered_json stimuli = ordered_json::object();
-    for (const StudyPattern& pattern : task.patterns) {
-        const std::string id = stimulusId(task, pattern, condition);
-        ordered_json& stimulus = stimuli[pattern.letter];
-        stimulus = {{"name", pattern.name}, {"pattern", id}};
-        if (const OwnStimulus* own = head.stimuli.findOwn(id)) {
-            stimulus["file"] = own->file;
-            // It was parsed when the study was opened.
-            stimulus["definition"] = ordered_json::parse(own->json, nullptr, false);
-        }
+    if (!head.protocol.authors.empty()) {
+        ordered_json& authors = description["author"];
+        for (const std::string& author : head.protocol.authors)
+            authors.push_back({{"@type", "Person"}, {"name", author}});
     }
-    return {
-        {"task", task.name},
-        {"condition", condition},
-        {"stimuli", std::move(stimuli)},
-        {"stimulus_s", head.protocol.stimulus_s},
-        {"response_limit_s", head.protocol.responseLimit_s},
-        {"response_window", head.protocol.window == ResponseWindow::fromOnset ? "from_onset" : "from_end"},
-        {"seed", std::to_string(plan.seed)}};
+    return core::jsonText(description);
 }
 
 /// Frame statistics of the stimuli that were played on a bracelet.
@@ -146,36 +82,20 @@ ordered_json frameSidecar(const std::vector<StoredTrial>& trials) {
     return list;
 }
 
-/// Description of a session's table in BIDS. session: sessionSidecar().
-ordered_json bidsSidecar(const ordered_json& session) {
-    ordered_json levels = ordered_json::object();
-    for (const auto& [letter, stimulus] : session["stimuli"].items())
-        levels[letter] = stimulus["name"];
-    return {{"TaskName", session["task"]},
-            {"response_time_s",
-             {{"Description", "From the onset of the stimulus to the answer"}, {"Units", "s"}}},
-            {"stimulus", {{"Description", "Pattern that was presented"}, {"Levels", std::move(levels)}}}};
-}
-
-/// path: in the study's folder, without an extension. bidsSidecar: description of the table in BIDS. session:
-/// what Psych-DS says about the session; null for a table that is not of one.
+/// path: in the study's folder, without an extension. kind: of the codebook. sidecar: what else Psych-DS says
+/// about the table.
 core::Expected<void> writeTable(const StudyStore& store, const std::string& path,
                                 const std::vector<TrialRow>& rows, std::span<const std::string_view> columns,
-                                const ordered_json& bidsSidecar, ExportFormat format,
-                                const ordered_json& session = nullptr) {
+                                std::string_view kind, ExportFormat format, ordered_json more = {}) {
     const std::string whole = store.folder() + '/' + path;
-    TELETA_CHECK(writeChecked(whole + (format == ExportFormat::bids ? ".tsv" : ".csv"),
-                              tableText(rows, tableFormat(format), columns)));
+    TELETA_CHECK(writeChecked(whole + ".csv", tableText(rows, tableFormat(format), columns)));
     if (format == ExportFormat::excel)
         return {};
-    ordered_json sidecar = bidsSidecar;
-    if (format == ExportFormat::psychds) {
-        sidecar = {{"@context", "https://schema.org/"},
-                   {"@type", "Dataset"},
-                   {"variableMeasured", std::vector(columns.begin(), columns.end())}};
-        if (!session.is_null())
-            sidecar["session"] = session;
-    }
+    ordered_json sidecar{{"@context", "https://schema.org/"},
+                         {"@type", "Dataset"},
+                         {"variableMeasured", psychDsVariables(kind, columns)}};
+    if (more.is_object())
+        sidecar.update(more);
     return writeChecked(whole + ".json", core::jsonText(sidecar));
 }
 
@@ -187,24 +107,18 @@ core::Expected<void> writeSession(const StudyStore& store, const Participant& pa
         planSessions(head.protocol, head.seed, participant.enrolment).at(record.planIndex);
     TELETA_TRY(const std::vector<StoredTrial> trials, store.trials(record));
     ordered_json session = sessionSidecar(head, plan);
-    const ordered_json bids = bidsSidecar(session);
     session["frames"] = frameSidecar(trials);
-    return writeTable(
-        store, sessionPath(format, label, record.id, alphanumeric(head.protocol.tasks[plan.task].id)),
-        trialRows(head, participant, record, plan, trials), kTrialColumns, bids, format, session);
+    return writeTable(store,
+                      sessionPath(format, label, record.id, alphanumeric(head.protocol.tasks[plan.task].id)),
+                      trialRows(head, participant, record, plan, trials), kTrialColumns, "trials", format,
+                      {{"session", std::move(session)}});
 }
 
 /// Path of a participant's table next to those of the sessions, without its extension. name: alphanumeric.
 std::string besidePath(ExportFormat format, const std::string& label, const std::string& name) {
-    switch (format) {
-    case ExportFormat::psychds:
-        return "data/subject-" + label + "/subject-" + label + "_description-" + name + "_data";
-    case ExportFormat::bids:
-        return "bids/phenotype/" + name + '_' + label;
-    case ExportFormat::excel:
-        break;
-    }
-    return "excel/" + label + '_' + name;
+    if (format == ExportFormat::excel)
+        return "excel/" + label + '_' + name;
+    return "data/subject-" + label + "/subject-" + label + "_description-" + name + "_data";
 }
 
 core::Expected<void> writeAnswers(const StudyStore& store, const Participant& participant,
@@ -215,12 +129,12 @@ core::Expected<void> writeAnswers(const StudyStore& store, const Participant& pa
     TELETA_TRY(const std::vector<SessionRecord> sessions, store.sessions(participant));
     if (answers.empty())
         return {};
-    return writeTable(
-        store, besidePath(format, label, "questionnaire"),
-        answerRows(store.head(), participant, sessions, answers), kAnswerColumns,
-        {{"MeasurementToolMetadata", {{"Description", "Questionnaires of " + store.head().protocol.name}}},
-         {"answer", {{"Description", "The text, the point of the scale, or the choice"}}}},
-        format);
+    ordered_json more;
+    if (ordered_json sources = questionnaireSources(store.head().protocol); !sources.empty())
+        more = {{"questionnaires", std::move(sources)}};
+    return writeTable(store, besidePath(format, label, "questionnaire"),
+                      answerRows(store.head(), participant, sessions, answers), kAnswerColumns,
+                      "questionnaire", format, std::move(more));
 }
 
 core::Expected<void> writeNotes(const StudyStore& store, const Participant& participant,
@@ -236,20 +150,25 @@ core::Expected<void> writeNotes(const StudyStore& store, const Participant& part
     }
     if (rows.empty())
         return {};
-    return writeTable(store, besidePath(format, label, "notes"), rows, kNoteColumns,
-                      {{"MeasurementToolMetadata", {{"Description", "The experimenter's notes"}}},
-                       {"note", {{"Description", "What the experimenter wrote down"}}}},
-                      format);
+    return writeTable(store, besidePath(format, label, "notes"), rows, kNoteColumns, "notes", format);
 }
 
-core::Expected<void> writeDescription(const StudyStore& store, ExportFormat format) {
-    if (format == ExportFormat::bids)
-        return writeChecked(store.folder() + "/bids/dataset_description.json", bidsDescription(store.head()));
-    if (format == ExportFormat::excel)
-        return {};
+core::Expected<void> writeDescription(const StudyStore& store) {
     TELETA_TRY(const std::string script, analysisScript());
     TELETA_CHECK(writeChecked(store.folder() + "/analysis.R", script));
     return writeChecked(store.folder() + "/dataset_description.json", psychDsDescription(store.head()));
+}
+
+/// What concerns all participants.
+core::Expected<void> writeWhole(const StudyStore& store, ExportFormat format) {
+    TELETA_TRY(const std::string scores, scoreText(store));
+    if (!scores.empty())
+        TELETA_CHECK(writeChecked(store.folder() + "/questionnaire_scores.csv", scores));
+    if (format == ExportFormat::excel)
+        return {};
+    TELETA_CHECK(
+        writeChecked(store.folder() + "/codebook.csv", codebookText(codebookOf(&store.head().protocol))));
+    return writeDescription(store);
 }
 
 core::Expected<std::string> labelOf(const StudyStore& store, const Participant& participant) {
@@ -266,23 +185,16 @@ core::Expected<std::string> labelOf(const StudyStore& store, const Participant& 
 } // namespace
 
 std::vector<std::string> fileLabels(const std::vector<Participant>& participants) {
-    std::set<std::string> used;
-    std::vector<std::string> labels;
-    for (const Participant& participant : participants) {
-        const std::string number = 'x' + std::to_string(participant.enrolment + 1);
-        std::string label = alphanumeric(participant.id);
-        if (label != participant.id)
-            label += number;
-        // Some file systems ignore case.
-        while (!used.insert(QString::fromStdString(label).toLower().toStdString()).second)
-            label += number;
-        labels.push_back(std::move(label));
-    }
-    return labels;
+    std::vector<std::string> ids;
+    for (const Participant& participant : participants)
+        ids.push_back(participant.id);
+    return alphanumericLabels(ids);
 }
 
 core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat format) {
-    TELETA_CHECK(writeDescription(store, format));
+    if (format == ExportFormat::bids)
+        return exportBids(store);
+    TELETA_CHECK(writeWhole(store, format));
     TELETA_TRY(const std::vector<Participant> participants, store.participants());
     const std::vector<std::string> labels = fileLabels(participants);
     std::size_t written = 0;
@@ -298,25 +210,24 @@ core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat fo
     return written;
 }
 
-core::Expected<void> exportAnswers(const StudyStore& store, const Participant& participant,
-                                   ExportFormat format) {
+core::Expected<void> exportAnswers(const StudyStore& store, const Participant& participant) {
     TELETA_TRY(const std::string label, labelOf(store, participant));
-    return writeAnswers(store, participant, label, format);
+    return writeAnswers(store, participant, label, ExportFormat::psychds);
 }
 
-core::Expected<void> exportNotes(const StudyStore& store, const Participant& participant,
-                                 ExportFormat format) {
+core::Expected<void> exportNotes(const StudyStore& store, const Participant& participant) {
     TELETA_TRY(const std::string label, labelOf(store, participant));
-    return writeNotes(store, participant, label, format);
+    return writeNotes(store, participant, label, ExportFormat::psychds);
 }
 
 core::Expected<void> exportSession(const StudyStore& store, const Participant& participant,
-                                   const SessionRecord& session, ExportFormat format) {
-    TELETA_CHECK(writeDescription(store, format));
+                                   const SessionRecord& session) {
+    constexpr ExportFormat kFormat = ExportFormat::psychds;
+    TELETA_CHECK(writeDescription(store));
     TELETA_TRY(const std::string label, labelOf(store, participant));
-    TELETA_CHECK(writeSession(store, participant, label, session, format));
-    TELETA_CHECK(writeAnswers(store, participant, label, format));
-    return writeNotes(store, participant, label, format);
+    TELETA_CHECK(writeSession(store, participant, label, session, kFormat));
+    TELETA_CHECK(writeAnswers(store, participant, label, kFormat));
+    return writeNotes(store, participant, label, kFormat);
 }
 
 core::Expected<std::string> analysisScript() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/csv_writer.h"
 #include "backend/study/analysis/study_results.h"
+#include "backend/study/report/codebook.h"
 #include "backend/study/report/study_export.h"
 
 #include <algorithm>
@@ -159,6 +160,7 @@ core::Expected<void> writeResults(const Results& results, const std::string& fol
     TELETA_CHECK(writeTable(results, folder + "/summary.csv", kSummaryColumns, writeSummary));
     TELETA_CHECK(writeTable(results, folder + "/group.csv", kGroupColumns, writeGroups));
     TELETA_CHECK(writeTable(results, folder + "/anova.csv", kAnovaColumns, writeAnova));
+    TELETA_CHECK(core::writeFile(folder + "/codebook.csv", codebookText()));
     return core::writeFile(folder + "/analysis.R", script);
 }
 

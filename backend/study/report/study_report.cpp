@@ -3,6 +3,8 @@
 
 #include "backend/core/data/output_file.h"
 #include "backend/study/report/confusion_figure.h"
+#include "backend/study/report/report_html.h"
+#include "backend/study/report/report_page.h"
 #include "backend/study/report/study_figures.h"
 
 #include <QCoreApplication>
@@ -15,29 +17,12 @@ namespace teleta::study {
 
 namespace {
 
+using namespace report_html;
+using report_html::interval; // beside that of study_files.cpp
+
 struct ReportText {
     Q_DECLARE_TR_FUNCTIONS(ReportText)
 };
-
-QString text(const std::string& value) {
-    return QString::fromStdString(value);
-}
-
-QString fixed(const std::optional<double>& value, int digits) {
-    return value ? QString::number(*value, 'f', digits) : QStringLiteral("NA");
-}
-
-QString percent(const std::optional<double>& share) {
-    return share ? QString::number(100.0 * *share, 'f', 1) : QStringLiteral("NA");
-}
-
-QString interval(const std::optional<Interval>& ends, double scale, int digits) {
-    if (!ends)
-        return QStringLiteral("NA");
-    return QStringLiteral("%1 – %2")
-        .arg(scale * ends->low, 0, 'f', digits)
-        .arg(scale * ends->high, 0, 'f', digits);
-}
 
 /// Where the true transfer is: an interval or a bound.
 QString range(const std::optional<TransferEstimate>& transfer) {
@@ -46,52 +31,6 @@ QString range(const std::optional<TransferEstimate>& transfer) {
     if (transfer && transfer->atMost_bit)
         return ReportText::tr("at most %1").arg(fixed(transfer->atMost_bit, 3));
     return interval(transfer ? transfer->interval : std::nullopt, 1.0, 3);
-}
-
-QString probability(const std::optional<double>& p) {
-    if (!p)
-        return QStringLiteral("NA");
-    return *p < 0.0001 ? QStringLiteral("< 0.0001") : QString::number(*p, 'f', 4);
-}
-
-/// A table of plain texts.
-class Table {
-public:
-    Table(const QString& caption, const QStringList& columns) {
-        m_html = QStringLiteral("<div class=\"scroll\"><table>\n<caption>%1</caption>\n<thead><tr>")
-                     .arg(caption.toHtmlEscaped());
-        for (const QString& column : columns)
-            m_html += QStringLiteral("<th scope=\"col\">%1</th>").arg(column.toHtmlEscaped());
-        m_html += QStringLiteral("</tr></thead>\n<tbody>\n");
-    }
-
-    /// The first `heads` cells name the row.
-    void row(const QStringList& cells, int heads = 1) {
-        m_html += QStringLiteral("<tr>");
-        for (int i = 0; i < cells.size(); ++i)
-            m_html +=
-                (i < heads ? QStringLiteral("<th scope=\"row\">%1</th>") : QStringLiteral("<td>%1</td>"))
-                    .arg(cells[i].toHtmlEscaped());
-        m_html += QStringLiteral("</tr>\n");
-    }
-
-    [[nodiscard]] QString html() const { return m_html + QStringLiteral("</tbody>\n</table></div>\n"); }
-
-private:
-    QString m_html;
-};
-
-QString figure(const figure::SvgCanvas& picture, const QString& caption) {
-    return QStringLiteral("<figure>\n%1<figcaption>%2</figcaption>\n</figure>\n")
-        .arg(QString::fromStdString(picture.embedded()), caption);
-}
-
-QString heading(const QString& title) {
-    return QStringLiteral("<h3>%1</h3>\n").arg(title.toHtmlEscaped());
-}
-
-QString paragraph(const QString& content) {
-    return QStringLiteral("<p>%1</p>\n").arg(content.toHtmlEscaped());
 }
 
 class TaskSection {
@@ -112,10 +51,11 @@ public:
 
 private:
     [[nodiscard]] QString accuracy() const {
-        Table table(ReportText::tr("Correct answers of the group; the interval is that of Student's t over "
-                                   "participants (95 %)"),
-                    {ReportText::tr("Condition"), ReportText::tr("Participants"), ReportText::tr("Mean, %"),
-                     ReportText::tr("SD, %"), ReportText::tr("Interval, %")});
+        HtmlTable table(
+            ReportText::tr("Correct answers of the group; the interval is that of Student's t over "
+                           "participants (95 %)"),
+            {ReportText::tr("Condition"), ReportText::tr("Participants"), ReportText::tr("Mean, %"),
+             ReportText::tr("SD, %"), ReportText::tr("Interval, %")});
         for (const GroupSummary& group : m_task.groups) {
             const std::optional<GroupMean>& mean = group.accuracy;
             table.row({text(group.condition), QString::number(group.participants),
@@ -142,8 +82,8 @@ private:
             for (const std::string& pattern : m_task.patterns)
                 columns << text(pattern);
             columns << QStringLiteral("NONE") << ReportText::tr("Trials");
-            Table table(ReportText::tr("%1: trials and share of the row in percent").arg(text(title)),
-                        columns);
+            HtmlTable table(ReportText::tr("%1: trials and share of the row in percent").arg(text(title)),
+                            columns);
             for (std::size_t i = 0; i < m_task.patterns.size(); ++i) {
                 QStringList cells{text(m_task.patterns[i])};
                 for (std::size_t j = 0; j < group.matrix.columns(); ++j)
@@ -164,9 +104,9 @@ private:
             columns << ReportText::tr("%1, %").arg(text(group.condition));
         if (m_task.groups.size() == 2)
             columns << QStringLiteral("F") << ReportText::tr("df") << QStringLiteral("p");
-        Table table(ReportText::tr("Mean of the participants' correct answers for each pattern; "
-                                   "two conditions are compared within participants"),
-                    columns);
+        HtmlTable table(ReportText::tr("Mean of the participants' correct answers for each pattern; "
+                                       "two conditions are compared within participants"),
+                        columns);
         for (std::size_t i = 0; i < m_task.patterns.size(); ++i) {
             QStringList cells{text(m_task.patterns[i])};
             for (const GroupSummary& group : m_task.groups) {
@@ -197,11 +137,12 @@ private:
     }
 
     [[nodiscard]] QString times() const {
-        Table table(ReportText::tr("Participants' median response times of correct, answered test trials, "
-                                   "from the onset of the stimulus"),
-                    {ReportText::tr("Condition"), ReportText::tr("Participants"),
-                     ReportText::tr("Median of the medians, s"), ReportText::tr("Shortest, s"),
-                     ReportText::tr("Longest, s")});
+        HtmlTable table(
+            ReportText::tr("Participants' median response times of correct, answered test trials, "
+                           "from the onset of the stimulus"),
+            {ReportText::tr("Condition"), ReportText::tr("Participants"),
+             ReportText::tr("Median of the medians, s"), ReportText::tr("Shortest, s"),
+             ReportText::tr("Longest, s")});
         for (const GroupSummary& group : m_task.groups) {
             std::vector<double> medians_s;
             for (const ParticipantSummary& person : m_task.participants) {
@@ -221,12 +162,13 @@ private:
     }
 
     [[nodiscard]] QString transfer() const {
-        Table table(ReportText::tr("Information transfer of the pooled answers in bit. Corrected: without "
-                                   "bias, by the jackknife over participants. Interval: of the true "
-                                   "transfer (95 %)"),
-                    {ReportText::tr("Condition"), ReportText::tr("Trials"), ReportText::tr("Measured"),
-                     ReportText::tr("Bias"), ReportText::tr("Corrected"), ReportText::tr("Interval"),
-                     ReportText::tr("A guesser would show"), ReportText::tr("Remark")});
+        HtmlTable table(
+            ReportText::tr("Information transfer of the pooled answers in bit. Corrected: without "
+                           "bias, by the jackknife over participants. Interval: of the true "
+                           "transfer (95 %)"),
+            {ReportText::tr("Condition"), ReportText::tr("Trials"), ReportText::tr("Measured"),
+             ReportText::tr("Bias"), ReportText::tr("Corrected"), ReportText::tr("Interval"),
+             ReportText::tr("A guesser would show"), ReportText::tr("Remark")});
         for (const GroupSummary& group : m_task.groups) {
             const std::optional<TransferEstimate>& bits = group.transfer;
             QStringList remarks;
@@ -256,14 +198,14 @@ private:
     }
 
     [[nodiscard]] QString participants() const {
-        Table table(ReportText::tr("Each participant, test trials; intervals of 95 %, p of so many correct "
-                                   "answers by chance"),
-                    {ReportText::tr("Participant"), ReportText::tr("Condition"), ReportText::tr("Correct"),
-                     ReportText::tr("No answer"), ReportText::tr("Accuracy, %"), ReportText::tr("Wilson, %"),
-                     ReportText::tr("Clopper-Pearson, %"), ReportText::tr("p of chance"),
-                     ReportText::tr("Transfer, bit"), ReportText::tr("Guesser, bit"),
-                     ReportText::tr("Corrected, bit"), ReportText::tr("Median time, s"),
-                     ReportText::tr("Times")});
+        HtmlTable table(
+            ReportText::tr("Each participant, test trials; intervals of 95 %, p of so many correct "
+                           "answers by chance"),
+            {ReportText::tr("Participant"), ReportText::tr("Condition"), ReportText::tr("Correct"),
+             ReportText::tr("No answer"), ReportText::tr("Accuracy, %"), ReportText::tr("Wilson, %"),
+             ReportText::tr("Clopper-Pearson, %"), ReportText::tr("p of chance"),
+             ReportText::tr("Transfer, bit"), ReportText::tr("Guesser, bit"),
+             ReportText::tr("Corrected, bit"), ReportText::tr("Median time, s"), ReportText::tr("Times")});
         const double chance = 1.0 / static_cast<double>(m_task.alternatives());
         for (const ParticipantSummary& person : m_task.participants) {
             const std::int64_t n = person.matrix.total();
@@ -285,7 +227,7 @@ private:
     }
 
     [[nodiscard]] QString anova() const {
-        Table table(
+        HtmlTable table(
             ReportText::tr("Analysis of variance within participants of the shares of correct answers; "
                            "p with the corrections of Greenhouse and Geisser and of Huynh and Feldt"),
             {ReportText::tr("Effect"), ReportText::tr("df"), QStringLiteral("F"), QStringLiteral("p"),
@@ -321,33 +263,6 @@ private:
     std::optional<Mode> m_mode;
 };
 
-/// Colours of the page and, where the screen is dark, those of the pictures in it.
-QString pageStyle() {
-    return QStringLiteral(
-               ":root{color-scheme:light dark;--ink:#1b1b1f;--soft:#5c5f66;--grid:#d4d6da;--paper:#fff;"
-               "--warn:#fff4d6}"
-               "body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);"
-               "max-width:72rem;margin:0 auto;padding:1rem 2rem}"
-               "h1,h2{line-height:1.2}h2{margin-top:3rem;border-bottom:2px solid var(--grid)}"
-               "table{border-collapse:collapse;font-variant-numeric:tabular-nums;margin:1rem 0}"
-               "caption{text-align:left;color:var(--soft);padding-bottom:.4rem}"
-               "th,td{padding:.25rem .7rem;border-bottom:1px solid var(--grid);text-align:right}"
-               "td{white-space:nowrap}th[scope=row],thead "
-               "th:first-child{text-align:left}.scroll{overflow-x:auto}"
-               ".beside{display:flex;flex-wrap:wrap;gap:0 2rem}figure{margin:1.5rem 0}figure "
-               "svg{max-width:100%;height:auto}"
-               "figcaption{max-width:36rem;color:var(--soft)}.warning,.mode{background:var(--warn);padding:."
-               "6rem 1rem;"
-               "border-left:4px solid #d08700}.mode{font-weight:bold}"
-               "@media (prefers-color-scheme:dark){:root{--ink:#e8e8ea;--soft:#a9adb5;--grid:#3a3d43;"
-               "--paper:#17181b;--warn:#3a2f12}}"
-               "@media print{:root{--ink:#000;--soft:#444;--grid:#bbb;--paper:#fff;--warn:#eee}"
-               "body{max-width:none;padding:0;font-size:11px}figure,table{break-inside:avoid}}") +
-           figure::SvgCanvas::style() +
-           QStringLiteral("text.ink{fill:var(--ink)}text.soft{fill:var(--soft)}line.ink{stroke:var(--ink)}"
-                          "line.soft{stroke:var(--grid)}line.dashed{stroke:var(--soft)}");
-}
-
 QString framesText(const TrialTally::Frames& frames) {
     const int trials = static_cast<int>(frames.trials);
     const QString played =
@@ -363,44 +278,25 @@ QString framesText(const TrialTally::Frames& frames) {
         .arg(frames.missed);
 }
 
-QString modeBanner(std::optional<Mode> mode) {
-    if (!mode || *mode == Mode::run)
-        return {};
-    return QStringLiteral("<p class=\"mode\">%1</p>\n")
-        .arg(*mode == Mode::pilot
-                 ? ReportText::tr("PILOT: these data were taken to try the study out.")
-                 : ReportText::tr("SIMULATED: these answers were made by a program, not by people."));
-}
-
 } // namespace
 
 std::string reportHtml(const std::vector<TaskResults>& results, const ReportHeading& heading) {
-    const QString title = text(heading.title).toHtmlEscaped();
-    QString html =
-        QStringLiteral(
-            "<!DOCTYPE html>\n<html lang=\"%1\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
-            "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
-            "content=\"width=device-width, initial-scale=1\"/>\n<title>%2</title>\n<style>%3</style>\n"
-            "</head>\n<body>\n<main>\n<h1>%2</h1>\n")
-            .arg(ReportText::tr("en", "language of the report, as BCP 47 has it"), title, pageStyle());
-    html += modeBanner(heading.mode);
     QStringList sources;
     for (const std::string& source : heading.sources)
         sources << text(source);
-    html += paragraph(ReportText::tr("Data: %1. TeleTA Console %2.")
-                          .arg(sources.join(QStringLiteral(", ")), text(heading.appVersion)));
+    QString body = paragraph(ReportText::tr("Data: %1. TeleTA Console %2.")
+                                 .arg(sources.join(QStringLiteral(", ")), text(heading.appVersion)));
     if (heading.frames.trials > 0)
-        html += paragraph(framesText(heading.frames));
+        body += paragraph(framesText(heading.frames));
     for (const TaskResults& task : results)
-        html += TaskSection(task, heading.mode).html();
-    html +=
-        QStringLiteral("<section>\n<h2>%1</h2>\n<p>%2</p>\n</section>\n</main>\n</body>\n</html>\n")
-            .arg(ReportText::tr("Compute it again"),
-                 ReportText::tr(
-                     "analysis.R beside this page computes its numbers again from confusion_long.csv, "
-                     "except the response times, which that file does not have: Rscript analysis.R. In the "
-                     "folder of the study it computes the response times too, from the exported trials."));
-    return html.toStdString();
+        body += TaskSection(task, heading.mode).html();
+    body += QStringLiteral("<section>\n<h2>%1</h2>\n<p>%2</p>\n</section>\n")
+                .arg(ReportText::tr("Compute it again"),
+                     ReportText::tr("analysis.R beside this page computes its numbers again from "
+                                    "confusion_long.csv, except the response times, which that file does not "
+                                    "have: Rscript analysis.R. In the folder of the study it computes the "
+                                    "response times too, from the exported trials."));
+    return reportPage(text(heading.title), heading.mode, body).toStdString();
 }
 
 core::Expected<void> writeReport(const std::vector<TaskResults>& results, const ReportHeading& heading,

@@ -28,18 +28,37 @@ std::vector<DueQuestionnaire> dueQuestionnaires(const Protocol& protocol, Questi
     return due;
 }
 
+namespace {
+
+/// The seed of a participant's questionnaire; part: of kSeedOf...
+std::uint64_t seedOf(std::uint64_t part, const StudyHead& head, const Participant& participant,
+                     const PlannedSession& plan, std::size_t index) {
+    const std::uint64_t seed = isOfSession(head.protocol.questionnaires.at(index).when)
+                                   ? plan.seed
+                                   : derivedSeed(head.seed, participant.enrolment);
+    return derivedSeed(derivedSeed(seed, part), index);
+}
+
+} // namespace
+
+Questionnaire shownQuestionnaire(const StudyHead& head, const Participant& participant,
+                                 const PlannedSession& plan, std::size_t index) {
+    return shownQuestionnaire(head.protocol.questionnaires.at(index),
+                              seedOf(kSeedOfPairs, head, participant, plan, index));
+}
+
 std::vector<ItemAnswer> simulatedAnswers(const StudyHead& head, const Participant& participant,
                                          const PlannedSession& plan, std::size_t index) {
     const Questionnaire& questionnaire = head.protocol.questionnaires.at(index);
-    const std::uint64_t seed =
-        isOfSession(questionnaire.when) ? plan.seed : derivedSeed(head.seed, participant.enrolment);
-    core::RandomStream random(derivedSeed(derivedSeed(seed, kSeedOfQuestionnaires), index));
+    core::RandomStream random(seedOf(kSeedOfQuestionnaires, head, participant, plan, index));
     std::vector<ItemAnswer> answers;
     for (const QuestionnaireItem& item : questionnaire.items) {
         std::string value = "simulated";
         if (item.kind == ItemKind::likert)
             value = std::to_string(random.below(item.points) + 1);
-        else if (item.kind == ItemKind::choice)
+        else if (item.kind == ItemKind::scale)
+            value = std::to_string(random.below(kScalePoints) * kScaleStep);
+        else if (item.kind == ItemKind::choice || item.kind == ItemKind::pair)
             value = item.choices[static_cast<std::size_t>(random.below(item.choices.size()))].id;
         answers.push_back({item.id, std::move(value)});
     }

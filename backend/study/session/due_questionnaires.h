@@ -22,6 +22,12 @@ struct DueQuestionnaire {
                                                               const SessionRecord& session,
                                                               const std::vector<StoredAnswer>& answers);
 
+/// A questionnaire as a participant sees it: pairs in an order that depends on the study's seed, the
+/// participant, the session if there is one, and the questionnaire alone. plan: as in simulatedAnswers().
+/// Thread: any (pure).
+[[nodiscard]] Questionnaire shownQuestionnaire(const StudyHead& head, const Participant& participant,
+                                               const PlannedSession& plan, std::size_t index);
+
 /// Answers of a simulated participant: random points and choices, and "simulated" as text. They depend on the
 /// study's seed, the participant, the session if there is one, and the questionnaire alone. plan: of the
 /// session; only used for questionnaires that belong to one. Thread: any (pure).

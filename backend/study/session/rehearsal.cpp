@@ -114,7 +114,7 @@ core::Expected<RehearsalProgress> Rehearsal::run() {
         if (done && !m_progress.interrupted)
             done =
                 answerQuestionnaires(QuestionnaireTime::afterStudy, participant, {}, {}, beginOf(plan.size()))
-                    .and_then([&] { return exportAnswers(m_store, participant, ExportFormat::psychds); });
+                    .and_then([&] { return exportAnswers(m_store, participant); });
         TELETA_CHECK(done);
         m_progress.participants += m_progress.interrupted ? 0 : 1;
     }
@@ -199,7 +199,7 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
     if (record.finished)
         return {};
     // Before it counts as finished, so that a resumed rehearsal exports what an interrupted one did not.
-    TELETA_CHECK(exportSession(m_store, participant, record, ExportFormat::psychds));
+    TELETA_CHECK(exportSession(m_store, participant, record));
     return m_store.finishSession(record);
 }
 

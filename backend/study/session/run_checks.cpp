@@ -157,6 +157,20 @@ Verdict checkNoise(const RunConditions& now) {
     return passed(CheckText::tr("confirmed"));
 }
 
+Verdict checkTrigger(const TriggerStatus& trigger) {
+    switch (trigger.state) {
+    case TriggerStatus::State::open:
+        return passed(CheckText::tr("ready"));
+    case TriggerStatus::State::opening:
+        return failed(CheckText::tr("the line is being opened"), CheckText::tr("Wait a moment."));
+    case TriggerStatus::State::failed:
+        break;
+    }
+    return failed(trigger.error ? QString::fromStdString(core::describe(*trigger.error))
+                                : CheckText::tr("the line cannot be used"),
+                  CheckText::tr("Plug the device in and switch it on; it is tried again every second."));
+}
+
 } // namespace
 
 FolderCondition lookAtFolder(const std::string& path) {
@@ -181,7 +195,7 @@ std::vector<RunCheck> preRunChecks(const RunConditions& now) {
         return RunCheck{kind, verdict.passed, name.toStdString(), verdict.finding.toStdString(),
                         verdict.remedy.toStdString()};
     };
-    return {
+    std::vector<RunCheck> checks{
         check(RunCheckKind::protocol, CheckText::tr("Protocol"), checkProtocol(now)),
         check(RunCheckKind::stimuli, CheckText::tr("Stimuli"), checkStimuli(now)),
         check(RunCheckKind::participant, CheckText::tr("Participant"), checkParticipant(now)),
@@ -191,6 +205,9 @@ std::vector<RunCheck> preRunChecks(const RunConditions& now) {
         check(RunCheckKind::store, CheckText::tr("Data store"), checkStore(now)),
         check(RunCheckKind::noise, CheckText::tr("Masking noise"), checkNoise(now)),
     };
+    if (now.trigger)
+        checks.push_back(check(RunCheckKind::trigger, CheckText::tr("Trigger"), checkTrigger(*now.trigger)));
+    return checks;
 }
 
 bool allPassed(const std::vector<RunCheck>& checks) {

@@ -4,6 +4,7 @@
 #include "backend/core/error.h"
 #include "backend/study/protocol/protocol.h"
 #include "backend/study/protocol/trial.h"
+#include "backend/study/session/trigger_sender.h"
 
 #include <cstdint>
 #include <optional>
@@ -53,11 +54,12 @@ struct RunConditions {
     std::string braceletName;
     bool braceletIsSimulated = false;
     FolderCondition folder;
-    std::optional<core::Error> store; ///< why the store cannot be used; empty: it can
-    bool noiseConfirmed = false;      ///< by the experimenter, for this session
+    std::optional<core::Error> store;          ///< why the store cannot be used; empty: it can
+    bool noiseConfirmed = false;               ///< by the experimenter, for this session
+    std::optional<TriggerStatus> trigger = {}; ///< of the line for triggers; empty: the study has none
 };
 
-enum class RunCheckKind { protocol, stimuli, participant, bracelet, folder, space, store, noise };
+enum class RunCheckKind { protocol, stimuli, participant, bracelet, folder, space, store, noise, trigger };
 
 /// The check of one condition.
 struct RunCheck {
@@ -70,7 +72,8 @@ struct RunCheck {
 
 /// Checks all conditions of a run, in the order in which they are best met; it may start when all pass. A
 /// simulated bracelet fails in mode run, since nobody feels it; noise is checked if people take part and the
-/// protocol has it. Texts are translated. Thread: any (pure).
+/// protocol has it. The trigger is only there when the study has one. Texts are translated. Thread: any
+/// (pure).
 [[nodiscard]] std::vector<RunCheck> preRunChecks(const RunConditions& conditions);
 
 [[nodiscard]] bool allPassed(const std::vector<RunCheck>& checks);

@@ -116,3 +116,70 @@ TEST_F(StudyCommand, exportsAStudyInEachFormat) {
     EXPECT_TRUE(std::filesystem::exists(folder() + "/excel"));
     EXPECT_EQ(run({"study", "export", folder(), "--format", "spss"}).exitCode, 2);
 }
+
+TEST_F(StudyCommand, writesTheReportOfOneParticipant) {
+    ASSERT_EQ(run({"study", "rehearse", "--participants", "2", "--out", folder()}).exitCode, 0);
+    const ProgramResult whole = run({"study", "report", folder(), "--participant", "P02", "--json"});
+    ASSERT_EQ(whole.exitCode, 0) << whole.err;
+    EXPECT_EQ(ordered_json::parse(whole.out)["report"], folder() + "/report-P02.html");
+    const std::string page = teleta::test::readAll(folder() + "/report-P02.html");
+    EXPECT_NE(page.find("SIMULATED"), std::string::npos);
+    EXPECT_EQ(page.find("P01"), std::string::npos);
+    const std::string path = m_folder.path("theirs.html");
+    ASSERT_EQ(
+        run({"study", "report", folder(), "--participant", "P02", "--for", "participant", "--out", path})
+            .exitCode,
+        0);
+    EXPECT_NE(teleta::test::readAll(path).find("of 30 trials correctly"), std::string::npos);
+    const ProgramResult stranger = run({"study", "report", folder(), "--participant", "P99"});
+    EXPECT_EQ(stranger.exitCode, 3);
+    EXPECT_NE(stranger.err.find("P99"), std::string::npos) << stranger.err;
+    EXPECT_EQ(run({"study", "report", folder()}).exitCode, 2);
+    EXPECT_EQ(run({"study", "report", folder(), "--participant", "P01", "--for", "press"}).exitCode, 2);
+}
+
+TEST_F(StudyCommand, printsTheCodebook) {
+    const ProgramResult printed = run({"study", "codebook"});
+    ASSERT_EQ(printed.exitCode, 0) << printed.err;
+    EXPECT_TRUE(printed.out.starts_with("file,column,description,unit,levels,missing\n"));
+    EXPECT_NE(printed.out.find("\nanova.csv,p_gg,"), std::string::npos);
+    const ProgramResult json = run({"study", "codebook", "--json"});
+    EXPECT_EQ(ordered_json::parse(json.out)[0]["column"], "schema");
+    ASSERT_EQ(run({"study", "codebook", "--out", m_folder.path("c.csv")}).exitCode, 0);
+    EXPECT_EQ(teleta::test::readAll(m_folder.path("c.csv")), printed.out);
+    EXPECT_EQ(run({"study", "codebook", m_folder.path("no-study")}).exitCode, 3);
+}
+
+TEST_F(StudyCommand, testsATriggerDevice) {
+    const ProgramResult sent = run({"study", "trigger", "--test", "127.0.0.1:9", "--json"});
+    ASSERT_EQ(sent.exitCode, 0) << sent.err;
+    const ordered_json events = ordered_json::parse(sent.out)["events"];
+    ASSERT_EQ(events.size(), 5U);
+    EXPECT_EQ(events[1]["byte"], 101);
+    EXPECT_EQ(events[2]["event"], "answer_1");
+    EXPECT_EQ(run({"study", "trigger", "--test", m_folder.path("ttyUSB0")}).exitCode, 3);
+    EXPECT_EQ(run({"study", "trigger", "--test", "nothing"}).exitCode, 3);
+    EXPECT_EQ(run({"study", "trigger"}).exitCode, 2);
+}
+
+TEST_F(StudyCommand, saysWhatIsOddAboutAFile) {
+    const std::string head = "participant_id,task,condition,phase,stimulus,response\n";
+    const std::string practice = m_folder.write("practice.csv", head + "P1,shape,static,practice,A,A\n");
+    const ProgramResult onlyPractice = run({"study", "analyze", practice, "--out", m_folder.path("p")});
+    EXPECT_EQ(onlyPractice.exitCode, 0);
+    EXPECT_NE(onlyPractice.err.find("no test trials"), std::string::npos) << onlyPractice.err;
+    const std::string small =
+        m_folder.write("small.csv", head + "P1,shape,static,test,A,a\nP1,shape,static,test,B,B\n");
+    const ProgramResult lower = run({"study", "analyze", small, "--out", m_folder.path("l")});
+    EXPECT_NE(lower.err.find("\"a\" counts as wrong: the pattern is \"A\""), std::string::npos) << lower.err;
+}
+
+TEST_F(StudyCommand, saysThatTheCopyForSpreadsheetsHasOtherSeparators) {
+    ASSERT_EQ(run({"study", "rehearse", "--participants", "1", "--out", folder()}).exitCode, 0);
+    ASSERT_EQ(run({"study", "export", folder(), "--format", "excel"}).exitCode, 0);
+    const auto first = std::filesystem::directory_iterator(folder() + "/excel");
+    const ProgramResult result =
+        run({"study", "analyze", first->path().string(), "--out", m_folder.path("r")});
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_NE(result.err.find("semicolons"), std::string::npos) << result.err;
+}

@@ -96,6 +96,25 @@ condition = [{ id = "sweet" }]
 
 } // namespace
 
+TEST_F(OwnStimuliTest, mayBeBuiltInOnesOfOtherLettersAndTasks) {
+    const std::string path = m_folder.write("mixed.toml", test::readAll(protocolFile("stiffness.E.dynamic")));
+    const Protocol protocol = readProtocol(path).value();
+    EXPECT_EQ(protocol.tasks[0].patterns[1].files.at("sweet"), "stiffness.E.dynamic") << "no path";
+    EXPECT_TRUE(missingStimuli(protocol).empty());
+    StudyHead mixed = head();
+    mixed.protocol = protocol;
+    const StudyStore store = std::move(StudyStore::create(m_folder.path("study"), mixed).value());
+    const pattern::Pattern* stimulus = store.head().stimuli.find("taste.B.sweet");
+    ASSERT_NE(stimulus, nullptr);
+    EXPECT_EQ(pattern::patternToJson(*stimulus).value(),
+              pattern::patternToJson(*pattern::findBuiltIn("stiffness.E.dynamic")).value());
+    ASSERT_NE(store.head().stimuli.findOwn("taste.B.sweet"), nullptr);
+    EXPECT_EQ(store.head().stimuli.findOwn("taste.B.sweet")->file, "stiffness.E.dynamic");
+    // It stays what it was when it is read again from the study's own text.
+    EXPECT_EQ(parseProtocol(protocol.source, "again.toml")->tasks[0].patterns[1].files.at("sweet"),
+              "stiffness.E.dynamic");
+}
+
 TEST_F(OwnStimuliTest, filesAreLookedForBesideTheProtocolThatNamesThem) {
     const Protocol protocol = readProtocol(protocolFile()).value();
     const std::vector<StudyPattern>& patterns = protocol.tasks[0].patterns;
@@ -220,7 +239,7 @@ TEST_F(OwnStimuliTest, aRehearsalPlaysThemAndTheExportHasThem) {
             EXPECT_DOUBLE_EQ(trial.result.duration_s, kLength_s);
         }
     }
-    ASSERT_TRUE(exportSession(store, participant, session, ExportFormat::psychds));
+    ASSERT_TRUE(exportSession(store, participant, session));
     std::string sidecar;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(study() + "/data")) {
         if (entry.path().string().ends_with("task-taste_data.json"))

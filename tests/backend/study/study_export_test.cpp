@@ -99,7 +99,11 @@ TEST_F(StudyExportTest, psychDsHasTheNamesAndColumnsOfTheFormat) {
                                                       "NA,0,0" +
                                                       common);
     const auto sidecar = nlohmann::json::parse(read(path + ".json"));
-    EXPECT_EQ(sidecar["variableMeasured"].size(), kTrialColumns.size());
+    ASSERT_EQ(sidecar["variableMeasured"].size(), kTrialColumns.size());
+    for (const auto& variable : sidecar["variableMeasured"]) {
+        EXPECT_EQ(variable["@type"], "PropertyValue");
+        EXPECT_TRUE(variable.contains("description")) << variable;
+    }
     EXPECT_EQ(sidecar["session"]["stimuli"]["A"]["pattern"], "shape.A.static");
     const auto description = nlohmann::json::parse(read("dataset_description.json"));
     EXPECT_EQ(description["@type"], "Dataset");
@@ -110,13 +114,47 @@ TEST_F(StudyExportTest, bidsHasTabsAndItsOwnWordForMissing) {
     StudyStore store = create(Mode::run);
     addSession(store, "P07");
     ASSERT_TRUE(exportStudy(store, ExportFormat::bids));
-    const std::string path =
-        "bids/sub-P07/ses-20261103T142233/beh/sub-P07_ses-20261103T142233_task-shape_beh";
+    const std::string path = "bids/sub-P07/ses-shapestatic/beh/sub-P07_ses-shapestatic_task-shape_beh";
     const std::string table = read(path + ".tsv");
     EXPECT_NE(table.find("\tC\tn/a\ttimeout\t0\tn/a\t"), std::string::npos) << table;
     EXPECT_EQ(table.find("NA\t"), std::string::npos);
-    EXPECT_EQ(nlohmann::json::parse(read(path + ".json"))["TaskName"], "shape");
+    const auto sidecar = nlohmann::json::parse(read(path + ".json"));
+    EXPECT_EQ(sidecar["TaskName"], "shape");
+    for (const std::string_view column : kTrialColumns)
+        EXPECT_TRUE(sidecar[std::string(column)].contains("Description")) << column;
+    EXPECT_EQ(sidecar["response_time_s"]["Units"], "s");
+    EXPECT_EQ(sidecar["outcome"]["Levels"]["timeout"], "no answer in time");
     EXPECT_TRUE(nlohmann::json::parse(read("bids/dataset_description.json")).contains("BIDSVersion"));
+    EXPECT_EQ(read("bids/participants.tsv"),
+              "participant_id\tstudy_id\tenrolment\tmode\nsub-P07\tP07\t1\trun\n");
+    EXPECT_EQ(read("bids/sub-P07/sub-P07_sessions.tsv"),
+              "session_id\tacq_time\nses-shapestatic\t2026-11-03T14:22:33\n");
+}
+
+TEST_F(StudyExportTest, sessionsInBidsHaveNamesOfTheirOwnWhateverTheIds) {
+    Protocol protocol = smallProtocol();
+    protocol.tasks.push_back(protocol.tasks[0]);
+    protocol.tasks[0].id = "sh-ape";
+    protocol.tasks[1].id = "sh_ape";
+    for (StudyTask& task : protocol.tasks) {
+        for (StudyPattern& pattern : task.patterns)
+            pattern.files = {{"static", "shape.A.static"}, {"dynamic", "shape.A.dynamic"}};
+    }
+    protocol.source = protocolText(protocol);
+    StudyHead head;
+    head.protocol = protocol;
+    head.mode = Mode::simulated;
+    head.plannedParticipants = 2;
+    head.created = kNow;
+    StudyStore store = std::move(StudyStore::create(m_folder.path("study"), head).value());
+    ASSERT_TRUE(rehearse(store));
+    ASSERT_EQ(exportStudy(store, ExportFormat::bids), 8U);
+    std::set<std::string> folders;
+    for (const auto& entry : std::filesystem::directory_iterator(m_folder.path("study/bids/sub-P02"))) {
+        if (entry.is_directory())
+            folders.insert(entry.path().filename());
+    }
+    EXPECT_EQ(folders.size(), 4U);
 }
 
 TEST_F(StudyExportTest, theExcelCopyHasTheDecimalSignOfTheLocale) {
@@ -157,10 +195,10 @@ TEST_F(StudyExportTest, theExcelCopyIsGuardedAndTheOthersAreAsTheyWere) {
     addSession(store, "=1+2");
     ASSERT_TRUE(exportStudy(store, ExportFormat::excel));
     ASSERT_TRUE(exportStudy(store, ExportFormat::psychds));
-    EXPECT_NE(read("excel/12x1_20261103T142233_shape.csv").find("\n1;'=1+2;20261103T142233;run;"),
+    EXPECT_NE(read("excel/12x1_20261103T142233_shape.csv").find("\n2;'=1+2;20261103T142233;run;"),
               std::string::npos);
     EXPECT_NE(read("data/subject-12x1/subject-12x1_session-20261103T142233_task-shape_data.csv")
-                  .find("\n1,=1+2,20261103T142233,run,"),
+                  .find("\n2,=1+2,20261103T142233,run,"),
               std::string::npos);
 }
 
@@ -255,8 +293,8 @@ TEST_F(StudyExportTest, aParticipantThatTheStudyDoesNotHaveIsAnErrorAndNoFile) {
     StudyStore store = create(Mode::run);
     addSession(store, "P07");
     const Participant stranger{4711, "P99", 40};
-    EXPECT_EQ(exportNotes(store, stranger, ExportFormat::psychds).error().kind, core::ErrorKind::notFound);
-    EXPECT_EQ(exportAnswers(store, stranger, ExportFormat::psychds).error().kind, core::ErrorKind::notFound);
+    EXPECT_EQ(exportNotes(store, stranger).error().kind, core::ErrorKind::notFound);
+    EXPECT_EQ(exportAnswers(store, stranger).error().kind, core::ErrorKind::notFound);
 }
 
 TEST_F(StudyExportTest, aRehearsedStudyExportsWhatItsStoreHolds) {
@@ -330,13 +368,15 @@ TEST_F(StudyExportTest, notesOfTheExperimenterComeAsATableOfTheirOwn) {
         << "nothing was noted";
 
     ASSERT_EQ(exportStudy(store, ExportFormat::bids), 2U);
-    EXPECT_NE(read("bids/phenotype/notes_P07.tsv").find("\ton again\t"), std::string::npos);
-    EXPECT_TRUE(nlohmann::json::parse(read("bids/phenotype/notes_P07.json")).contains("note"));
+    const auto beside = nlohmann::json::parse(
+        read("bids/sub-P07/ses-shapestatic/beh/sub-P07_ses-shapestatic_task-shape_beh.json"));
+    ASSERT_EQ(beside["Notes"].size(), 2U);
+    EXPECT_EQ(beside["Notes"][1]["note"], "on again");
     ASSERT_EQ(exportStudy(store, ExportFormat::excel), 2U);
     EXPECT_NE(read("excel/P07_notes.csv").find(";on again;"), std::string::npos);
 
     ASSERT_TRUE(store.keepNote(session, "later", kNow.addSecs(20)));
-    ASSERT_TRUE(exportNotes(store, noted, ExportFormat::psychds));
+    ASSERT_TRUE(exportNotes(store, noted));
     EXPECT_NE(read(path + ".csv").find(",later,"), std::string::npos);
 }
 

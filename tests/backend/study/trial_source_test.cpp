@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace teleta::study {
 
@@ -80,6 +81,31 @@ TEST_F(TrialSourceTest, countsCompletedTrialsOnlyAndKeepsTimesOfCorrectTestTrial
     for (const auto& [key, cell] : m_tally.cells())
         EXPECT_EQ(cell.correctTimes_s,
                   key.phase == Phase::test ? std::vector<double>{1.5} : std::vector<double>{});
+}
+
+TEST_F(TrialSourceTest, namesTheSeparatorOfAFileThatIsNotCommaSeparated) {
+    const auto excel = read("participant_id;task;condition;phase;stimulus;response\nP;t;c;test;A;A\n");
+    ASSERT_FALSE(excel);
+    EXPECT_EQ(excel.error().kind, core::ErrorKind::badInput);
+    EXPECT_NE(excel.error().message.find("semicolons"), std::string::npos) << core::describe(excel.error());
+    EXPECT_NE(excel.error().expected.find("commas"), std::string::npos);
+    const auto bids = read("participant_id\ttask\tcondition\tphase\tstimulus\tresponse\n");
+    ASSERT_FALSE(bids);
+    EXPECT_NE(bids.error().message.find("tabs"), std::string::npos) << core::describe(bids.error());
+}
+
+TEST_F(TrialSourceTest, refusesNamesInAnotherEncoding) {
+    expectWrong(kHead + "\nP,t,c,test,A,A\n\xDCnal,t,c,test,A,A\n", 3, 1);
+}
+
+TEST_F(TrialSourceTest, knowsAnswersInOtherCaseAndFilesThatOnlyPractise) {
+    ASSERT_TRUE(read(kHead + "\nP,t,c,practice,A,a\nP,t,c,practice,B,B\nP,t,c,practice,b2,B\n"));
+    EXPECT_EQ(m_tally.answersInOtherCase(), (std::set<std::pair<std::string, std::string>>{{"a", "A"}}));
+    EXPECT_FALSE(m_tally.hasTestTrials());
+    // Letters of another case may be patterns of their own.
+    ASSERT_TRUE(read(kHead + "\nP,t,c,test,A,a\nP,t,c,test,a,A\n"));
+    EXPECT_TRUE(m_tally.answersInOtherCase().empty());
+    EXPECT_TRUE(m_tally.hasTestTrials());
 }
 
 TEST_F(TrialSourceTest, damagedRowsAreErrorsWithLineAndColumn) {
@@ -217,7 +243,7 @@ TEST_F(TrialSourceTest, peopleOfOneNameInTwoStudiesAreNotOne) {
         result.planned = {Phase::test, 1, 1, 1, plan.test.front()};
         result.outcome = Outcome::timeout;
         EXPECT_TRUE(store.keepTrial(session, result, head.created));
-        EXPECT_TRUE(exportSession(store, participant, session, ExportFormat::psychds));
+        EXPECT_TRUE(exportSession(store, participant, session));
         return store;
     };
     const StudyStore one = study("one", "P01");

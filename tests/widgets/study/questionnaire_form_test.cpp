@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/study/protocol/standard_questionnaire.h"
 #include "tests/widgets/test_registry.h"
 #include "widgets/study/participant/answer_button.h"
 #include "widgets/study/participant/participant_window.h"
@@ -102,6 +103,59 @@ private slots:
         QCOMPARE(m_handedOver[0][0].value, std::optional<std::string>("6"));
         QCOMPARE(m_handedOver[0][1].item, std::string("hand"));
         QCOMPARE(m_presses, 0);
+    }
+
+    void aScaleFromZeroToHundredTakesDigitsArrowsAndTheMouse() {
+        m_window->resize(1100, 800);
+        m_window->setQuestionnaire(study::standardQuestionnaire(study::StandardQuestionnaire::nasaTlx));
+        QCOMPARE(item(0).buttons().size(), study::kScalePoints);
+        QTest::keyClick(focused(), Qt::Key_7);
+        QCOMPARE(item(0).value(), std::optional<std::string>("70"));
+        QTest::keyClick(focused(), Qt::Key_Right);
+        QCOMPARE(item(0).value(), std::optional<std::string>("75"));
+        QTest::keyClick(focused(), Qt::Key_Left);
+        QTest::keyClick(focused(), Qt::Key_Left);
+        QCOMPARE(item(0).value(), std::optional<std::string>("65"));
+        QTest::keyClick(focused(), Qt::Key_Tab);
+        QVERIFY(item(1).isAncestorOf(focused()));
+        QTest::keyClick(focused(), Qt::Key_0);
+        QCOMPARE(item(1).value(), std::optional<std::string>("0"));
+        QTest::mouseClick(item(2).buttons()[20], Qt::LeftButton);
+        QCOMPARE(item(2).value(), std::optional<std::string>("100"));
+        QVERIFY(item(2).buttons()[20]->accessibleName().endsWith(QStringLiteral("100 of 100")));
+        // Digits of a scale are tenths: none of them is out of place.
+        for (int digit = 1; digit <= 9; ++digit) {
+            QTest::keyClick(item(3).buttons()[0], static_cast<Qt::Key>(Qt::Key_0 + digit));
+            QCOMPARE(item(3).value(), std::optional<std::string>(std::to_string(10 * digit)));
+        }
+        QTest::mouseClick(form().findChild<QPushButton*>("questionnaireDone"), Qt::LeftButton);
+        QVERIFY(m_handedOver.empty());
+        QTest::keyClick(focused(), Qt::Key_5);
+        QTest::keyClick(focused(), Qt::Key_Tab);
+        QTest::keyClick(focused(), Qt::Key_6);
+        QTest::keyClick(focused(), Qt::Key_Return, Qt::ControlModifier);
+        QCOMPARE(m_handedOver.size(), std::size_t(1));
+        QCOMPARE(m_handedOver[0][5].value, std::optional<std::string>("60"));
+    }
+
+    void aPairIsChosenBySideAndKeepsItsShownOrder() {
+        study::Questionnaire weighted = study::shownQuestionnaire(
+            study::standardQuestionnaire(study::StandardQuestionnaire::nasaTlxWeighted), 5);
+        weighted.items.erase(weighted.items.begin(), weighted.items.begin() + 6);
+        m_window->setQuestionnaire(weighted);
+        const auto& first = weighted.items[0].choices;
+        QCOMPARE(item(0).buttons().size(), std::size_t(2));
+        QVERIFY(item(0).buttons()[0]->text().contains(QString::fromStdString(first[0].text)));
+        QTest::keyClick(focused(), Qt::Key_2);
+        QCOMPARE(item(0).value(), std::optional(first[1].id));
+        QTest::keyClick(focused(), Qt::Key_3);
+        QCOMPARE(item(0).value(), std::optional(first[1].id));
+        QTest::keyClick(focused(), Qt::Key_Left);
+        QCOMPARE(item(0).value(), std::optional(first[0].id));
+        QTest::mouseClick(item(1).buttons()[1], Qt::LeftButton);
+        QCOMPARE(item(1).value(), std::optional(weighted.items[1].choices[1].id));
+        for (QAbstractButton* button : item(1).buttons())
+            QVERIFY(button->height() >= 40 && button->width() >= 40);
     }
 
     void keysOfTheLastTrialFillNothingIn() {

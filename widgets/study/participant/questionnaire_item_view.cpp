@@ -22,6 +22,8 @@ namespace teleta::study {
 namespace {
 
 constexpr double kTarget_em = 2.4; ///< a finger's, in the large font of a form
+constexpr double kMark_em = 1.2;   ///< narrower, since arrows correct a neighbouring mark
+constexpr std::size_t kMarksOfADigit = 2;
 
 /// Its whole line can be pressed, not only its text.
 class ChoiceButton : public QRadioButton {
@@ -65,10 +67,16 @@ QuestionnaireItemView::QuestionnaireItemView(QuestionnaireItem item, QWidget* pa
         column->addWidget(m_text);
         break;
     case ItemKind::likert:
-        buildScale(column);
+        buildPoints(column);
         break;
     case ItemKind::choice:
         buildChoices(column);
+        break;
+    case ItemKind::scale:
+        buildScale(column);
+        break;
+    case ItemKind::pair:
+        buildPair(column);
         break;
     }
     column->addWidget(m_problem);
@@ -91,7 +99,7 @@ void QuestionnaireItemView::addButton(QAbstractButton* button, std::string value
     m_values.push_back(std::move(value));
 }
 
-void QuestionnaireItemView::buildScale(QVBoxLayout* column) {
+void QuestionnaireItemView::buildPoints(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
     row->setSpacing(base::grid(this, 0.5));
     for (std::size_t point = 1; point <= m_item.points; ++point) {
@@ -100,13 +108,55 @@ void QuestionnaireItemView::buildScale(QVBoxLayout* column) {
         addButton(button, std::to_string(point));
         row->addWidget(button, 1);
     }
-    if (!m_item.required) {
-        row->addSpacing(base::grid(this, 2));
-        auto* none = new QPushButton(this);
-        addButton(none, {});
-        row->addWidget(none);
-    }
+    addNoAnswer(row);
     column->addLayout(row);
+    addEnds(column);
+}
+
+/// Marks without numbers, as the published scale has them.
+void QuestionnaireItemView::buildScale(QVBoxLayout* column) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    for (std::size_t point = 0; point < kScalePoints; ++point) {
+        const std::size_t value = point * kScaleStep;
+        auto* button = new QPushButton(this);
+        button->setMinimumWidth(base::em(this, kMark_em));
+        button->setToolTip(QString::number(value));
+        addButton(button, std::to_string(value));
+        row->addWidget(button, 1);
+    }
+    addNoAnswer(row);
+    column->addLayout(row);
+    addEnds(column);
+}
+
+void QuestionnaireItemView::buildPair(QVBoxLayout* column) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(base::grid(this, 2));
+    std::size_t number = 0;
+    for (const ItemChoice& choice : m_item.choices) {
+        auto* button = new QPushButton(
+            QStringLiteral("%1   %2").arg(++number).arg(QString::fromStdString(choice.text)), this);
+        button->setAccessibleName(QString::fromStdString(choice.text));
+        addButton(button, choice.id);
+        row->addWidget(button, 1);
+    }
+    addNoAnswer(row);
+    column->addLayout(row);
+}
+
+/// The last button of an optional item.
+void QuestionnaireItemView::addNoAnswer(QHBoxLayout* row) {
+    if (m_item.required)
+        return;
+    row->addSpacing(base::grid(this, 2));
+    auto* none = new QPushButton(this);
+    addButton(none, {});
+    row->addWidget(none);
+}
+
+/// What the ends of a scale mean.
+void QuestionnaireItemView::addEnds(QVBoxLayout* column) {
     if (m_item.low.empty() && m_item.high.empty())
         return;
     auto* ends = new QHBoxLayout;
@@ -179,12 +229,19 @@ bool QuestionnaireItemView::takeFirstKey(QKeyEvent& key) {
 }
 
 bool QuestionnaireItemView::choose(const QKeyEvent& event) {
-    const std::optional<PhysicalKey> key = physicalKey(event);
-    if (!key || !isPlain(event) || key->number < 1 || key->number > m_buttons.size() ||
-        m_values[key->number - 1].empty())
+    if (!isPlain(event))
         return false;
-    m_buttons[key->number - 1]->setChecked(true);
-    m_buttons[key->number - 1]->setFocus(Qt::TabFocusReason);
+    const bool isScale = m_item.kind == ItemKind::scale;
+    const std::optional<PhysicalKey> key = physicalKey(event);
+    std::size_t place = 0;
+    if (key && key->number >= 1)
+        place = isScale ? key->number * kMarksOfADigit : key->number - 1;
+    else if (!isScale || event.key() != Qt::Key_0)
+        return false;
+    if (place >= m_buttons.size() || m_values[place].empty())
+        return false;
+    m_buttons[place]->setChecked(true);
+    m_buttons[place]->setFocus(Qt::TabFocusReason);
     return true;
 }
 
@@ -197,7 +254,7 @@ void QuestionnaireItemView::keyPressEvent(QKeyEvent* event) {
 /// The chosen number has to be visible from afar.
 void QuestionnaireItemView::colour() {
     for (QAbstractButton* button : m_buttons) {
-        if (m_item.kind != ItemKind::likert)
+        if (m_item.kind == ItemKind::choice)
             continue;
         QPalette colours = palette();
         if (button->isChecked()) {
@@ -216,6 +273,11 @@ void QuestionnaireItemView::retranslate() {
         m_text->setAccessibleName(question);
     if (!m_item.required && !m_buttons.empty())
         m_buttons.back()->setText(tr("No answer"));
+    if (m_item.kind == ItemKind::scale) {
+        for (std::size_t i = 0; i < kScalePoints; ++i)
+            m_buttons[i]->setAccessibleName(
+                tr("%1: %2 of %3", "question, point, points").arg(question).arg(i * kScaleStep).arg(100));
+    }
     if (m_item.kind != ItemKind::likert)
         return;
     for (std::size_t i = 0; i < m_item.points; ++i)

@@ -10,14 +10,16 @@
 #include <vector>
 
 class QAbstractButton;
+class QHBoxLayout;
 class QLabel;
 class QPlainTextEdit;
 class QVBoxLayout;
 
 namespace teleta::study {
 
-/// One question with its input: a text field, large numbers for a scale, or choices. By mouse, touch and
-/// keyboard: Tab goes from question to question, arrows and digits choose. Thread: GUI.
+/// One question with its input: a text field, large numbers or marks for a scale, choices one below the
+/// other, or two side by side. By mouse, touch and keyboard: Tab goes from question to question, arrows and
+/// digits choose; on a scale of 0 to 100 a digit is a tenth of the value. Thread: GUI.
 class QuestionnaireItemView : public QWidget {
     Q_OBJECT
 
@@ -45,7 +47,11 @@ protected:
 
 private:
     bool choose(const QKeyEvent& event);
+    void buildPoints(QVBoxLayout* column);
     void buildScale(QVBoxLayout* column);
+    void buildPair(QVBoxLayout* column);
+    void addNoAnswer(QHBoxLayout* row);
+    void addEnds(QVBoxLayout* column);
     void buildChoices(QVBoxLayout* column);
     void addButton(QAbstractButton* button, std::string value);
     void retranslate();

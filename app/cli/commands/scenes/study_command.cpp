@@ -5,6 +5,7 @@
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/commands/scenes/scene_commands.h"
 #include "app/cli/commands/scenes/study_fit.h"
+#include "app/cli/commands/scenes/study_papers.h"
 #include "backend/core/failure.h"
 #include "backend/figure/figure_file.h"
 #include "backend/study/analysis/study_results.h"
@@ -153,6 +154,15 @@ public:
         declareExport(addPart(app, "export",
                               StudyText::tr("Write the trials of a study as files into its folder"),
                               [this] { return exportTrials(); }));
+        m_papers.declareReport(addPart(app, "report",
+                                       StudyText::tr("Write one participant's results as a page"),
+                                       [this] { return m_papers.writeReport(); }));
+        m_papers.declareCodebook(addPart(app, "codebook",
+                                         StudyText::tr("What the columns of all files of studies mean"),
+                                         [this] { return m_papers.writeCodebook(); }));
+        m_papers.declareTrigger(addPart(app, "trigger",
+                                        StudyText::tr("Send one trial's triggers to another recorder"),
+                                        [this] { return m_papers.testTrigger(); }));
         declareNoise(addPart(app, "noise", StudyText::tr("Write pink noise that can be played in a loop"),
                              [this] { return writeNoise(); }));
     }
@@ -320,6 +330,11 @@ private:
             return core::failed(core::ErrorKind::badInput, StudyText::tr("there are no completed trials"),
                                 StudyText::tr("trials that were answered or timed out"),
                                 {m_inputs.empty() ? std::string() : m_inputs.front()});
+        if (!tally.hasTestTrials())
+            warn(StudyText::tr("there are no test trials, only practice: the report has no results"));
+        for (const auto& [answer, pattern] : tally.answersInOtherCase())
+            warn(StudyText::tr("the answer \"%1\" counts as wrong: the pattern is \"%2\"")
+                     .arg(QString::fromStdString(answer), QString::fromStdString(pattern)));
         return {};
     }
 
@@ -421,6 +436,7 @@ private:
                             {StudyText::tr("Sessions"), QString::number(*sessions)}});
     }
 
+    StudyPapers m_papers;
     std::string m_server;
     StudyFit m_fit;
     std::string m_protocolPath;

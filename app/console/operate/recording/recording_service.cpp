@@ -174,6 +174,11 @@ void RecordingService::stop() {
     }
 }
 
+void RecordingService::add(recording::RecordingEvent event) {
+    if (isRecording())
+        m_recorder->add(std::move(event));
+}
+
 void RecordingService::close() {
     for (SourceManager::Item& item : m_sources.items()) {
         if (item.channel)

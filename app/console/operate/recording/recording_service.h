@@ -41,6 +41,10 @@ public:
     /// Starts a recording. Creates the folder if missing; a name that is taken gets a number.
     void start(const QString& path);
     void stop();
+    /// Adds an event to the recording that runs; ignored otherwise.
+    void add(recording::RecordingEvent event);
+    /// Zero of the recording's clock, steady clock.
+    [[nodiscard]] std::int64_t start_ns() const { return m_start_ns; }
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] bool isRecording() const { return m_state == State::recording; }
     /// Of the current recording, or of the last one.

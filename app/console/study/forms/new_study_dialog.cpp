@@ -18,6 +18,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -50,7 +51,7 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     , m_store(base::named<QComboBox>("store", this))
     , m_server(new ServerFields(this))
     , m_mode(base::named<QComboBox>("mode", this))
-    , m_seed(base::named<QLineEdit>("seed", QStringLiteral("1"), this))
+    , m_seed(base::named<QLineEdit>("seed", QString::number(QRandomGenerator::system()->generate()), this))
     , m_participants(new QSpinBox(this))
     , m_participantsLabel(new QLabel(tr("&Participants"), this))
     , m_problem(base::named<QLabel>("problem", this)) {
@@ -67,7 +68,8 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     m_participants->setRange(1, kMostParticipants);
     m_participants->setValue(static_cast<int>(kPaperParticipants));
     m_participantsLabel->setBuddy(m_participants);
-    m_seed->setToolTip(tr("Determines the order of all trials: the same seed gives the same study"));
+    m_seed->setToolTip(tr("Determines the order of all trials: the same seed gives the same study. "
+                          "It is drawn at random, shown here and kept with the study."));
     m_problem->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
     m_problem->setMinimumWidth(base::em(this, 32));

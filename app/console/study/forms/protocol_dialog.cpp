@@ -67,6 +67,7 @@ study::Protocol asSavedIn(const QDir& folder, study::Protocol protocol) {
 
 ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     : QDialog(parent)
+    , m_unshown(protocol)
     , m_content(new QWidget(this))
     , m_name(base::named<QLineEdit>("protocolName", QString::fromStdString(protocol.name), this))
     , m_description(new QLineEdit(QString::fromStdString(protocol.description), this))
@@ -346,6 +347,9 @@ void ProtocolDialog::askForPattern(const TaskRow& row) {
 
 core::Expected<study::Protocol> ProtocolDialog::protocol() const {
     study::Protocol protocol;
+    protocol.authors = m_unshown.authors;
+    protocol.trigger = m_unshown.trigger;
+    protocol.recordSessions = m_unshown.recordSessions;
     protocol.name = m_name->text().trimmed().toStdString();
     protocol.description = m_description->text().trimmed().toStdString();
     protocol.stimulus_s = m_stimulus_s.value();

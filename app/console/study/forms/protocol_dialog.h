@@ -91,7 +91,8 @@ private:
     /// goOn: called once everything is saved.
     void save(std::function<void()> goOn);
 
-    QWidget* m_content; ///< holds all fields
+    study::Protocol m_unshown; ///< as it was opened; what the form does not show stays
+    QWidget* m_content;        ///< holds all fields
     QLineEdit* m_name;
     QLineEdit* m_description;
     NumberField m_stimulus_s;

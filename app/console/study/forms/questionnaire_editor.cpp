@@ -2,6 +2,7 @@
 #include "app/console/study/forms/questionnaire_editor.h"
 
 #include "app/console/study/forms/form_text.h"
+#include "backend/study/protocol/standard_questionnaire.h"
 #include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
 
@@ -41,6 +42,11 @@ QuestionnaireEditor::QuestionnaireEditor(const study::Questionnaire& questionnai
     , m_id(base::named<QLineEdit>("questionnaireId", entryOf(questionnaire.id), this))
     , m_title(base::named<QLineEdit>("questionnaireTitle", entryOf(questionnaire.title), this))
     , m_when(base::named<QComboBox>("questionnaireWhen", this))
+    , m_use(base::named<QComboBox>("questionnaireUse", this))
+    , m_required(
+          base::named<QCheckBox>("questionnaireRequired", tr("all questions have to be answered"), this))
+    , m_add(base::named<QPushButton>("addQuestion", tr("Add a question"), this))
+    , m_form(new QFormLayout)
     , m_rows(new QVBoxLayout) {
     setObjectName(QStringLiteral("questionnaireEditor"));
     m_id->setPlaceholderText(tr("for example effort"));
@@ -48,22 +54,27 @@ QuestionnaireEditor::QuestionnaireEditor(const study::Questionnaire& questionnai
                       tr("after the last session")});
     m_when->setCurrentIndex(static_cast<int>(questionnaire.when));
 
-    auto* form = new QFormLayout;
-    form->addRow(tr("Identifier"), m_id);
-    form->addRow(tr("Title"), m_title);
-    form->addRow(tr("Filled in"), m_when);
-    auto* add = base::named<QPushButton>("addQuestion", tr("Add a question"), this);
+    m_use->addItems({tr("of my own"), tr("NASA-TLX: six ratings"), tr("NASA-TLX: ratings and comparisons"),
+                     tr("System Usability Scale")});
+    m_use->setCurrentIndex(static_cast<int>(questionnaire.use));
+    m_required->setChecked(questionnaire.items.empty() || questionnaire.items.front().required);
+
+    m_form->addRow(tr("Identifier"), m_id);
+    m_form->addRow(tr("Questions"), m_use);
+    m_form->addRow(QString(), m_required);
+    m_form->addRow(tr("Title"), m_title);
+    m_form->addRow(tr("Filled in"), m_when);
     auto* remove = base::named<QPushButton>("removeQuestionnaire", tr("Remove this questionnaire"), this);
     auto* buttons = new QHBoxLayout;
-    buttons->addWidget(add);
+    buttons->addWidget(m_add);
     buttons->addWidget(remove);
     buttons->addStretch(1);
     auto* layout = new QVBoxLayout(this);
-    layout->addLayout(form);
+    layout->addLayout(m_form);
     layout->addLayout(m_rows);
     layout->addLayout(buttons);
 
-    connect(add, &QPushButton::clicked, this, [this] {
+    connect(m_add, &QPushButton::clicked, this, [this] {
         addItem({});
         m_items.back().id->setFocus();
         emit changed();
@@ -72,8 +83,26 @@ QuestionnaireEditor::QuestionnaireEditor(const study::Questionnaire& questionnai
     for (QLineEdit* edit : {m_id, m_title})
         connect(edit, &QLineEdit::textChanged, this, &QuestionnaireEditor::changed);
     connect(m_when, &QComboBox::currentIndexChanged, this, &QuestionnaireEditor::changed);
-    for (const study::QuestionnaireItem& item : questionnaire.items)
-        addItem(item);
+    connect(m_required, &QCheckBox::toggled, this, &QuestionnaireEditor::changed);
+    connect(m_use, &QComboBox::currentIndexChanged, this, [this] {
+        showUse();
+        emit changed();
+    });
+    if (questionnaire.use == study::StandardQuestionnaire::none) {
+        for (const study::QuestionnaireItem& item : questionnaire.items)
+            addItem(item);
+    }
+    showUse();
+}
+
+/// Questions of one's own are hidden, and kept until the form is closed, while a published one is chosen.
+void QuestionnaireEditor::showUse() {
+    const bool own = m_use->currentIndex() == 0;
+    m_form->setRowVisible(m_title, own);
+    m_form->setRowVisible(m_required, !own);
+    m_add->setVisible(own);
+    for (const ItemRow& row : m_items)
+        row.box->setVisible(own);
 }
 
 void QuestionnaireEditor::addItem(const study::QuestionnaireItem& item) {
@@ -91,14 +120,15 @@ void QuestionnaireEditor::addItem(const study::QuestionnaireItem& item) {
     row.id->setObjectName(QStringLiteral("questionId"));
     row.id->setPlaceholderText(tr("for example hard"));
     row.kind->setObjectName(QStringLiteral("questionKind"));
-    row.kind->addItems({tr("free text"), tr("scale"), tr("one of several answers")});
+    row.kind->addItems({tr("free text"), tr("scale"), tr("one of several answers"), tr("scale from 0 to 100"),
+                        tr("one of two answers")});
     row.kind->setCurrentIndex(static_cast<int>(item.kind));
     row.required->setChecked(item.required);
     row.question->setObjectName(QStringLiteral("questionText"));
     row.points->setRange(kFewestPoints, kMostPoints);
     row.points->setValue(static_cast<int>(item.points));
     row.points->setSuffix(tr(" points", "after a number"));
-    row.low->setPlaceholderText(tr("what 1 means"));
+    row.low->setPlaceholderText(tr("what the first point means"));
     row.high->setPlaceholderText(tr("what the last point means"));
     QStringList choices;
     for (const study::ItemChoice& choice : item.choices)
@@ -130,8 +160,10 @@ void QuestionnaireEditor::addItem(const study::QuestionnaireItem& item) {
 
     const auto showKind = [form, row] {
         const auto kind = static_cast<study::ItemKind>(row.kind->currentIndex());
-        form->setRowVisible(row.scale, kind == study::ItemKind::likert);
-        form->setRowVisible(row.choices, kind == study::ItemKind::choice);
+        const bool points = kind == study::ItemKind::likert;
+        form->setRowVisible(row.scale, points || kind == study::ItemKind::scale);
+        row.points->setVisible(points);
+        form->setRowVisible(row.choices, kind == study::ItemKind::choice || kind == study::ItemKind::pair);
     };
     connect(remove, &QPushButton::clicked, this, [this, box] { removeItem(box); });
     connect(row.kind, &QComboBox::currentIndexChanged, this, [this, showKind] {
@@ -162,6 +194,13 @@ study::Questionnaire QuestionnaireEditor::questionnaire() const {
     made.id = entered(*m_id);
     made.title = m_title->text().trimmed().isEmpty() ? made.id : entered(*m_title);
     made.when = static_cast<study::QuestionnaireTime>(m_when->currentIndex());
+    made.use = static_cast<study::StandardQuestionnaire>(m_use->currentIndex());
+    if (made.use != study::StandardQuestionnaire::none) {
+        study::Questionnaire standard = study::standardQuestionnaire(made.use, m_required->isChecked());
+        standard.id = made.id;
+        standard.when = made.when;
+        return standard;
+    }
     for (const ItemRow& row : m_items) {
         study::QuestionnaireItem item;
         item.id = entered(*row.id);
@@ -171,7 +210,7 @@ study::Questionnaire QuestionnaireEditor::questionnaire() const {
         item.points = static_cast<std::size_t>(row.points->value());
         item.low = entered(*row.low);
         item.high = entered(*row.high);
-        if (item.kind == study::ItemKind::choice) {
+        if (item.kind == study::ItemKind::choice || item.kind == study::ItemKind::pair) {
             for (const auto& [id, shown] : firstWords(row.choices->toPlainText()))
                 item.choices.push_back({id.toStdString(), shown.toStdString()});
         }

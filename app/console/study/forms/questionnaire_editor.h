@@ -9,15 +9,17 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLineEdit;
 class QPlainTextEdit;
+class QPushButton;
 class QSpinBox;
 class QVBoxLayout;
 
 namespace teleta::console {
 
-/// A questionnaire of a protocol as a form: its time, and its questions. The reader of protocol files checks
-/// it. Thread: GUI.
+/// A questionnaire of a protocol as a form: its time, and its own questions or a published one. The reader of
+/// protocol files checks it. Thread: GUI.
 class QuestionnaireEditor : public QGroupBox {
     Q_OBJECT
 
@@ -45,12 +47,17 @@ private:
         QPlainTextEdit* choices; ///< one per line: "yes I felt it"
     };
 
+    void showUse();
     void addItem(const study::QuestionnaireItem& item);
     void removeItem(const QWidget* box);
 
     QLineEdit* m_id;
     QLineEdit* m_title;
     QComboBox* m_when;
+    QComboBox* m_use;      ///< in the order of study::StandardQuestionnaire
+    QCheckBox* m_required; ///< of all questions of a published one
+    QPushButton* m_add;
+    QFormLayout* m_form;
     QVBoxLayout* m_rows;
     std::vector<ItemRow> m_items;
 };

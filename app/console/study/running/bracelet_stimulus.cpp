@@ -42,6 +42,11 @@ QString words(const playback::PlayerStatus& status) {
     return {};
 }
 
+/// A successful write does not prove that anything is felt.
+std::int64_t onsetOf(const playback::PlayerCounters& counters) {
+    return counters.confirmed ? counters.onset_ns : 0;
+}
+
 } // namespace
 
 QString BraceletStimulus::obstacle() const {
@@ -107,8 +112,7 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
         return state;
     }
     const playback::PlayerCounters counters = begun->player().counters();
-    // A successful write does not prove that anything is felt.
-    state.onset_ns = counters.confirmed ? counters.onset_ns : 0;
+    state.onset_ns = onsetOf(counters);
     state.due_ns = status.begun_ns + std::llround(1e9 * status.duration_s);
     state.frameWrite_ms = static_cast<double>(counters.writeLongest_ns) * 1e-6;
     state.framesMissed = counters.deadlineMisses + counters.framesLost;
@@ -139,6 +143,21 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
             state.failure = StimulusText::tr("something else used the bracelet");
     }
     return state;
+}
+
+std::function<std::int64_t()> BraceletStimulus::onset() const {
+    const std::shared_ptr<BraceletSession>& open = m_station.session();
+    if (session() == nullptr)
+        return [] { return std::int64_t{0}; };
+    return [playing = open, request_ns = m_request_ns]() -> std::int64_t {
+        if (playing->player().status().begun_ns < request_ns)
+            return 0;
+        return onsetOf(playing->player().counters());
+    };
+}
+
+std::function<std::int64_t()> UnplayedStimulus::onset() const {
+    return [onset_ns = m_onset_ns] { return onset_ns; };
 }
 
 QString UnplayedStimulus::description() const {

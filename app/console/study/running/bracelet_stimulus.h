@@ -20,6 +20,7 @@ public:
     void begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) override;
     void stop() override;
     [[nodiscard]] StimulusState state(std::int64_t now_ns) const override;
+    [[nodiscard]] std::function<std::int64_t()> onset() const override;
 
 private:
     /// The one on which the last stimulus began, as long as the station has it; otherwise null.
@@ -41,6 +42,7 @@ public:
     void begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) override;
     void stop() override { m_end_ns = 0; }
     [[nodiscard]] StimulusState state(std::int64_t now_ns) const override;
+    [[nodiscard]] std::function<std::int64_t()> onset() const override;
 
 private:
     std::int64_t m_onset_ns = 0;

@@ -46,7 +46,7 @@ bool QuestionnaireSequence::isSimulated() const {
 }
 
 const study::Questionnaire* QuestionnaireSequence::current() const {
-    return m_due.empty() ? nullptr : &m_subject.head.protocol.questionnaires.at(m_due.front().index);
+    return m_due.empty() ? nullptr : &m_current;
 }
 
 void QuestionnaireSequence::showNext() {
@@ -57,6 +57,8 @@ void QuestionnaireSequence::showNext() {
         return;
     }
     ++m_shown;
+    m_current =
+        study::shownQuestionnaire(m_subject.head, m_subject.participant, m_subject.plan, m_due.front().index);
     if (isSimulated()) {
         m_filledIn = study::simulatedAnswers(m_subject.head, m_subject.participant, m_subject.plan,
                                              m_due.front().index);
@@ -94,8 +96,10 @@ void QuestionnaireSequence::keep() {
                    now](StudyStoreThread::Store& store) { return store->keepNote(session, text, now); });
         return;
     }
-    askToKeep([participant = m_subject.participant, session = m_due.front().session,
-               questionnaire = *current(), answers = m_given, now](StudyStoreThread::Store& store) {
+    const study::Questionnaire& questionnaire =
+        m_subject.head.protocol.questionnaires.at(m_due.front().index);
+    askToKeep([participant = m_subject.participant, session = m_due.front().session, questionnaire,
+               answers = study::inOrderOfItems(questionnaire, m_given), now](StudyStoreThread::Store& store) {
         return store->keepAnswers(participant, session, questionnaire, answers, now);
     });
 }

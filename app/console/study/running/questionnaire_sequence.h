@@ -44,7 +44,7 @@ public:
     /// Speed of simulated participants relative to real time.
     void setSpeed(double speed) { m_speed = speed; }
 
-    /// Null: none.
+    /// As it is shown. Null: none.
     [[nodiscard]] const study::Questionnaire* current() const;
     /// Number of questionnaires shown so far.
     [[nodiscard]] std::size_t shown() const { return m_shown; }
@@ -72,6 +72,7 @@ private:
     double m_speed = 1.0;
     Subject m_subject;
     std::vector<study::DueQuestionnaire> m_due; ///< the first is shown
+    study::Questionnaire m_current;             ///< as it is shown
     std::function<void()> m_done;
     std::vector<study::ItemAnswer> m_filledIn;
     std::vector<study::ItemAnswer> m_given; ///< being stored, or waiting for retry()

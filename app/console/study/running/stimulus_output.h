@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace teleta::console {
@@ -41,6 +42,9 @@ public:
     virtual void stop() = 0;
     /// Of the last stimulus.
     [[nodiscard]] virtual StimulusState state(std::int64_t now_ns) const = 0;
+    /// Time of the last stimulus' onset, as in state(), 0 before it: a function that any thread may call
+    /// while it plays, to be destroyed on this thread, and soon, since it keeps the device.
+    [[nodiscard]] virtual std::function<std::int64_t()> onset() const = 0;
 };
 
 } // namespace teleta::console

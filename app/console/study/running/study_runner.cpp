@@ -105,8 +105,12 @@ void StudyRunner::beginTrial(std::int64_t time_ns) {
 }
 
 void StudyRunner::showStimulus(std::int64_t time_ns) {
-    if (const study::PlannedTrial* trial = m_flow->session().current())
-        m_output->begin(*m_stimuli[trial->stimulus], m_stimulus_s, time_ns);
+    const study::PlannedTrial* trial = m_flow->session().current();
+    if (trial == nullptr)
+        return;
+    m_output->begin(*m_stimuli[trial->stimulus], m_stimulus_s, time_ns);
+    if (m_observer != nullptr)
+        m_observer->stimulusRequested(*trial, m_output->onset());
 }
 
 void StudyRunner::replay(std::int64_t time_ns) {
@@ -205,6 +209,8 @@ void StudyRunner::settle() {
         const StimulusState shown = m_output->state(m_clock());
         result->frameWrite_ms = shown.frameWrite_ms;
         result->framesMissed = shown.framesMissed;
+        if (m_observer != nullptr)
+            m_observer->trialEnded(*result, shown.onset_ns, m_clock());
         // The answer ends the stimulus.
         m_output->stop();
         m_last = std::move(*result);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/study/running/stimulus_output.h"
+#include "app/console/study/running/trial_observer.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/study/protocol/stimulus_set.h"
 #include "backend/study/session/session_flow.h"
@@ -42,6 +43,8 @@ public:
                                              const study::StimulusSet& stimuli,
                                              const study::PlannedSession& plan,
                                              std::span<const study::TrialResult> kept, std::int64_t began_ns);
+    /// Who hears of the trials; null: nobody. Must outlive the runner or be taken back.
+    void observe(TrialObserver* observer) { m_observer = observer; }
     /// Drops the session; a trial that runs is not kept and will be shown again.
     void clear();
 
@@ -95,6 +98,7 @@ private:
     WallClock m_utcNow;
     Keep m_keep;
     StimulusOutput* m_output = nullptr;
+    TrialObserver* m_observer = nullptr;
     QTimer m_timer; ///< runs while a trial does
 
     std::optional<study::SessionFlow> m_flow;

@@ -5,6 +5,7 @@
 #include "tests/support/form_labels.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -80,6 +81,41 @@ private slots:
         QVERIFY(dialog.isChanged());
         QTest::mouseClick(dialog.findChildren<QPushButton*>("removeQuestionnaire").last(), Qt::LeftButton);
         QTRY_VERIFY(!dialog.isChanged()); // it goes with the next turn of the event loop
+    }
+
+    void aPublishedQuestionnaireIsChosenByItsName() {
+        ProtocolDialog dialog(paper());
+        dialog.show();
+        QTest::mouseClick(dialog.findChild<QPushButton*>("addQuestionnaire"), Qt::LeftButton);
+        dialog.findChildren<QLineEdit*>("questionnaireId").last()->setText("load");
+        auto* use = dialog.findChildren<QComboBox*>("questionnaireUse").last();
+        QVERIFY(!dialog.protocol());
+        use->setCurrentIndex(2);
+        QVERIFY(!dialog.findChildren<QLineEdit*>("questionText").last()->isVisible());
+        const auto made = dialog.protocol();
+        QVERIFY(made.has_value());
+        QCOMPARE(made->questionnaires.back().use, study::StandardQuestionnaire::nasaTlxWeighted);
+        QCOMPARE(made->questionnaires.back().items.size(), std::size_t(21));
+        QVERIFY(made->questionnaires.back().items.front().required);
+        dialog.findChildren<QCheckBox*>("questionnaireRequired").last()->setChecked(false);
+        QVERIFY(!dialog.protocol()->questionnaires.back().items.front().required);
+        // The form of such a protocol shows it again.
+        const ProtocolDialog again(*made);
+        QCOMPARE(again.protocol()->questionnaires.back().use, study::StandardQuestionnaire::nasaTlxWeighted);
+    }
+
+    void whatTheFormDoesNotShowStays() {
+        study::Protocol protocol = paper();
+        protocol.authors = {"A. Writer"};
+        protocol.trigger.kind = core::TriggerSettings::Kind::osc;
+        protocol.trigger.port = 9001;
+        protocol.recordSessions = true;
+        const ProtocolDialog dialog(protocol);
+        const auto made = dialog.protocol();
+        QVERIFY(made.has_value());
+        QCOMPARE(made->authors, protocol.authors);
+        QVERIFY(made->trigger == protocol.trigger);
+        QVERIFY(made->recordSessions);
     }
 
     void whatIsEnteredIsSavedBeforeTheFormGoes() {
