@@ -24,6 +24,7 @@ LawList::LawList(PatternDocument* document, QWidget* parent)
     m_list->setWordWrap(true);
     m_list->setAlternatingRowColors(true);
     m_fix->setAutoDefault(false);
+    setFocusPolicy(Qt::ClickFocus);
     auto* top = new QHBoxLayout;
     top->addWidget(m_headline, 1);
     top->addWidget(m_fix);
@@ -91,12 +92,14 @@ void LawList::showFindings() {
     setAccessibleName(tr("Laws of the display"));
     m_list->setAccessibleName(tr("Warnings"));
     m_fix->setText(tr("&Fix"));
-    m_list->setEnabled(isChecked());
     if (!isChecked()) {
+        keepKeyboard();
+        m_list->setEnabled(false);
         m_headline->setText(tr("Laws: checking\u2026"));
         m_fix->setEnabled(false);
         return;
     }
+    m_list->setEnabled(true);
     const int row = m_list->currentRow();
     m_list->clear();
     m_headline->setText(m_findings.empty() ? tr("Laws: no warning")
@@ -111,6 +114,25 @@ void LawList::showFindings() {
     if (!m_findings.empty())
         m_list->setCurrentRow(std::clamp(row, 0, m_list->count() - 1));
     takeCurrent();
+    returnKeyboard();
+}
+
+/// A widget that is disabled would hand the keyboard to the next one, the pattern's name for example.
+void LawList::keepKeyboard() {
+    for (QWidget* one : std::initializer_list<QWidget*>{m_fix, m_list}) {
+        if (one->hasFocus()) {
+            m_keyboard = one;
+            setFocus(Qt::OtherFocusReason);
+        }
+    }
+}
+
+void LawList::returnKeyboard() {
+    if (!m_keyboard)
+        return;
+    if (hasFocus())
+        (m_keyboard->isEnabled() ? m_keyboard.data() : m_list)->setFocus(Qt::OtherFocusReason);
+    m_keyboard.clear();
 }
 
 void LawList::takeCurrent() {

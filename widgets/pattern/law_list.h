@@ -6,6 +6,7 @@
 
 #include <QLabel>
 #include <QListWidget>
+#include <QPointer>
 #include <QPushButton>
 #include <QTimer>
 #include <QWidget>
@@ -39,11 +40,14 @@ private:
     void checkLater();
     void showFindings();
     void takeCurrent();
+    void keepKeyboard();
+    void returnKeyboard();
 
     PatternDocument* m_document;
     QLabel* m_headline = base::named<QLabel>("headline", this);
     QListWidget* m_list = new QListWidget(this);
     QPushButton* m_fix = base::named<QPushButton>("fix", this);
+    QPointer<QWidget> m_keyboard; ///< what had it when it was disabled; null: nothing here
     QTimer m_rest;
     std::vector<Finding> m_findings;
     std::shared_ptr<std::atomic<bool>> m_cancelled; ///< cancels the running check; null: none is running

@@ -10,8 +10,10 @@
 #include "widgets/pattern/timeline/timeline_painter.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -94,6 +96,10 @@ PatternEditor::PatternEditor(QWidget* parent)
         m_timeline->setLoop(begin_s < end_s ? std::optional(Span{begin_s, end_s}) : std::nullopt);
     });
     connect(m_laws, &LawList::shown, this, &PatternEditor::showFinding);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+        if (now != nullptr && isAncestorOf(now))
+            now->installEventFilter(this);
+    });
     connect(m_document, &PatternDocument::patternChanged, this, &PatternEditor::updateTitle);
     connect(m_document, &PatternDocument::dirtyChanged, this, &PatternEditor::updateTitle);
     connect(m_document, &PatternDocument::pathChanged, this, &PatternEditor::updateTitle);
@@ -103,6 +109,16 @@ PatternEditor::PatternEditor(QWidget* parent)
     });
     connect(m_document, &PatternDocument::patternOpened, this, [this] { m_stroke->setStart(0.0); });
     base::keepTranslated(this, &PatternEditor::retranslate);
+}
+
+/// In a text field of X11, Ctrl+E would go to the end of the line instead of exporting.
+bool PatternEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->keyCombination() == m_exportTo->shortcut()[0]) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void PatternEditor::makeActions() {

@@ -63,6 +63,9 @@ signals:
     void duplicateRequested(const QString& idOrPath);
     void compareRequested(const QString& idOrPath);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void makeActions();
     void makeBar();

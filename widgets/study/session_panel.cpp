@@ -152,6 +152,11 @@ void SessionPanel::setScene(const SessionScene& scene) {
     refresh();
 }
 
+void SessionPanel::takeKeyboard() {
+    m_keyboardDue = true;
+    refresh();
+}
+
 void SessionPanel::restoreNote(const QString& text) {
     m_note->setText(m_note->text().isEmpty() ? text : text + QLatin1Char(' ') + m_note->text());
 }
@@ -167,6 +172,10 @@ void SessionPanel::refresh() {
         m_next->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Return)); // a new text takes it away
     }
     m_next->setEnabled(m_scene.nextEnabled);
+    if (m_keyboardDue && m_scene.nextEnabled) {
+        m_keyboardDue = false;
+        m_next->setFocus(Qt::OtherFocusReason);
+    }
     m_state->setText(m_scene.state);
     m_state->setVisible(!m_scene.state.isEmpty());
     static_cast<StateLabel*>(m_state)->setTone(m_scene.tone);

@@ -86,6 +86,8 @@ public:
     /// Puts a note that could not be saved back into its field, before newer text.
     void restoreNote(const QString& text);
     [[nodiscard]] const SessionScene& scene() const { return m_scene; }
+    /// The button of the next step gets the keyboard as soon as it can be pressed.
+    void takeKeyboard();
 
 signals:
     void nextRequested();
@@ -110,6 +112,7 @@ private:
     void askForSkip();
 
     SessionScene m_scene;
+    bool m_keyboardDue = false;
     QLabel* m_title = new QLabel(this);
     QLabel* m_subtitle = new QLabel(this);
     QLabel* m_mark = new QLabel(this);

@@ -244,6 +244,7 @@ void StudyPage::connectViews() {
             m_messages->post({chrome::Message::Severity::warning,
                               tr("A session of this study was interrupted."),
                               tr("No answer is lost. Resume it, or choose another one."), QString()});
+        m_session->takeKeyboard();
         if (std::exchange(m_rehearseWhenOpened, false))
             m_controller.startRehearsal();
     });

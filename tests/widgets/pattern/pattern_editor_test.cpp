@@ -110,6 +110,56 @@ private slots:
         QVERIFY(!lawsOf(editor).findChild<QPushButton*>("fix")->isEnabled());
     }
 
+    void theKeyboardStaysAtTheLawsAfterAFix() {
+        PatternEditor editor;
+        editor.resize(1200, 800);
+        editor.show();
+        editor.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&editor));
+        Pattern fast;
+        fast.id = "mine.1";
+        fast.duration_s = 1.0;
+        fast.objects.push_back({"", Ring{.duration_s = 1.0, .turns = 5, .burst_s = {}}, {}});
+        editor.document()->setPattern(fast);
+        lawsOf(editor).check();
+        QTRY_VERIFY(lawsOf(editor).isChecked());
+        auto* fix = lawsOf(editor).findChild<QPushButton*>("fix");
+        fix->setFocus();
+        QTest::keyClick(fix, Qt::Key_Space);
+        QTRY_VERIFY(lawsOf(editor).isChecked());
+        QWidget* focus = QApplication::focusWidget();
+        QVERIFY(focus != nullptr);
+        QVERIFY2(lawsOf(editor).isAncestorOf(focus), focus->metaObject()->className());
+        // So the keys that follow are commands, not a new name.
+        QSignalSpy exported(&editor, &PatternEditor::exportRequested);
+        const std::string name = editor.document()->pattern().name;
+        QTest::keyClick(focus, Qt::Key_E, Qt::ControlModifier);
+        QCOMPARE(exported.count(), 1);
+        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("file"));
+        QCOMPARE(editor.document()->pattern().name, name);
+    }
+
+    void ctrlEExportsFromATextFieldToo() {
+        PatternEditor editor;
+        editor.resize(1200, 800);
+        editor.show();
+        editor.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&editor));
+        QSignalSpy exported(&editor, &PatternEditor::exportRequested);
+        int fields = 0;
+        for (QWidget* field : editor.findChild<PatternInspector*>()->findChildren<QWidget*>()) {
+            if (!field->isVisible() || (qobject_cast<QLineEdit*>(field) == nullptr &&
+                                        qobject_cast<QDoubleSpinBox*>(field) == nullptr))
+                continue;
+            field->setFocus();
+            if (QApplication::focusWidget() != field)
+                continue;
+            QTest::keyClick(field, Qt::Key_E, Qt::ControlModifier);
+            QCOMPARE(exported.count(), ++fields);
+        }
+        QVERIFY(fields >= 2);
+    }
+
     void aStrokeIsAnObjectAtThePlayhead() {
         PatternDocument document;
         StrokePad pad(&document);

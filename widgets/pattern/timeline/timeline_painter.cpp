@@ -6,6 +6,7 @@
 #include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/pattern/timeline/crowded_lines.h"
+#include "widgets/pattern/timeline/label_places.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -189,6 +190,7 @@ private:
         constexpr double kNarrow_px = 4.0;
         std::array<double, core::kTactors> drawnTo;
         drawnTo.fill(-1.0);
+        std::array<LabelPlaces, core::kTactors> labels;
         for (std::size_t k = 0; k < m_content.pattern->objects.size(); ++k) {
             const PatternObject& object = m_content.pattern->objects[k];
             const Span span = spanOf(object.form);
@@ -221,12 +223,15 @@ private:
                     titled = true;
                     m_painter.setFont(m_small);
                     m_painter.setPen(m_text);
-                    const QRectF room(
-                        QPointF(std::max(from, m_g.plot.left()) + 0.4 * m_g.em, block.top() + 1.0),
-                        QSizeF(std::max(0.0, to - std::max(from, m_g.plot.left()) - 0.6 * m_g.em), m_g.em));
-                    m_painter.drawText(
-                        room, Qt::AlignLeft | Qt::AlignVCenter,
-                        QFontMetricsF(m_small).elidedText(objectTitle(object), Qt::ElideRight, room.width()));
+                    const QFontMetricsF metrics(m_small);
+                    const double left = std::max(from, m_g.plot.left());
+                    const double width = std::max(0.0, to - left - 0.6 * m_g.em);
+                    const QString title = metrics.elidedText(objectTitle(object), Qt::ElideRight, width);
+                    const QRectF wanted(
+                        QPointF(left + 0.4 * m_g.em, block.top() + 1.0),
+                        QSizeF(std::min(width, metrics.horizontalAdvance(title) + 1.0), m_g.em));
+                    if (const auto room = labels[tactor].place(wanted, block.bottom()))
+                        m_painter.drawText(*room, Qt::AlignLeft | Qt::AlignVCenter, title);
                     m_painter.setFont(m_font);
                 }
             }

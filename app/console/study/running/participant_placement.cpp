@@ -5,6 +5,7 @@
 #include <QMargins>
 #include <QScreen>
 #include <QWidget>
+#include <QWindow>
 
 #include <algorithm>
 #include <array>
@@ -70,6 +71,7 @@ void ParticipantPlacement::show() {
             showBeside();
     } else {
         m_screen = screens[other];
+        stayAbove(false);
         m_window.setGeometry(places[other]);
         m_window.showFullScreen();
     }
@@ -77,8 +79,18 @@ void ParticipantPlacement::show() {
     m_window.activateWindow();
 }
 
+/// A window manager keeps a window above the one to which it is transient: a click on the console does not
+/// hide it.
+void ParticipantPlacement::stayAbove(bool above) {
+    // Both need a window of the system.
+    (void)m_window.winId();
+    (void)m_console.window()->winId();
+    m_window.windowHandle()->setTransientParent(above ? m_console.window()->windowHandle() : nullptr);
+}
+
 void ParticipantPlacement::showBeside() {
     m_screen = nullptr;
+    stayAbove(true);
     m_window.showNormal();
     const QRect room = m_console.screen()->availableGeometry();
     const QRect console = m_console.window()->frameGeometry();

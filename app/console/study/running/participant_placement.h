@@ -40,6 +40,7 @@ signals:
 private:
     void onScreenRemoved(QScreen* screen);
     void showBeside();
+    void stayAbove(bool above);
 
     QWidget& m_window;
     QWidget& m_console;

@@ -2,6 +2,7 @@
 #include "app/console/study/forms/new_study_dialog.h"
 #include "tests/app/console/study/study_bench.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QFile>
 #include <QFileDialog>
@@ -62,6 +63,34 @@ private slots:
         QTest::mouseClick(make(), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
         QCOMPARE(controller().overview()->head.protocol.testTrials(), std::size_t(110));
+    }
+
+    void hasASeedOfItsOwnThatIsShownAndKept() {
+        askForOne();
+        const QString shown = m_dialog->findChild<QLineEdit*>("seed")->text();
+        const NewStudyDialog another(study::paperProtocol().value(), studyFolder());
+        // Equal by chance once in 4 thousand million.
+        QVERIFY(another.findChild<QLineEdit*>("seed")->text() != shown);
+        m_dialog->findChild<QLineEdit*>("folder")->setText(studyFolder());
+        QTest::mouseClick(make(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
+        QCOMPARE(QString::number(controller().overview()->head.seed), shown);
+    }
+
+    void afterwardsReturnAndSpacePressTheNextStep() {
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space}) {
+            askForOne();
+            m_dialog->findChild<QLineEdit*>("folder")->setText(studyFolder() + QString::number(key));
+            QTest::keyClick(make(), Qt::Key_Return);
+            QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value() && nextButton()->isEnabled(),
+                                     kPatience_ms);
+            m_page->activateWindow();
+            QVERIFY(QTest::qWaitForWindowActive(m_page.get()));
+            QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), nextButton(), kPatience_ms);
+            QCOMPARE(nextButton()->text(), QStringLiteral("Add a participant"));
+            QTest::keyClick(QApplication::focusWidget(), key);
+            QCOMPARE(QApplication::focusWidget(), m_page->findChild<QLineEdit*>("participantId"));
+        }
     }
 
     void isMadeOfAProtocolFileThatIsChosen() {

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QScreen>
+#include <QWindow>
 
 using namespace teleta;
 using test::kPatience_ms;
@@ -53,6 +54,14 @@ private slots:
         const QRect moved = window()->geometry();
         m_page->bringForward(QStringLiteral("participant"));
         QCOMPARE(window()->geometry(), moved);
+    }
+
+    // A window manager keeps a transient window above its parent, also when the parent is clicked.
+    void staysAboveTheConsole() {
+        openStudyIn(room());
+        beginSession();
+        QVERIFY(window()->windowHandle() != nullptr);
+        QCOMPARE(window()->windowHandle()->transientParent(), m_page->window()->windowHandle());
     }
 
     void saysThatItCoversAPart() {
