@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fits psychometric functions with `teleta study fit` and with scipy, by turns, and compares results and times.
+"""Fits psychometric functions with `teleta study fit`, then with scipy, and compares results and times.
 
 Usage: fits_against_scipy.py TELETA [PARTICIPANTS]
 
