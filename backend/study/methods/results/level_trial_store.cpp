@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -17,11 +18,24 @@ struct LevelStoreText {
     Q_DECLARE_TR_FUNCTIONS(LevelSourceText)
 };
 
-LevelTaskFacts factsOf(const StudyTask& task) {
+/// How the levels of a task are chosen, where its protocol says so.
+template <typename Levels>
+void learnProcedure(const Protocol& protocol, Design design, const Levels& levels, LevelTaskFacts& facts) {
+    if constexpr (requires { procedureOf(design, levels, std::size_t{1}, false); }) {
+        facts.procedure = nameOf(levels.procedure);
+        facts.scale = levels.range.scale;
+        facts.range = levels.range;
+        facts.settings = procedureOf(design, levels, protocol.test.repetitions,
+                                     protocol.order == OrderMethod::blockedRandom);
+    }
+}
+
+LevelTaskFacts factsOf(const Protocol& protocol, const StudyTask& task) {
     LevelTaskFacts facts;
     facts.design = task.design;
     facts.intervals = task.patterns.size(); // the answers
     facts.unit = unitOf(task.levels.vary);
+    learnProcedure(protocol, task.design, task.levels, facts);
     return facts;
 }
 
@@ -54,7 +68,7 @@ core::Expected<void> addLevelTrials(const StudyStore& store, ModeFilter& modes, 
             const std::string& condition = task.conditions[planned.condition];
             const double reference = task.referenceOf(condition);
             LevelTaskFacts& facts = trials.factsOf(std::string_view(task.id));
-            facts = factsOf(task);
+            facts = factsOf(head.protocol, task);
             for (const StoredTrial& one : stored) {
                 const TrialResult& result = one.result;
                 if (!result.isComplete() || result.planned.phase != Phase::test || !result.planned.level)
