@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Export to MCAP and import, in processor time of one core, compared in the same run with @mcap/core on Node
 // writing the same messages (tests/peer/mcap/write_speed.mjs; installed by tests/peer/mcap/install.sh).
-//   tactile   100 000 frames of 84 taxels, as Image and as TactileArray; those of the peer repeat after 256,
-//   so that its
-//             file is smaller
+//   tactile   100 000 frames of 84 taxels, two messages each; the peer's frames repeat after 256
 //   pictures  100 grey pictures of 1640 x 1232
 #include "backend/mcap/recorded/mcap_export.h"
 #include "backend/mcap/recorded/mcap_import.h"
