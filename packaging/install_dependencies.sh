@@ -55,8 +55,11 @@ test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 bu
 test_packages+=(libmujoco-dev)
 # Independent readers and writers of MCAP, which npm installs.
 command -v npm >/dev/null || test_packages+=(nodejs npm)
-# For building and testing the Debian package only.
-package_packages=(help2man dpkg-dev file lintian debootstrap)
+# For building and testing the Python module.
+python_packages=(pybind11-dev python3-dev python3-numpy)
+test_packages+=("${python_packages[@]}" python3-pytest mypy python3-pandas python3-matplotlib)
+# For building and testing the Debian packages only.
+package_packages=(help2man dpkg-dev file lintian debootstrap "${python_packages[@]}")
 # For building and testing the Flatpak only.
 flatpak_packages=(flatpak flatpak-builder ostree debootstrap weston xwayland)
 # For fuzzing the parsers.

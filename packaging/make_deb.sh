@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds the Debian package of both programs and prints its path.
+# Builds the Debian packages of both programs and of the Python module, and prints their paths.
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
@@ -13,4 +13,4 @@ log=$(cpack -G DEB 2>&1) || {
     printf '%s\n' "$log" >&2
     exit 1
 }
-printf 'The package is %s\n' "$root"/build/package/*.deb
+printf 'A package is %s\n' "$root"/build/package/*.deb

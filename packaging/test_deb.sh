@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the package into a clean tree of Debian 12 and uses it there as a person would. Needs root rights.
+# Installs the packages into a clean tree of Debian 12 and uses them there as a person would. Needs root rights.
 #   test_deb.sh [TREE]      an existing tree is used again
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
@@ -13,15 +13,30 @@ fail() {
 }
 ((EUID == 0)) || fail "debootstrap needs root rights"
 "$root/packaging/make_deb.sh"
-package=$(compgen -G "$root/build/package/*.deb")
+package=$(compgen -G "$root/build/package/teleta-console_*.deb")
+module=$(compgen -G "$root/build/package/python3-teleta_*.deb")
 
-lintian --allow-root --fail-on error --suppress-tags bogus-mail-host,no-changelog,embedded-library "$package" || fail "lintian refuses the package"
+for each in "$package" "$module"; do
+    lintian --allow-root --fail-on error --suppress-tags bogus-mail-host,no-changelog,embedded-library "$each" || fail "lintian refuses $each"
+done
 
 [[ -x $tree/usr/bin/apt-get ]] || make_tree "$tree"
 enter_tree "$tree"
 
 cp "$package" "$tree/tmp/teleta-console.deb"
+cp "$module" "$tree/tmp/python3-teleta.deb"
 inside apt-get -q update
+
+printf '\n== the Python module alone in the clean tree\n'
+inside apt-get -q install -y --no-install-recommends /tmp/python3-teleta.deb
+[[ ! -e $tree/usr/bin/teleta ]] || fail "the module brings the programs"
+inside /usr/bin/python3 -c 'import teleta; print("teleta", teleta.__version__)'
+for example in features_of_csv recording_to_arrays; do
+    inside /usr/bin/python3 "/usr/share/doc/python3-teleta/examples/$example.py"
+done
+inside apt-get -q remove -y python3-teleta >/dev/null
+[[ ! -e $tree/usr/lib/python3/dist-packages/teleta ]] || fail "the module leaves files behind"
+
 inside apt-get -q install -y --no-install-recommends /tmp/teleta-console.deb
 inside apt-get -q install -y --no-install-recommends xvfb xauth fonts-dejavu-core
 

@@ -29,6 +29,9 @@ endif()
 
 include(TeletaLibraries)
 
+# The folder in the build tree that PYTHONPATH may name: it holds the whole package.
+set(TELETA_PYTHON_TREE "${CMAKE_BINARY_DIR}/app/python")
+
 add_library(teleta_options INTERFACE)
 target_include_directories(teleta_options INTERFACE "${CMAKE_SOURCE_DIR}")
 target_compile_options(teleta_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
@@ -113,6 +116,9 @@ function(teleta_add_modules)
         if(NOT TELETA_GUI AND folder MATCHES "^(widgets|app/console)(/|$)")
             continue()
         endif()
+        if(NOT TELETA_PYTHON AND folder MATCHES "^app/python/")
+            continue()
+        endif()
         add_subdirectory("${CMAKE_SOURCE_DIR}/${folder}" "${CMAKE_BINARY_DIR}/${folder}")
         teleta_target_of("${folder}" target)
         set(parent "${folder}")
@@ -151,6 +157,10 @@ function(teleta_library)
         if(folder MATCHES "^(widgets|app/console)(/|$)")
             set_target_properties(${name} PROPERTIES AUTOMOC ON)
         endif()
+        if(folder MATCHES "^app/python/")
+            # Fewer sources at once: each takes long, and their types are hidden as those of pybind11 are.
+            set_target_properties(${name} PROPERTIES CXX_VISIBILITY_PRESET hidden UNITY_BUILD_BATCH_SIZE 4)
+        endif()
     else()
         add_library(${name} INTERFACE ${ARG_SOURCES})
         set(access INTERFACE)
@@ -162,6 +172,18 @@ function(teleta_library)
         vtk_module_autoinit(TARGETS ${name} MODULES ${VTK_LIBRARIES})
     endif()
     target_link_libraries(${name} ${access} teleta_options ${used} ${libraries})
+endfunction()
+
+# teleta_python_module(NAME LINKS ...)
+# The extension module NAME of the Python package, from module.cpp in this folder. It hides all symbols but the one that
+# Python looks for, so that two modules that hold the same library do not mix.
+function(teleta_python_module name)
+    cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
+    pybind11_add_module(${name} MODULE NO_EXTRAS module.cpp)
+    target_compile_definitions(${name} PRIVATE TELETA_VERSION="${PROJECT_VERSION}")
+    target_link_libraries(${name} PRIVATE ${ARG_LINKS})
+    target_link_options(${name} PRIVATE LINKER:--exclude-libs,ALL LINKER:--as-needed LINKER:--gc-sections)
+    set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${TELETA_PYTHON_TREE}/teleta")
 endfunction()
 
 # teleta_test(NAME LABEL unit|stability|gui|gl|peer|soak SOURCES ... DEPENDS ... [TIMEOUT s])

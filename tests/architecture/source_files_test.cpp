@@ -102,11 +102,14 @@ TEST(SourceFilesTest, findPlantedViolations) {
               "a.cpp:2: unfinished work\n");
 }
 
-/// Whether this build, which may leave out the GUI or the benchmarks, is to compile the file.
+/// Whether this build, which may leave out the GUI, the Python module or the benchmarks, is to compile the
+/// file.
 bool isPartOfThisBuild(const std::string& path) {
     const auto isBelow = [&](const char* folder) { return path.starts_with(folder); };
     if (!TELETA_HAS_GUI && (isBelow("widgets/") || isBelow("app/console/") || isBelow("tests/widgets/") ||
                             isBelow("tests/app/console/") || isBelow("tests/peer/console/")))
+        return false;
+    if (!TELETA_HAS_PYTHON && isBelow("app/python/"))
         return false;
     return TELETA_HAS_BENCHMARKS || !isBelow("tests/benchmarks/");
 }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/pattern/motors/motor_model.h"
+#include "backend/pattern/motors/predicted_times.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 using namespace teleta::pattern;
 using teleta::core::Intensities;
@@ -141,6 +145,29 @@ TEST(Overdrive, neverGivesMoreThanItsBudget) {
     }
     EXPECT_GT(boosted_s, profile.longestOverdrive_s);
     EXPECT_LE(boosted_s, profile.longestOverdrive_s + 0.1 * 2.0 + 1e-9);
+}
+
+TEST(Prediction, atAnyTimesFollowsTheLagAndRunsDown) {
+    const MotorProfiles motors = assumedMotors();
+    const MotorProfile& motor = motors[0];
+    const double up_s = motor.riseTime_s / std::numbers::ln10;
+    const double down_s = motor.fallTime_s / std::numbers::ln10;
+    // On for 2 s; the last time is behind its end.
+    const std::array<double, 5> times_s{0.0, 0.0, 0.0373, 1.9, 2.1};
+    std::vector<double> predicted;
+    forEachPredictedTime(*findBuiltIn("shape.F.static"), motors, times_s,
+                         [&](std::size_t index, const Intensities& intensities) {
+                             EXPECT_EQ(index, predicted.size());
+                             EXPECT_EQ(intensities[1], 0.0);
+                             predicted.push_back(intensities[0]);
+                             return true;
+                         });
+    ASSERT_EQ(predicted.size(), times_s.size());
+    for (std::size_t k = 0; k < times_s.size(); ++k) {
+        const double share =
+            times_s[k] <= 2.0 ? 1.0 - std::exp(-times_s[k] / up_s) : std::exp(-(times_s[k] - 2.0) / down_s);
+        EXPECT_NEAR(predicted[k], std::max(0.0, (share * 3.0 - 1.0) / 2.0), 1e-9) << times_s[k];
+    }
 }
 
 TEST(Prediction, ofAStepIsTheClosedFormOfTheLag) {

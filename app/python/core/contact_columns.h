@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/python/base/array_output.h"
+#include "backend/contact/contact_segmenter.h"
+#include "backend/contact/tactile_features.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace teleta::python {
+
+/// The columns of `teleta features` without the time, one entry a frame. add() needs no lock, table() the
+/// interpreter's.
+class FeatureColumns {
+public:
+    static constexpr std::array<const char*, 10> kNumbers{
+        "force_n",  "cop_x_m",  "cop_y_m",     "coc_x_m",    "coc_y_m",
+        "dzmp_x_m", "dzmp_y_m", "alpha_z_rad", "lambda1_m2", "lambda2_m2"};
+
+    explicit FeatureColumns(std::size_t frames)
+        : m_frames(frames)
+        , m_active(std::make_unique_for_overwrite<std::int64_t[]>(frames)) {
+        for (auto& column : m_numbers)
+            column = std::make_unique_for_overwrite<double[]>(frames);
+        m_types.reserve(frames);
+    }
+
+    [[nodiscard]] static std::array<double, kNumbers.size()>
+    numbersOf(const contact::TactileFeatures& features) {
+        return {features.force_N,          orNaN(features.copX_m),     orNaN(features.copY_m),
+                orNaN(features.cocX_m),    orNaN(features.cocY_m),     orNaN(features.dzmpX_m),
+                orNaN(features.dzmpY_m),   orNaN(features.alphaZ_rad), orNaN(features.lambda1_m2),
+                orNaN(features.lambda2_m2)};
+    }
+
+    /// The features of the next frame; at most as many as the constructor was told.
+    void add(const contact::TactileFeatures& features) {
+        const auto numbers = numbersOf(features);
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            m_numbers[i][m_added] = numbers[i];
+        m_active[m_added] = features.active;
+        m_types.add(contact::toString(features.type));
+        ++m_added;
+    }
+
+    /// Adds the columns to a table.
+    void moveTo(py::dict& table) && {
+        const auto rows = static_cast<py::ssize_t>(m_frames);
+        table["contact_type"] = std::move(m_types).array();
+        for (std::size_t i = 0; i < kNumbers.size(); ++i)
+            table[kNumbers[i]] = arrayOf(std::move(m_numbers[i]), {rows});
+        table["active"] = arrayOf(std::move(m_active), {rows});
+    }
+
+private:
+    std::size_t m_frames;
+    std::size_t m_added = 0;
+    WordColumn<5> m_types;
+    std::array<std::unique_ptr<double[]>, kNumbers.size()> m_numbers;
+    std::unique_ptr<std::int64_t[]> m_active;
+};
+
+/// The columns of `teleta contacts` behind the time, one entry a contact.
+class ContactColumns {
+public:
+    void add(std::span<const contact::Contact> contacts) {
+        for (const contact::Contact& contact : contacts) {
+            m_ids.push_back(contact.id);
+            m_x_m.push_back(contact.x_m);
+            m_y_m.push_back(contact.y_m);
+            m_force_N.push_back(contact.force_N);
+            m_peak_N.push_back(contact.peak_N);
+            m_area_m2.push_back(contact.area_m2);
+        }
+    }
+
+    void moveTo(py::dict& table) && {
+        table["contact_id"] = arrayOf(std::move(m_ids));
+        table["x_m"] = arrayOf(std::move(m_x_m));
+        table["y_m"] = arrayOf(std::move(m_y_m));
+        table["force_n"] = arrayOf(std::move(m_force_N));
+        table["peak_n"] = arrayOf(std::move(m_peak_N));
+        table["area_m2"] = arrayOf(std::move(m_area_m2));
+    }
+
+private:
+    std::vector<std::int64_t> m_ids;
+    std::vector<double> m_x_m, m_y_m, m_force_N, m_peak_N, m_area_m2;
+};
+
+} // namespace teleta::python

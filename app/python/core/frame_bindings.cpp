@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/python/base/array_output.h"
+#include "app/python/base/frame_input.h"
+#include "app/python/base/long_work.h"
+#include "app/python/core/contact_columns.h"
+#include "app/python/core/core_bindings.h"
+#include "app/python/core/frame_settings.h"
+#include "backend/core/data/array_guess.h"
+#include "backend/core/data/frame_file.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace teleta::python {
+
+namespace {
+
+/// So many taxels are computed between two looks at the clock: a few milliseconds.
+constexpr std::size_t kTaxelsBetweenLooks = 1 << 18;
+
+std::size_t framesBetweenLooks(const core::ArrayLayout& layout) {
+    return std::max<std::size_t>(1, kTaxelsBetweenLooks / layout.taxels());
+}
+
+/// The column of a table that tells its rows apart when there are no times.
+py::array frameNumbers(std::size_t count) {
+    std::vector<std::int64_t> frames(count);
+    std::iota(frames.begin(), frames.end(), std::int64_t{0});
+    return arrayOf(std::move(frames));
+}
+
+py::dict features(const py::object& frames, double pitch_m, const py::dict& arguments,
+                  const py::object& time_s) {
+    const FrameInput input = FrameInput::read(frames, pitch_m);
+    std::vector<double> times_s = frameTimes(time_s, input.count);
+    const contact::FrameConditioner conditioner(input.layout.taxels(),
+                                                conditioningOf(arguments, input.layout));
+    contact::FeatureExtractor extractor(input.layout, featureSettingsOf(arguments));
+    FeatureColumns columns(input.count);
+    LongWork work;
+    {
+        const py::gil_scoped_release released;
+        std::vector<float> load_N(input.layout.taxels());
+        std::vector<std::uint8_t> dead(input.layout.taxels());
+        const std::size_t pause = framesBetweenLooks(input.layout);
+        for (std::size_t i = 0; i < input.count; ++i) {
+            if (i % pause == 0 && !work.goOn())
+                break;
+            conditioner.apply(input.frame(i), load_N, dead);
+            columns.add(extractor.compute(load_N, dead));
+        }
+    }
+    work.rethrow();
+    py::dict table;
+    if (time_s.is_none())
+        table["frame"] = frameNumbers(input.count);
+    else
+        table["time_s"] = arrayOf(std::move(times_s));
+    std::move(columns).moveTo(table);
+    return table;
+}
+
+/// The times of the frames: told, or from a rate; empty when neither is.
+std::vector<double> timesOf(const py::object& time_s, const py::object& rate_hz, std::size_t frames) {
+    if (rate_hz.is_none())
+        return frameTimes(time_s, frames);
+    if (!time_s.is_none())
+        throw py::value_error("rate_hz: expected either time_s or rate_hz, got both");
+    const double rate_Hz = positive(py::cast<double>(rate_hz), "rate_hz");
+    std::vector<double> times_s(frames);
+    for (std::size_t i = 0; i < frames; ++i)
+        times_s[i] = static_cast<double>(i) / rate_Hz;
+    return times_s;
+}
+
+py::object contacts(const py::object& frames, double pitch_m, const py::dict& arguments,
+                    const py::object& time_s, const py::object& rate_hz, bool returnLabels) {
+    const FrameInput input = FrameInput::read(frames, pitch_m);
+    const std::vector<double> times_s = timesOf(time_s, rate_hz, input.count);
+    const bool timed = !time_s.is_none() || !rate_hz.is_none();
+    const std::size_t taxels = input.layout.taxels();
+    const contact::FrameConditioner conditioner(taxels, conditioningOf(arguments, input.layout));
+    const contact::FeatureSettings featureSettings = featureSettingsOf(arguments);
+    contact::SegmentationSettings settings = segmentationSettingsOf(arguments);
+    contact::FeatureExtractor extractor(input.layout, featureSettings);
+    contact::ContactSegmenter segmenter(input.layout, settings);
+    contact::ContactTracker tracker(trackingSettingsOf(arguments, input.layout));
+    ContactColumns columns;
+    std::vector<std::int64_t> numbers;
+    std::vector<double> seen_s;
+    std::unique_ptr<std::int32_t[]> labels;
+    if (returnLabels)
+        labels = std::make_unique_for_overwrite<std::int32_t[]>(input.count * taxels);
+    LongWork work;
+    {
+        const py::gil_scoped_release released;
+        std::vector<float> load_N(taxels);
+        std::vector<std::uint8_t> dead(taxels);
+        const std::size_t pause = framesBetweenLooks(input.layout);
+        for (std::size_t i = 0; i < input.count; ++i) {
+            if (i % pause == 0 && !work.goOn())
+                break;
+            conditioner.apply(input.frame(i), load_N, dead);
+            if (featureSettings.automaticThreshold) {
+                settings.threshold_N = extractor.compute(load_N, dead).threshold_N;
+                segmenter.setSettings(settings);
+            }
+            const std::span<contact::Contact> found = segmenter.segment(load_N, dead);
+            if (timed)
+                tracker.assign(found, times_s[i]);
+            columns.add(found);
+            numbers.insert(numbers.end(), found.size(), static_cast<std::int64_t>(i));
+            seen_s.insert(seen_s.end(), found.size(),
+                          timed ? times_s[i] : std::numeric_limits<double>::quiet_NaN());
+            if (labels != nullptr)
+                std::ranges::copy(segmenter.labels(), labels.get() + i * taxels);
+        }
+    }
+    work.rethrow();
+    py::dict table;
+    table["frame"] = arrayOf(std::move(numbers));
+    table["time_s"] = arrayOf(std::move(seen_s));
+    std::move(columns).moveTo(table);
+    if (labels == nullptr)
+        return table;
+    const std::vector<py::ssize_t> shape(input.array.shape(), input.array.shape() + input.array.ndim());
+    return py::make_tuple(table, arrayOf(std::move(labels), shape));
+}
+
+py::tuple readFrames(const py::object& file, const py::object& rows, const py::object& columns) {
+    const std::string path = pathOf(file);
+    std::vector<double> times_s;
+    std::vector<float> values;
+    core::ArrayLayout layout;
+    LongWork work;
+    core::Expected<void> done;
+    const auto wanted = [](const py::object& side) {
+        return side.is_none() ? std::optional<long long>() : py::cast<long long>(side);
+    };
+    const std::optional<long long> givenRows = wanted(rows);
+    const std::optional<long long> givenColumns = wanted(columns);
+    if (givenRows.has_value() != givenColumns.has_value())
+        throw py::value_error("rows: expected both rows and columns, or neither");
+    if (givenRows)
+        layout = layoutOf(*givenRows, *givenColumns, layout.pitch_m);
+    const auto read = [&]() -> core::Expected<void> {
+        if (!givenRows) {
+            TELETA_TRY(const std::size_t taxels, core::FrameFile::countTaxels(path));
+            const core::ArrayGuess guess = core::guessArray(taxels);
+            layout.rows = guess.layout.rows;
+            layout.columns = guess.layout.columns;
+        }
+        TELETA_TRY(core::FrameFile frames, core::FrameFile::open(path, layout));
+        std::vector<float> frame(layout.taxels());
+        for (double time_s = 0.0; work.goOn();) {
+            TELETA_TRY(const bool any, frames.next(time_s, frame));
+            if (!any)
+                break;
+            times_s.push_back(time_s);
+            values.insert(values.end(), frame.begin(), frame.end());
+        }
+        return {};
+    };
+    {
+        const py::gil_scoped_release released;
+        done = read();
+    }
+    work.rethrow();
+    valueOf(done);
+    const auto count = static_cast<py::ssize_t>(times_s.size());
+    return py::make_tuple(arrayOf(std::move(times_s)),
+                          arrayOf(std::move(values), {count, layout.rows, layout.columns}));
+}
+
+} // namespace
+
+void bindFrames(py::module_& module) {
+    module.def("features", &features);
+    module.def("contacts", &contacts);
+    module.def("read_frames", &readFrames);
+}
+
+} // namespace teleta::python

@@ -1,0 +1,368 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Recordings (.teleta) and files of frames."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Iterator
+
+import numpy as np
+
+from . import _core
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    import numpy.typing as npt
+
+    from ._types import Floats, Path, Progress, Table
+
+
+@dataclass(frozen=True)
+class Stream:
+    """What a stream of a recording holds.
+
+    Attributes
+    ----------
+    kind : str
+        'array', 'features', 'joints', 'touches', 'camera', 'contacts' or 'tactors'.
+    type : str
+        'float32', 'float64' or 'grey8'.
+    shape : tuple of int
+        Of one frame; of a picture (height, width), 0 where it varies.
+    unit : str
+        Of all values; '' where the columns say it.
+    columns : tuple of str
+        Names of the values of a frame, where they have any.
+    rate_hz : float
+        Nominal frames a second; 0: unknown.
+    details : dict or None
+        What playback needs to know of the source.
+    source : str
+        The device, as people know it.
+    column_units : tuple of str
+        Unit of each column.
+    """
+
+    kind: str
+    type: str
+    shape: tuple[int, ...]
+    unit: str
+    columns: tuple[str, ...]
+    rate_hz: float
+    details: dict[str, Any] | None
+    source: str
+    column_units: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Data:
+    """Frames of a stream.
+
+    Attributes
+    ----------
+    time_s : ndarray of float64, (frames,)
+        Time since the start of the recording, s.
+    time_ns : ndarray of int64, (frames,)
+        Steady clock, ns; `Recording.utc` makes dates of it.
+    source_time_s : ndarray of float64, (frames,)
+        The source's own time, s.
+    values : ndarray, (frames, ...)
+        float32, float64 or uint8, as the stream's type says.
+    unit : str
+        Of the values.
+    columns : tuple of str
+        Names of the values of a frame, where they have any.
+    damaged : int
+        Damaged blocks that were left out.
+    """
+
+    time_s: Floats
+    time_ns: npt.NDArray[np.int64]
+    source_time_s: Floats
+    values: npt.NDArray[Any]
+    unit: str
+    columns: tuple[str, ...]
+    damaged: int
+
+
+class Recording:
+    """A recording of the console or of `teleta simulate`, open for reading.
+
+    A file that is still written is read up to its last commit. The object belongs to the thread that
+    opened it. It is a context manager; `open` makes it.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> folder = tempfile.mkdtemp()
+    >>> _ = simulate("tactile-indenter", duration_s=0.5, out=folder)
+    >>> with open(folder + "/recording.teleta") as recording:
+    ...     name = next(name for name, stream in recording.streams.items() if stream.kind == "array")
+    ...     data = recording.read(name)
+    >>> data.values.shape[1:], data.values.dtype
+    ((6, 14), dtype('float32'))
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._file = _core.RecordingFile(path)
+        self._about = self._file.describe()
+        self._names = [stream["name"] for stream in self._about["streams"]]
+
+    def __enter__(self) -> Recording:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the file; reading from it then raises ValueError."""
+        self._file.close()
+
+    @property
+    def streams(self) -> dict[str, Stream]:
+        """The streams, by name."""
+        return {
+            stream["name"]: Stream(
+                kind=stream["kind"],
+                type=stream["type"],
+                shape=stream["shape"],
+                unit=stream["unit"],
+                columns=stream["columns"],
+                rate_hz=stream["rate_hz"],
+                details=json.loads(stream["details"]) if stream["details"] else None,
+                source=stream["source"],
+                column_units=stream["column_units"],
+            )
+            for stream in self._about["streams"]
+        }
+
+    @property
+    def scene(self) -> str | None:
+        """Name of the simulated scene; None: real devices."""
+        return self._about["scene"] or None
+
+    @property
+    def complete(self) -> bool:
+        """Whether the recording was ended on purpose, not cut off."""
+        return bool(self._about["complete"])
+
+    @property
+    def start_utc(self) -> np.datetime64:
+        """When it was started."""
+        return self.utc(np.int64(self._about["start_ns"]))  # type: ignore[return-value]
+
+    @property
+    def anchors(self) -> Table:
+        """Where wall clock and steady clock met: time_ns (int64), utc (datetime64[ns])."""
+        utc = self._about["anchor_utc_ms"].astype("datetime64[ms]").astype("datetime64[ns]")
+        return {"time_ns": self._about["anchor_time_ns"].copy(), "utc": utc}
+
+    @property
+    def events(self) -> Table:
+        """Events and marks: time_s, utc (datetime64[ns]), event, text (str), value (float64)."""
+        about = self._about
+        return {
+            "time_s": about["event_time_s"].copy(),
+            "utc": np.atleast_1d(self.utc(about["event_time_ns"])),
+            "event": np.array(about["event_kind"], dtype=str),
+            "text": np.array(about["event_text"], dtype=str),
+            "value": about["event_value"].copy(),
+        }
+
+    def utc(self, time_ns: npt.ArrayLike) -> npt.NDArray[np.datetime64] | np.datetime64:
+        """Return the wall clock time at times of the steady clock.
+
+        Parameters
+        ----------
+        time_ns : array_like of int
+            Steady clock, ns.
+
+        Returns
+        -------
+        ndarray of datetime64[ns], or datetime64[ns] for a single time
+            UTC, by the last anchor before each time, or the first one.
+        """
+        steady = np.asarray(time_ns)
+        if steady.dtype.kind not in "iu":
+            raise TypeError(f"time_ns: expected whole numbers, got {steady.dtype}")
+        anchors = self.anchors
+        if len(anchors["time_ns"]) == 0:
+            nothing = np.full(steady.shape, "NaT", dtype="datetime64[ns]")
+            return nothing if steady.ndim else nothing[()]
+        at = np.maximum(np.searchsorted(anchors["time_ns"], steady, side="right") - 1, 0)
+        since = (steady - anchors["time_ns"][at]).astype("timedelta64[ns]")
+        return anchors["utc"][at] + since  # type: ignore[no-any-return]
+
+    def read(
+        self, stream: str, start_s: float | None = None, stop_s: float | None = None, step: int = 1
+    ) -> Data:
+        """Read frames of a stream.
+
+        Parameters
+        ----------
+        stream : str
+            Name of the stream.
+        start_s, stop_s : float, optional
+            Frames at or after `start_s` and before `stop_s`, s since the start of the recording.
+        step : int
+            Of these every step-th one.
+
+        Returns
+        -------
+        Data
+            All of them at once; `blocks` needs less memory.
+
+        Raises
+        ------
+        KeyError
+            There is no such stream; the text has the names that exist.
+        BadInputError, IoFailedError
+            The file cannot be read.
+
+        Warns
+        -----
+        DamagedDataWarning
+            Damaged blocks were left out.
+        """
+        index = self._index(stream)
+        return self._data(index, self._file.read(index, start_s, stop_s, step))
+
+    def blocks(
+        self, stream: str, frames: int = 4096, *, start_s: float | None = None, stop_s: float | None = None
+    ) -> Iterator[Data]:
+        """Iterate over a stream without holding all of it.
+
+        Parameters
+        ----------
+        stream : str
+            Name of the stream.
+        frames : int
+            Least number of frames in a block but the last; blocks of the file are not split.
+        start_s, stop_s : float, optional
+            As in `read`.
+
+        Yields
+        ------
+        Data
+            The next frames.
+
+        Raises
+        ------
+        KeyError, BadInputError, IoFailedError
+            As in `read`.
+        """
+        index = self._index(stream)
+        for block in self._file.blocks(index, frames, start_s, stop_s):
+            yield self._data(index, block)
+
+    def to_csv(self, folder: Path, *, overwrite: bool = False, progress: Progress = None) -> list[str]:
+        """Write each stream, and the events, as a CSV file.
+
+        Parameters
+        ----------
+        folder : str or os.PathLike
+            Made when it is missing.
+        overwrite : bool
+            Write over files that are there already.
+        progress : callable, optional
+            Called with the frames done and all frames, at most ten times a second.
+
+        Returns
+        -------
+        list of str
+            The files; they appear together.
+
+        Raises
+        ------
+        RefusedError
+            A file is there already.
+        IoFailedError
+            A file cannot be written.
+        """
+        return self._file.to_csv(folder, overwrite, progress)
+
+    def _index(self, stream: str) -> int:
+        if stream not in self._names:
+            raise KeyError(
+                f"stream: there is no stream {stream!r}; expected one of {', '.join(self._names)}"
+            )
+        return self._names.index(stream)
+
+    def _data(self, index: int, read: tuple[Any, ...]) -> Data:
+        about = self._about["streams"][index]
+        time_s, time_ns, source_time_s, values, damaged = read
+        return Data(time_s, time_ns, source_time_s, values, about["unit"], about["columns"], damaged)
+
+
+def open(path: Path) -> Recording:
+    """Open a recording for reading.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        A .teleta file.
+
+    Returns
+    -------
+    Recording
+        To be closed, or used in a with statement.
+
+    Raises
+    ------
+    NotFoundError
+        There is no such file.
+    BadInputError
+        The file is no recording, or is damaged.
+    """
+    return Recording(path)
+
+
+def read_frames(path: Path, *, rows: int | None = None, columns: int | None = None) -> Data:
+    """Read the frames of a tactile array from a file, whatever its name.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        CSV with the columns time_s,t0,t1,..., or a recording, whose first array is read.
+    rows, columns : int, optional
+        Size of the array. None: a known array with as many taxels, or the most nearly square one.
+
+    Returns
+    -------
+    Data
+        With values (frames, rows, columns) float32 and their times.
+
+    Raises
+    ------
+    NotFoundError, BadInputError
+        With line and column of a CSV.
+    ValueError
+        Only one of rows and columns is given, or one is out of range.
+
+    Examples
+    --------
+    >>> import os, tempfile
+    >>> path = os.path.join(tempfile.mkdtemp(), "frames.csv")
+    >>> import numpy as np
+    >>> np.savetxt(path, [[0.0, 1, 2], [0.1, 3, 4]], delimiter=",", header="time_s,t0,t1", comments="")
+    >>> read_frames(path, rows=1, columns=2).values
+    array([[[1., 2.]],
+    <BLANKLINE>
+           [[3., 4.]]], dtype=float32)
+    """
+    if _core.is_recording(path):
+        with Recording(path) as recording:
+            arrays = [name for name, stream in recording.streams.items() if stream.kind == "array"]
+            if not arrays:
+                raise KeyError(f"path: the recording has no array; its streams are {recording._names}")
+            return recording.read(arrays[0])
+    time_s, values = _core.read_frames(path, rows, columns)
+    time_ns = np.rint(time_s * 1e9).astype(np.int64)
+    return Data(time_s, time_ns, time_s.copy(), values, "", (), 0)

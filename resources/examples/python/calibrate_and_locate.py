@@ -1,0 +1,34 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Calibrate the camera in the soft tube from pairs of pixels and points, and locate pixels with it."""
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pictures
+
+import teleta
+
+folder = Path(tempfile.mkdtemp())
+teleta.simulate("vtacarm-calibration", duration_s=60.0, out=folder)
+names = (folder / "pairs.csv").read_text().splitlines()[0].split(",")
+pairs = np.genfromtxt(folder / "pairs.csv", delimiter=",", skip_header=1)
+pixels_px = pairs[:, [names.index("u_px"), names.index("v_px")]]
+points_m = pairs[:, [names.index("x_m"), names.index("y_m"), names.index("z_m")]]
+
+found = teleta.calibrate(pixels_px, points_m)
+found.camera.save(folder / "camera.json")
+located_m, sd_m = found.camera.locate(pixels_px)
+off_m = np.linalg.norm(located_m - points_m, axis=1)
+
+with pictures.figure("calibration") as figure:
+    left, right = figure.subplots(1, 2)
+    left.quiver(pixels_px[:, 0], pixels_px[:, 1], found.residual_px[:, 0], -found.residual_px[:, 1])
+    left.invert_yaxis()
+    left.set_title("residuals, px")
+    right.hist(1e3 * off_m[np.isfinite(off_m)], bins=30)
+    right.set_xlabel("located point off by, mm")
+
+print(f"{found.kept.sum()} of {len(found.kept)} pairs kept, {found.rms_px:.2f} px rms")
+print(f"located to within {1e3 * np.nanmedian(off_m[found.kept]):.1f} mm (median)")

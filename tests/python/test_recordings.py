@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Recordings as arrays."""
+
+from __future__ import annotations
+
+import shutil
+import sqlite3
+import threading
+
+import numpy as np
+import pytest
+from conftest import read_csv, run_program
+
+import teleta
+
+
+@pytest.fixture(scope="module")
+def arm(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("arm")
+    run_program("simulate", "teleta-touch", "--duration", 4, "--out", folder)
+    return folder
+
+
+def test_an_array_is_what_the_frames_were(indenter, frames):
+    with teleta.open(indenter / "recording.teleta") as recording:
+        (name,) = [name for name, stream in recording.streams.items() if stream.kind == "array"]
+        stream = recording.streams[name]
+        assert (stream.type, stream.shape) == ("float32", (6, 14))
+        assert stream.rate_hz == 200.0
+        data = recording.read(name)
+        np.testing.assert_array_equal(data.values, frames.values)
+        np.testing.assert_allclose(data.source_time_s, frames.time_s, atol=1e-12)
+        assert data.time_ns.dtype == np.int64 and data.values.dtype == np.float32
+        assert data.damaged == 0
+    by_content = teleta.read_frames(indenter / "recording.teleta")
+    np.testing.assert_array_equal(by_content.values, frames.values)
+
+
+def test_joints_have_names_and_units(arm):
+    with teleta.open(arm / "recording.teleta") as recording:
+        assert recording.scene and recording.complete
+        (name,) = [name for name, stream in recording.streams.items() if stream.kind == "joints"]
+        data = recording.read(name)
+        assert data.values.dtype == np.float64 and len(data.columns) == data.values.shape[1]
+        units = dict(zip(data.columns, recording.streams[name].column_units))
+        assert units[data.columns[0]] == "rad"
+
+
+def test_a_range_is_half_open_and_steps_count_within_it(indenter):
+    with teleta.open(indenter / "recording.teleta") as recording:
+        name = next(iter(recording.streams))
+        whole = recording.read(name)
+        start_s, stop_s = whole.time_s[40], whole.time_s[90]
+        part = recording.read(name, start_s, stop_s)
+        np.testing.assert_array_equal(part.time_ns, whole.time_ns[40:90])
+        np.testing.assert_array_equal(part.values, whole.values[40:90])
+        third = recording.read(name, start_s, stop_s, step=3)
+        np.testing.assert_array_equal(third.time_ns, whole.time_ns[40:90:3])
+        assert len(recording.read(name, 1e6).time_s) == 0
+        assert recording.read(name, 1e6).values.shape == (0, 6, 14)
+        with pytest.raises(ValueError, match="step: expected 1 or more"):
+            recording.read(name, step=0)
+
+
+def test_blocks_are_the_whole_in_pieces(indenter):
+    with teleta.open(indenter / "recording.teleta") as recording:
+        name = next(iter(recording.streams))
+        whole = recording.read(name)
+        blocks = list(recording.blocks(name, frames=100))
+        assert len(blocks) > 2 and all(len(block.time_s) >= 100 for block in blocks[:-1])
+        np.testing.assert_array_equal(np.concatenate([block.values for block in blocks]), whole.values)
+
+
+def test_pictures_are_bytes(tmp_path):
+    run_program("simulate", "vtacarm-bump", "--duration", 1.5, "--out", tmp_path)
+    with teleta.open(tmp_path / "recording.teleta") as recording:
+        (name,) = [name for name, stream in recording.streams.items() if stream.kind == "camera"]
+        data = recording.read(name, step=5)
+    assert data.values.dtype == np.uint8 and data.values.ndim == 3
+    assert data.values[0].std() > 5.0
+
+
+def test_wall_clock_times_follow_the_anchors(indenter):
+    with teleta.open(indenter / "recording.teleta") as recording:
+        start = recording.start_utc
+        assert isinstance(start, np.datetime64)
+        assert abs(np.datetime64("now") - start) < np.timedelta64(1, "D")
+        anchors = recording.anchors
+        assert anchors["utc"].dtype == "datetime64[ns]"
+        later = recording.utc(anchors["time_ns"][0] + np.array([0, 1_500_000_000]))
+        assert later[1] - later[0] == np.timedelta64(1_500_000_000, "ns")
+        assert later[0] == anchors["utc"][0]
+        with pytest.raises(TypeError):
+            recording.utc(0.5)
+
+
+def test_events_are_those_of_the_export(arm, tmp_path):
+    with teleta.open(arm / "recording.teleta") as recording:
+        recording.to_csv(tmp_path)
+        events = recording.events
+    printed = read_csv(tmp_path / "events.csv")
+    assert list(events)[:5] == list(printed)[:5]
+    assert events["event"].tolist() == printed["event"]
+    np.testing.assert_array_equal(events["time_s"], np.array(printed["time_s"], dtype=float))
+    stamps = [np.datetime64(text.removesuffix("Z")) for text in printed["utc"]]
+    np.testing.assert_array_equal(events["utc"], np.array(stamps).astype("datetime64[ns]"))
+
+
+def test_a_damaged_block_is_left_out_with_a_warning(indenter, tmp_path):
+    path = tmp_path / "damaged.teleta"
+    shutil.copy(indenter / "recording.teleta", path)
+    database = sqlite3.connect(path)
+    database.execute("UPDATE block SET data = x'00' WHERE key = (SELECT min(key) + 1 FROM block)")
+    database.commit()
+    database.close()
+    with teleta.open(path) as recording:
+        name = next(iter(recording.streams))
+        with pytest.warns(teleta.DamagedDataWarning, match="1 damaged block was left out"):
+            data = recording.read(name)
+    with teleta.open(indenter / "recording.teleta") as recording:
+        assert data.damaged == 1 and len(data.time_s) < len(recording.read(name).time_s)
+
+
+def test_a_closed_recording_says_so(indenter):
+    recording = teleta.open(indenter / "recording.teleta")
+    recording.close()
+    with pytest.raises(ValueError, match="closed"):
+        recording.read(next(iter(recording.streams)))
+
+
+def test_a_recording_belongs_to_its_thread(indenter):
+    with teleta.open(indenter / "recording.teleta") as recording:
+        name = next(iter(recording.streams))
+        caught = []
+
+        def read() -> None:
+            try:
+                recording.read(name)
+            except RuntimeError as error:
+                caught.append(str(error))
+
+        thread = threading.Thread(target=read)
+        thread.start()
+        thread.join()
+        assert caught and "thread" in caught[0]
+
+
+def test_what_is_no_recording_is_refused(tmp_path):
+    path = tmp_path / "other.teleta"
+    path.write_text("nothing")
+    with pytest.raises(teleta.BadInputError):
+        teleta.open(path)
+    sqlite3.connect(path.with_suffix(".db")).execute("CREATE TABLE a (b)").connection.commit()
+    with pytest.raises(teleta.BadInputError):
+        teleta.open(path.with_suffix(".db"))
