@@ -36,7 +36,30 @@ constexpr std::array kBuiltInNames{
     BuiltInName{"stiffness", "E", QT_TRANSLATE_NOOP("StudyNames", "metal")},
     BuiltInName{"stiffness", "static", QT_TRANSLATE_NOOP("StudyNames", "static")},
     BuiltInName{"stiffness", "dynamic", QT_TRANSLATE_NOOP("StudyNames", "dynamic")},
+    BuiltInName{"detection", "", QT_TRANSLATE_NOOP("StudyNames", "Tactor detection")},
+    BuiltInName{"detection", "rest", QT_TRANSLATE_NOOP("StudyNames", "rest")},
+    BuiltInName{"detection", "?",
+                QT_TRANSLATE_NOOP("StudyNames", "In which interval did you feel a vibration?")},
+    BuiltInName{"steps", "", QT_TRANSLATE_NOOP("StudyNames", "Intensity steps")},
+    BuiltInName{"steps", "weak", QT_TRANSLATE_NOOP("StudyNames", "weak")},
+    BuiltInName{"steps", "medium", QT_TRANSLATE_NOOP("StudyNames", "medium")},
+    BuiltInName{"steps", "strong", QT_TRANSLATE_NOOP("StudyNames", "strong")},
+    BuiltInName{"steps", "?", QT_TRANSLATE_NOOP("StudyNames", "Which interval was stronger?")},
+    BuiltInName{"strength", "", QT_TRANSLATE_NOOP("StudyNames", "Equal strength")},
+    BuiltInName{"strength", "rest", QT_TRANSLATE_NOOP("StudyNames", "rest")},
+    BuiltInName{"strength", "?", QT_TRANSLATE_NOOP("StudyNames", "Which interval was stronger?")},
+    BuiltInName{"taps", "", QT_TRANSLATE_NOOP("StudyNames", "Two or one")},
+    BuiltInName{"taps", "rest", QT_TRANSLATE_NOOP("StudyNames", "rest")},
+    BuiltInName{"taps", "?", QT_TRANSLATE_NOOP("StudyNames", "Did you feel two separate taps?")},
+    BuiltInName{"motion", "", QT_TRANSLATE_NOOP("StudyNames", "Motion timing")},
+    BuiltInName{"motion", "rest", QT_TRANSLATE_NOOP("StudyNames", "rest")},
+    BuiltInName{"motion", "?", QT_TRANSLATE_NOOP("StudyNames", "Did you feel one moving point?")},
 };
+
+/// What the designs answer, translated by displayName().
+[[maybe_unused]] constexpr std::array kAnswers{
+    QT_TRANSLATE_NOOP("StudyNames", "yes"), QT_TRANSLATE_NOOP("StudyNames", "no"),
+    QT_TRANSLATE_NOOP("StudyNames", "same"), QT_TRANSLATE_NOOP("StudyNames", "different")};
 
 QString inLanguage(const StudyTask& task, std::string_view part, const std::string& name) {
     const bool isBuiltIn =
@@ -53,11 +76,32 @@ QString displayName(const StudyTask& task) {
 }
 
 QString displayName(const StudyTask& task, const StudyPattern& pattern) {
+    // The answers of a design are the program's own words.
+    if (task.design != Design::identification)
+        return QCoreApplication::translate("StudyNames", pattern.name.c_str());
     return inLanguage(task, pattern.letter, pattern.name);
 }
 
 QString displayCondition(const StudyTask& task, const std::string& condition) {
     return inLanguage(task, condition, condition);
+}
+
+QString displayQuestion(const StudyTask& task) {
+    if (!task.levels.question.empty())
+        return inLanguage(task, "?", task.levels.question);
+    switch (task.design) {
+    case Design::identification:
+        break;
+    case Design::yesNo:
+        return QCoreApplication::translate("StudyNames", "Was there a vibration?");
+    case Design::interval:
+        return QCoreApplication::translate("StudyNames", "Which interval had the vibration?");
+    case Design::sameDifferent:
+        return QCoreApplication::translate("StudyNames", "Were the two intervals the same?");
+    case Design::compare:
+        return QCoreApplication::translate("StudyNames", "Which interval had more?");
+    }
+    return {};
 }
 
 } // namespace teleta::study

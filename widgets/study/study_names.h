@@ -15,4 +15,7 @@ namespace teleta::study {
 [[nodiscard]] QString displayName(const StudyTask& task, const StudyPattern& pattern);
 [[nodiscard]] QString displayCondition(const StudyTask& task, const std::string& condition);
 
+/// What a participant is asked in a task with levels, in the language; empty for patterns.
+[[nodiscard]] QString displayQuestion(const StudyTask& task);
+
 } // namespace teleta::study

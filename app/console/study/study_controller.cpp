@@ -339,6 +339,10 @@ std::vector<study::RunCheck> StudyController::checks() const {
     } else if (const auto& open = m_station.session()) {
         now.braceletName = open->source().description().name;
         now.braceletIsSimulated = m_station.isSimulated();
+        for (const auto& motor : open->calibration().profiles()) {
+            if (!motor.assumed)
+                now.slowestFall_s = std::max(now.slowestFall_s.value_or(0.0), motor.fallTime_s);
+        }
         now.bracelet = m_stop.engaged()          ? study::BraceletCondition::stopped
                        : m_station.isAnswering() ? study::BraceletCondition::live
                                                  : study::BraceletCondition::notLive;
@@ -399,10 +403,7 @@ void StudyController::beginTrials(const OpenedSession& opened) {
     }
     const study::StudyTask& task = m_overview->head.protocol.tasks[plan.task];
     const std::string& condition = task.conditions[plan.condition];
-    m_person.begin(m_scene
-                       ? m_scene->participantFor(task, condition)
-                       : study::SimulatedParticipant{knownMatrix(task, condition), m_overview->head.lapses},
-                   plan.seed);
+    m_person.begin(simulatedAnswers(task, condition), plan.seed);
     // The rehearsal was halted during a questionnaire.
     if (!m_rehearsing)
         m_runner.pause();

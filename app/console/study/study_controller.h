@@ -135,6 +135,9 @@ private:
     void take(StudyOverview overview);
     void refresh();
     void lookAround(bool thenBegin = false);
+    /// How the running session's simulated participant answers.
+    [[nodiscard]] SimulatedPerson::Answers simulatedAnswers(const study::StudyTask& task,
+                                                            const std::string& condition) const;
     void beginTrials(const OpenedSession& opened);
     void conclude();
     void closeSession(bool answered);

@@ -18,7 +18,7 @@ struct SessionOverview {
     std::optional<study::SessionRecord> record; ///< empty: not begun
     std::vector<study::TrialResult> results;    ///< that were kept
     std::size_t kept = 0;                       ///< of them complete
-    [[nodiscard]] std::size_t planned() const { return plan.practice.size() + plan.test.size(); }
+    [[nodiscard]] std::size_t planned() const { return plan.practiceTrials + plan.testTrials; }
     [[nodiscard]] bool isFinished() const { return record && record->finished; }
     [[nodiscard]] bool isInterrupted() const { return record && !record->finished; }
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simulated participants.
 #include "app/console/study/study_controller.h"
+#include "backend/study/protocol/trial_pattern.h"
+#include "backend/study/session/simulated_observer.h"
 
 #include <QCoreApplication>
 
@@ -32,6 +34,32 @@ void StudyController::openScene(const QString& folder, const study::StudyScene& 
     head.created = m_utcNow();
     head.appVersion = QCoreApplication::applicationVersion().toStdString();
     openOrCreate(folder.toStdString(), head);
+}
+
+SimulatedPerson::Answers StudyController::simulatedAnswers(const study::StudyTask& task,
+                                                           const std::string& condition) const {
+    const study::StudyHead& head = m_overview->head;
+    if (task.design == study::Design::identification) {
+        const study::SimulatedParticipant person =
+            m_scene ? m_scene->participantFor(task, condition)
+                    : study::SimulatedParticipant{knownMatrix(task, condition), head.lapses};
+        return [person](const study::PlannedTrial& trial, std::uint64_t seed) {
+            return person.answer(trial.stimulus, seed);
+        };
+    }
+    // An observer that cannot be read was never written.
+    const auto observer = study::SimulatedObserver::parse(head.observer).value_or(study::SimulatedObserver());
+    const study::PsychometricFunction function = observer.functionOf(
+        task, condition, study::observerSeed(head.seed, m_running->participant.enrolment));
+    const study::SimulatedParticipant times{std::nullopt, head.lapses,
+                                            study::SimulatedObserver::kMedianResponse_s};
+    const double length_s = study::trialLength_s(task, head.protocol.stimulus_s);
+    return [=](const study::PlannedTrial& trial, std::uint64_t seed) {
+        study::SimulatedParticipant::Answer answer{std::nullopt, length_s + times.time_s(seed)};
+        if (!times.isLapse(seed))
+            answer.response = study::SimulatedObserver::answer(function, task, trial, seed);
+        return answer;
+    };
 }
 
 void StudyController::startRehearsal() {

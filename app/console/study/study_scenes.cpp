@@ -40,7 +40,7 @@ std::size_t completed(const study::SessionFlow& flow, Phase phase) {
 }
 
 std::size_t planned(const study::PlannedSession& plan, Phase phase) {
-    return phase == Phase::practice ? plan.practice.size() : plan.test.size();
+    return phase == Phase::practice ? plan.practiceTrials : plan.testTrials;
 }
 
 } // namespace
@@ -58,7 +58,11 @@ QString StudyScenes::protocolText(const study::StudyHead& head) {
         QStringList conditions;
         for (const std::string& condition : task.conditions)
             conditions << displayCondition(task, condition);
-        lines << tr("%1: %n pattern(s); %2", "task; conditions", static_cast<int>(task.patterns.size()))
+        lines << (task.design == study::Design::identification
+                      ? tr("%1: %n pattern(s); %2", "task; conditions",
+                           static_cast<int>(task.patterns.size()))
+                      : tr("%1: %n track(s); %2", "task; conditions",
+                           static_cast<int>(task.levels.tracks.size())))
                      .arg(displayName(task), conditions.join(QStringLiteral(", ")));
     }
     const QLocale locale;
@@ -334,6 +338,11 @@ void StudyScenes::describeRunning(const StudyController& controller, study::Sess
     scene.canNote = true;
 
     scene.outcomes = outcomeLines(flow.results(), task);
+    if (const study::PlannedTrial* trial = session.current(); trial != nullptr && trial->level)
+        scene.subtitle +=
+            QLatin1Char('\n') + tr("Track %1, level %2 %3", "name, number, unit")
+                                    .arg(text(trial->track), QLocale().toString(*trial->level, 'g', 3),
+                                         QString::fromLatin1(study::unitOf(task.levels.vary)));
 
     const NextStep step = nextStep(controller);
     scene.nextEnabled = step != NextStep::none && !controller.isBusy();
@@ -437,6 +446,9 @@ study::ParticipantScene StudyScenes::participant(const StudyController& controll
     scene.trials = planned(*controller.plan(), scene.phase);
     scene.diagrams = session.settings(scene.phase).diagram;
     scene.answersOpen = session.deadline_ns().has_value();
+    // Nothing of track, level and target: nobody can learn the right answer here.
+    scene.question = study::displayQuestion(*controller.task());
+    scene.interval = runner.interval();
     scene.canReplay = session.stage() == Stage::answering && session.replaysLeft() > 0;
     scene.trial = std::min(completed(flow, scene.phase) + (isFeedback ? 0 : 1), scene.trials);
     if (last != nullptr && last->planned.phase == scene.phase)
@@ -524,8 +536,16 @@ std::vector<study::AnswerChoice> StudyScenes::choices(const StudyController& con
     if (task == nullptr)
         return choices;
     const std::string& condition = task->conditions[controller.plan()->condition];
+    const bool hasLevels = task->design != study::Design::identification;
     for (const study::StudyPattern& pattern : task->patterns) {
-        study::AnswerChoice choice{text(pattern.letter), displayName(*task, pattern), {}};
+        study::AnswerChoice choice{text(pattern.letter), displayName(*task, pattern)};
+        if (hasLevels) {
+            choice.isPattern = false;
+            if (task->design == study::Design::yesNo || task->design == study::Design::sameDifferent)
+                choice.key = choice.letter.left(1).toUpper();
+            choices.push_back(std::move(choice));
+            continue;
+        }
         const std::string id = study::stimulusId(*task, pattern, condition);
         if (const pattern::Pattern* stimulus = controller.overview()->head.stimuli.find(id))
             choice.diagram = study::diagramOf(*stimulus, controller.overview()->head.protocol.stimulus_s);

@@ -43,6 +43,16 @@ void KeyCheck::numbers(std::string_view key, std::span<const std::string_view>, 
         number(key, value, range, {}, Need::required);
 }
 
+void KeyCheck::list(std::string_view key, std::vector<double>& values, const NumberRange& range,
+                    const WholeRange& count, std::string_view, Need need) {
+    if (need == Need::optional && values.empty())
+        return;
+    if (!count.accepts(static_cast<long long>(values.size())))
+        outOfRange(key, static_cast<double>(values.size()), listText(range, count));
+    for (double& value : values)
+        number(key, value, range, {}, Need::required);
+}
+
 void KeyCheck::wholeNumber(std::string_view key, long long& value, const WholeRange& range, std::string_view,
                            Need) {
     if (!range.accepts(value))

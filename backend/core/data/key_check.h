@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/data/key_lists.h"
 #include "backend/core/data/keys.h"
 #include "backend/core/error.h"
 
@@ -8,7 +9,7 @@ namespace teleta::core {
 
 /// Checks values against what their keys accept. A program's own value may leave out what only a file has to
 /// give: texts, and the tables at the top level.
-class KeyCheck : public Keys {
+class KeyCheck : public Keys, public KeyLists {
 public:
     explicit KeyCheck(std::string path = {})
         : m_path(std::move(path)) {}
@@ -20,6 +21,8 @@ public:
                 Need need) override;
     void numbers(std::string_view key, std::span<const std::string_view> names, std::span<double> values,
                  const NumberRange& range, std::string_view about, Need need) override;
+    void list(std::string_view key, std::vector<double>& values, const NumberRange& range,
+              const WholeRange& count, std::string_view about, Need need) override;
     void flag(std::string_view, bool&, std::string_view) override {}
     void text(std::string_view, std::string&, std::string_view, Need) override {}
     void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,

@@ -55,9 +55,13 @@ KeyReference::KeyReference(ReferenceWords words)
 KeyReference::KeyReference(const KeyReference& parent, const std::string& path, bool list)
     : m_tables(parent.m_tables)
     , m_words(parent.m_words)
-    , m_path(path)
-    , m_table(m_tables->size()) {
-    m_tables->push_back({.path = list ? "[[" + path + "]]" : '[' + path + ']', .rows = {}});
+    , m_path(path) {
+    const std::string head = list ? "[[" + path + "]]" : '[' + path + ']';
+    // A table that several choices have is shown once.
+    const auto known = std::ranges::find(*m_tables, head, &ReferenceTable::path);
+    m_table = static_cast<std::size_t>(known - m_tables->begin());
+    if (known == m_tables->end())
+        m_tables->push_back({.path = head, .rows = {}});
 }
 
 std::string KeyReference::markdown(int level) const {
@@ -112,6 +116,18 @@ void KeyReference::numbers(std::string_view key, std::span<const std::string_vie
         fallback += (i > 0 ? ", " : "") + numberText(values[i]);
     }
     add(key, code(accepts + " }") + ", " + rangeText(range, m_words), need, fallback, about);
+}
+
+void KeyReference::list(std::string_view key, std::vector<double>& values, const NumberRange& range,
+                        const WholeRange& count, std::string_view about, Need need) {
+    std::string fallback;
+    for (const double value : values)
+        fallback += (fallback.empty() ? "" : ", ") + numberText(value);
+    const std::string length = count.low == count.high
+                                   ? std::to_string(count.low)
+                                   : std::to_string(count.low) + " … " + std::to_string(count.high);
+    add(key, m_words.list + " (" + length + "), " + rangeText(range, m_words), need,
+        fallback.empty() ? "—" : code('[' + fallback + ']'), about);
 }
 
 void KeyReference::flag(std::string_view key, bool& value, std::string_view about) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/data/key_lists.h"
 #include "backend/core/data/keys.h"
 
 #include <memory>
@@ -20,6 +21,7 @@ struct ReferenceWords {
     std::string text = "text";
     std::string table = "a table";
     std::string tables = "tables";
+    std::string list = "list";
 };
 
 /// A table of a file as a page shows it.
@@ -38,7 +40,7 @@ struct ReferenceTable {
 
 /// Collects the keys of values and, as defaults, what these values hold: each table with its rows, followed
 /// by the tables in it.
-class KeyReference : public Keys {
+class KeyReference : public Keys, public KeyLists {
 public:
     explicit KeyReference(ReferenceWords words = {});
 
@@ -51,6 +53,8 @@ public:
                 Need need) override;
     void numbers(std::string_view key, std::span<const std::string_view> names, std::span<double> values,
                  const NumberRange& range, std::string_view about, Need need) override;
+    void list(std::string_view key, std::vector<double>& values, const NumberRange& range,
+              const WholeRange& count, std::string_view about, Need need) override;
     void flag(std::string_view key, bool& value, std::string_view about) override;
     void text(std::string_view key, std::string& value, std::string_view about, Need need) override;
     void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,

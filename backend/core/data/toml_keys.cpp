@@ -41,6 +41,12 @@ void TomlKeys::numbers(std::string_view key, std::span<const std::string_view> n
     table.finish();
 }
 
+void TomlKeys::list(std::string_view key, std::vector<double>& values, const NumberRange& range,
+                    const WholeRange& count, std::string_view, Need need) {
+    if (need == Need::required || m_table.has(key))
+        values = m_table.numberList(key, range, count);
+}
+
 void TomlKeys::flag(std::string_view key, bool& value, std::string_view) {
     value = m_table.boolean(key, value);
 }

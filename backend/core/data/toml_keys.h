@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/data/key_lists.h"
 #include "backend/core/data/keys.h"
 #include "backend/core/data/toml_table.h"
 
 namespace teleta::core {
 
 /// Reads the described keys from a table of a TOML document, which keeps the first error.
-class TomlKeys : public Keys {
+class TomlKeys : public Keys, public KeyLists {
 public:
     /// When the tables in the table are read.
     enum class Nested {
@@ -26,6 +27,8 @@ public:
                 Need need) override;
     void numbers(std::string_view key, std::span<const std::string_view> names, std::span<double> values,
                  const NumberRange& range, std::string_view about, Need need) override;
+    void list(std::string_view key, std::vector<double>& values, const NumberRange& range,
+              const WholeRange& count, std::string_view about, Need need) override;
     void flag(std::string_view key, bool& value, std::string_view about) override;
     void text(std::string_view key, std::string& value, std::string_view about, Need need) override;
     void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/toml_table.h"
 
+#include "backend/core/data/key_lists.h"
 #include "backend/core/data/key_names.h"
 #include "backend/core/failure.h"
 
@@ -198,6 +199,22 @@ long long TomlTable::integer(std::string_view key, long long low, long long high
                              std::optional<long long> fallback) {
     const toml::node* node = m_data->find(key, !fallback);
     return node != nullptr ? m_data->integer(key, *node, low, high) : fallback.value_or(low);
+}
+
+std::vector<double> TomlTable::numberList(std::string_view key, const NumberRange& range,
+                                          const WholeRange& count) {
+    const toml::node* node = m_data->find(key, true);
+    if (node == nullptr)
+        return {};
+    const toml::array* array = node->as_array();
+    if (array == nullptr || !count.accepts(static_cast<long long>(array->size()))) {
+        m_data->wrongType(key, *node, QString::fromStdString(listText(range, count)));
+        return {};
+    }
+    std::vector<double> values;
+    for (const toml::node& entry : *array)
+        values.push_back(m_data->number(key, entry, range));
+    return values;
 }
 
 bool TomlTable::boolean(std::string_view key, bool fallback) {

@@ -57,6 +57,10 @@ public:
     /// A whole number, low .. high inclusive.
     [[nodiscard]] long long integer(std::string_view key, long long low, long long high,
                                     std::optional<long long> fallback = {});
+    /// A list of numbers, key = [1, 2]; of wrong numbers the place is that of the first wrong one. Must be
+    /// there.
+    [[nodiscard]] std::vector<double> numberList(std::string_view key, const NumberRange& range,
+                                                 const WholeRange& count);
     [[nodiscard]] bool boolean(std::string_view key, bool fallback);
 
     /// Index of the text among the allowed names; 0 when it is wrong.

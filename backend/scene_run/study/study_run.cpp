@@ -120,13 +120,12 @@ core::Expected<SceneSummary> runStudyScene(const study::StudyScene& scene, const
     study::RehearsalCast cast;
     cast.answer = [&](const study::StudyTask& task, const std::string& condition, std::size_t stimulus,
                       std::uint64_t seed) { return participants.answer(task, condition, stimulus, seed); };
-    cast.show = [&](const std::string& id, std::uint64_t seed) {
+    cast.show = [&](const pattern::Pattern* pattern, double atMost_s, std::uint64_t seed) {
         study::RehearsalCast::Shown shown;
-        const pattern::Pattern* pattern = store.head().stimuli.find(id);
         unknown = unknown || pattern == nullptr;
         if (pattern == nullptr)
             return shown;
-        const StimulusBracelet::Shown played = bracelet.show(*pattern, scene.protocol.stimulus_s, seed);
+        const StimulusBracelet::Shown played = bracelet.show(*pattern, atMost_s, seed);
         ++stimuli;
         frames += played.frames;
         lost += played.lost;

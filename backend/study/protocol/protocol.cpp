@@ -5,6 +5,8 @@
 #include "backend/core/failure.h"
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/study/protocol/identifier.h"
+#include "backend/study/protocol/level_sequence.h"
+#include "backend/study/protocol/level_task_keys.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -74,15 +76,7 @@ void describePattern(Keys& keys, StudyPattern& pattern, std::set<std::string>& l
         });
 }
 
-void describeTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds) {
-    describeIdentifier(keys, "id", task.id, usedIds, "The task's name in results");
-    task.name = task.id;
-    keys.text("name", task.name, "What the participant reads; otherwise the id", Need::optional);
-    std::set<std::string> conditions;
-    keys.tables("condition", task.conditions, 1, "Conditions, whose order is balanced between participants",
-                [&conditions](Keys& entry, std::vector<std::string>& ids, std::size_t i) {
-                    describeIdentifier(entry, "id", ids[i], conditions, "The condition's name in results");
-                });
+void describePatterns(Keys& keys, StudyTask& task) {
     std::set<std::string> letters;
     keys.tables("pattern", task.patterns, 2, "Patterns to be told apart, at most 9",
                 [&](Keys& entry, std::vector<StudyPattern>& patterns, std::size_t i) {
@@ -94,6 +88,7 @@ void describeTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds) {
                 });
 }
 
+<<<<<<< HEAD
 void describeTrigger(Keys& keys, core::TriggerSettings& trigger) {
     using Kind = core::TriggerSettings::Kind;
     keys.choose("kind", static_cast<std::size_t>(trigger.kind),
@@ -110,6 +105,37 @@ void describeTrigger(Keys& keys, core::TriggerSettings& trigger) {
                         same.text("host", trigger.host, "Name or address of the receiver", Need::optional);
                         same.whole("port", trigger.port, {1, 65535}, "Its UDP port", Need::optional);
                     }
+=======
+void describeTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds, const Protocol& protocol) {
+    describeIdentifier(keys, "id", task.id, usedIds, "The task's name in results");
+    task.name = task.id;
+    keys.text("name", task.name, "What the participant reads; otherwise the id", Need::optional);
+    std::set<std::string> conditions;
+    keys.tables("condition", task.conditions, 1, "Conditions, whose order is balanced between participants",
+                [&](Keys& entry, std::vector<std::string>& ids, std::size_t i) {
+                    describeIdentifier(entry, "id", ids[i], conditions, "The condition's name in results");
+                    std::optional<double> reference;
+                    entry.number("reference", reference, NumberRange::positive(),
+                                 "Level to compare with under this condition, of designs with levels");
+                    if (reference)
+                        task.references[ids[i]] = *reference;
+                });
+    keys.choose("design", static_cast<std::size_t>(task.design),
+                {{"identification", "Which of the patterns was it?"},
+                 {"yes_no", "Was it there?"},
+                 {"interval", "In which of 2 to 4 intervals was it?"},
+                 {"same_different", "Were the two intervals the same?"},
+                 {"compare", "Which of the two intervals had more?"}},
+                "What a trial asks", Need::optional, [&](Keys& same, std::size_t chosen) {
+                    task.design = static_cast<Design>(chosen);
+                    if (task.design != Design::identification)
+                        describeLevelTask(same, task, protocol);
+                    else if (task.references.empty())
+                        describePatterns(same, task);
+                    else
+                        same.refuse("condition", ProtocolText::tr("patterns have no reference").toStdString(),
+                                    ProtocolText::tr("conditions without reference").toStdString());
+>>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
                 });
 }
 
@@ -147,8 +173,8 @@ void Protocol::describeKeys(Keys& keys) {
     });
     std::set<std::string> ids;
     keys.tables("task", tasks, 1, "What participants have to tell apart",
-                [&ids](Keys& table, std::vector<StudyTask>& all, std::size_t i) {
-                    describeTask(table, all[i], ids);
+                [&](Keys& table, std::vector<StudyTask>& all, std::size_t i) {
+                    describeTask(table, all[i], ids, *this);
                 });
     describeQuestionnaires(keys, questionnaires);
     keys.table("trigger", "Marks of events for other recorders; without it there are none", Need::optional,
@@ -167,7 +193,10 @@ double StudyTask::referenceOf(const std::string& condition) const {
 std::size_t Protocol::testTrials() const {
     std::size_t trials = 0;
     for (const StudyTask& task : tasks)
-        trials += task.patterns.size() * task.conditions.size() * test.repetitions;
+        trials += task.conditions.size() *
+                  (task.design == Design::identification
+                       ? task.patterns.size() * test.repetitions
+                       : task.levels.tracks.size() * mostTrialsOfTrack(task.levels) * test.repetitions);
     return trials;
 }
 
@@ -190,8 +219,16 @@ core::Expected<Protocol> readProtocol(const std::string& path) {
         return protocol;
     const QDir folder = QFileInfo(file.fileName()).absoluteDir();
     bool moved = false;
+    const auto resolve = [&](std::string& name) {
+        const QString given = QString::fromStdString(name);
+        moved = moved || QDir::isRelativePath(given);
+        name = QDir::cleanPath(folder.absoluteFilePath(given)).toStdString();
+    };
     for (StudyTask& task : protocol->tasks) {
+        if (!task.levels.file.empty())
+            resolve(task.levels.file);
         for (StudyPattern& pattern : task.patterns) {
+<<<<<<< HEAD
             for (auto& [condition, name] : pattern.files) {
                 if (pattern::findBuiltIn(name) != nullptr)
                     continue;
@@ -199,6 +236,10 @@ core::Expected<Protocol> readProtocol(const std::string& path) {
                 moved = moved || QDir::isRelativePath(given);
                 name = QDir::cleanPath(folder.absoluteFilePath(given)).toStdString();
             }
+=======
+            for (auto& [condition, name] : pattern.files)
+                resolve(name);
+>>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
         }
     }
     // Stored protocols are read again in another folder.
@@ -209,6 +250,12 @@ core::Expected<Protocol> readProtocol(const std::string& path) {
 
 core::Expected<Protocol> paperProtocol() {
     return readProtocol(std::string(kBuiltIn) + '/' + kPaper);
+}
+
+core::Expected<Protocol> readNamedProtocol(const std::string& name) {
+    const std::string builtIn = std::string(kBuiltIn) + '/' + name + ".toml";
+    const bool isFile = QFileInfo::exists(QString::fromStdString(name));
+    return readProtocol(!isFile && QFileInfo::exists(QString::fromStdString(builtIn)) ? builtIn : name);
 }
 
 core::Expected<std::vector<Protocol>> builtInProtocols() {
@@ -243,8 +290,15 @@ std::vector<PlannedSession> planSessions(const Protocol& protocol, std::uint64_t
                 return trialOrder(protocol.order, task.patterns.size(), repetitions,
                                   derivedSeed(session.seed, part));
             };
-            session.practice = order(protocol.practice.repetitions, kSeedOfPractice);
-            session.test = order(protocol.test.repetitions, kSeedOfTest);
+            if (task.design == Design::identification) {
+                session.practice = order(protocol.practice.repetitions, kSeedOfPractice);
+                session.test = order(protocol.test.repetitions, kSeedOfTest);
+                session.practiceTrials = session.practice.size();
+                session.testTrials = session.test.size();
+            } else {
+                session.practiceTrials = mostTrials(protocol, session, Phase::practice);
+                session.testTrials = mostTrials(protocol, session, Phase::test);
+            }
             sessions.push_back(std::move(session));
         }
     }

@@ -87,7 +87,7 @@ struct Protocol {
 
     void describeKeys(core::Keys& keys);
 
-    /// Test trials of one participant.
+    /// Test trials of one participant; with adaptive procedures at most, without catch and same trials.
     [[nodiscard]] std::size_t testTrials() const;
 };
 
@@ -108,6 +108,10 @@ struct Protocol {
 /// practice, 30 and 25 test trials. The resource :/studies/teleta.toml. Thread: any.
 [[nodiscard]] core::Expected<Protocol> paperProtocol();
 
+/// A file, or where there is none of this name the built-in protocol "tactor-detection" and so on. Error: as
+/// readProtocol(). Thread: any.
+[[nodiscard]] core::Expected<Protocol> readNamedProtocol(const std::string& name);
+
 /// All built-in protocols (:/studies/NAME.toml), the paper's first. Thread: any.
 [[nodiscard]] core::Expected<std::vector<Protocol>> builtInProtocols();
 
@@ -126,8 +130,10 @@ struct PlannedSession {
     std::size_t conditionPosition = 0; ///< from 0: how many conditions of this task came before
     std::size_t sequenceRow = 0;       ///< row of the Williams square
     std::uint64_t seed = 0;
-    std::vector<std::size_t> practice; ///< patterns in their order
+    std::vector<std::size_t> practice; ///< patterns in their order; of a task with levels none
     std::vector<std::size_t> test;
+    std::size_t practiceTrials = 0; ///< how many trials it has
+    std::size_t testTrials = 0;     ///< likewise; of adaptive procedures at most
 };
 
 /// All sessions of participant number `enrolment` (from 0): tasks as in the protocol, conditions by Williams

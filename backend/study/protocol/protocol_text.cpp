@@ -81,15 +81,117 @@ void addPhase(Lines& lines, const char* head, const PhaseSettings& phase) {
         .truth("diagram", phase.diagram);
 }
 
+/// An inline table on one line, as TOML 1.0 wants it.
+class InlineTable {
+public:
+    InlineTable& value(const char* key, const std::string& value) {
+        m_text.append(m_text.empty() ? "{ " : ", ").append(key).append(" = ").append(value);
+        return *this;
+    }
+    InlineTable& text(const char* key, const std::string& value) {
+        return this->value(key, core::quotedToml(value));
+    }
+    InlineTable& number(const char* key, double value) { return this->value(key, study::number(value)); }
+    InlineTable& count(const char* key, std::size_t value) { return this->value(key, std::to_string(value)); }
+    InlineTable& numbers(const char* key, const std::vector<double>& values) {
+        std::string list;
+        for (const double value : values)
+            list.append(list.empty() ? "[" : ", ").append(study::number(value));
+        return this->value(key, list.empty() ? "[]" : list + ']');
+    }
+    /// Tactors count from 1 in files.
+    InlineTable& tactors(const char* key, const std::vector<std::size_t>& tactors) {
+        std::string list;
+        for (const std::size_t tactor : tactors)
+            list.append(list.empty() ? "[" : ", ").append(std::to_string(tactor + 1));
+        return tactors.empty() ? *this : this->value(key, list + ']');
+    }
+    [[nodiscard]] std::string close() const { return m_text + " }"; }
+
+private:
+    std::string m_text;
+};
+
+std::string procedureText(const LevelTask& levels, Design design) {
+    InlineTable table;
+    table.text("kind", nameOf(levels.procedure));
+    if (const auto* staircase = std::get_if<StaircaseSettings>(&levels.procedure))
+        table.number("first", staircase->first)
+            .count("down", staircase->down)
+            .number("step_up", staircase->stepUp)
+            .number("step_down", staircase->stepDown)
+            .count("fast_reversals", staircase->fastReversals)
+            .number("fast_factor", staircase->fastFactor)
+            .count("reversals", staircase->reversals)
+            .count("skip_reversals", staircase->skipReversals)
+            .count("most_trials", staircase->mostTrials);
+    if (const auto* bayes = std::get_if<BayesSettings>(&levels.procedure)) {
+        table.text("function", toString(bayes->function))
+            .numbers("slope", bayes->slope)
+            .numbers("lapse", bayes->lapse);
+        if (design == Design::yesNo)
+            table.numbers("guess", bayes->guess);
+        table.count("grid", bayes->grid);
+        if (bayes->priorMean)
+            table.number("prior_mean", *bayes->priorMean);
+        if (bayes->priorSd)
+            table.number("prior_sd", *bayes->priorSd);
+        table.count("most_trials", bayes->mostTrials).count("least_trials", bayes->leastTrials);
+        if (bayes->sdAtMost)
+            table.number("sd_at_most", *bayes->sdAtMost);
+    }
+    return table.close();
+}
+
+void addLevels(Lines& lines, Design design, const LevelTask& levels) {
+    lines.text("design", toString(design));
+    if (!levels.question.empty())
+        lines.text("question", levels.question);
+    if (design == Design::interval)
+        lines.count("intervals", levels.intervals);
+    if (design == Design::yesNo)
+        lines.value("catch_share", number(levels.catchShare));
+    else
+        lines.value("gap_s", number(levels.gap_s));
+    lines.raw("track = [\n");
+    for (const LevelTrack& track : levels.tracks)
+        lines.raw(("    " +
+                   InlineTable()
+                       .text("id", track.id)
+                       .tactors("tactors", track.tactors)
+                       .tactors("reference_tactors", track.reference)
+                       .close() +
+                   ",\n")
+                      .c_str());
+    lines.raw("]\n").value(
+        "stimulus", InlineTable().text("file", levels.file).text("vary", toString(levels.vary)).close());
+    InlineTable level;
+    level.text("scale", toString(levels.range.scale))
+        .number("lowest", levels.range.lowest)
+        .number("highest", levels.range.highest)
+        .number("reference", levels.reference);
+    if (!levels.values.empty())
+        level.numbers("values", levels.values);
+    if (levels.practiceLevel)
+        level.number("practice", *levels.practiceLevel);
+    lines.value("level", level.close()).value("procedure", procedureText(levels, design));
+}
+
 void addTask(Lines& lines, const StudyTask& task) {
     lines.head("[[task]]").text("id", task.id).text("name", task.name);
     std::string conditions;
     for (const std::string& condition : task.conditions) {
-        conditions.append(conditions.empty() ? "[{ id = " : ", { id = ");
-        conditions.append(core::quotedToml(condition)).append(" }");
+        InlineTable entry;
+        entry.text("id", condition);
+        if (const auto reference = task.references.find(condition); reference != task.references.end())
+            entry.number("reference", reference->second);
+        conditions.append(conditions.empty() ? "[" : ", ").append(entry.close());
     }
     conditions.append(conditions.empty() ? "[]" : "]");
-    lines.value("condition", conditions).raw("pattern = [\n");
+    lines.value("condition", conditions);
+    if (task.design != Design::identification)
+        return addLevels(lines, task.design, task.levels);
+    lines.raw("pattern = [\n");
     for (const StudyPattern& pattern : task.patterns)
         lines.pattern(pattern);
     lines.raw("]\n");

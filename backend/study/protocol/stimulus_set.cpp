@@ -4,6 +4,7 @@
 #include "backend/pattern/files/pattern_file.h"
 #include "backend/pattern/files/pattern_json.h"
 #include "backend/pattern/model/built_in_patterns.h"
+#include "backend/study/protocol/trial_pattern.h"
 
 #include <QByteArray>
 #include <QCoreApplication>
@@ -25,6 +26,10 @@ struct StimulusText {
 template <typename Use>
 void forEachStimulus(const Protocol& protocol, const Use& use) {
     for (const StudyTask& task : protocol.tasks) {
+        if (task.design != Design::identification) {
+            use(levelStimulusId(task), task.levels.file);
+            continue;
+        }
         for (const std::string& condition : task.conditions) {
             for (const StudyPattern& pattern : task.patterns) {
                 const auto file = pattern.files.find(condition);
@@ -46,6 +51,10 @@ std::string stimulusId(const StudyTask& task, const StudyPattern& pattern, const
     return task.id + '.' + pattern.letter + '.' + condition;
 }
 
+std::string levelStimulusId(const StudyTask& task) {
+    return task.id + ".stimulus";
+}
+
 core::Expected<std::vector<OwnStimulus>> readOwnStimuli(const Protocol& protocol) {
     std::vector<OwnStimulus> own;
     std::optional<core::Error> failed;
@@ -65,7 +74,18 @@ core::Expected<std::vector<OwnStimulus>> readOwnStimuli(const Protocol& protocol
             return;
         }
         const auto json = pattern::loadPattern(file).and_then(
-            [](const pattern::Pattern& pattern) { return pattern::patternToJson(pattern); });
+            [&](const pattern::Pattern& pattern) -> core::Expected<std::string> {
+                for (const StudyTask& task : protocol.tasks) {
+                    if (task.design == Design::identification || levelStimulusId(task) != id)
+                        continue;
+                    if (const auto fits = checkStimulus(protocol, task, pattern); !fits) {
+                        core::Error error = fits.error();
+                        error.where = {file};
+                        return core::Unexpected(error);
+                    }
+                }
+                return pattern::patternToJson(pattern);
+            });
         if (json)
             own.push_back({id, info.fileName().toStdString(), *json});
         else

@@ -3,9 +3,11 @@
 
 #include "backend/core/failure.h"
 #include "backend/study/protocol/stimulus_set.h"
+#include "backend/study/protocol/trial_pattern.h"
 #include "backend/study/report/study_export.h"
 #include "backend/study/session/due_questionnaires.h"
 #include "backend/study/session/session_flow.h"
+#include "backend/study/session/simulated_observer.h"
 #include "backend/study/session/simulated_participant.h"
 
 #include <QCoreApplication>
@@ -26,11 +28,29 @@ struct RehearsalText {
 constexpr std::int64_t kBetweenTrials_ns = 1'000'000'000;
 constexpr qint64 kBetweenSessions_s = 3600;
 
-/// A pattern ends by itself or is cut off at the protocol's stimulus time.
-double lengthOf_s(const std::string& id, const StudyHead& head) {
-    const pattern::Pattern* stimulus = head.stimuli.find(id);
-    return stimulus == nullptr ? head.protocol.stimulus_s
-                               : std::min(stimulus->duration_s, head.protocol.stimulus_s);
+/// What is felt in a trial: a pattern that ends by itself or is cut off.
+struct Stimulus {
+    std::optional<pattern::Pattern> made; ///< of a task with levels
+    const pattern::Pattern* known = nullptr;
+    double atMost_s = 0.0;
+
+    [[nodiscard]] const pattern::Pattern* pattern() const { return made ? &*made : known; }
+    [[nodiscard]] double length_s() const {
+        return pattern() == nullptr ? atMost_s : std::min(pattern()->duration_s, atMost_s);
+    }
+};
+
+core::Expected<Stimulus> stimulusOf(const StudyHead& head, const StudyTask& task,
+                                    const std::string& condition, const PlannedTrial& trial) {
+    const double stimulus_s = head.protocol.stimulus_s;
+    if (task.design == Design::identification)
+        return Stimulus{
+            {}, head.stimuli.find(stimulusId(task, task.patterns[trial.stimulus], condition)), stimulus_s};
+    Stimulus stimulus{{}, nullptr, trialLength_s(task, stimulus_s)};
+    if (const pattern::Pattern* base = head.stimuli.find(levelStimulusId(task))) {
+        TELETA_TRY(stimulus.made, trialPattern(task, condition, *base, stimulus_s, trial));
+    }
+    return stimulus;
 }
 
 /// Shows one trial to the participant and passes on the answer.
@@ -156,7 +176,23 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
 
     const StudyTask& task = head.protocol.tasks[plan.task];
     const std::string& condition = task.conditions[plan.condition];
-    const SimulatedParticipant simulated{knownMatrix(task, condition), head.lapses};
+    const bool hasLevels = task.design != Design::identification;
+    const SimulatedParticipant simulated{
+        hasLevels ? std::nullopt : std::optional(knownMatrix(task, condition)), head.lapses,
+        hasLevels ? SimulatedObserver::kMedianResponse_s : SimulatedParticipant().medianResponse_s};
+    TELETA_TRY(const SimulatedObserver observer, SimulatedObserver::parse(head.observer));
+    const std::uint64_t person = observerSeed(head.seed, participant.enrolment);
+    const PsychometricFunction function = observer.functionOf(task, condition, person);
+    // The last interval has to be over before an answer counts.
+    const auto observe = [&](const PlannedTrial& trial, std::uint64_t seed) {
+        if (m_cast.observe)
+            return m_cast.observe(task, condition, trial, person, seed);
+        SimulatedParticipant::Answer answer{std::nullopt, trialLength_s(task, head.protocol.stimulus_s) +
+                                                              simulated.time_s(seed)};
+        if (!simulated.isLapse(seed))
+            answer.response = SimulatedObserver::answer(function, task, trial, seed);
+        return answer;
+    };
     const std::int64_t start_ns = now_ns;
     const double before_s = m_progress.simulated_s;
     // An interruption is no rest: a resumed rehearsal rests where an uninterrupted one does.
@@ -168,16 +204,18 @@ core::Expected<void> Rehearsal::runSession(const Participant& participant, std::
         }
         const PlannedTrial trial = *current;
         const std::uint64_t seed = answerSeed(plan.seed, trial);
-        const SimulatedParticipant::Answer answer = m_cast.answer
+        const SimulatedParticipant::Answer answer = hasLevels ? observe(trial, seed)
+                                                    : m_cast.answer
                                                         ? m_cast.answer(task, condition, trial.stimulus, seed)
                                                         : simulated.answer(trial.stimulus, seed);
-        const std::string stimulus = stimulusId(task, task.patterns[trial.stimulus], condition);
-        const RehearsalCast::Shown shown = m_cast.show ? m_cast.show(stimulus, seed) : RehearsalCast::Shown{};
+        TELETA_TRY(const Stimulus stimulus, stimulusOf(head, task, condition, trial));
+        const RehearsalCast::Shown shown =
+            m_cast.show ? m_cast.show(stimulus.pattern(), stimulus.atMost_s, seed) : RehearsalCast::Shown{};
         if (flow.hold() == Hold::rest)
             now_ns = flow.restUntil_ns();
         else
             flow.goOn(); // nobody has to be asked whether the test may begin
-        showTrial(flow, answer, shown, lengthOf_s(stimulus, head), now_ns);
+        showTrial(flow, answer, shown, stimulus.length_s(), now_ns);
         // The store keeps milliseconds; the next trial starts at the stored time, so that a resumed rehearsal
         // is the same.
         now_ns = (now_ns + 999'999) / 1'000'000 * 1'000'000;
@@ -209,7 +247,7 @@ std::size_t plannedTrials(const StudyHead& head) {
     std::size_t trials = 0;
     const std::vector<PlannedSession> plan = planSessions(head.protocol, head.seed, 0);
     for (const PlannedSession& session : plan)
-        trials += session.practice.size() + session.test.size();
+        trials += session.practiceTrials + session.testTrials;
     return trials * head.plannedParticipants;
 }
 

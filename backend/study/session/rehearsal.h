@@ -21,8 +21,8 @@ struct RehearsalProgress {
     [[nodiscard]] std::size_t allTrials() const { return trialsBefore + trials; }
 };
 
-/// Replaces parts of a rehearsal. Without it participants answer as in the paper, with the study's lapses,
-/// and the bracelet never fails.
+/// Replaces parts of a rehearsal. Without it participants answer as in the paper, in tasks with levels as the
+/// study's observer does, with the study's lapses, and the bracelet never fails.
 struct RehearsalCast {
     struct Shown {
         double latency_s = 0.005;                ///< from the request to the onset
@@ -33,13 +33,19 @@ struct RehearsalCast {
     std::function<SimulatedParticipant::Answer(const StudyTask& task, const std::string& condition,
                                                std::size_t stimulus, std::uint64_t seed)>
         answer = {};
-    /// pattern: its id. Empty: as above.
-    std::function<Shown(const std::string& pattern, std::uint64_t seed)> show = {};
+    /// The same for tasks with levels. person: observerSeed() of the participant.
+    std::function<SimulatedParticipant::Answer(const StudyTask& task, const std::string& condition,
+                                               const PlannedTrial& trial, std::uint64_t person,
+                                               std::uint64_t seed)>
+        observe = {};
+    /// pattern: null if the protocol has none; it is cut off at atMost_s. Empty: as above.
+    std::function<Shown(const pattern::Pattern* pattern, double atMost_s, std::uint64_t seed)> show = {};
     /// Asked before each trial; false interrupts the rehearsal. Empty: nothing does.
     std::function<bool(const RehearsalProgress& now)> goOn = {};
 };
 
-/// Practice and test trials of all planned participants of a rehearsal. Thread: any.
+/// Practice and test trials of all planned participants of a rehearsal; of adaptive procedures the most.
+/// Thread: any.
 [[nodiscard]] std::size_t plannedTrials(const StudyHead& head);
 
 /// Runs all sessions of a study that are not finished yet, with simulated participants P01, P02 .., by the

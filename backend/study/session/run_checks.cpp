@@ -69,6 +69,18 @@ Verdict checkStimuli(const RunConditions& now) {
         return failed(CheckText::tr("the patterns have changed since this study was created"),
                       CheckText::tr("Use version %1 of the program, which created it, or create a new study.")
                           .arg(QString::fromStdString(now.madeBy)));
+    // A motor that still turns would be felt in the next interval.
+    const Protocol* protocol = now.protocol ? *now.protocol : nullptr;
+    for (std::size_t i = 0; protocol != nullptr && now.slowestFall_s && i < protocol->tasks.size(); ++i) {
+        const StudyTask& task = protocol->tasks[i];
+        if (intervalsOf(task.design, task.levels) > 1 && task.levels.gap_s < *now.slowestFall_s)
+            return failed(CheckText::tr("a motor takes %1 s to stop, and the gap between the intervals of "
+                                        "%2 is %3 s")
+                              .arg(*now.slowestFall_s)
+                              .arg(QString::fromStdString(task.name))
+                              .arg(task.levels.gap_s),
+                          CheckText::tr("Create a study with a longer gap (gap_s)."));
+    }
     return passed(
         now.stimuliChanged
             ? CheckText::tr("unchanged since the study was created")

@@ -53,6 +53,7 @@ struct RunConditions {
     BraceletCondition bracelet = BraceletCondition::missing;
     std::string braceletName;
     bool braceletIsSimulated = false;
+    std::optional<double> slowestFall_s; ///< of its motors, from a speed to 10 % of it; empty: not measured
     FolderCondition folder;
     std::optional<core::Error> store;          ///< why the store cannot be used; empty: it can
     bool noiseConfirmed = false;               ///< by the experimenter, for this session

@@ -2,6 +2,7 @@
 #include "backend/study/session/session.h"
 
 #include "backend/core/failure.h"
+#include "backend/study/protocol/trial_pattern.h"
 
 #include <QCoreApplication>
 
@@ -33,6 +34,17 @@ void append(std::deque<PlannedTrial>& queue, Phase phase, const std::vector<std:
     }
 }
 
+/// Whether a stored trial is the one that the plan has now. Levels come back from text or a database.
+bool isSame(const PlannedTrial& planned, const PlannedTrial& stored) {
+    constexpr double kRounding = 1e-9;
+    return planned.phase == stored.phase && planned.trial == stored.trial &&
+           planned.attempt == stored.attempt && planned.stimulus == stored.stimulus &&
+           planned.track == stored.track && planned.target == stored.target &&
+           planned.level.has_value() == stored.level.has_value() &&
+           std::abs(planned.level.value_or(0.0) - stored.level.value_or(0.0)) <=
+               kRounding * std::abs(planned.level.value_or(0.0));
+}
+
 } // namespace
 
 Session::Session(const Protocol& protocol, const PlannedSession& plan, std::int64_t now_ns)
@@ -43,8 +55,18 @@ Session::Session(const Protocol& protocol, const PlannedSession& plan, std::int6
     , m_practice(protocol.practice)
     , m_test(protocol.test)
     , m_begin_ns(now_ns) {
-    append(m_queue, Phase::practice, plan.practice);
-    append(m_queue, Phase::test, plan.test);
+    const StudyTask& task = protocol.tasks[plan.task];
+    if (task.design == Design::identification) {
+        append(m_queue, Phase::practice, plan.practice);
+        append(m_queue, Phase::test, plan.test);
+        return;
+    }
+    m_stimulus_ns = nanoseconds(trialLength_s(task, protocol.stimulus_s));
+    if (task.design == Design::compare)
+        m_practice.feedback = m_test.feedback = false;
+    m_levels.emplace(protocol, plan);
+    if (const auto first = m_levels->next())
+        m_queue.push_back(*first);
 }
 
 core::Expected<Session> Session::create(const Protocol& protocol, const PlannedSession& plan,
@@ -52,14 +74,12 @@ core::Expected<Session> Session::create(const Protocol& protocol, const PlannedS
     Session session(protocol, plan, now_ns);
     for (const TrialResult& result : done) {
         const PlannedTrial* next = session.current();
-        if (next == nullptr || next->phase != result.planned.phase || next->trial != result.planned.trial ||
-            next->attempt != result.planned.attempt || next->stimulus != result.planned.stimulus)
+        if (next == nullptr || !isSame(*next, result.planned))
             return core::refused(SessionText::tr("the stored trials do not belong to this session's plan"),
                                  SessionText::tr("the order given by the session's seed"));
         session.m_queue.pop_front();
         ++session.m_shown[static_cast<int>(result.planned.phase)];
-        if (!result.isComplete())
-            session.showAgain(result.planned);
+        session.goOnAfter(result);
     }
     if (session.m_queue.empty())
         session.m_stage = Stage::finished;
@@ -72,6 +92,17 @@ void Session::showAgain(PlannedTrial trial) {
     const auto next =
         std::ranges::find_if(m_queue, [&](const PlannedTrial& other) { return other.phase > trial.phase; });
     m_queue.insert(next, trial);
+}
+
+/// Plans what follows a trial that has left the queue.
+void Session::goOnAfter(const TrialResult& result) {
+    if (m_levels) {
+        m_levels->take(result);
+        if (const auto next = m_levels->next())
+            m_queue.push_back(*next);
+    } else if (!result.isComplete()) {
+        showAgain(result.planned);
+    }
 }
 
 bool Session::windowIsOpen() const {
@@ -203,8 +234,7 @@ void Session::complete(Outcome outcome, std::int64_t time_ns) {
     m_trial.onset_s = seconds(m_onset_ns - m_begin_ns);
     m_trial.duration_s = m_stage == Stage::starting ? 0.0 : seconds(m_end_ns.value_or(time_ns) - m_onset_ns);
     m_trial.trialInBlock = ++m_shown[static_cast<int>(m_trial.planned.phase)];
-    if (!m_trial.isComplete())
-        showAgain(m_trial.planned);
+    goOnAfter(m_trial);
     m_result = m_trial;
     m_trial = {};
     if (m_result->isComplete() && settings(m_result->planned.phase).feedback)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/study/protocol/level_sequence.h"
 #include "backend/study/protocol/protocol.h"
 #include "backend/study/protocol/trial.h"
 
@@ -15,7 +16,7 @@ namespace teleta::study {
 
 /// An answer key or button that went down.
 struct KeyPress {
-    std::optional<std::size_t> response; ///< the pattern that it stands for; empty: none
+    std::optional<std::size_t> response; ///< the answer that it stands for; empty: none
     std::string device;                  ///< mouse, touch, keyboard, keypad, simulated
     std::string key;                     ///< physical key or button
     std::int64_t time_ns = 0;            ///< of the input event
@@ -40,7 +41,8 @@ enum class Stage {
 /// Answers count from the onset (or the end, as the protocol says) until the limit, both ends included, by
 /// the time of the press, even when it is reported later. Repeats of a held key, and keys still down from
 /// before, do not count; other presses outside the window are early presses. A trial that ends by a device
-/// fault or an abort is shown again at the end of its phase with attempt + 1.
+/// fault or an abort is shown again at the end of its phase with attempt + 1, of a task with levels at once:
+/// what comes next depends on its answer (LevelSequence).
 /// Thread: one. Times must not go back, except those of presses.
 class Session {
 public:
@@ -59,13 +61,20 @@ public:
     /// The trial that is shown or comes next; nullptr when the session is over.
     [[nodiscard]] const PlannedTrial* current() const { return m_queue.empty() ? nullptr : &m_queue.front(); }
 
+    /// Trials that are planned; of a task with levels only the next one is.
     [[nodiscard]] std::size_t remainingTrials() const { return m_queue.size(); }
+    /// Without feedback where no answer is right.
     [[nodiscard]] const PhaseSettings& settings(Phase phase) const {
         return phase == Phase::practice ? m_practice : m_test;
     }
 
     /// When the time to answer ends; empty while it does not run.
     [[nodiscard]] std::optional<std::int64_t> deadline_ns() const;
+
+    /// When the stimulus began that is felt now; empty: none is.
+    [[nodiscard]] std::optional<std::int64_t> stimulusOnset_ns() const {
+        return m_stage == Stage::stimulus ? std::optional(m_onset_ns) : std::nullopt;
+    }
 
     /// Replays of the stimulus that are left in the running trial.
     [[nodiscard]] std::size_t replaysLeft() const {
@@ -113,6 +122,7 @@ private:
     [[nodiscard]] bool windowIsOpenAt(std::int64_t time_ns) const;
     void complete(Outcome outcome, std::int64_t time_ns);
     void showAgain(PlannedTrial trial);
+    void goOnAfter(const TrialResult& result);
 
     std::int64_t m_stimulus_ns;
     std::int64_t m_limit_ns;
@@ -122,7 +132,8 @@ private:
     PhaseSettings m_test;
 
     std::deque<PlannedTrial> m_queue;
-    std::size_t m_shown[2] = {0, 0}; ///< trials of each phase that were shown to their end
+    std::optional<LevelSequence> m_levels; ///< of a task with levels: what comes after the queue
+    std::size_t m_shown[2] = {0, 0};       ///< trials of each phase that were shown to their end
     Stage m_stage = Stage::ready;
     std::int64_t m_begin_ns;
     std::int64_t m_request_ns = 0;

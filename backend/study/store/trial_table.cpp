@@ -130,6 +130,10 @@ std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& partic
         const bool feedback = (practice ? protocol.practice : protocol.test).feedback;
         TrialRow row = firstCells(head, participant, &session, plan, kTrialSchema);
         const bool hasLevels = task.design != Design::identification;
+        const std::string& condition = task.conditions[plan.condition];
+        // Of two that are the same neither has more.
+        const bool isScored =
+            task.design != Design::compare || result.planned.level != task.referenceOf(condition);
         const std::initializer_list<TrialCell> others{
             numberCell(plan.conditionPosition + 1),
             numberCell(plan.sequenceRow + 1),
@@ -142,7 +146,8 @@ std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& partic
             textCell(task.patterns.at(result.planned.stimulus).letter),
             result.response ? textCell(task.patterns.at(*result.response).letter) : TrialCell{},
             textCell(toString(result.outcome)),
-            result.isComplete() ? numberCell(result.outcome == Outcome::correct ? 1 : 0) : TrialCell{},
+            result.isComplete() && isScored ? numberCell(result.outcome == Outcome::correct ? 1 : 0)
+                                            : TrialCell{},
             numberCell(result.responseTime_s),
             numberCell(result.responseTimeOffset_s),
             numberCell(protocol.responseLimit_s),
@@ -166,8 +171,8 @@ std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& partic
             textCell(result.planned.track),
             numberCell(result.planned.level),
             hasLevels ? textCell(unitOf(task.levels.vary)) : TrialCell{},
-            hasLevels ? numberCell(task.referenceOf(task.conditions[plan.condition])) : TrialCell{},
-            hasLevels ? textCell(task.levels.procedure) : TrialCell{},
+            hasLevels ? numberCell(task.referenceOf(condition)) : TrialCell{},
+            hasLevels ? textCell(nameOf(task.levels.procedure)) : TrialCell{},
             TrialCell{},
             numberCell(result.trigger_ms),
             textCell(result.recording),

@@ -50,6 +50,29 @@ TEST_F(StudyCommand, resumingAFinishedRehearsalAddsNothing) {
     EXPECT_EQ(answer["trials_before"], 176);
 }
 
+TEST_F(StudyCommand, rehearsesABuiltInProtocolWithAnObserver) {
+    const ProgramResult result =
+        run({"study", "rehearse", "motion-timing", "--participants", "1", "--seed", "2", "--observer",
+             "t=0.1,slope=0.03,lapse=0.02,sd=0.01", "--out", folder(), "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const ordered_json answer = ordered_json::parse(result.out);
+    EXPECT_EQ(answer["protocol"], "Motion timing");
+    EXPECT_EQ(answer["trials"], 2 + 84);
+    const ProgramResult analyzed = run({"study", "analyze", folder(), "--out", m_folder.path("results")});
+    EXPECT_EQ(analyzed.exitCode, 0) << analyzed.err;
+}
+
+TEST_F(StudyCommand, anObserverThatCannotBeIsBadInput) {
+    const ProgramResult result =
+        run({"study", "rehearse", "motion-timing", "--observer", "t=loud", "--out", folder()});
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_NE(result.err.find("t=loud"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("slope"), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder()));
+    const ProgramResult unknown = run({"study", "rehearse", "no-such-protocol", "--out", folder()});
+    EXPECT_EQ(unknown.exitCode, 3);
+}
+
 TEST_F(StudyCommand, aMistakeInTheProtocolIsShownWithItsPlace) {
     const std::string path = m_folder.write("p.toml", "name = \"x\"\nstimulus_s = 0.0\n");
     const ProgramResult result = run({"study", "rehearse", path, "--out", folder()});

@@ -34,7 +34,8 @@ const struct Application {
 } kApplication;
 
 using Row = std::tuple<std::string, std::size_t, Phase, std::size_t, std::size_t, std::size_t,
-                       std::optional<std::size_t>, std::optional<double>>;
+                       std::optional<std::size_t>, std::optional<double>, std::string, std::optional<double>,
+                       std::optional<std::size_t>>;
 
 /// All trials of a study in the order of participants and sessions; nothing when it was not made yet.
 std::vector<Row> rowsOf(const std::string& folder) {
@@ -50,7 +51,8 @@ std::vector<Row> rowsOf(const std::string& folder) {
             for (const StoredTrial& trial : trials) {
                 const TrialResult& r = trial.result;
                 rows.emplace_back(participant.id, session.planIndex, r.planned.phase, r.planned.trial,
-                                  r.planned.attempt, r.planned.stimulus, r.response, r.responseTime_s);
+                                  r.planned.attempt, r.planned.stimulus, r.response, r.responseTime_s,
+                                  r.planned.track, r.planned.level, r.planned.target);
             }
         }
     }
@@ -111,4 +113,48 @@ TEST(StudyKill, aStudyKilledAtAHundredRandomInstantsLosesAndRepeatsNothing) {
         EXPECT_EQ(resumed.exitCode, 0) << resumed.err;
         EXPECT_EQ(rowsOf(killed), expected);
     }
+}
+
+// Levels depend on the answers before them: a study of thresholds that is killed twice at work goes on with
+// the levels that an undisturbed one has, and can be analysed.
+TEST(StudyKill, aStudyOfThresholdsKilledTwiceEndsLikeAnUndisturbedOne) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> rehearse{
+        "study", "rehearse",   "tactor-detection",           "--participants", "1", "--seed",
+        "3",     "--observer", "t=0.1,slope=3.5,lapse=0.02", "--out"};
+    const auto into = [&](const std::string& where) {
+        std::vector<std::string> arguments = rehearse;
+        arguments.push_back(where);
+        return arguments;
+    };
+    const std::string whole = folder.path("whole");
+    const ProgramResult undisturbed = run(into(whole));
+    ASSERT_EQ(undisturbed.exitCode, 0) << undisturbed.err;
+    const std::vector<Row> expected = rowsOf(whole);
+    ASSERT_EQ(expected.size(), 12U + 240U);
+
+    const std::string killed = folder.path("killed");
+    std::size_t before = 0;
+    for (int kill = 0; kill < 2; ++kill) {
+        RunningProgram program(kill == 0 ? into(killed)
+                                         : std::vector<std::string>{"study", "resume", killed});
+        // Until it has come some trials further.
+        std::size_t now = before;
+        while (now < before + 40) {
+            poll(nullptr, 0, 5);
+            now = rowsOf(killed).size();
+        }
+        program.send(SIGKILL);
+        (void)program.wait();
+        const std::vector<Row> rows = rowsOf(killed);
+        ASSERT_GE(rows.size(), now);
+        ASSERT_LT(rows.size(), expected.size()) << "it was killed at work";
+        ASSERT_TRUE(std::equal(rows.begin(), rows.end(), expected.begin()));
+        before = rows.size();
+    }
+    const ProgramResult resumed = run({"study", "resume", killed});
+    EXPECT_EQ(resumed.exitCode, 0) << resumed.err;
+    EXPECT_EQ(rowsOf(killed), expected);
+    const ProgramResult results = run({"study", "analyze", killed, "--out", folder.path("results")});
+    EXPECT_EQ(results.exitCode, 0) << results.err;
 }

@@ -49,6 +49,24 @@ protected:
 
 } // namespace
 
+TEST_F(RunChecksTest, intervalsHaveToBeFurtherApartThanMotorsTurnOn) {
+    StudyTask& task = m_protocol.tasks[0];
+    task.design = Design::interval;
+    task.levels.gap_s = 0.3;
+    m_now.slowestFall_s = 0.31;
+    const RunCheck check = onlyFailure();
+    EXPECT_EQ(check.kind, RunCheckKind::stimuli);
+    EXPECT_NE(check.finding.find("0.31"), std::string::npos) << check.finding;
+    m_now.slowestFall_s = 0.3;
+    EXPECT_TRUE(allPassed(preRunChecks(m_now)));
+    m_now.slowestFall_s.reset();
+    EXPECT_TRUE(allPassed(preRunChecks(m_now))) << "nothing is known of the motors";
+    // A trial of one interval has no gap.
+    m_now.slowestFall_s = 0.31;
+    task.design = Design::yesNo;
+    EXPECT_TRUE(allPassed(preRunChecks(m_now)));
+}
+
 TEST_F(RunChecksTest, aRunMayBeginWhenEverythingIsReady) {
     const std::vector<RunCheck> checks = preRunChecks(m_now);
     EXPECT_EQ(checks.size(), 8U);

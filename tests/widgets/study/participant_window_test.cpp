@@ -81,6 +81,45 @@ private slots:
         QCOMPARE(m_releases[0].second, QStringLiteral("Digit3"));
     }
 
+    void yesAndNoHaveLettersOfTheirOwn() {
+        m_window->setChoices({{"yes", "yes", {}, false, "Y"}, {"no", "no", {}, false, "N"}});
+        QTest::keyClick(m_window.get(), Qt::Key_Y);
+        QTest::keyClick(m_window.get(), Qt::Key_N);
+        QTest::keyClick(m_window.get(), Qt::Key_2);
+        QTest::keyClick(m_window.get(), Qt::Key_S); // of another design
+        QCOMPARE(m_presses.size(), std::size_t(3));
+        QCOMPARE(m_presses[0].response, std::optional<std::size_t>(0));
+        QCOMPARE(m_presses[0].key, std::string("KeyY"));
+        QCOMPARE(m_presses[1].response, std::optional<std::size_t>(1));
+        QCOMPARE(m_presses[1].device, std::string("keyboard"));
+        QCOMPARE(m_presses[2].response, std::optional<std::size_t>(1));
+        QCOMPARE(m_presses[2].key, std::string("Digit2"));
+        QCOMPARE(m_releases.size(), std::size_t(3));
+    }
+
+    void theIntervalThatIsFeltLightsUp() {
+        m_window->setChoices({{"1", "1", {}, false}, {"2", "2", {}, false}});
+        ParticipantScene scene;
+        scene.state = State::stimulus;
+        scene.question = "Which one?";
+        const auto looks = [this] {
+            return std::vector{m_window->buttons()[0]->look(), m_window->buttons()[1]->look()};
+        };
+        using Look = AnswerButton::Look;
+        m_window->setScene(scene);
+        QCOMPARE(looks(), (std::vector{Look::plain, Look::plain}));
+        scene.interval = 2;
+        m_window->setScene(scene);
+        QCOMPARE(looks(), (std::vector{Look::plain, Look::lit}));
+        QCOMPARE(m_window->instruction(), QStringLiteral("2"));
+        scene.interval = 0;
+        scene.state = State::answering;
+        scene.answersOpen = true;
+        m_window->setScene(scene);
+        QCOMPARE(looks(), (std::vector{Look::plain, Look::plain}));
+        QCOMPARE(m_window->instruction(), QStringLiteral("Which one?"));
+    }
+
     void aDigitWithoutAnAnswerIsNoAnswer() {
         QTest::keyClick(m_window.get(), Qt::Key_8);
         QCOMPARE(m_presses.size(), std::size_t(1));

@@ -35,10 +35,14 @@ AnswerButton::AnswerButton(AnswerChoice choice, std::size_t digit, QWidget* pare
 }
 
 void AnswerButton::describe() {
-    const QString answer = tr("Answer %1: %2", "letter, name").arg(m_choice.letter, m_choice.name);
-    setAccessibleName(m_look == Look::right   ? tr("%1. This was felt.").arg(answer)
-                      : m_look == Look::wrong ? tr("%1. This was answered.").arg(answer)
-                                              : answer);
+    const QString answer = m_choice.isPattern
+                               ? tr("Answer %1: %2", "letter, name").arg(m_choice.letter, m_choice.name)
+                               : tr("Answer: %1", "yes, no, a number ..").arg(m_choice.name);
+    setAccessibleName(
+        m_look == Look::right
+            ? (m_choice.isPattern ? tr("%1. This was felt.") : tr("%1. This was right.")).arg(answer)
+        : m_look == Look::wrong ? tr("%1. This was answered.").arg(answer)
+                                : answer);
 }
 
 void AnswerButton::setDiagramShown(bool shown) {
@@ -73,9 +77,10 @@ void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
         edge = m_look == Look::right   ? status.live
                : m_look == Look::wrong ? status.lost
                                        : colours.color(QPalette::Highlight);
-        fill = base::mixed(ground, edge, 0.14);
+        fill = base::mixed(ground, edge, m_look == Look::lit ? 0.4 : 0.14);
         width = 4.0;
-        mark = m_look == Look::right   ? tr("\u2713 felt")
+        mark = m_look == Look::lit     ? QString()
+               : m_look == Look::right ? (m_choice.isPattern ? tr("\u2713 felt") : tr("\u2713 right"))
                : m_look == Look::wrong ? tr("\u2717 your answer")
                                        : tr("your answer");
     }
@@ -96,13 +101,15 @@ void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
     const QRectF letter(inside.left(), m_diagramShown ? inside.top() : inside.center().y() - head,
                         inside.width(), head);
     painter.drawText(letter, m_diagramShown ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter,
-                     m_choice.letter);
+                     m_choice.isPattern ? m_choice.letter : m_choice.name);
     font.setBold(false);
     font.setPixelSize(static_cast<int>(0.8 * unit));
     painter.setFont(font);
     const QRectF name(inside.left(), m_diagramShown ? inside.bottom() - 1.2 * unit : letter.bottom(),
                       inside.width(), 1.2 * unit);
-    const QString words = mark.isEmpty() ? m_choice.name : m_choice.name + QStringLiteral(" \u2014 ") + mark;
+    const QString below = m_choice.isPattern ? m_choice.name : QString();
+    const QString words =
+        mark.isEmpty() || below.isEmpty() ? below + mark : below + QStringLiteral(" \u2014 ") + mark;
     painter.setFont(fitted(font, words, name.width()));
     painter.drawText(name, Qt::AlignCenter, words);
     painter.setFont(font);
@@ -113,7 +120,7 @@ void AnswerButton::paintEvent(QPaintEvent* /*event*/) {
     painter.setBrush(base::mixed(ground, text, 0.05));
     painter.drawRoundedRect(key, 0.25 * unit, 0.25 * unit);
     painter.setPen(base::mixed(ground, text, 0.8 * faint));
-    painter.drawText(key, Qt::AlignCenter, QString::number(m_digit));
+    painter.drawText(key, Qt::AlignCenter, m_choice.key.isEmpty() ? QString::number(m_digit) : m_choice.key);
 
     if (m_diagramShown) {
         painter.setOpacity(faint);

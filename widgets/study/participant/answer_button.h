@@ -17,6 +17,7 @@ public:
         right,  ///< feedback: this was presented
         wrong,  ///< feedback: this was answered and not presented
         chosen, ///< answered, without feedback
+        lit,    ///< its interval is felt now
     };
 
     AnswerButton(AnswerChoice choice, std::size_t digit, QWidget* parent = nullptr);

@@ -16,11 +16,13 @@ struct PhysicalKey {
         digit, ///< 1 to 9, above the letters
         pad,   ///< 1 to 9 on the keypad
         space,
+        letter, ///< Y, N, S or D, where they are on a US keyboard
     };
     Kind kind = Kind::digit;
-    std::size_t number = 0; ///< 1 .. 9; 0 for the space bar
+    std::size_t number = 0; ///< 1 .. 9; 0 for the space bar and letters
+    char letter = 0;        ///< 'Y'; 0 for others
 
-    /// Code in W3C UI Events: "Digit3", "Numpad3", "Space".
+    /// Code in W3C UI Events: "Digit3", "Numpad3", "Space", "KeyY".
     [[nodiscard]] QString code() const;
     /// "keyboard" or "keypad".
     [[nodiscard]] QString device() const;

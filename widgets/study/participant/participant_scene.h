@@ -15,7 +15,10 @@ namespace teleta::study {
 struct AnswerChoice {
     QString letter;
     QString name;
-    PatternDiagram diagram;
+    PatternDiagram diagram = {};
+    bool isPattern =
+        true;         ///< false: one of the answers of a task with levels, of which only the name is shown
+    QString key = {}; ///< letter of a key that means it too, "Y"; empty: only its digit
 };
 
 /// What the participant's window shows.
@@ -46,6 +49,8 @@ struct ParticipantScene {
     std::optional<std::size_t> answered = {};  ///< the last answer, in feedback and after it
     std::optional<std::size_t> presented = {}; ///< the right answer; in feedback only
     int restLeft_s = 0;
+    QString question = {};             ///< of a task with levels; empty: which pattern it was
+    std::size_t interval = 0;          ///< that is felt now, from 1; 0: none
     bool questionnaireLocked = false;  ///< its answers are being saved, could not be saved, or are simulated
     QString questionnaireProblem = {}; ///< why they could not be saved
 

@@ -126,11 +126,23 @@ QString ParticipantWindow::instruction() const {
         return tr("Wait \u2026");
     case State::stimulus:
     case State::answering:
+        if (m_scene.interval > 0)
+            return QString::number(m_scene.interval);
         if (!m_scene.answersOpen)
             return tr("Feel \u2026");
+        if (!m_scene.question.isEmpty())
+            return m_scene.canReplay ? tr("%1 Press R to feel it again.", "a question").arg(m_scene.question)
+                                     : m_scene.question;
         return m_scene.canReplay ? tr("Which pattern do you feel? Press R to feel it again.")
                                  : tr("Which pattern do you feel?");
     case State::feedback:
+        if (!m_scene.question.isEmpty())
+            return !m_scene.answered ? tr("There was no answer in time. The marked answer was the right one. "
+                                          "Press Space to "
+                                          "continue.")
+                   : m_scene.answered == m_scene.presented
+                       ? tr("Right. Press Space to continue.")
+                       : tr("The answer marked with \u2713 was the right one. Press Space to continue.");
         if (!m_scene.answered)
             return tr("There was no answer in time. The marked pattern was the right one. Press Space to "
                       "continue.");
@@ -182,11 +194,13 @@ void ParticipantWindow::refresh() {
         const bool wasPresented = m_scene.presented == i;
         const bool wasAnswered = m_scene.answered == i;
         const bool told = m_scene.state == State::feedback;
+        const bool isLit = m_scene.interval > 0 && m_choices[i].letter == QString::number(m_scene.interval);
         m_buttons[i]->setVisible(!asks);
         m_buttons[i]->setDiagramShown(m_scene.diagrams);
         m_buttons[i]->setOpen(m_scene.answersOpen);
         m_buttons[i]->setLook(told && wasPresented                           ? AnswerButton::Look::right
                               : told && wasAnswered                          ? AnswerButton::Look::wrong
+                              : isLit                                        ? AnswerButton::Look::lit
                               : wasAnswered && m_scene.state == State::ready ? AnswerButton::Look::chosen
                                                                              : AnswerButton::Look::plain);
     }
@@ -249,7 +263,9 @@ void ParticipantWindow::keyPressEvent(QKeyEvent* event) {
         return;
     }
     const std::int64_t time_ns = timeOf(*event);
-    const std::optional<PhysicalKey> key = physicalKey(*event);
+    std::optional<PhysicalKey> key = physicalKey(*event);
+    if (key && key->kind == PhysicalKey::Kind::letter && !answerOf(*key))
+        key.reset();
     if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
         QWidget::keyPressEvent(event);
         return;
@@ -268,8 +284,7 @@ void ParticipantWindow::keyPressEvent(QKeyEvent* event) {
         return;
     }
     KeyPress press;
-    if (key->number <= m_choices.size())
-        press.response = key->number - 1;
+    press.response = answerOf(*key);
     press.device = key->device().toStdString();
     press.key = key->code().toStdString();
     press.time_ns = time_ns;
@@ -277,6 +292,16 @@ void ParticipantWindow::keyPressEvent(QKeyEvent* event) {
     if (!press.autoRepeat)
         m_down.emplace(key->device(), key->code());
     emit pressed(press);
+}
+
+std::optional<std::size_t> ParticipantWindow::answerOf(const PhysicalKey& key) const {
+    if (key.number >= 1 && key.number <= m_choices.size())
+        return key.number - 1;
+    for (std::size_t i = 0; i < m_choices.size(); ++i) {
+        if (key.letter != 0 && m_choices[i].key == QLatin1Char(key.letter))
+            return i;
+    }
+    return std::nullopt;
 }
 
 void ParticipantWindow::keyReleaseEvent(QKeyEvent* event) {

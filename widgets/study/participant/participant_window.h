@@ -5,6 +5,7 @@
 #include "backend/study/protocol/questionnaire.h"
 #include "backend/study/session/session.h"
 #include "widgets/base/kept_picture.h"
+#include "widgets/study/participant/answer_keys.h"
 #include "widgets/study/participant/event_clock.h"
 #include "widgets/study/participant/participant_scene.h"
 #include "widgets/study/participant/questionnaire_form.h"
@@ -15,6 +16,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -26,8 +28,9 @@ class AnswerButton;
 
 /// The participant's window: the answers as large buttons. Input by the digits of keyboard and keypad, mouse
 /// and touch; Space asks for the next trial, R for a replay where that is allowed. Questionnaires replace the
-/// answers. The window decides nothing: each press is signalled with the time at which it was made, even if a
-/// busy program handles it later. Thread: GUI.
+/// answers. Y and N, S and D answer where the answers are yes and no, same and different; the interval that
+/// is felt lights up. The window decides nothing: each press is signalled with the time at which it was made,
+/// even if a busy program handles it later. Thread: GUI.
 class ParticipantWindow : public QWidget {
     Q_OBJECT
 
@@ -75,6 +78,8 @@ private:
     void arrange();
     void refresh();
     [[nodiscard]] std::int64_t timeOf(const QInputEvent& event);
+    /// The answer that a key means; empty: none.
+    [[nodiscard]] std::optional<std::size_t> answerOf(const PhysicalKey& key) const;
     void pressAt(const QPointF& at, const QString& device, std::int64_t time_ns);
     void releasePointer();
     void releaseAll();

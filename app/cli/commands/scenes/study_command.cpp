@@ -17,6 +17,7 @@
 #include "backend/study/report/study_report.h"
 #include "backend/study/session/pink_noise.h"
 #include "backend/study/session/rehearsal.h"
+#include "backend/study/session/simulated_observer.h"
 #include "backend/study/store/study_store.h"
 
 #include <QCoreApplication>
@@ -183,12 +184,20 @@ private:
 
     void declareRehearse(CLI::App& app) {
         addOption(app, "protocol", m_protocolPath,
-                  StudyText::tr("Protocol of the study; otherwise the paper's"), "PROTOCOL.toml");
+                  StudyText::tr("Protocol of the study, or the name of one that comes with the program: "
+                                "tactor-detection, intensity-steps, equal-strength, two-or-one, "
+                                "motion-timing; otherwise the paper's"),
+                  "PROTOCOL.toml|NAME");
         addOption(app, "--participants", m_participants, StudyText::tr("Number of participants"),
                   between(1, 10'000), "N");
         addOption(app, "--seed", m_seed, StudyText::tr("Seed of all orders and answers"), seed(), "S");
         addOption(app, "--lapses", m_lapses,
                   StudyText::tr("Share of the trials in which nothing is answered"), between(0, 1), "P");
+        addOption(app, "--observer", m_observer,
+                  StudyText::tr("Simulated participants in tasks with levels: threshold t and slope of their "
+                                "psychometric function, lapse rate, and sd of the threshold between them, in "
+                                "the scale of the levels"),
+                  "t=..,slope=..,lapse=..,sd=..");
         addOption(app, "--out", m_outFolder, StudyText::tr("Folder of the new study"), "DIR")->required();
         declareStore(app);
         declareJson(app, m_json);
@@ -239,14 +248,17 @@ private:
     }
 
     [[nodiscard]] core::Expected<void> rehearse() const {
-        TELETA_TRY(const study::Protocol protocol,
-                   m_protocolPath.empty() ? study::paperProtocol() : study::readProtocol(m_protocolPath));
+        TELETA_TRY(const study::Protocol protocol, m_protocolPath.empty()
+                                                       ? study::paperProtocol()
+                                                       : study::readNamedProtocol(m_protocolPath));
         study::StudyHead head;
         head.protocol = protocol;
         head.seed = m_seed;
         head.mode = study::Mode::simulated;
         head.plannedParticipants = m_participants;
         head.lapses = m_lapses;
+        TELETA_CHECK(study::SimulatedObserver::parse(m_observer));
+        head.observer = m_observer;
         head.created = QDateTime::currentDateTimeUtc();
         head.appVersion = QCoreApplication::applicationVersion().toStdString();
         TELETA_TRY(study::StudyStore store, study::StudyStore::create({m_outFolder, m_server}, head));
@@ -443,6 +455,7 @@ private:
     std::size_t m_participants = 6;
     std::uint64_t m_seed = 1;
     double m_lapses = 0.0;
+    std::string m_observer;
     std::string m_outFolder;
     std::string m_studyFolder;
     std::vector<std::string> m_inputs;

@@ -2,6 +2,7 @@
 #include "app/console/study/forms/protocol_dialog.h"
 
 #include "app/console/study/forms/form_text.h"
+#include "app/console/study/forms/level_task_form.h"
 #include "app/console/study/forms/questionnaire_editor.h"
 #include "backend/core/data/output_file.h"
 #include "backend/study/protocol/stimulus_set.h"
@@ -51,13 +52,20 @@ core::Unexpected refusedEntry(const QString& message, const QString& expected) {
 
 /// Pattern files below the protocol's folder get relative paths, so that the folder can be moved.
 study::Protocol asSavedIn(const QDir& folder, study::Protocol protocol) {
+    const auto shorten = [&folder](std::string& file) {
+        const QString given = QString::fromStdString(file);
+        // What comes with the program is in no folder.
+        if (given.isEmpty() || given.startsWith(QLatin1Char(':')))
+            return;
+        const QString name = folder.relativeFilePath(given);
+        if (!name.startsWith(QLatin1String("..")))
+            file = name.toStdString();
+    };
     for (study::StudyTask& task : protocol.tasks) {
+        shorten(task.levels.file);
         for (study::StudyPattern& pattern : task.patterns) {
-            for (auto& [condition, file] : pattern.files) {
-                const QString name = folder.relativeFilePath(QString::fromStdString(file));
-                if (!name.startsWith(QLatin1String("..")))
-                    file = name.toStdString();
-            }
+            for (auto& [condition, file] : pattern.files)
+                shorten(file);
         }
     }
     return protocol;
@@ -134,7 +142,15 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
         addTask({});
         check();
     });
-    column->addWidget(addButton, 0, Qt::AlignLeft);
+    auto* levelButton = base::named<QPushButton>("addLevelTask", tr("Add a task with &levels"), m_content);
+    connect(levelButton, &QPushButton::clicked, this, [this] {
+        addLevelTask(LevelTaskForm::beginning());
+        check();
+    });
+    auto* addButtons = new QHBoxLayout;
+    base::addWidgets(addButtons, {addButton, levelButton});
+    addButtons->addStretch(1);
+    column->addLayout(addButtons);
     column->addLayout(m_questionnaireRows);
     auto* askButton = base::named<QPushButton>("addQuestionnaire", tr("Add a &questionnaire"), m_content);
     connect(askButton, &QPushButton::clicked, this, [this] {
@@ -177,7 +193,9 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
         connect(edit, &QLineEdit::textChanged, this, &ProtocolDialog::check);
     for (QSpinBox* box : {m_practice.repetitions, m_test.repetitions, m_restEvery})
         connect(box, &QSpinBox::valueChanged, this, &ProtocolDialog::check);
-    connect(m_noise, &QComboBox::currentIndexChanged, this, &ProtocolDialog::check);
+    for (QComboBox* box : {m_noise, m_window})
+        connect(box, &QComboBox::currentIndexChanged, this, &ProtocolDialog::check);
+    connect(m_stimulus_s.box, &QDoubleSpinBox::valueChanged, this, &ProtocolDialog::check);
     for (const study::StudyTask& task : protocol.tasks)
         addTask(task);
     for (const study::Questionnaire& questionnaire : protocol.questionnaires)
@@ -211,7 +229,19 @@ ProtocolDialog::PhaseRow ProtocolDialog::makePhase(const study::PhaseSettings& p
     return row;
 }
 
+void ProtocolDialog::addLevelTask(const study::StudyTask& task) {
+    auto* form = new LevelTaskForm(task, this);
+    connect(form, &LevelTaskForm::changed, this, &ProtocolDialog::check);
+    connect(form, &LevelTaskForm::removeRequested, this, [this, form] { removeTask(form); });
+    m_tasks.push_back({form, form});
+    m_taskRows->addWidget(form);
+}
+
 void ProtocolDialog::addTask(const study::StudyTask& task) {
+    if (task.design != study::Design::identification) {
+        addLevelTask(task);
+        return;
+    }
     auto* box = new QGroupBox(tr("Task"), this);
     QStringList conditions;
     for (const std::string& condition : task.conditions)
@@ -224,6 +254,7 @@ void ProtocolDialog::addTask(const study::StudyTask& task) {
             files << QString::fromStdString(pattern.letter + ' ' + condition + ' ' + file);
     }
     const TaskRow row{box,
+                      nullptr,
                       new QLineEdit(QString::fromStdString(task.id), box),
                       new QLineEdit(QString::fromStdString(task.name), box),
                       new QLineEdit(conditions.join(QStringLiteral(", ")), box),
@@ -286,6 +317,8 @@ void ProtocolDialog::addQuestionnaire(const study::Questionnaire& questionnaire)
 }
 
 core::Expected<study::StudyTask> ProtocolDialog::taskOf(const TaskRow& row) {
+    if (row.levels != nullptr)
+        return row.levels->task();
     study::StudyTask task;
     task.id = row.id->text().trimmed().toStdString();
     task.name = row.name->text().trimmed().toStdString();
@@ -382,8 +415,10 @@ void ProtocolDialog::check() {
     m_level_dBA.box->setEnabled(m_noise->currentIndex() == 0);
     m_rest_s.box->setEnabled(m_restEvery->value() > 0);
     m_save->setEnabled(valid.has_value());
-    for (const TaskRow& row : m_tasks)
-        row.choose->setEnabled(!placeForPattern(row).isEmpty());
+    for (const TaskRow& row : m_tasks) {
+        if (row.choose != nullptr)
+            row.choose->setEnabled(!placeForPattern(row).isEmpty());
+    }
     const std::vector<std::string> missing =
         valid ? study::missingStimuli(*valid) : std::vector<std::string>();
     m_make->setEnabled(valid.has_value() && missing.empty());

@@ -23,6 +23,7 @@ class QVBoxLayout;
 
 namespace teleta::console {
 
+class LevelTaskForm;
 class QuestionnaireEditor;
 
 /// A protocol as a form. Input is checked by the reader of protocol files while it is typed. The protocol can
@@ -60,12 +61,13 @@ private:
     };
     struct TaskRow {
         QWidget* box;
-        QLineEdit* id;
-        QLineEdit* name;
-        QLineEdit* conditions;    ///< with commas between them
-        QPlainTextEdit* patterns; ///< one per line: "A circle"
-        QPlainTextEdit* files;    ///< one per line: "A static /home/me/mine.json"
-        QPushButton* choose;      ///< a file for the next stimulus that needs one
+        LevelTaskForm* levels = nullptr; ///< of a task with levels, which has nothing of the others
+        QLineEdit* id = nullptr;
+        QLineEdit* name = nullptr;
+        QLineEdit* conditions = nullptr;    ///< with commas between them
+        QPlainTextEdit* patterns = nullptr; ///< one per line: "A circle"
+        QPlainTextEdit* files = nullptr;    ///< one per line: "A static /home/me/mine.json"
+        QPushButton* choose = nullptr;      ///< a file for the next stimulus that needs one
     };
     /// A number that keeps all its digits until somebody edits it.
     struct NumberField {
@@ -79,6 +81,7 @@ private:
                                          const QString& unit);
     [[nodiscard]] PhaseRow makePhase(const study::PhaseSettings& phase);
     void addTask(const study::StudyTask& task);
+    void addLevelTask(const study::StudyTask& task);
     void removeTask(QWidget* box);
     void addQuestionnaire(const study::Questionnaire& questionnaire);
     [[nodiscard]] static core::Expected<study::StudyTask> taskOf(const TaskRow& row);

@@ -73,7 +73,9 @@ QString BraceletStimulus::description() const {
         .arg(counters.framesLost);
 }
 
-void BraceletStimulus::begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) {
+void BraceletStimulus::begin(const pattern::Pattern& pattern, double atMost_s, OnsetFrame onset,
+                             std::int64_t now_ns) {
+    m_onset = onset;
     const std::shared_ptr<BraceletSession>& session = m_station.session();
     m_session = session;
     m_request_ns = now_ns;
@@ -112,7 +114,13 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
         return state;
     }
     const playback::PlayerCounters counters = begun->player().counters();
+<<<<<<< HEAD
     state.onset_ns = onsetOf(counters);
+=======
+    // A successful write does not prove that anything is felt.
+    if (counters.confirmed)
+        state.onset_ns = m_onset == OnsetFrame::any ? counters.firstFrame_ns : counters.onset_ns;
+>>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
     state.due_ns = status.begun_ns + std::llround(1e9 * status.duration_s);
     state.frameWrite_ms = static_cast<double>(counters.writeLongest_ns) * 1e-6;
     state.framesMissed = counters.deadlineMisses + counters.framesLost;
@@ -164,7 +172,8 @@ QString UnplayedStimulus::description() const {
     return StimulusText::tr("No bracelet: this rehearsal is too fast to be played");
 }
 
-void UnplayedStimulus::begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) {
+void UnplayedStimulus::begin(const pattern::Pattern& pattern, double atMost_s, OnsetFrame /*onset*/,
+                             std::int64_t now_ns) {
     m_onset_ns = now_ns;
     m_end_ns = now_ns + std::llround(1e9 * std::min(pattern.duration_s, atMost_s));
 }

@@ -17,7 +17,8 @@ public:
     [[nodiscard]] QString obstacle() const override;
     [[nodiscard]] QString description() const override;
     [[nodiscard]] bool isSimulated() const override { return m_station.isSimulated(); }
-    void begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) override;
+    void begin(const pattern::Pattern& pattern, double atMost_s, OnsetFrame onset,
+               std::int64_t now_ns) override;
     void stop() override;
     [[nodiscard]] StimulusState state(std::int64_t now_ns) const override;
     [[nodiscard]] std::function<std::int64_t()> onset() const override;
@@ -30,6 +31,7 @@ private:
     BraceletService& m_station;
     const core::StopSwitch& m_stop;
     std::int64_t m_request_ns = 0;
+    OnsetFrame m_onset = OnsetFrame::notZero;
 };
 
 /// Plays nothing: a stimulus only takes its time. For rehearsals that are faster than a bracelet. Thread:
@@ -39,7 +41,8 @@ public:
     [[nodiscard]] QString obstacle() const override { return {}; }
     [[nodiscard]] QString description() const override;
     [[nodiscard]] bool isSimulated() const override { return true; }
-    void begin(const pattern::Pattern& pattern, double atMost_s, std::int64_t now_ns) override;
+    void begin(const pattern::Pattern& pattern, double atMost_s, OnsetFrame onset,
+               std::int64_t now_ns) override;
     void stop() override { m_end_ns = 0; }
     [[nodiscard]] StimulusState state(std::int64_t now_ns) const override;
     [[nodiscard]] std::function<std::int64_t()> onset() const override;

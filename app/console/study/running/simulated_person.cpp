@@ -27,8 +27,8 @@ SimulatedPerson::SimulatedPerson(StudyRunner& runner, StudyRunner::Clock clock, 
     connect(&m_runner, &StudyRunner::changed, this, &SimulatedPerson::look);
 }
 
-void SimulatedPerson::begin(const study::SimulatedParticipant& participant, std::uint64_t sessionSeed) {
-    m_participant = participant;
+void SimulatedPerson::begin(Answers answers, std::uint64_t sessionSeed) {
+    m_answers = std::move(answers);
     m_seed = sessionSeed;
     m_present = true;
     m_answer.reset();
@@ -59,7 +59,7 @@ void SimulatedPerson::look() {
         const study::PlannedTrial* current = session.current();
         if (m_answer || current == nullptr)
             return;
-        m_answer = m_participant.answer(current->stimulus, study::answerSeed(m_seed, *current));
+        m_answer = m_answers(*current, study::answerSeed(m_seed, *current));
         if (!m_answer->response)
             return;
         wait_s = m_answer->time_s;

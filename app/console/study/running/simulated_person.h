@@ -8,6 +8,7 @@
 #include <QTimer>
 
 #include <cstdint>
+#include <functional>
 
 namespace teleta::console {
 
@@ -20,8 +21,13 @@ public:
     /// speed: how much faster the clock runs than the steady clock, > 0.
     SimulatedPerson(StudyRunner& runner, StudyRunner::Clock clock, double speed, QObject* parent = nullptr);
 
+    /// How one person answers to a trial. seed: answerSeed() of the trial; the answer's time counts from the
+    /// onset.
+    using Answers =
+        std::function<study::SimulatedParticipant::Answer(const study::PlannedTrial&, std::uint64_t seed)>;
+
     /// For the runner's session.
-    void begin(const study::SimulatedParticipant& participant, std::uint64_t sessionSeed);
+    void begin(Answers answers, std::uint64_t sessionSeed);
     void setSpeed(double speed) { m_speed = speed; }
     void leave();
 
@@ -33,7 +39,7 @@ private:
     StudyRunner::Clock m_clock;
     double m_speed;
     QTimer m_timer;
-    study::SimulatedParticipant m_participant;
+    Answers m_answers;
     std::uint64_t m_seed = 0;
     bool m_present = false;
     std::optional<study::SimulatedParticipant::Answer> m_answer; ///< to the trial that runs

@@ -2,8 +2,10 @@
 #include "app/console/study/running/study_runner.h"
 
 #include "backend/core/failure.h"
+#include "backend/study/protocol/trial_pattern.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace teleta::console {
@@ -38,20 +40,32 @@ core::Expected<void> StudyRunner::begin(StimulusOutput& output, const study::Pro
                                         const study::StimulusSet& set, const study::PlannedSession& plan,
                                         std::span<const study::TrialResult> kept, std::int64_t began_ns) {
     const study::StudyTask& task = protocol.tasks[plan.task];
-    std::vector<const pattern::Pattern*> stimuli;
+    const std::string& condition = task.conditions[plan.condition];
+    std::vector<std::string> ids;
+    if (task.design != study::Design::identification)
+        ids.push_back(study::levelStimulusId(task));
     for (const study::StudyPattern& pattern : task.patterns) {
-        const std::string id = study::stimulusId(task, pattern, task.conditions[plan.condition]);
+        if (task.design == study::Design::identification)
+            ids.push_back(study::stimulusId(task, pattern, condition));
+    }
+    std::vector<const pattern::Pattern*> stimuli;
+    for (const std::string& id : ids) {
         stimuli.push_back(set.find(id));
         if (stimuli.back() == nullptr)
             return core::failed(core::ErrorKind::notFound,
                                 tr("there is no tactile pattern \"%1\"").arg(QString::fromStdString(id)),
                                 tr("a protocol that names a file for each pattern that is not built in"));
     }
+    // So that no trial can fail later.
+    if (task.design != study::Design::identification)
+        TELETA_CHECK(study::checkStimulus(protocol, task, *stimuli.front()));
     TELETA_TRY(study::SessionFlow flow, study::SessionFlow::create(protocol, plan, kept, began_ns));
     clear();
     m_output = &output;
     m_flow = std::move(flow);
     m_set = set;
+    m_task = task;
+    m_condition = condition;
     m_stimuli = std::move(stimuli);
     m_stimulus_s = protocol.stimulus_s;
     m_flow->countAsRest();
@@ -73,6 +87,21 @@ void StudyRunner::clear() {
 
 QString StudyRunner::reason() const {
     return m_flow ? QString::fromStdString(m_flow->reason()) : QString();
+}
+
+std::size_t StudyRunner::interval() const {
+    if (!m_flow || m_task.design == study::Design::identification)
+        return 0;
+    const std::size_t intervals = study::intervalsOf(m_task.design, m_task.levels);
+    const std::optional<std::int64_t> onset_ns = m_flow->session().stimulusOnset_ns();
+    if (!onset_ns || intervals < 2)
+        return 0;
+    const double time_s = 1e-9 * static_cast<double>(m_clock() - *onset_ns);
+    const double period_s = m_stimulus_s + m_task.levels.gap_s;
+    const double place = std::floor(time_s / period_s);
+    const bool isFelt =
+        time_s >= 0.0 && place < static_cast<double>(intervals) && time_s - place * period_s < m_stimulus_s;
+    return isFelt ? static_cast<std::size_t>(place) + 1 : 0;
 }
 
 double StudyRunner::restLeft_s() const {
@@ -108,9 +137,21 @@ void StudyRunner::showStimulus(std::int64_t time_ns) {
     const study::PlannedTrial* trial = m_flow->session().current();
     if (trial == nullptr)
         return;
+<<<<<<< HEAD
     m_output->begin(*m_stimuli[trial->stimulus], m_stimulus_s, time_ns);
     if (m_observer != nullptr)
         m_observer->stimulusRequested(*trial, m_output->onset());
+=======
+    if (m_task.design == study::Design::identification) {
+        m_output->begin(*m_stimuli[trial->stimulus], m_stimulus_s, OnsetFrame::notZero, time_ns);
+        return;
+    }
+    const auto whole = study::trialPattern(m_task, m_condition, *m_stimuli.front(), m_stimulus_s, *trial);
+    if (whole)
+        m_output->begin(*whole, whole->duration_s, OnsetFrame::any, time_ns);
+    else
+        fail(QString::fromStdString(core::describe(whole.error())), Hold::deviceLost, time_ns);
+>>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
 }
 
 void StudyRunner::replay(std::int64_t time_ns) {
@@ -172,7 +213,8 @@ void StudyRunner::poll() {
     } else if (m_stop.engaged() && !m_flow->waitsForExperimenter() && !m_flow->isOver()) {
         m_flow->holdBack(Hold::stopped, tr("STOP was pressed").toStdString());
     }
-    if (m_flow && (stage != m_flow->session().stage() || held != hold()))
+    const std::size_t before = std::exchange(m_interval, interval());
+    if (m_flow && (stage != m_flow->session().stage() || held != hold() || before != m_interval))
         emit changed();
 }
 

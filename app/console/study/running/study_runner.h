@@ -38,7 +38,7 @@ public:
 
     /// Begins a session or, with the results kept before an interruption, resumes it. began_ns: when the
     /// session began, at most now. output: must outlive the session. Error: refused when the results are not
-    /// those of this plan, notFound when a stimulus has no pattern.
+    /// those of this plan or a stimulus does not fit its levels, notFound when a stimulus has no pattern.
     [[nodiscard]] core::Expected<void> begin(StimulusOutput& output, const study::Protocol& protocol,
                                              const study::StimulusSet& stimuli,
                                              const study::PlannedSession& plan,
@@ -72,6 +72,8 @@ public:
     [[nodiscard]] bool isKeeping() const { return m_flow && m_flow->isKeeping(); }
     /// Why it holds, in words, for stopped, deviceLost and notKept.
     [[nodiscard]] QString reason() const;
+    /// The interval of the running trial that is felt now, from 1; 0: none, or the trial has only one.
+    [[nodiscard]] std::size_t interval() const;
     /// Time left of a rest; 0 when the participant may go on.
     [[nodiscard]] double restLeft_s() const;
 
@@ -103,13 +105,17 @@ private:
 
     std::optional<study::SessionFlow> m_flow;
     study::StimulusSet m_set;
-    std::vector<const pattern::Pattern*> m_stimuli; ///< of the set, those of the session
+    study::StudyTask m_task;
+    std::string m_condition;
+    /// Of the set: those of the session, of a task with levels the one that is varied.
+    std::vector<const pattern::Pattern*> m_stimuli;
     double m_stimulus_s = 0.0;
-    study::TrialResult m_last; ///< that ended in this run of the session
-    QDateTime m_ended;         ///< UTC: when it ended
-    bool m_concluded = false;  ///< its end was announced
-    int m_turnsLate = 0;       ///< since the limit
-    std::uint64_t m_run = 0;   ///< distinguishes callbacks for this session from those for an earlier one
+    std::size_t m_interval = 0; ///< that was announced
+    study::TrialResult m_last;  ///< that ended in this run of the session
+    QDateTime m_ended;          ///< UTC: when it ended
+    bool m_concluded = false;   ///< its end was announced
+    int m_turnsLate = 0;        ///< since the limit
+    std::uint64_t m_run = 0;    ///< distinguishes callbacks for this session from those for an earlier one
 };
 
 } // namespace teleta::console

@@ -67,7 +67,7 @@ private slots:
 
         BraceletStimulus stimulus(*m_station, m_stop);
         QVERIFY(stimulus.obstacle().contains(QLatin1String("too hot")));
-        stimulus.begin(strong(), 2.0, core::steadyNow_ns());
+        stimulus.begin(strong(), 2.0, OnsetFrame::notZero, core::steadyNow_ns());
         QTRY_VERIFY(!stimulus.state(core::steadyNow_ns()).failure.isEmpty());
         QVERIFY(stimulus.state(core::steadyNow_ns()).failure.contains(QLatin1String("too hot")));
 
@@ -85,10 +85,36 @@ private slots:
         QVERIFY(detailsHave("supply low"));
     }
 
+    // A trial of a detection may begin with nothing, or have nothing at all.
+    void aTrialThatBeginsWithNothingHasTheOnsetOfItsFirstFrame() {
+        pattern::Pattern late;
+        late.duration_s = 1.1;
+        late.tracks[0] = {{1.0, 1.0, pattern::Easing::hold}, {1.1, 1.0}};
+        BraceletStimulus stimulus(*m_station, m_stop);
+        const auto end = [&](OnsetFrame onset) {
+            stimulus.begin(late, 1.1, onset, core::steadyNow_ns());
+            const auto isOver = [&] { return stimulus.state(core::steadyNow_ns()).end_ns != 0; };
+            (void)QTest::qWaitFor(isOver, 10'000);
+            return stimulus.state(core::steadyNow_ns());
+        };
+        const StimulusState whole = end(OnsetFrame::any);
+        QVERIFY2(whole.failure.isEmpty(), qPrintable(whole.failure));
+        QVERIFY(whole.end_ns - whole.onset_ns > 1'000'000'000);
+        QVERIFY(end(OnsetFrame::notZero).end_ns - stimulus.state(core::steadyNow_ns()).onset_ns <
+                1'000'000'000);
+
+        late.tracks[0].clear();
+        late.duration_s = 0.2;
+        const StimulusState nothing = end(OnsetFrame::any);
+        QVERIFY2(nothing.failure.isEmpty(), qPrintable(nothing.failure));
+        QVERIFY(nothing.onset_ns != 0);
+        QVERIFY(nothing.onset_ns < nothing.end_ns);
+    }
+
     void whatTheBoardRefusesIsNoStimulus() {
         bracelet().setFaults({.refuse = true});
         BraceletStimulus stimulus(*m_station, m_stop);
-        stimulus.begin(strong(), 0.1, core::steadyNow_ns());
+        stimulus.begin(strong(), 0.1, OnsetFrame::notZero, core::steadyNow_ns());
         QTRY_VERIFY(!stimulus.state(core::steadyNow_ns()).failure.isEmpty());
         const StimulusState state = stimulus.state(core::steadyNow_ns());
         QVERIFY2(state.failure.contains(QLatin1String("rejected")), qPrintable(state.failure));

@@ -98,7 +98,7 @@ private slots:
 
         m_station->reserve(true);
         BraceletStimulus stimulus(*m_station, m_stop);
-        stimulus.begin(full, 2.0, core::steadyNow_ns());
+        stimulus.begin(full, 2.0, OnsetFrame::notZero, core::steadyNow_ns());
         expectLimit(0.4);
         // A limit that is lowered holds at once, also for a study.
         strongest.fill(0.1);

@@ -49,6 +49,63 @@ class ProtocolDialogTest : public QObject {
     }
 
 private slots:
+    void everyProtocolThatComesWithTheProgramIsTheSameInTheForm() {
+        const auto all = study::builtInProtocols();
+        QVERIFY(all.has_value());
+        for (const study::Protocol& protocol : *all) {
+            const ProtocolDialog dialog(protocol);
+            const auto entered = dialog.protocol();
+            QVERIFY2(entered.has_value(), entered ? "" : core::describe(entered.error()).c_str());
+            QCOMPARE(QString::fromStdString(study::protocolText(*entered)),
+                     QString::fromStdString(study::protocolText(protocol)));
+            QVERIFY(!dialog.isChanged());
+        }
+    }
+
+    void aTaskWithLevelsIsEnteredByHand() {
+        ProtocolDialog dialog(study::readProtocol(":/studies/tactor-detection.toml").value());
+        dialog.show();
+        const auto line = [&](const char* name) { return dialog.findChild<QLineEdit*>(name); };
+        const auto enter = [&](const char* name, const char* text) {
+            line(name)->setFocus();
+            line(name)->selectAll();
+            QTest::keyClicks(line(name), text);
+        };
+        auto* procedure = dialog.findChild<QComboBox*>("procedure");
+        auto* design = dialog.findChild<QComboBox*>("design");
+        QVERIFY(line("slope")->isVisibleTo(&dialog) && !line("first")->isVisibleTo(&dialog));
+        QVERIFY(!line("catchShare")->isVisibleTo(&dialog));
+        procedure->setFocus();
+        QTest::keyClick(procedure, Qt::Key_Up);
+        QCOMPARE(procedure->currentIndex(), 1);
+        QVERIFY(!line("slope")->isVisibleTo(&dialog) && line("first")->isVisibleTo(&dialog));
+        enter("first", "0.25");
+        enter("stepUp", "0.0911");
+        design->setFocus();
+        QTest::keyClick(design, Qt::Key_Up);
+        QVERIFY(line("catchShare")->isVisibleTo(&dialog) && !line("gap_s")->isVisibleTo(&dialog));
+        enter("catchShare", "0.2");
+        const auto entered = dialog.protocol();
+        QVERIFY2(entered.has_value(), entered ? "" : core::describe(entered.error()).c_str());
+        const study::StudyTask& task = entered->tasks[0];
+        QCOMPARE(task.design, study::Design::yesNo);
+        QCOMPARE(task.levels.catchShare, 0.2);
+        const auto& staircase = std::get<study::StaircaseSettings>(task.levels.procedure);
+        QCOMPARE(staircase.first, 0.25);
+        QCOMPARE(staircase.stepUp, 0.0911);
+
+        enter("first", "loud");
+        QVERIFY(!dialog.protocol());
+        QVERIFY(!dialog.findChild<QPushButton*>("makeStudy")->isEnabled());
+        QVERIFY(dialog.findChild<QLabel*>("verdict")->text().contains("loud"));
+        enter("first", "2");
+        QVERIFY2(dialog.findChild<QLabel*>("verdict")->text().contains("2"), "not among the levels");
+        QVERIFY(!dialog.protocol());
+        QTest::mouseClick(dialog.findChild<QPushButton*>("removeLevelTask"), Qt::LeftButton);
+        QTest::mouseClick(dialog.findChild<QPushButton*>("addLevelTask"), Qt::LeftButton);
+        QVERIFY2(!dialog.protocol(), "it has no stimulus yet");
+    }
+
     void whatIsEnteredIsLostOnlyWhenThatIsConfirmed() {
         ProtocolDialog dialog(paper());
         dialog.show();

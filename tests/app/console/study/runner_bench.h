@@ -34,8 +34,12 @@ public:
     QString obstacle() const override { return m_obstacle; }
     QString description() const override { return QStringLiteral("scripted"); }
     bool isSimulated() const override { return true; }
-    void begin(const pattern::Pattern& pattern, double, std::int64_t) override {
+    void begin(const pattern::Pattern& pattern, double atMost_s, console::OnsetFrame onset,
+               std::int64_t) override {
         m_begun.push_back(pattern.id);
+        m_last = pattern;
+        m_atMost_s = atMost_s;
+        m_onset = onset;
         m_state = {};
     }
     void stop() override { ++m_stops; }
@@ -44,6 +48,9 @@ public:
     QString m_obstacle;
     StimulusState m_state;
     std::vector<std::string> m_begun;
+    pattern::Pattern m_last; ///< that was begun
+    double m_atMost_s = 0.0;
+    console::OnsetFrame m_onset = console::OnsetFrame::notZero;
     int m_stops = 0;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/trial_lines.h"
+#include "backend/pattern/files/pattern_json.h"
 #include "tests/app/console/study/runner_bench.h"
 
 #include <QSignalSpy>
@@ -41,6 +42,86 @@ private slots:
         QCOMPARE(console::confusionOf(m_runner->flow()->results(), Phase::test, 2).correct(), 4);
         QCOMPARE(m_device->m_begun.size(), std::size_t(6));
         QVERIFY(m_device->m_begun[0].starts_with("shape."));
+    }
+
+    // Two intervals of 0.5 s with a gap of 0.5 s; the first trial of this seed has the burst in one of them.
+    void runsTrialsWithLevelsAsOnePattern() {
+        make();
+        m_runner->clear();
+        auto read = study::parseProtocol(R"(name = "levels"
+stimulus_s = 0.5
+response_limit_s = 5.0
+response_window = "from_end"
+order = "full_random"
+[practice]
+repetitions = 0
+[test]
+repetitions = 1
+[masking_noise]
+colour = "none"
+[[task]]
+id = "detect"
+design = "interval"
+condition = [{ id = "rest" }]
+track = [{ id = "t3", tactors = [3] }]
+stimulus = { file = "burst.json", vary = "intensity" }
+level = { lowest = 0.0, highest = 1.0 }
+procedure = { kind = "staircase", first = 0.4, step_up = 0.1, step_down = 0.1, fast_factor = 1, most_trials = 3 }
+)",
+                                         "levels.toml");
+        QVERIFY2(read.has_value(), read ? "" : core::describe(read.error()).c_str());
+        m_protocol = *read;
+        pattern::Pattern burst;
+        burst.id = "burst";
+        burst.duration_s = 0.3;
+        burst.tracks[0] = {{0.0, 1.0, pattern::Easing::hold}, {0.3, 1.0}};
+        m_stimuli =
+            study::StimulusSet::of(
+                m_protocol, {{"detect.stimulus", "burst.json", *pattern::patternToJson(burst)}}, "test")
+                .value();
+        m_plan = study::planSessions(m_protocol, 1, 0).front();
+        m_window->setChoices({{"1", "1", {}, false}, {"2", "2", {}, false}});
+        begin();
+        QSignalSpy changed(m_runner.get(), &StudyRunner::changed);
+        for (int trial = 0; trial < 3; ++trial) {
+            startTrial();
+            QCOMPARE(m_device->m_onset, console::OnsetFrame::any);
+            QCOMPARE(m_device->m_last.duration_s, 1.5);
+            const double level = *current().level;
+            const std::size_t target = *current().target;
+            QCOMPARE(evaluate(m_device->m_last, target == 0 ? 0.1 : 1.1)[2], level);
+            QCOMPARE(evaluate(m_device->m_last, target == 0 ? 1.1 : 0.1)[2], 0.0);
+            QCOMPARE(m_runner->interval(), std::size_t(1));
+            digit(1);
+            QCOMPARE(stage(), Stage::stimulus);
+            pass(700 * kMs);
+            changed.clear();
+            m_runner->poll();
+            QCOMPARE(changed.count(), 1);
+            QCOMPARE(m_runner->interval(), std::size_t(0));
+            pass(400 * kMs);
+            m_runner->poll();
+            QCOMPARE(m_runner->interval(), std::size_t(2));
+            pass(400 * kMs);
+            m_device->m_state.end_ns = m_now;
+            m_runner->poll();
+            QCOMPARE(stage(), Stage::answering);
+            QCOMPARE(m_runner->interval(), std::size_t(0));
+            pass(300 * kMs);
+            digit(target + 1);
+        }
+        QCOMPARE(m_kept.size(), std::size_t(3));
+        // Two right answers for a step down.
+        QCOMPARE(m_kept[0].planned.level, std::optional(0.4));
+        QCOMPARE(m_kept[1].planned.level, std::optional(0.4));
+        QCOMPARE(*m_kept[2].planned.level, 0.4 - 0.1);
+        for (const study::TrialResult& result : m_kept) {
+            QCOMPARE(result.outcome, Outcome::correct);
+            QCOMPARE(result.earlyPresses, std::size_t(1));
+            QCOMPARE(result.responseTimeOffset_s, std::optional(0.3));
+            QCOMPARE(result.planned.track, std::string("t3"));
+        }
+        QCOMPARE(stage(), Stage::finished);
     }
 
     void takesAnswersFromTheKeypadAndTheMouseWhileTheStimulusIsFelt() {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/key_lists.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace teleta::core {
+
+namespace {
+
+struct ListText {
+    Q_DECLARE_TR_FUNCTIONS(TomlReader)
+};
+
+} // namespace
+
+void describeList(Keys& keys, std::string_view key, std::vector<double>& values, const NumberRange& range,
+                  const WholeRange& count, std::string_view about, Need need) {
+    dynamic_cast<KeyLists&>(keys).list(key, values, range, count, about, need);
+}
+
+std::string listText(const NumberRange& range, const WholeRange& count) {
+    const QString each = QString::fromStdString(range.text());
+    return (count.low == count.high
+                ? ListText::tr("a list of %1, each %2").arg(count.low).arg(each)
+                : ListText::tr("a list of %1 to %2, each %3").arg(count.low).arg(count.high).arg(each))
+        .toStdString();
+}
+
+} // namespace teleta::core

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/data/keys.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace teleta::core {
+
+/// What every kind of Keys does with a list of numbers, key = [1, 2]; apart from Keys, since few files have
+/// one. Thread: one.
+class KeyLists {
+public:
+    KeyLists() = default;
+    virtual ~KeyLists() = default;
+    KeyLists(const KeyLists&) = delete;
+    KeyLists& operator=(const KeyLists&) = delete;
+
+    virtual void list(std::string_view key, std::vector<double>& values, const NumberRange& range,
+                      const WholeRange& count, std::string_view about, Need need) = 0;
+};
+
+/// Describes a list of numbers, each in the range. count: how many there may be. One that is not given stays
+/// as it is.
+void describeList(Keys& keys, std::string_view key, std::vector<double>& values, const NumberRange& range,
+                  const WholeRange& count, std::string_view about, Need need = Need::required);
+
+/// "a list of 1 to 15, each a number from 0 to 1", translated.
+[[nodiscard]] std::string listText(const NumberRange& range, const WholeRange& count);
+
+} // namespace teleta::core
