@@ -305,6 +305,9 @@ TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
     runSql(QStringLiteral("DROP TABLE note"));
     runSql(QStringLiteral("ALTER TABLE trial DROP COLUMN frame_write_ms"));
     runSql(QStringLiteral("ALTER TABLE trial DROP COLUMN frames_missed"));
+    for (const char* column : {"track", "level", "target", "trigger_ms", "recording", "recording_s"})
+        runSql(QStringLiteral("ALTER TABLE trial DROP COLUMN %1").arg(QLatin1String(column)));
+    runSql(QStringLiteral("ALTER TABLE study DROP COLUMN observer"));
     runSql(QStringLiteral("DROP TABLE answer"));
     runSql(QStringLiteral("ALTER TABLE study DROP COLUMN stimulus_set_sha256"));
     runSql(QStringLiteral("PRAGMA user_version = 1"));
