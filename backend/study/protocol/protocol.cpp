@@ -88,24 +88,6 @@ void describePatterns(Keys& keys, StudyTask& task) {
                 });
 }
 
-<<<<<<< HEAD
-void describeTrigger(Keys& keys, core::TriggerSettings& trigger) {
-    using Kind = core::TriggerSettings::Kind;
-    keys.choose("kind", static_cast<std::size_t>(trigger.kind),
-                {{"none", "No triggers"},
-                 {"serial", "A byte on a serial line"},
-                 {"osc", "A message of Open Sound Control by UDP"}},
-                "Where triggers go", Need::required, [&trigger](Keys& same, std::size_t chosen) {
-                    trigger.kind = static_cast<Kind>(chosen);
-                    if (trigger.kind == Kind::serial) {
-                        same.text("device", trigger.device, "The serial port, such as /dev/ttyUSB0");
-                        same.number("pulse_ms", trigger.pulse_ms, NumberRange::between(0.0, kLongestPulse_ms),
-                                    "Until the byte 0 follows; 0: it does not", Need::optional);
-                    } else if (trigger.kind == Kind::osc) {
-                        same.text("host", trigger.host, "Name or address of the receiver", Need::optional);
-                        same.whole("port", trigger.port, {1, 65535}, "Its UDP port", Need::optional);
-                    }
-=======
 void describeTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds, const Protocol& protocol) {
     describeIdentifier(keys, "id", task.id, usedIds, "The task's name in results");
     task.name = task.id;
@@ -135,7 +117,25 @@ void describeTask(Keys& keys, StudyTask& task, std::set<std::string>& usedIds, c
                     else
                         same.refuse("condition", ProtocolText::tr("patterns have no reference").toStdString(),
                                     ProtocolText::tr("conditions without reference").toStdString());
->>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
+                });
+}
+
+void describeTrigger(Keys& keys, core::TriggerSettings& trigger) {
+    using Kind = core::TriggerSettings::Kind;
+    keys.choose("kind", static_cast<std::size_t>(trigger.kind),
+                {{"none", "No triggers"},
+                 {"serial", "A byte on a serial line"},
+                 {"osc", "A message of Open Sound Control by UDP"}},
+                "Where triggers go", Need::required, [&trigger](Keys& same, std::size_t chosen) {
+                    trigger.kind = static_cast<Kind>(chosen);
+                    if (trigger.kind == Kind::serial) {
+                        same.text("device", trigger.device, "The serial port, such as /dev/ttyUSB0");
+                        same.number("pulse_ms", trigger.pulse_ms, NumberRange::between(0.0, kLongestPulse_ms),
+                                    "Until the byte 0 follows; 0: it does not", Need::optional);
+                    } else if (trigger.kind == Kind::osc) {
+                        same.text("host", trigger.host, "Name or address of the receiver", Need::optional);
+                        same.whole("port", trigger.port, {1, 65535}, "Its UDP port", Need::optional);
+                    }
                 });
 }
 
@@ -228,18 +228,10 @@ core::Expected<Protocol> readProtocol(const std::string& path) {
         if (!task.levels.file.empty())
             resolve(task.levels.file);
         for (StudyPattern& pattern : task.patterns) {
-<<<<<<< HEAD
             for (auto& [condition, name] : pattern.files) {
-                if (pattern::findBuiltIn(name) != nullptr)
-                    continue;
-                const QString given = QString::fromStdString(name);
-                moved = moved || QDir::isRelativePath(given);
-                name = QDir::cleanPath(folder.absoluteFilePath(given)).toStdString();
+                if (pattern::findBuiltIn(name) == nullptr)
+                    resolve(name);
             }
-=======
-            for (auto& [condition, name] : pattern.files)
-                resolve(name);
->>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
         }
     }
     // Stored protocols are read again in another folder.

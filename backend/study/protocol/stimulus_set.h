@@ -21,25 +21,14 @@ namespace teleta::study {
 
 /// A custom pattern of a study, as the study keeps it.
 struct OwnStimulus {
-<<<<<<< HEAD
-    std::string id;   ///< stimulusId()
+    std::string id;   ///< stimulusId() or levelStimulusId()
     std::string file; ///< from which it came, without its folder; or the id of a built-in pattern
     std::string json; ///< patternToJson()
 };
 
 /// Reads the pattern files that a protocol names, in any supported format; ids of built-in patterns stand for
-/// these. Error: refused for a relative
-/// path; what loadPattern() reports. Thread: any but the GUI's (I/O).
-=======
-    std::string id;   ///< stimulusId() or levelStimulusId()
-    std::string file; ///< from which it came, without its folder
-    std::string json; ///< patternToJson()
-};
-
-/// Reads the pattern files that a protocol names, in any supported format. Error: refused for a relative
-/// path, or a stimulus that does not fit its levels; what loadPattern() reports. Thread: any but the GUI's
-/// (I/O).
->>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
+/// these. Error: refused for a relative path, or a stimulus that does not fit its levels; what loadPattern()
+/// reports. Thread: any but the GUI's (I/O).
 [[nodiscard]] core::Expected<std::vector<OwnStimulus>> readOwnStimuli(const Protocol& protocol);
 
 /// SHA-256, in hexadecimal, of the ids and patterns (custom or built-in) of all stimuli of a protocol: it

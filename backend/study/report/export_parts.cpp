@@ -73,20 +73,28 @@ ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan) {
     const StudyTask& task = head.protocol.tasks[plan.task];
     const std::string& condition = task.conditions[plan.condition];
     ordered_json stimuli = ordered_json::object();
-    for (const StudyPattern& pattern : task.patterns) {
-        const std::string id = stimulusId(task, pattern, condition);
-        ordered_json& stimulus = stimuli[pattern.letter];
-        stimulus = {{"name", pattern.name}, {"pattern", id}};
+    const auto describe = [&](ordered_json& stimulus, const std::string& id) {
+        stimulus["pattern"] = id;
         if (const OwnStimulus* own = head.stimuli.findOwn(id)) {
             stimulus["file"] = own->file;
             // It was parsed when the study was opened.
             stimulus["definition"] = ordered_json::parse(own->json, nullptr, false);
         }
+    };
+    const bool hasLevels = task.design != Design::identification;
+    for (const StudyPattern& pattern : task.patterns) {
+        stimuli[pattern.letter] = {{"name", pattern.name}};
+        if (!hasLevels)
+            describe(stimuli[pattern.letter], stimulusId(task, pattern, condition));
     }
+    ordered_json levels = nullptr;
+    if (hasLevels)
+        describe(levels, levelStimulusId(task));
     return {
         {"task", task.name},
         {"condition", condition},
         {"stimuli", std::move(stimuli)},
+        {"levels", std::move(levels)},
         {"stimulus_s", head.protocol.stimulus_s},
         {"response_limit_s", head.protocol.responseLimit_s},
         {"response_window", head.protocol.window == ResponseWindow::fromOnset ? "from_onset" : "from_end"},

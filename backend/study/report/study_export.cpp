@@ -53,58 +53,12 @@ std::string psychDsDescription(const StudyHead& head) {
         {"name", head.protocol.name},        {"description", head.protocol.description},
         {"schemaVersion", "Psych-DS 0.4.0"}, {"variableMeasured", psychDsVariables("trials", kTrialColumns)},
         {"mode", toString(head.mode)},       {"seed", std::to_string(head.seed)}};
-<<<<<<< HEAD
     if (!head.protocol.authors.empty()) {
         ordered_json& authors = description["author"];
         for (const std::string& author : head.protocol.authors)
             authors.push_back({{"@type", "Person"}, {"name", author}});
     }
     return core::jsonText(description);
-=======
-    return core::jsonText(description);
-}
-
-std::string bidsDescription(const StudyHead& head) {
-    const ordered_json description = {
-        {"Name", head.protocol.name},
-        {"BIDSVersion", "1.8.0"},
-        {"DatasetType", "raw"},
-        {"GeneratedBy", ordered_json::array({{{"Name", "TeleTA Console"}, {"Version", head.appVersion}}})}};
-    return core::jsonText(description);
-}
-
-/// Metadata of a session's trials.
-ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan) {
-    const StudyTask& task = head.protocol.tasks[plan.task];
-    const std::string& condition = task.conditions[plan.condition];
-    ordered_json stimuli = ordered_json::object();
-    const auto describe = [&](ordered_json& stimulus, const std::string& id) {
-        stimulus["pattern"] = id;
-        if (const OwnStimulus* own = head.stimuli.findOwn(id)) {
-            stimulus["file"] = own->file;
-            // It was parsed when the study was opened.
-            stimulus["definition"] = ordered_json::parse(own->json, nullptr, false);
-        }
-    };
-    const bool hasLevels = task.design != Design::identification;
-    for (const StudyPattern& pattern : task.patterns) {
-        stimuli[pattern.letter] = {{"name", pattern.name}};
-        if (!hasLevels)
-            describe(stimuli[pattern.letter], stimulusId(task, pattern, condition));
-    }
-    ordered_json levels = nullptr;
-    if (hasLevels)
-        describe(levels, levelStimulusId(task));
-    return {
-        {"task", task.name},
-        {"condition", condition},
-        {"stimuli", std::move(stimuli)},
-        {"levels", std::move(levels)},
-        {"stimulus_s", head.protocol.stimulus_s},
-        {"response_limit_s", head.protocol.responseLimit_s},
-        {"response_window", head.protocol.window == ResponseWindow::fromOnset ? "from_onset" : "from_end"},
-        {"seed", std::to_string(plan.seed)}};
->>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
 }
 
 /// Frame statistics of the stimuli that were played on a bracelet.

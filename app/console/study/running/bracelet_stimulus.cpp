@@ -43,8 +43,10 @@ QString words(const playback::PlayerStatus& status) {
 }
 
 /// A successful write does not prove that anything is felt.
-std::int64_t onsetOf(const playback::PlayerCounters& counters) {
-    return counters.confirmed ? counters.onset_ns : 0;
+std::int64_t onsetOf(const playback::PlayerCounters& counters, OnsetFrame onset) {
+    if (!counters.confirmed)
+        return 0;
+    return onset == OnsetFrame::any ? counters.firstFrame_ns : counters.onset_ns;
 }
 
 } // namespace
@@ -114,13 +116,7 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
         return state;
     }
     const playback::PlayerCounters counters = begun->player().counters();
-<<<<<<< HEAD
-    state.onset_ns = onsetOf(counters);
-=======
-    // A successful write does not prove that anything is felt.
-    if (counters.confirmed)
-        state.onset_ns = m_onset == OnsetFrame::any ? counters.firstFrame_ns : counters.onset_ns;
->>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
+    state.onset_ns = onsetOf(counters, m_onset);
     state.due_ns = status.begun_ns + std::llround(1e9 * status.duration_s);
     state.frameWrite_ms = static_cast<double>(counters.writeLongest_ns) * 1e-6;
     state.framesMissed = counters.deadlineMisses + counters.framesLost;
@@ -157,10 +153,10 @@ std::function<std::int64_t()> BraceletStimulus::onset() const {
     const std::shared_ptr<BraceletSession>& open = m_station.session();
     if (session() == nullptr)
         return [] { return std::int64_t{0}; };
-    return [playing = open, request_ns = m_request_ns]() -> std::int64_t {
+    return [playing = open, request_ns = m_request_ns, onset = m_onset]() -> std::int64_t {
         if (playing->player().status().begun_ns < request_ns)
             return 0;
-        return onsetOf(playing->player().counters());
+        return onsetOf(playing->player().counters(), onset);
     };
 }
 

@@ -137,21 +137,20 @@ void StudyRunner::showStimulus(std::int64_t time_ns) {
     const study::PlannedTrial* trial = m_flow->session().current();
     if (trial == nullptr)
         return;
-<<<<<<< HEAD
-    m_output->begin(*m_stimuli[trial->stimulus], m_stimulus_s, time_ns);
-    if (m_observer != nullptr)
-        m_observer->stimulusRequested(*trial, m_output->onset());
-=======
     if (m_task.design == study::Design::identification) {
         m_output->begin(*m_stimuli[trial->stimulus], m_stimulus_s, OnsetFrame::notZero, time_ns);
+        if (m_observer != nullptr)
+            m_observer->stimulusRequested(*trial, m_output->onset());
         return;
     }
     const auto whole = study::trialPattern(m_task, m_condition, *m_stimuli.front(), m_stimulus_s, *trial);
-    if (whole)
-        m_output->begin(*whole, whole->duration_s, OnsetFrame::any, time_ns);
-    else
+    if (!whole) {
         fail(QString::fromStdString(core::describe(whole.error())), Hold::deviceLost, time_ns);
->>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
+        return;
+    }
+    m_output->begin(*whole, whole->duration_s, OnsetFrame::any, time_ns);
+    if (m_observer != nullptr)
+        m_observer->stimulusRequested(*trial, m_output->onset());
 }
 
 void StudyRunner::replay(std::int64_t time_ns) {

@@ -18,35 +18,16 @@ struct LevelStoreText {
     Q_DECLARE_TR_FUNCTIONS(LevelSourceText)
 };
 
-<<<<<<< HEAD
-/// How the levels of a task are chosen, where its protocol says so.
-template <typename Levels>
-void learnProcedure(const Protocol& protocol, Design design, const Levels& levels, LevelTaskFacts& facts) {
-    if constexpr (requires { procedureOf(design, levels, std::size_t{1}, false); }) {
-        facts.procedure = nameOf(levels.procedure);
-        facts.scale = levels.range.scale;
-        facts.range = levels.range;
-        facts.settings = procedureOf(design, levels, protocol.test.repetitions,
-                                     protocol.order == OrderMethod::blockedRandom);
-    }
-}
-
-=======
->>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
 LevelTaskFacts factsOf(const Protocol& protocol, const StudyTask& task) {
     LevelTaskFacts facts;
     facts.design = task.design;
     facts.intervals = task.patterns.size(); // the answers
     facts.unit = unitOf(task.levels.vary);
-<<<<<<< HEAD
-    learnProcedure(protocol, task.design, task.levels, facts);
-=======
     facts.procedure = nameOf(task.levels.procedure);
     facts.scale = task.levels.range.scale;
     facts.range = task.levels.range;
     facts.settings = procedureOf(task.design, task.levels, protocol.test.repetitions,
                                  protocol.order == OrderMethod::blockedRandom);
->>>>>>> 2ce88f8a (Study: thresholds and comparisons in protocol, session and window)
     return facts;
 }
 
