@@ -58,6 +58,8 @@ command -v npm >/dev/null || test_packages+=(nodejs npm)
 # For building and testing the Python module.
 python_packages=(pybind11-dev python3-dev python3-numpy)
 test_packages+=("${python_packages[@]}" python3-pytest mypy python3-pandas python3-matplotlib)
+# Displays that die.
+test_packages+=(weston qt6-wayland libsm-dev)
 # For building and testing the Debian packages only.
 package_packages=(help2man dpkg-dev file lintian debootstrap "${python_packages[@]}")
 # For building and testing the Flatpak only.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/base/interruption.h"
 #include "app/cli/program.h"
+#include "app/common/arguments.h"
 #include "app/common/translation.h"
 
 #include <QCoreApplication>
@@ -8,7 +9,9 @@
 
 #include <clocale>
 #include <cstdlib>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -33,5 +36,10 @@ int main(int argc, char** argv) {
     std::setlocale(LC_NUMERIC, "C");
     teleta::app::installTranslator(application, QLocale::system());
     teleta::cli::catchInterruptions();
-    return teleta::cli::runProgram(argc, argv);
+    const std::vector<std::string> copies(argv, argv + argc);
+    teleta::app::hidePasswords(argc, argv);
+    std::vector<const char*> arguments;
+    for (const std::string& copy : copies)
+        arguments.push_back(copy.c_str());
+    return teleta::cli::runProgram(argc, arguments.data());
 }

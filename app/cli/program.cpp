@@ -9,6 +9,7 @@
 #include "app/cli/commands/devices/devices_commands.h"
 #include "app/cli/commands/scenes/scene_commands.h"
 #include "app/cli/commands/tactile/tactile_commands.h"
+#include "backend/core/passwords.h"
 
 #include <QCoreApplication>
 
@@ -66,7 +67,8 @@ std::string usageError(const CLI::App* app, const CLI::Error& error) {
     }
     const QString unknown = unknownCommand(*app);
     return ProgramText::tr("teleta: %1\nRun %2 --help for more.\n")
-        .arg(unknown.isEmpty() ? QString::fromStdString(error.what()) : unknown, command)
+        .arg(unknown.isEmpty() ? QString::fromStdString(core::withoutPasswords(error.what())) : unknown,
+             command)
         .toStdString();
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/arguments.h"
 #include "app/common/translation.h"
 #include "app/console/base/console_settings.h"
 #include "app/console/console_options.h"
@@ -6,6 +7,7 @@
 #include "app/console/help/log_window.h"
 #include "app/console/language_menu.h"
 #include "app/console/main_window.h"
+#include "app/console/sudden_end.h"
 #include "app/console/unattended.h"
 #include "backend/core/threads/stop_switch.h"
 #include "widgets/base/theme.h"
@@ -61,6 +63,7 @@ int main(int argc, char* argv[]) {
     console::beginLog();
 
     const console::ParsedOptions parsed = console::parseOptions(QCoreApplication::arguments());
+    app::hidePasswords(argc, argv);
     if (!parsed.options)
         return print(parsed);
     console::ConsoleOptions options = *parsed.options;
@@ -75,6 +78,7 @@ int main(int argc, char* argv[]) {
 
     core::StopSwitch stop;
     console::MainWindow window(options, settings, stop);
+    const console::SuddenEnd end(stop, {[&window] { window.leave(); }, [&window] { window.secure(); }});
     console::Unattended unattended(options, window);
     window.show();
     window.openRequested(options);

@@ -468,6 +468,18 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QMainWindow::closeEvent(event);
 }
 
+void MainWindow::leave() {
+    m_questions.waive();
+    close();
+    QApplication::exit(m_anyFailure ? 3 : 0);
+}
+
+void MainWindow::secure() {
+    m_bracelet.waitUntilOff();
+    m_recorder.completeNow();
+    m_study->controller().waitUntilKept();
+}
+
 /// In the order of the rail.
 std::vector<MainWindow::Page> MainWindow::pages() const {
     return {

@@ -62,6 +62,12 @@ public:
     [[nodiscard]] CalibratePage& calibratePage() { return *m_calibrate; }
     [[nodiscard]] OperatePage& operatePage() { return *m_operate; }
     [[nodiscard]] RecordingControls& recording() { return *m_recording; }
+    /// Closes the window without questions, and ends the program. Edits that are not saved are offered again
+    /// by the next start.
+    void leave();
+    /// Waits until the motors are off, the recording is complete and all answers are kept; touches no widget.
+    /// STOP must be engaged.
+    void secure();
     /// Whether a source failed to open since the start; decides the exit code of --screenshot.
     [[nodiscard]] bool anyFailure() const { return m_anyFailure; }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/error.h"
 
+#include "backend/core/passwords.h"
+
 #include <QCoreApplication>
+
+#include <utility>
 
 namespace teleta::core {
 
@@ -21,7 +25,7 @@ std::string describe(const Error& error) {
         text += QCoreApplication::translate("Error", " (expected %1)")
                     .arg(QString::fromStdString(error.expected))
                     .toStdString();
-    return text;
+    return withoutPasswords(std::move(text));
 }
 
 } // namespace teleta::core

@@ -35,6 +35,11 @@ void catchInterruptions() {
     handle(SIGALRM, 0);
     handle(SIGINT, static_cast<int>(SA_RESETHAND));
     handle(SIGTERM, static_cast<int>(SA_RESETHAND));
+    // A terminal that closes may send it twice. nohup has made the program deaf to it.
+    struct sigaction hangUp = {};
+    sigaction(SIGHUP, nullptr, &hangUp);
+    if (hangUp.sa_handler != SIG_IGN)
+        handle(SIGHUP, 0);
     // A reader that went away is an error of the write, so that other files are still completed.
     std::signal(SIGPIPE, SIG_IGN);
 }

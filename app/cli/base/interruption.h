@@ -5,8 +5,9 @@
 
 namespace teleta::cli {
 
-/// Makes Ctrl-C (SIGINT) and SIGTERM a request to finish: long work looks at interrupted(), completes its
-/// files and returns interruption(). A second Ctrl-C ends the program at once. Reading from a pipe that waits
+/// Makes Ctrl-C (SIGINT), SIGTERM and a terminal that closes (SIGHUP) a request to finish: long work looks at
+/// interrupted(), completes its files and returns interruption(). A second Ctrl-C ends the program at once; a
+/// SIGHUP that was ignored when the program began stays ignored. Reading from a pipe that waits
 /// is interrupted (ErrorKind::cancelled).
 void catchInterruptions();
 

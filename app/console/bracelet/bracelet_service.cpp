@@ -5,6 +5,8 @@
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/playback/pattern_program.h"
 
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace teleta::console {
@@ -13,6 +15,9 @@ namespace {
 
 /// How strong a tactor is that is held to be felt: clearly, but not all it has.
 constexpr double kHeldIntensity = 0.75;
+/// Four cycles of the player.
+constexpr std::chrono::milliseconds kUnderWay{20};
+constexpr std::chrono::milliseconds kLongestWait{1000};
 
 playback::Program builtIn(const std::string& id) {
     const pattern::Pattern* pattern = pattern::findBuiltIn(id);
@@ -170,6 +175,17 @@ bool BraceletService::isPlaying(std::uint64_t number) const {
 
 bool BraceletService::isDriven() const {
     return m_session && m_session->player().status().mode != playback::PlayerMode::idle;
+}
+
+void BraceletService::waitUntilOff() const {
+    if (!m_session)
+        return;
+    // A frame that was under way when STOP was engaged is followed by one of zeros.
+    std::this_thread::sleep_for(kUnderWay);
+    const auto deadline = std::chrono::steady_clock::now() + kLongestWait;
+    while (!core::isOff(m_session->source().telemetry().written) &&
+           std::chrono::steady_clock::now() < deadline)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
 }
 
 void BraceletService::hold(std::optional<std::size_t> tactor) {

@@ -83,6 +83,9 @@ public:
     [[nodiscard]] bool isPlaying(std::uint64_t number) const;
     /// Whether anything plays or is held.
     [[nodiscard]] bool isDriven() const;
+    /// Waits, for a second at most, until the newest frame turned all motors off. For the end of the program:
+    /// STOP must be engaged.
+    void waitUntilOff() const;
     /// Drives one tactor while its button is held; empty: none.
     void hold(std::optional<std::size_t> tactor);
 

@@ -49,6 +49,9 @@ RecoveryKeeper::RecoveryKeeper(QString folder, QObject* parent)
 
 RecoveryKeeper::~RecoveryKeeper() {
     m_pool.waitForDone();
+    // The newest edits may have waited for those before them.
+    if (m_next)
+        (void)pattern::writeRecovery(m_file.toStdString(), *m_next);
 }
 
 void RecoveryKeeper::look() {

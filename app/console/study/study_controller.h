@@ -69,6 +69,9 @@ public:
     void setSpeed(double speed);
     [[nodiscard]] double speed() const { return m_speed; }
 
+    /// Waits until all that was answered is kept; for the end of the program.
+    void waitUntilKept() { m_store.waitForAll(); }
+
     /// Checks device, STOP and time limits; to be called 30 times a second.
     void tick();
     /// The clock of participants' presses.

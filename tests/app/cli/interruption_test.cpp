@@ -75,7 +75,7 @@ std::string frame(int index) {
 } // namespace
 
 TEST_F(Interruption, whileWaitingForInputCompletesTheFile) {
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const std::string path = m_folder.path("out.csv");
         RunningProgram program(arguments("features", {"--out", path}));
         feed("time_s,t0,t1\n" + frame(0) + frame(1) + frame(2));

@@ -15,6 +15,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSignalBlocker>
 
 #include <algorithm>
 #include <chrono>
@@ -177,6 +178,19 @@ void RecordingService::stop() {
 void RecordingService::add(recording::RecordingEvent event) {
     if (isRecording())
         m_recorder->add(std::move(event));
+}
+
+void RecordingService::completeNow() {
+    const QSignalBlocker own(this);
+    const QSignalBlocker marks(m_marks);
+    if (m_starting.valid()) {
+        if (const Started started = m_starting.get())
+            (void)(*started)->stop();
+        m_state = State::idle;
+    }
+    stop();
+    if (m_stopping.valid())
+        m_stopping.wait();
 }
 
 void RecordingService::close() {

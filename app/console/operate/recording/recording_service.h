@@ -22,7 +22,7 @@ class BraceletSession;
 class BraceletService;
 
 /// Records all open sources and the bracelet into one file. Sources opened later join.
-/// Thread: GUI; no call waits but the destructor, for the file to be completed.
+/// Thread: GUI; no call waits but completeNow() and the destructor, for the file to be completed.
 class RecordingService : public QObject {
     Q_OBJECT
 
@@ -45,6 +45,8 @@ public:
     void add(recording::RecordingEvent event);
     /// Zero of the recording's clock, steady clock.
     [[nodiscard]] std::int64_t start_ns() const { return m_start_ns; }
+    /// Ends the recording and waits until its file is complete. For the end of the program: nothing is told.
+    void completeNow();
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] bool isRecording() const { return m_state == State::recording; }
     /// Of the current recording, or of the last one.

@@ -14,6 +14,11 @@ StudyStoreThread::StudyStoreThread(QObject* parent)
     m_thread.start();
 }
 
+void StudyStoreThread::waitForAll() {
+    QMetaObject::invokeMethod(
+        m_worker, [] {}, Qt::BlockingQueuedConnection);
+}
+
 StudyStoreThread::~StudyStoreThread() {
     // The connection belongs to its thread; earlier requests are done first.
     QMetaObject::invokeMethod(

@@ -14,7 +14,7 @@
 namespace teleta::console {
 
 /// The thread of the open study's store, so that the GUI never waits for a disk. Requests are done in order.
-/// Thread: GUI; only the destructor waits, until all requests are done.
+/// Thread: GUI; only waitForAll() and the destructor wait, until all requests are done.
 class StudyStoreThread : public QObject {
     Q_OBJECT
 
@@ -23,6 +23,9 @@ public:
 
     explicit StudyStoreThread(QObject* parent = nullptr);
     ~StudyStoreThread() override;
+
+    /// Waits until all requests are done; their results are told later.
+    void waitForAll();
 
     /// work(Store&) runs on the store's thread; done(result) follows on the GUI's, unless this object is
     /// gone.
