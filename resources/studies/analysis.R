@@ -2,9 +2,10 @@
 # Analyses a study again, with R alone (no packages).
 #   Rscript analysis.R [FOLDER] [OUT]
 # FOLDER holds the exported trials (data/.../*_data.csv), or else the results of an analysis (confusion_long.csv, which
-# has no response times, and of the patterns only those that it names); summary_r.csv, group_r.csv and anova_r.csv are
-# written to OUT. Both are the present folder unless named. Their columns are those of summary.csv, group.csv and
-# anova.csv. Tasks with levels also give thresholds_r.csv and sdt_r.csv.
+# has no response times, and of the patterns only those that it names); summary_r.csv, group_r.csv, anova_r.csv,
+# comparisons_r.csv, ranks_r.csv, binomial_model_r.csv and response_times_r.csv are written to OUT. Both are the present
+# folder unless named. Their columns are those of the files without _r. Tasks with levels also give thresholds_r.csv and
+# sdt_r.csv. Where the package lme4 is installed, it fits the binomial model once more.
 
 arguments <- commandArgs(trailingOnly = TRUE)
 folder <- if (length(arguments) > 0) arguments[1] else "."
@@ -356,6 +357,9 @@ keys <- c("participant_id", "task", "condition", "stimulus", "response")
 if (length(files) > 0) {
     trials <- do.call(rbind, lapply(files, read))
     trials <- trials[trials$outcome %in% c("correct", "incorrect", "timeout"), ]
+    # What an exclusion rule has taken out does not count.
+    if ("excluded" %in% names(trials))
+        trials <- trials[is.na(trials$excluded), ]
     alternatives <- alternatives_of(trials)
     trials <- trials[trials$phase == "test", ]
     trials$response_time_s <- as.numeric(trials$response_time_s)
@@ -492,10 +496,11 @@ group_of <- function(part) {
     m <- nrow(own)
     deviation <- if (m > 1) sd(own$accuracy) else NA
     half <- if (m > 1) qt(0.975, m - 1) * deviation / sqrt(m) else NA
+    # A share is 0 .. 1, and so is the mean of shares.
     patterns <- alternatives[[part$task[1]]]
     cbind(data.frame(task = part$task[1], condition = part$condition[1], participants = m,
-                     accuracy_mean = mean(own$accuracy), accuracy_sd = deviation, t_lo = mean(own$accuracy) - half,
-                     t_hi = mean(own$accuracy) + half, n = sum(part$count)),
+                     accuracy_mean = mean(own$accuracy), accuracy_sd = deviation, t_lo = max(0, mean(own$accuracy) - half),
+                     t_hi = min(1, mean(own$accuracy) + half), n = sum(part$count)),
           group_transfer_of(part, patterns))
 }
 groups <- do.call(rbind, lapply(split(counts, counts[c("task", "condition")], drop = TRUE), group_of))
@@ -595,4 +600,259 @@ write_table(summaries, "summary_r.csv")
 if (!is.null(anovas)) {
     write_table(anovas, "anova_r.csv")
     print(anovas, row.names = FALSE, digits = 4)
+}
+
+# Comparisons of the levels of each effect, of means and of ranks; Holm's p over the pairs of an effect.
+in_order <- function(names) sort(unique(names), method = "radix")
+
+# Shares of correct answers by participant, condition and pattern; NA: not presented.
+shares_of <- function(part) {
+    totals <- aggregate(part[c("count", "correct")], part[c("participant_id", "condition", "stimulus")], sum)
+    sides <- lapply(totals[c("participant_id", "condition", "stimulus")], in_order)
+    shares <- array(NA_real_, lengths(sides), unname(sides))
+    shares[as.matrix(totals[c("participant_id", "condition", "stimulus")])] <- totals$correct / totals$count
+    shares
+}
+
+# Interval of d_z from the noncentral t distribution.
+dz_interval_of <- function(t, n) {
+    end <- function(p) suppressWarnings(uniroot(function(delta) pt(t, n - 1, delta) - p, t + c(-1, 1) * (5 + abs(t)),
+                                                extendInt = "downX", tol = 1e-12)$root) / sqrt(n)
+    c(end(0.975), end(0.025))
+}
+
+# Interval of partial eta squared from the noncentral F distribution.
+eta_interval_of <- function(f, df1, df2) {
+    end <- function(p) {
+        if (pf(f, df1, df2) <= p)
+            return(0)
+        lambda <- uniroot(function(x) pf(f, df1, df2, x) - p, c(0, 10 + 2 * df1 * f), extendInt = "downX", tol = 1e-12)$root
+        lambda / (lambda + df1 + df2 + 1)
+    }
+    c(end(0.975), end(0.025))
+}
+
+# One pair of columns: paired t test and effect sizes. NULL: without any spread of the differences.
+pair_of <- function(a, b) {
+    d <- a - b
+    n <- length(d)
+    if (n < 2 || sd(d) <= 16 * .Machine$double.eps * max(abs(c(a, b))))
+        return(NULL)
+    test <- t.test(a, b, paired = TRUE)
+    t <- unname(test$statistic)
+    dz <- dz_interval_of(t, n)
+    j <- if (n > 2) exp(lgamma((n - 1) / 2) - lgamma((n - 2) / 2)) / sqrt((n - 1) / 2) else NA
+    data.frame(n = n, difference = mean(d), lo = test$conf.int[1], hi = test$conf.int[2], t = t, df = n - 1,
+               p = test$p.value, p_holm = NA_real_, dz = t / sqrt(n), dz_lo = dz[1], dz_hi = dz[2],
+               dav = mean(d) / sqrt((var(a) + var(b)) / 2), hedges_j = j, gz = j * t / sqrt(n))
+}
+
+# Wilcoxon's signed rank test with Pratt's zeros; exact up to 25 differences. NULL: nothing but zeros.
+ranks_of <- function(a, b) {
+    d <- round((a - b) / max(abs(c(a, b)), 1e-300), 10)
+    ranks <- rank(abs(d))[d != 0]
+    positive <- sum(rank(abs(d))[d > 0])
+    negative <- sum(rank(abs(d))[d < 0])
+    if (length(ranks) == 0)
+        return(NULL)
+    exact <- length(ranks) <= 25
+    p <- if (exact) {
+        share <- c(1, numeric(sum(2 * ranks)))
+        for (rank in 2 * ranks)
+            share <- (share + c(numeric(rank), head(share, -rank))) / 2
+        min(1, 2 * sum(share[seq_len(2 * min(positive, negative) + 1)]))
+    } else 2 * pnorm(-abs(positive - negative) / 2 / sqrt(sum(ranks^2) / 4))
+    data.frame(test = "wilcoxon", n = length(d), zeros = sum(d == 0), w_plus = positive, w_minus = negative, p = p, p_holm = NA_real_,
+               exact = as.integer(exact), rank_biserial = (positive - negative) / (positive + negative))
+}
+
+# All pairs of the columns of a matrix, as rows of `how`.
+pairs_of <- function(task, effect, stimulus, values, how) {
+    values <- values[rowSums(is.na(values)) == 0, , drop = FALSE]
+    if (ncol(values) < 2 || nrow(values) < 2)
+        return(NULL)
+    do.call(rbind, combn(ncol(values), 2, function(two) {
+        row <- how(values[, two[1]], values[, two[2]])
+        if (is.null(row)) NULL
+        else cbind(data.frame(task = task, effect = effect, stimulus = stimulus, first = colnames(values)[two[1]],
+                              second = colnames(values)[two[2]]), row)
+    }, simplify = FALSE))
+}
+
+with_holm <- function(rows) {
+    if (!is.null(rows))
+        rows$p_holm <- p.adjust(rows$p, "holm")
+    rows
+}
+
+comparisons_of <- function(part, how) {
+    task <- part$task[1]
+    shares <- shares_of(part)
+    complete <- shares[apply(!is.na(shares), 1, all), , , drop = FALSE]
+    patterns <- dimnames(shares)[[3]]
+    rbind(if (dim(shares)[2] > 1) with_holm(pairs_of(task, "condition", NA, apply(complete, c(1, 2), mean), how)),
+          with_holm(pairs_of(task, "pattern", NA, apply(complete, c(1, 3), mean), how)),
+          if (dim(shares)[2] > 1)
+              with_holm(do.call(rbind, lapply(patterns, function(pattern)
+                  pairs_of(task, "condition", pattern, matrix(shares[, , pattern], dim(shares)[1],
+                                                              dimnames = dimnames(shares)[1:2]), how)))))
+}
+
+friedman_of <- function(part) {
+    task <- part$task[1]
+    shares <- shares_of(part)
+    complete <- shares[apply(!is.na(shares), 1, all), , , drop = FALSE]
+    line <- function(effect, stimulus, values) {
+        values <- values[rowSums(is.na(values)) == 0, , drop = FALSE]
+        if (ncol(values) < 3 || nrow(values) < 2 || all(values == values[, 1]))
+            return(NULL)
+        test <- friedman.test(round(values / max(abs(values)), 10))
+        data.frame(task = task, effect = effect, stimulus = stimulus, test = "friedman", first = NA, second = NA,
+                   n = nrow(values), chi2 = unname(test$statistic), df = unname(test$parameter), p = test$p.value,
+                   kendall_w = unname(test$statistic) / (nrow(values) * (ncol(values) - 1)))
+    }
+    rbind(line("condition", NA, apply(complete, c(1, 2), mean)), line("pattern", NA, apply(complete, c(1, 3), mean)),
+          do.call(rbind, lapply(dimnames(shares)[[3]], function(pattern)
+              line("condition", pattern, matrix(shares[, , pattern], dim(shares)[1])))))
+}
+
+by_task <- function(f, ...) do.call(rbind, unname(lapply(split(counts, counts$task), f, ...)))
+some <- function(table, name) if (!is.null(table) && nrow(table) > 0) write_table(table, name)
+
+some(by_task(comparisons_of, pair_of), "comparisons_r.csv")
+ranked <- by_task(comparisons_of, ranks_of)
+if (!is.null(ranked))
+    some(cbind(ranked[c("task", "effect", "stimulus", "test", "first", "second")],
+               ranked[setdiff(names(ranked), c("task", "effect", "stimulus", "test", "first", "second"))]), "ranks_r.csv")
+some(by_task(friedman_of), "friedman_r.csv")
+if (!is.null(anovas)) {
+    spherical <- anovas[anovas$eps_gg >= 0.75, ]
+    eta <- if (nrow(spherical) > 0) t(mapply(eta_interval_of, spherical$f, spherical$df1, spherical$df2))
+    if (!is.null(eta))
+        some(cbind(spherical[c("task", "effect", "stimulus")],
+               data.frame(first = NA, second = NA, partial_eta2 = spherical$partial_eta2, partial_eta2_lo = eta[, 1],
+                          partial_eta2_hi = eta[, 2])),
+             "partial_eta2_r.csv")
+}
+
+# Response times: geometric means of the participants, and conditions compared by their logarithms.
+if (!is.null(times) && nrow(times) > 0) {
+    own <- aggregate(list(value = times$response_time_s), times[c("participant_id", "task", "condition")],
+                     function(x) c(length(x), if (all(x > 0)) exp(mean(log(x))) else NA, median(x)))
+    own <- cbind(own[1:3], data.frame(against = NA, n = own$value[, 1], geometric_mean_s = own$value[, 2],
+                                      median_s = own$value[, 3]))
+    ratios <- do.call(rbind, lapply(split(own, own$task), function(part) {
+        conditions <- in_order(part$condition)
+        if (length(conditions) < 2)
+            return(NULL)
+        logs <- sapply(conditions, function(condition)
+            log(part$geometric_mean_s[part$condition == condition][match(in_order(part$participant_id),
+                                                                         part$participant_id[part$condition == condition])]))
+        with_holm(do.call(rbind, combn(ncol(logs), 2, function(two) {
+            both <- logs[rowSums(is.na(logs[, two])) == 0, two, drop = FALSE]
+            row <- pair_of(both[, 1], both[, 2])
+            if (is.null(row)) NULL
+            else data.frame(participant_id = "GROUP", task = part$task[1], condition = conditions[two[1]],
+                            against = conditions[two[2]], n = row$n, ratio = exp(row$difference), lo = exp(row$lo),
+                            hi = exp(row$hi), t = row$t, df = row$df, p = row$p, p_holm = NA_real_)
+        }, simplify = FALSE)))
+    }))
+    some(own, "response_times_r.csv")
+    some(ratios, "response_time_ratios_r.csv")
+}
+
+# Binomial model with an intercept that differs between participants: likelihood by adaptive Gauss-Hermite quadrature.
+hermite <- local({
+    off <- sqrt(seq_len(24) / 2)
+    jacobi <- matrix(0, 25, 25)
+    jacobi[cbind(1:24, 2:25)] <- off
+    jacobi[cbind(2:25, 1:24)] <- off
+    found <- eigen(jacobi, symmetric = TRUE)
+    list(at = found$values, weight = sqrt(pi) * found$vectors[1, ]^2)
+})
+likelihood_of <- function(parameters, x, correct, n, people) {
+    fixed <- as.vector(x %*% parameters[seq_len(ncol(x))])
+    s <- parameters[ncol(x) + 1]
+    sum(sapply(split(seq_along(n), people), function(rows) {
+        height <- function(z) sum(correct[rows] * plogis(fixed[rows] + s * z, log.p = TRUE) +
+                                  (n - correct)[rows] * plogis(-fixed[rows] - s * z, log.p = TRUE)) - z^2 / 2
+        z <- 0
+        for (step in 1:50) {
+            share <- plogis(fixed[rows] + s * z)
+            z <- z + (s * sum(correct[rows] - n[rows] * share) - z) / (1 + s^2 * sum(n[rows] * share * (1 - share)))
+        }
+        share <- plogis(fixed[rows] + s * z)
+        width <- sqrt(2 / (1 + s^2 * sum(n[rows] * share * (1 - share))))
+        heights <- sapply(z + width * hermite$at, height)
+        height(z) + log(sum(hermite$weight * exp(heights - height(z) + hermite$at^2)) * width / sqrt(2 * pi))
+    }))
+}
+model_fit_of <- function(x, rows) {
+    people <- factor(rows$participant_id)
+    plain <- glm(cbind(rows$correct, rows$count - rows$correct) ~ x - 1, family = binomial)
+    negative <- function(parameters) -likelihood_of(parameters, x, rows$correct, rows$count, people)
+    best <- NULL
+    for (s in c(0.2, 0.6, 1.5)) {
+        found <- optim(c(coef(plain), s), negative, method = "BFGS", control = list(reltol = 1e-14, maxit = 500))
+        if (is.null(best) || found$value < best$value)
+            best <- found
+    }
+    at_zero <- negative(c(coef(plain), 0))
+    if (at_zero - best$value < 1e-7)
+        return(list(b = coef(plain), se = sqrt(diag(vcov(plain))), s = 0, value = -at_zero))
+    covariance <- solve(optimHess(best$par, negative))
+    list(b = best$par[seq_len(ncol(x))], se = sqrt(diag(covariance))[seq_len(ncol(x))], s = abs(best$par[ncol(x) + 1]),
+         value = -best$value)
+}
+model_of <- function(part) {
+    rows <- aggregate(part[c("count", "correct")], part[c("participant_id", "condition")], sum)
+    conditions <- in_order(rows$condition)
+    shares <- sapply(conditions, function(name) sum(rows$correct[rows$condition == name]) / sum(rows$count[rows$condition == name]))
+    if (length(unique(rows$participant_id)) < 5 || any(shares == 0) || any(shares == 1))
+        return(NULL)
+    x <- cbind(1, sapply(conditions[-1], function(name) as.numeric(rows$condition == name)))
+    whole <- model_fit_of(x, rows)
+    ratio <- if (length(conditions) > 1) 2 * (whole$value - model_fit_of(x[, 1, drop = FALSE], rows)$value) else NA
+    row <- function(...) data.frame(task = part$task[1], ...)
+    result <- row(term = c("intercept", rep("condition", length(conditions) - 1)), level = c(NA, conditions[-1]),
+                  reference = conditions[1], estimate = whole$b, se = whole$se, lo = whole$b - qnorm(0.975) * whole$se,
+                  hi = whole$b + qnorm(0.975) * whole$se, sd_participants = whole$s, log_likelihood = whole$value,
+                  lr_chi2 = NA, lr_df = NA, lr_p = NA)
+    if (length(conditions) > 1)
+        result <- rbind(result, row(term = "condition", level = NA, reference = NA, estimate = NA, se = NA, lo = NA, hi = NA,
+                                    sd_participants = NA, log_likelihood = NA, lr_chi2 = ratio,
+                                    lr_df = length(conditions) - 1,
+                                    lr_p = pchisq(ratio, length(conditions) - 1, lower.tail = FALSE)))
+    result
+}
+some(by_task(model_of), "binomial_model_r.csv")
+
+# The same by lme4, as a place to go on from: other models are a matter of another formula.
+if (requireNamespace("lme4", quietly = TRUE)) {
+    lme4_of <- function(part) {
+        rows <- aggregate(part[c("count", "correct")], part[c("participant_id", "condition")], sum)
+        rows$condition <- factor(rows$condition, levels = in_order(rows$condition))
+        rows$participant_id <- factor(rows$participant_id)
+        formula <- if (nlevels(rows$condition) > 1) cbind(correct, count - correct) ~ condition + (1 | participant_id)
+                   else cbind(correct, count - correct) ~ 1 + (1 | participant_id)
+        fit <- tryCatch(lme4::glmer(formula, rows, binomial, nAGQ = 25), error = function(problem) NULL)
+        if (is.null(fit) || nlevels(rows$participant_id) < 5)
+            return(NULL)
+        estimates <- lme4::fixef(fit)
+        data.frame(task = part$task[1], term = c("intercept", rep("condition", length(estimates) - 1)),
+                   level = c(NA, levels(rows$condition)[-1]), reference = levels(rows$condition)[1],
+                   estimate = unname(estimates), sd_participants = unname(attr(lme4::VarCorr(fit)$participant_id, "stddev")))
+    }
+    some(by_task(lme4_of), "binomial_model_lme4_r.csv")
+}
+
+# A plan: its power, standard error and Wilson's interval, from the counts.
+if (file.exists(file.path(folder, "plan.csv"))) {
+    plan <- read.csv(file.path(folder, "plan.csv"))
+    plan$power <- plan$significant / plan$studies
+    plan$se <- sqrt(plan$power * (1 - plan$power) / plan$studies)
+    ends <- mapply(function(x, n) suppressWarnings(prop.test(x, n, correct = FALSE))$conf.int, plan$significant, plan$studies)
+    plan$lo <- ends[1, ]
+    plan$hi <- ends[2, ]
+    some(plan[c("test", "participants", "studies", "power", "se", "lo", "hi")], "plan_r.csv")
 }

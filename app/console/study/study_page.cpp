@@ -13,6 +13,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/chrome/empty_state.h"
 #include "widgets/study/participant/participant_window.h"
+#include "widgets/study/planning/plan_panel.h"
 #include "widgets/study/results/confusion_view.h"
 #include "widgets/study/results/results_view.h"
 #include "widgets/study/session_panel.h"
@@ -43,6 +44,7 @@ namespace teleta::console {
 namespace {
 
 constexpr char kResults[] = "results";
+constexpr char kPlan[] = "plan";
 constexpr char kParticipant[] = "participant";
 constexpr std::array kSpeeds{1.0, 10.0, 50.0};
 constexpr std::size_t kDefaultSpeed = 1;
@@ -78,6 +80,8 @@ StudyPage::StudyPage(BraceletService& station, core::StopSwitch& stop, StudyCont
     , m_participant(std::make_unique<study::ParticipantWindow>([this] { return m_controller.now_ns(); }))
     , m_placement(*m_participant, *this, *m_session)
     , m_results(new study::ResultsView(this))
+    , m_plan(new study::PlanPanel(this))
+    , m_planning(*m_plan)
     , m_leaving(new StudyLeaving(m_controller, *this)) {
     m_participant->setAttribute(Qt::WA_QuitOnClose, false); // it does not keep the program open
     build();
@@ -132,6 +136,7 @@ void StudyPage::build() {
     m_tabs->setDocumentMode(true);
     m_tabs->addTab(splitter, QString());
     m_tabs->addTab(m_results, QString());
+    m_tabs->addTab(m_plan, QString());
     m_stack->addWidget(m_empty);
     m_stack->addWidget(m_tabs);
     auto* layout = new QVBoxLayout(this);
@@ -219,7 +224,9 @@ void StudyPage::connectViews() {
 
     connect(m_results, &study::ResultsView::exportRequested, &m_controller, &StudyController::write);
     connect(m_results, &study::ResultsView::figureFailed, this, figureFailed);
+    connect(m_plan, &study::PlanPanel::figureFailed, this, figureFailed);
     connect(m_tabs, &QTabWidget::currentChanged, this, &StudyPage::analyse);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &StudyPage::showPlan);
     connect(&m_controller, &StudyController::resultsOutdated, this, [this] {
         m_outdated = true;
         analyse();
@@ -426,6 +433,12 @@ void StudyPage::refresh() {
     m_matrix->setContent(StudyScenes::matrix(m_controller));
     m_speedRow->setVisible(m_controller.overview()->head.mode == study::Mode::simulated);
     m_speed->setEnabled(!m_controller.isActive());
+    showPlan();
+}
+
+void StudyPage::showPlan() {
+    if (m_controller.overview() && m_tabs->currentWidget() == m_plan)
+        m_planning.setStudy(m_controller.overview()->location, m_controller.overview()->head.protocol);
 }
 
 void StudyPage::showParticipant() {
@@ -469,11 +482,13 @@ void StudyPage::tick() {
 }
 
 QStringList StudyPage::viewNames() {
-    return {QStringLiteral("session"), QLatin1String(kResults), QLatin1String(kParticipant)};
+    return {QStringLiteral("session"), QLatin1String(kResults), QLatin1String(kPlan),
+            QLatin1String(kParticipant)};
 }
 
 void StudyPage::bringForward(const QString& view) {
     m_tabs->setCurrentWidget(view == QLatin1String(kResults) ? static_cast<QWidget*>(m_results)
+                             : view == QLatin1String(kPlan)  ? static_cast<QWidget*>(m_plan)
                                                              : m_tabs->widget(0));
     if (view == QLatin1String(kParticipant))
         m_placement.show();
@@ -507,6 +522,8 @@ void StudyPage::analyse() {
             if (results) {
                 scene.tasks = std::move(results->tasks);
                 scene.levels = std::move(results->levels);
+                scene.supplements = std::move(results->supplements);
+                scene.exclusions = std::move(results->exclusions);
                 m_results->setState(scene.tasks.empty() ? tr("There are no completed trials yet.")
                                                         : tr("Completed test trials only."));
                 m_results->setScene(std::move(scene));
@@ -536,6 +553,7 @@ void StudyPage::retranslate() {
                        tr("A study that several stations share"));
     m_tabs->setTabText(0, tr("Session"));
     m_tabs->setTabText(1, tr("Results"));
+    m_tabs->setTabText(2, tr("Plan"));
     m_counts->setItemText(0, tr("Counts"));
     m_counts->setItemText(1, tr("Percent of the row"));
     m_counts->setAccessibleName(tr("What the matrix shows"));

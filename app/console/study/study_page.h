@@ -5,6 +5,7 @@
 #include "app/console/study/running/participant_placement.h"
 #include "app/console/study/study_controller.h"
 #include "app/console/study/study_leaving.h"
+#include "app/console/study/study_planning.h"
 #include "app/console/study/study_scenes.h"
 #include "widgets/chrome/message_bar.h"
 
@@ -27,6 +28,7 @@ class EmptyState;
 namespace teleta::study {
 class ConfusionView;
 class ParticipantWindow;
+class PlanPanel;
 class ResultsView;
 class SessionPanel;
 class StudyPanel;
@@ -80,6 +82,7 @@ private:
     void refresh();
     void showParticipant();
     void showSession();
+    void showPlan();
     void doNextStep();
     void askForNewStudy(study::Mode mode, std::optional<study::Protocol> protocol = {});
     void askForStudy();
@@ -105,6 +108,8 @@ private:
     std::unique_ptr<study::ParticipantWindow> m_participant;
     ParticipantPlacement m_placement;
     study::ResultsView* m_results;
+    study::PlanPanel* m_plan;
+    StudyPlanning m_planning;
     StudyLeaving* m_leaving;
     bool m_outdated = true;   ///< the results lack the latest trials
     bool m_analysing = false; ///< on a pool thread

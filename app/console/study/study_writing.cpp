@@ -6,6 +6,7 @@
 #include "backend/study/methods/figures/threshold_figures.h"
 #include "backend/study/methods/results/level_trial_store.h"
 #include "backend/study/methods/results/threshold_files.h"
+#include "backend/study/report/exclusion_report.h"
 #include "backend/study/report/study_export.h"
 #include "backend/study/report/study_figures.h"
 #include "backend/study/report/study_report.h"
@@ -25,12 +26,19 @@ struct WritingText {
 
 core::Expected<StudyResults> resultsOf(const study::StudyStore& store, study::TrialTally& tally) {
     study::ModeFilter modes;
-    TELETA_CHECK(study::tallyStore(store, modes, tally));
+    study::ExclusionBook exclusions;
+    TELETA_CHECK(study::tallyStore(store, modes, tally, exclusions));
+    TELETA_CHECK(study::settle(exclusions, tally, store.shownName()));
     study::LevelTrials trials;
     TELETA_CHECK(study::addLevelTrials(store, modes, trials));
-    auto levels = std::make_shared<const study::LevelResults>(
+    StudyResults results;
+    results.tasks = study::studyResults(tally);
+    results.exclusions = study::exclusionReport(exclusions);
+    for (const study::TaskResults& task : results.tasks)
+        results.supplements.push_back(study::taskSupplement(task));
+    results.levels = std::make_shared<const study::LevelResults>(
         study::LevelResults{study::thresholdResults(trials), study::detectionResults(trials)});
-    return StudyResults{study::studyResults(tally), std::move(levels)};
+    return results;
 }
 
 core::Expected<void> writeLevelResults(const study::LevelResults& levels, const std::string& folder,
@@ -59,8 +67,10 @@ core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir
                                        mode,
                                        {onServer ? store.shownName() : study.path().toStdString()},
                                        QCoreApplication::applicationVersion().toStdString(),
-                                       tally.frames()};
+                                       tally.frames(),
+                                       found.exclusions};
     return study::writeResults(tasks, folder)
+        .and_then([&] { return study::writeExclusions(found.exclusions.lines, folder); })
         .and_then([&] { return study::writeFigures(tasks, folder, mode, formats); })
         .and_then([&] { return writeLevelResults(*found.levels, folder, mode, formats); })
         .and_then([&] { return study::writeReport(tasks, heading, folder); })

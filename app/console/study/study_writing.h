@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/study/analysis/exclusion_results.h"
 #include "backend/study/analysis/study_results.h"
+#include "backend/study/model/task_supplement.h"
 #include "backend/study/store/study_store.h"
 #include "widgets/study/results/level_content.h"
 
@@ -16,6 +18,8 @@ namespace teleta::console {
 struct StudyResults {
     std::vector<study::TaskResults> tasks;
     std::shared_ptr<const study::LevelResults> levels; ///< of tasks with levels
+    std::vector<study::TaskSupplement> supplements;    ///< of the tasks, in their order
+    study::ExclusionReport exclusions;
 };
 
 /// The current results of a study. Error: what the store reports. Thread: any; fits take several threads.

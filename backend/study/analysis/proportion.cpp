@@ -101,6 +101,18 @@ std::optional<GroupMean> groupMean(std::span<const double> values, double confid
     return group;
 }
 
+std::optional<GroupMean> groupShare(std::span<const double> values, double confidence) {
+    if (std::ranges::any_of(values, [](double v) { return !(v >= 0.0 && v <= 1.0); }))
+        return std::nullopt;
+    std::optional<GroupMean> group = groupMean(values, confidence);
+    if (group && group->interval) {
+        Interval& ends = *group->interval;
+        group->isCut = ends.low < 0.0 || ends.high > 1.0;
+        ends = {std::max(0.0, ends.low), std::min(1.0, ends.high)};
+    }
+    return group;
+}
+
 std::optional<double> median(std::span<const double> values) {
     if (values.empty() || !allFinite(values))
         return std::nullopt;

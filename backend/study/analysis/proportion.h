@@ -36,10 +36,18 @@ struct GroupMean {
     double mean = 0.0;
     std::optional<double> standardDeviation; ///< with n-1; empty for one participant
     std::optional<Interval> interval;        ///< empty for one participant; of zero width when all agree
+    bool isCut = false;                      ///< groupShare() has cut the interval off at 0 or 1
+
+    /// All participants have the same value, so that the interval says nothing of the spread among others.
+    [[nodiscard]] bool allAgree() const { return standardDeviation && *standardDeviation == 0.0; }
 };
 
 /// values: one per participant. Empty without values or if one is not finite. Thread: any.
 [[nodiscard]] std::optional<GroupMean> groupMean(std::span<const double> values, double confidence = 0.95);
+
+/// The same of shares, which are 0 .. 1: the interval is cut off there. It holds the true mean as often as
+/// the whole one, since the mean is a share too. values: each 0 .. 1, else empty. Thread: any.
+[[nodiscard]] std::optional<GroupMean> groupShare(std::span<const double> values, double confidence = 0.95);
 
 /// Median; the mean of the middle two for an even number. Empty without values or if one is not finite.
 /// Thread: any.

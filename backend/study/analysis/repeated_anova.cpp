@@ -142,7 +142,8 @@ AnovaRow effectOf(const ContrastSums& sums, double contrastCount, double partici
     row.df2 = contrastCount * (participants - 1.0);
     row.sumOfSquares = sums.effect * scale * scale;
     row.errorSumOfSquares = sums.error * scale * scale;
-    row.f = (sums.effect / row.df1) / (sums.error / row.df2);
+    // Equal means differ by rounding alone.
+    row.f = sums.effect <= sums.noise ? 0.0 : (sums.effect / row.df1) / (sums.error / row.df2);
     row.p = probability(row.f, row.df1, row.df2);
     row.epsilonGg = sums.epsilon;
     row.pGg = probability(row.f, row.df1 * sums.epsilon, row.df2 * sums.epsilon);

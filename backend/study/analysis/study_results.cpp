@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/analysis/study_results.h"
 
+#include "backend/study/analysis/accuracy_cells.h"
+
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -29,9 +30,6 @@ private:
     void analyseVariance();
 
     [[nodiscard]] ConfusionMatrix matrixOf(const TrialTally::Cell& cell) const;
-    /// Shares of correct answers: a row per participant; columns: conditions, and these patterns within each.
-    /// NaN where a pattern was not presented.
-    [[nodiscard]] ParticipantCells accuracies(const std::vector<std::size_t>& patterns) const;
     /// cells: those of the row. Participants who lack one are named, even if too few are left for a row.
     void addLine(std::string effect, std::string stimulus, const AnovaRow& row,
                  const ParticipantCells& cells);
@@ -98,9 +96,12 @@ void TaskAnalysis::collectMatrices() {
         const ConfusionMatrix matrix = matrixOf(cell);
         pooled.try_emplace({key.condition, key.phase}, m_results.patterns.size()).first->second.add(matrix);
         m_results.matrices.push_back({key.participant, key.condition, key.phase, matrix});
-        if (key.phase == Phase::test)
-            m_results.participants.push_back({key.participant, key.condition, matrix,
-                                              median(cell.correctTimes_s), cell.correctTimes_s.size()});
+        if (key.phase != Phase::test)
+            continue;
+        ParticipantSummary summary{key.participant, key.condition, matrix, median(cell.correctTimes_s),
+                                   cell.correctTimes_s};
+        std::ranges::sort(summary.times_s);
+        m_results.participants.push_back(std::move(summary));
     }
     for (const auto& [key, matrix] : pooled)
         m_results.matrices.push_back({{}, key.first, key.second, matrix});
@@ -121,28 +122,10 @@ void TaskAnalysis::summariseGroups() {
         if (matrices.empty())
             continue;
         group.participants = matrices.size();
-        group.accuracy = groupMean(accuracies);
+        group.accuracy = groupShare(accuracies);
         group.transfer = studyTransfer(matrices, m_results.alternatives());
         m_results.groups.push_back(std::move(group));
     }
-}
-
-ParticipantCells TaskAnalysis::accuracies(const std::vector<std::size_t>& patterns) const {
-    const std::size_t columns = m_results.groups.size() * patterns.size();
-    ParticipantCells cells(m_people.size(),
-                           std::vector<double>(columns, std::numeric_limits<double>::quiet_NaN()));
-    for (const ParticipantSummary& participant : m_results.participants) {
-        const auto row = std::lower_bound(m_people.begin(), m_people.end(), participant.participant);
-        const auto group =
-            std::ranges::find(m_results.groups, participant.condition, &GroupSummary::condition);
-        const auto condition = static_cast<std::size_t>(group - m_results.groups.begin());
-        for (std::size_t j = 0; j < patterns.size(); ++j) {
-            if (const std::optional<double> percent = participant.matrix.rowPercent(patterns[j], patterns[j]))
-                cells[static_cast<std::size_t>(row - m_people.begin())][condition * patterns.size() + j] =
-                    *percent / 100.0;
-        }
-    }
-    return cells;
 }
 
 void TaskAnalysis::addLine(std::string effect, std::string stimulus, const AnovaRow& row,
@@ -159,34 +142,27 @@ void TaskAnalysis::addLine(std::string effect, std::string stimulus, const Anova
 }
 
 void TaskAnalysis::analyseVariance() {
-    std::vector<std::size_t> presented;
-    for (std::size_t i = 0; i < m_results.patterns.size(); ++i) {
-        if (std::ranges::any_of(m_results.groups,
-                                [&](const GroupSummary& group) { return group.matrix.rowTotal(i) > 0; }))
-            presented.push_back(i);
-    }
-    if (presented.empty())
+    const AccuracyCells table = accuracyCells(m_results);
+    if (table.patterns.empty())
         return;
     const auto addOneWay = [&](const char* effect, const std::string& stimulus,
-                               const std::vector<std::size_t>& patterns) {
-        const ParticipantCells cells = accuracies(patterns);
-        const auto table = oneWayAnova(cells);
-        addLine(effect, stimulus, table ? table->effect : AnovaRow(tl::unexpected(table.error())), cells);
+                               const ParticipantCells& cells) {
+        const auto anova = oneWayAnova(cells);
+        addLine(effect, stimulus, anova ? anova->effect : AnovaRow(tl::unexpected(anova.error())), cells);
     };
-    if (m_results.groups.size() < 2) {
-        addOneWay("pattern", "", presented);
+    if (table.conditions.size() < 2) {
+        addOneWay("pattern", "", table.cells);
         return;
     }
-    const ParticipantCells cells = accuracies(presented);
-    const auto table = twoWayAnova(cells, m_results.groups.size(), presented.size());
+    const auto anova = twoWayAnova(table.cells, table.conditions.size(), table.patterns.size());
     const auto addTwoWay = [&](const char* effect, AnovaRow TwoWayAnova::*row) {
-        addLine(effect, "", table ? (*table).*row : AnovaRow(tl::unexpected(table.error())), cells);
+        addLine(effect, "", anova ? (*anova).*row : AnovaRow(tl::unexpected(anova.error())), table.cells);
     };
     addTwoWay("condition", &TwoWayAnova::first);
     addTwoWay("pattern", &TwoWayAnova::second);
     addTwoWay("condition:pattern", &TwoWayAnova::interaction);
-    for (const std::size_t pattern : presented)
-        addOneWay("condition", m_results.patterns[pattern], {pattern});
+    for (std::size_t j = 0; j < table.patterns.size(); ++j)
+        addOneWay("condition", m_results.patterns[table.patterns[j]], table.ofPattern(j));
 }
 
 } // namespace

@@ -31,7 +31,7 @@ struct ParticipantSummary {
     std::string condition;
     ConfusionMatrix matrix;
     std::optional<double> medianTime_s; ///< of correct answers
-    std::size_t times = 0;
+    std::vector<double> times_s = {};   ///< of correct answers, rising
 };
 
 /// All participants under one condition, test phase.
@@ -74,9 +74,9 @@ struct TaskResults {
 /// matter. Empty for an empty tally. Thread: any.
 [[nodiscard]] std::vector<TaskResults> studyResults(const TrialTally& tally);
 
-/// Writes confusion_long.csv, summary.csv, group.csv, anova.csv and analysis.R into a folder, which is
-/// created if needed; each file appears when it is complete. Missing values are NA. Error: ioFailed. Thread:
-/// any.
+/// Writes confusion_long.csv, summary.csv, group.csv, anova.csv, comparisons.csv, ranks.csv,
+/// binomial_model.csv, response_times.csv and analysis.R into a folder, which is created if needed; each file
+/// appears when it is complete. Missing values are NA. Error: ioFailed. Thread: any.
 [[nodiscard]] core::Expected<void> writeResults(const std::vector<TaskResults>& results,
                                                 const std::string& folder);
 

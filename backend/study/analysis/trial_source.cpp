@@ -3,6 +3,7 @@
 
 #include "backend/core/data/csv_reader.h"
 #include "backend/core/failure.h"
+#include "backend/study/analysis/stored_exclusions.h"
 
 #include <QByteArrayView>
 #include <QCoreApplication>
@@ -51,6 +52,11 @@ core::Unexpected twoPeople(const core::SourcePlace& place, std::string_view part
         SourceText::tr("each participant in one study only, under a unique name"), place);
 }
 
+core::Unexpected tooManyPatterns(const core::SourcePlace& place) {
+    return core::failed(core::ErrorKind::badInput, SourceText::tr("there are too many different patterns"),
+                        SourceText::tr("%1 at most").arg(TrialTally::kMostNames), place);
+}
+
 /// Reads the rows of a file.
 class RowReader {
 public:
@@ -64,7 +70,10 @@ public:
         , m_session(optionalColumn("session_id"))
         , m_trial(optionalColumn("trial"))
         , m_attempt(optionalColumn("attempt"))
-        , m_alternatives(optionalColumn("n_alternatives")) {}
+        , m_alternatives(optionalColumn("n_alternatives"))
+        , m_faults(optionalColumn("device_faults"))
+        , m_design(optionalColumn("design"))
+        , m_excluded(optionalColumn("excluded")) {}
 
     /// Names in another encoding would be other names.
     [[nodiscard]] core::Expected<void> checkEncoding(const std::vector<std::string_view>& fields) const;
@@ -74,6 +83,9 @@ public:
     /// Error: the row must not be combined with those before it.
     [[nodiscard]] core::Expected<void> take(const std::vector<std::string_view>& fields,
                                             const TalliedTrial& trial, TrialOrigins& origins) const;
+    /// The trial with what the rules of exclusions have to know of it.
+    [[nodiscard]] core::Expected<ExclusionBook::Trial> excludable(const std::vector<std::string_view>& fields,
+                                                                  const TalliedTrial& trial) const;
     /// Number of patterns of the task according to the row; 0: unknown.
     [[nodiscard]] core::Expected<std::size_t> alternatives(const std::vector<std::string_view>& fields) const;
 
@@ -106,6 +118,9 @@ private:
     std::optional<std::size_t> m_trial;
     std::optional<std::size_t> m_attempt;
     std::optional<std::size_t> m_alternatives;
+    std::optional<std::size_t> m_faults;
+    std::optional<std::size_t> m_design;
+    std::optional<std::size_t> m_excluded;
 };
 
 core::Expected<void> RowReader::checkEncoding(const std::vector<std::string_view>& fields) const {
@@ -192,6 +207,25 @@ core::Expected<std::size_t> RowReader::number(std::size_t column, std::string_vi
     return value;
 }
 
+core::Expected<ExclusionBook::Trial> RowReader::excludable(const std::vector<std::string_view>& fields,
+                                                           const TalliedTrial& trial) const {
+    const auto textOf = [&](std::optional<std::size_t> column) {
+        return column && !isMissing(fields[*column]) ? fields[*column] : std::string_view();
+    };
+    ExclusionBook::Trial known{trial, textOf(m_session), 0, 0, true, textOf(m_excluded)};
+    // Without their names, sessions are told apart by what they were about.
+    if (known.session.empty())
+        known.session = trial.condition;
+    known.isScored = textOf(m_design) != "compare";
+    if (const std::string_view faults = textOf(m_faults); !faults.empty()) {
+        const auto [stop, code] =
+            std::from_chars(faults.data(), faults.data() + faults.size(), known.deviceFaults);
+        if (code != std::errc{} || stop != faults.data() + faults.size())
+            return wrong(*m_faults, faults, SourceText::tr("a whole number"));
+    }
+    return known;
+}
+
 core::Expected<std::size_t> RowReader::alternatives(const std::vector<std::string_view>& fields) const {
     if (!m_alternatives || isMissing(fields[*m_alternatives]))
         return 0U;
@@ -239,7 +273,7 @@ core::Expected<void> checkSeparator(const core::CsvReader& csv) {
 } // namespace
 
 core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialTally& tally,
-                              const std::function<bool(std::uint64_t)>& goOn) {
+                              ExclusionBook& exclusions, const std::function<bool(std::uint64_t)>& goOn) {
     TELETA_TRY(core::CsvReader csv, core::CsvReader::open(path));
     TELETA_CHECK(checkSeparator(csv));
     TELETA_TRY(const std::vector<std::size_t> needed, csv.columns(kNeeded));
@@ -259,14 +293,22 @@ core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialT
         TELETA_CHECK(reader.take(fields, trial, tally.origins()));
         TELETA_TRY(const std::size_t alternatives, reader.alternatives(fields));
         tally.expectCount(trial.task, alternatives);
-        if (!tally.add(trial))
-            return core::failed(
-                core::ErrorKind::badInput, SourceText::tr("there are too many different patterns"),
-                SourceText::tr("%1 at most").arg(TrialTally::kMostNames), csv.place(needed[4]));
+        TELETA_TRY(const ExclusionBook::Trial known, reader.excludable(fields, trial));
+        const bool isHeld = !known.excluded.empty() || exclusions.hasRules({});
+        if (isHeld ? !exclusions.hold(known, {}) : !tally.add(trial))
+            return tooManyPatterns(csv.place(needed[4]));
     }
 }
 
-core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, TrialTally& tally) {
+core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialTally& tally,
+                              const std::function<bool(std::uint64_t)>& goOn) {
+    ExclusionBook marks;
+    TELETA_CHECK(tallyCsv(path, modes, tally, marks, goOn));
+    return settle(marks, tally, path);
+}
+
+core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, TrialTally& tally,
+                                ExclusionBook& exclusions) {
     const StudyHead& head = store.head();
     if (modes.wanted && *modes.wanted != head.mode)
         return {};
@@ -298,15 +340,30 @@ core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, Tria
                     isTaken = true;
                 }
                 tally.addFrames(result.frameWrite_ms, result.framesMissed);
-                const std::string_view response =
-                    result.response ? std::string_view(task.patterns.at(*result.response).letter)
-                                    : std::string_view();
-                (void)tally.add({participant.id, task.id, task.conditions[planned.condition],
-                                 result.planned.phase, task.patterns.at(result.planned.stimulus).letter,
-                                 response, result.responseTime_s});
+                const ExcludableTrial known = excludableTrial(task, planned, session, result);
+                const TalliedTrial trial{participant.id, task.id,        known.condition,     known.phase,
+                                         known.stimulus, known.response, known.responseTime_s};
+                if (exclusions.hasRules(head.protocol.exclusions))
+                    (void)exclusions.hold(
+                        {trial, session.id, known.deviceFaults, known.framesMissed, known.chance > 0.0, {}},
+                        head.protocol.exclusions);
+                else
+                    (void)tally.add(trial);
             }
         }
     }
+    return {};
+}
+
+core::Expected<void> tallyStore(const StudyStore& store, ModeFilter& modes, TrialTally& tally) {
+    ExclusionBook rules;
+    TELETA_CHECK(tallyStore(store, modes, tally, rules));
+    return settle(rules, tally, store.shownName());
+}
+
+core::Expected<void> settle(ExclusionBook& exclusions, TrialTally& tally, const std::string& source) {
+    if (!exclusions.finish(tally))
+        return tooManyPatterns({source});
     return {};
 }
 

@@ -33,6 +33,32 @@ bool TrialTally::add(const TalliedTrial& trial) {
     return true;
 }
 
+void TrialTally::add(const TrialTally& other) {
+    std::vector<std::size_t> own;
+    for (const std::string& name : other.m_names)
+        own.push_back(indexOf(name));
+    for (const auto& [key, from] : other.m_cells) {
+        Cell& cell = m_cells[key];
+        for (const auto& [answer, count] : from.counts) {
+            const std::pair renamed(own[answer.first], answer.second == kNone ? kNone : own[answer.second]);
+            const auto found =
+                std::ranges::find(cell.counts, renamed, &decltype(cell.counts)::value_type::first);
+            if (found != cell.counts.end())
+                found->second += count;
+            else
+                cell.counts.emplace_back(renamed, count);
+        }
+        cell.correctTimes_s.insert(cell.correctTimes_s.end(), from.correctTimes_s.begin(),
+                                   from.correctTimes_s.end());
+    }
+    for (const auto& [task, known] : other.m_alternatives) {
+        Alternatives& alternatives = expected(task);
+        for (const std::size_t name : known.patterns)
+            alternatives.patterns.insert(own[name]);
+        alternatives.count = std::max(alternatives.count, known.count);
+    }
+}
+
 void TrialTally::addFrames(std::optional<double> longestWrite_ms, std::optional<std::size_t> missed) {
     if (!longestWrite_ms && !missed)
         return;

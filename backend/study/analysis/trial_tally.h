@@ -55,6 +55,9 @@ public:
         std::set<std::size_t> patterns; ///< indices in names()
         std::size_t count = 0;          ///< according to the trials; 0: unknown
     };
+    /// Adds all trials and what is known of the tasks, but not where the trials came from. The names of both
+    /// together are not limited.
+    void add(const TrialTally& other);
     /// Adds a pattern of the task, presented or not.
     void expectPattern(std::string_view task, std::string_view pattern);
     /// The task has at least this many patterns.

@@ -183,6 +183,7 @@ void Protocol::describeKeys(Keys& keys) {
         table.flag("sessions", recordSessions,
                    "Record the bracelet and all open sources of each session into a file");
     });
+    describeExclusions(keys, exclusions);
 }
 
 double StudyTask::referenceOf(const std::string& condition) const {

@@ -3,6 +3,7 @@
 
 #include "backend/core/device/trigger_port.h"
 #include "backend/core/error.h"
+#include "backend/study/protocol/exclusion_rule.h"
 #include "backend/study/protocol/level_task.h"
 #include "backend/study/protocol/questionnaire.h"
 #include "backend/study/protocol/trial_order.h"
@@ -82,8 +83,9 @@ struct Protocol {
     std::vector<StudyTask> tasks;
     std::vector<Questionnaire> questionnaires;
     core::TriggerSettings trigger;
-    bool recordSessions = false; ///< the streams of each session are recorded into a file
-    std::string source;          ///< text of the file, kept with the study
+    bool recordSessions = false;           ///< the streams of each session are recorded into a file
+    std::vector<ExclusionRule> exclusions; ///< in the order in which they apply
+    std::string source;                    ///< text of the file, kept with the study
 
     void describeKeys(core::Keys& keys);
 

@@ -277,6 +277,12 @@ std::string protocolText(const Protocol& protocol) {
     addTrigger(lines, protocol.trigger);
     if (protocol.recordSessions)
         lines.head("[recording]").truth("sessions", true);
+    for (const ExclusionRule& rule : protocol.exclusions)
+        lines.head("[[exclude]]")
+            .text("id", rule.id)
+            .text("of", toString(rule.of()))
+            .text("rule", toString(rule.kind))
+            .value("value", number(rule.value));
     return lines.take();
 }
 

@@ -3,6 +3,7 @@
 
 #include "backend/core/data/json_document.h"
 #include "backend/core/failure.h"
+#include "backend/study/analysis/stored_exclusions.h"
 #include "backend/study/report/bids_export.h"
 #include "backend/study/report/codebook.h"
 #include "backend/study/report/export_parts.h"
@@ -99,6 +100,20 @@ core::Expected<void> writeTable(const StudyStore& store, const std::string& path
     return writeChecked(whole + ".json", core::jsonText(sidecar));
 }
 
+/// Writes into the rows of a session which rule of the protocol has left each trial out.
+core::Expected<void> markExcluded(const StudyStore& store, const Participant& participant,
+                                  const SessionRecord& record, const std::vector<StoredTrial>& trials,
+                                  std::vector<TrialRow>& rows) {
+    TELETA_TRY(const StoredExclusions exclusions, storedExclusions(store, participant));
+    const auto column = std::ranges::find(kTrialColumns, "excluded") - kTrialColumns.begin();
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        std::string rule = exclusions.ruleOf(record, trials[i].result);
+        if (!rule.empty())
+            rows[i][static_cast<std::size_t>(column)] = {TrialCell::Kind::text, std::move(rule)};
+    }
+    return {};
+}
+
 core::Expected<void> writeSession(const StudyStore& store, const Participant& participant,
                                   const std::string& label, const SessionRecord& record,
                                   ExportFormat format) {
@@ -108,10 +123,11 @@ core::Expected<void> writeSession(const StudyStore& store, const Participant& pa
     TELETA_TRY(const std::vector<StoredTrial> trials, store.trials(record));
     ordered_json session = sessionSidecar(head, plan);
     session["frames"] = frameSidecar(trials);
+    std::vector<TrialRow> rows = trialRows(head, participant, record, plan, trials);
+    TELETA_CHECK(markExcluded(store, participant, record, trials, rows));
     return writeTable(store,
                       sessionPath(format, label, record.id, alphanumeric(head.protocol.tasks[plan.task].id)),
-                      trialRows(head, participant, record, plan, trials), kTrialColumns, "trials", format,
-                      {{"session", std::move(session)}});
+                      rows, kTrialColumns, "trials", format, {{"session", std::move(session)}});
 }
 
 /// Path of a participant's table next to those of the sessions, without its extension. name: alphanumeric.

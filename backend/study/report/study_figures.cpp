@@ -3,6 +3,7 @@
 
 #include "backend/core/data/output_file.h"
 #include "backend/figure/round_step.h"
+#include "backend/study/report/comparison_section.h"
 #include "backend/study/report/confusion_figure.h"
 
 #include <QCoreApplication>
@@ -209,7 +210,7 @@ figure::SvgCanvas patternFigure(const TaskResults& task, std::optional<Mode> mod
         const double offset = between * (static_cast<double>(c) - (conditions - 1.0) / 2.0);
         for (std::size_t i = 0; i < task.patterns.size(); ++i) {
             const std::optional<GroupMean> mean =
-                groupMean(patternAccuracies(task, task.groups[c].condition, i));
+                groupShare(patternAccuracies(task, task.groups[c].condition, i));
             if (!mean)
                 continue;
             if (mean->interval)
@@ -289,6 +290,7 @@ std::vector<StudyFigure> studyFigures(const std::vector<TaskResults>& results, s
         add(QStringLiteral("accuracy_") + id, accuracyFigure(task, mode));
         add(QStringLiteral("patterns_") + id, patternFigure(task, mode));
         add(QStringLiteral("response_time_") + id, responseTimeFigure(task, mode));
+        add(QStringLiteral("cumulative_time_") + id, cumulativeTimeFigure(task, mode));
         add(QStringLiteral("transfer_") + id, transferFigure(task, mode));
     }
     return figures;

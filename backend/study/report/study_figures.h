@@ -35,7 +35,8 @@ struct StudyFigure {
 };
 
 /// All pictures of a study: confusion_TASK_CONDITION (percent) and confusion_counts_TASK_CONDITION of all
-/// participants in the test phase; accuracy_TASK, patterns_TASK, response_time_TASK, transfer_TASK.
+/// participants in the test phase; accuracy_TASK, patterns_TASK, response_time_TASK,
+/// cumulative_time_TASK, transfer_TASK.
 /// Characters other than letters a to z, digits, - and _ become _; a number is added where names would
 /// collide. Thread: any.
 [[nodiscard]] std::vector<StudyFigure> studyFigures(const std::vector<TaskResults>& results,

@@ -3,6 +3,7 @@
 #include "backend/study/analysis/study_results.h"
 #include "backend/study/analysis/study_rows.h"
 #include "backend/study/report/codebook.h"
+#include "backend/study/report/comparison_files.h"
 #include "backend/study/report/study_export.h"
 
 #include <array>
@@ -36,6 +37,7 @@ core::Expected<void> writeResults(const Results& results, const std::string& fol
     TELETA_CHECK(writeTable(results, folder + "/group.csv", kGroupColumns, writeGroups<core::CsvWriter>));
     TELETA_CHECK(writeTable(results, folder + "/anova.csv", kAnovaColumns, writeAnova<core::CsvWriter>));
     TELETA_CHECK(core::writeFile(folder + "/codebook.csv", codebookText()));
+    TELETA_CHECK(writeComparisons(results, folder));
     return core::writeFile(folder + "/analysis.R", script);
 }
 

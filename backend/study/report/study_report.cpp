@@ -2,6 +2,8 @@
 #include "backend/study/report/study_report.h"
 
 #include "backend/core/data/output_file.h"
+#include "backend/study/comparison/task_comparisons.h"
+#include "backend/study/report/comparison_section.h"
 #include "backend/study/report/confusion_figure.h"
 #include "backend/study/report/report_html.h"
 #include "backend/study/report/report_page.h"
@@ -45,23 +47,30 @@ public:
         const QString end = QStringLiteral("</section>\n");
         if (m_task.groups.empty())
             return head + paragraph(ReportText::tr("There are no test trials.")) + end;
-        return head + accuracy() + confusions() + patterns() + times() + transfer() + participants() +
-               anova() + end;
+        return head + accuracy() + confusions() + patterns() + times() + timeSection(m_task, m_mode) +
+               transfer() + participants() + anova() + comparisonSection(m_task) + end;
     }
 
 private:
+    /// What to know about the interval of a mean share.
+    [[nodiscard]] static QString remarkOf(const std::optional<GroupMean>& mean) {
+        if (mean && mean->allAgree())
+            return ReportText::tr("all participants have the same share");
+        return mean && mean->isCut ? ReportText::tr("the interval is cut off at 0 or 100 %") : QString();
+    }
+
     [[nodiscard]] QString accuracy() const {
         HtmlTable table(
             ReportText::tr("Correct answers of the group; the interval is that of Student's t over "
                            "participants (95 %)"),
             {ReportText::tr("Condition"), ReportText::tr("Participants"), ReportText::tr("Mean, %"),
-             ReportText::tr("SD, %"), ReportText::tr("Interval, %")});
+             ReportText::tr("SD, %"), ReportText::tr("Interval, %"), ReportText::tr("Remark")});
         for (const GroupSummary& group : m_task.groups) {
             const std::optional<GroupMean>& mean = group.accuracy;
             table.row({text(group.condition), QString::number(group.participants),
                        percent(mean ? std::optional(mean->mean) : std::nullopt),
                        percent(mean ? mean->standardDeviation : std::nullopt),
-                       interval(mean ? mean->interval : std::nullopt, 100.0, 1)});
+                       interval(mean ? mean->interval : std::nullopt, 100.0, 1), remarkOf(mean)});
         }
         return heading(ReportText::tr("Correct answers")) +
                figure(
@@ -103,18 +112,22 @@ private:
         for (const GroupSummary& group : m_task.groups)
             columns << ReportText::tr("%1, %").arg(text(group.condition));
         if (m_task.groups.size() == 2)
-            columns << QStringLiteral("F") << ReportText::tr("df") << QStringLiteral("p");
+            columns << QStringLiteral("F") << ReportText::tr("df") << QStringLiteral("p")
+                    << ReportText::tr("p, Holm");
+        const TaskComparisons comparisons = taskComparisons(m_task);
         HtmlTable table(ReportText::tr("Mean of the participants' correct answers for each pattern; "
-                                       "two conditions are compared within participants"),
+                                       "two conditions are compared within participants; Holm: "
+                                       "corrected over the patterns"),
                         columns);
         for (std::size_t i = 0; i < m_task.patterns.size(); ++i) {
             QStringList cells{text(m_task.patterns[i])};
             for (const GroupSummary& group : m_task.groups) {
-                const auto mean = groupMean(patternAccuracies(m_task, group.condition, i));
+                const auto mean = groupShare(patternAccuracies(m_task, group.condition, i));
                 cells << percent(mean ? std::optional(mean->mean) : std::nullopt);
             }
             if (m_task.groups.size() == 2)
-                cells << comparison(m_task.patterns[i]);
+                cells << comparison(m_task.patterns[i])
+                      << probability(patternPHolm(comparisons, m_task.patterns[i]));
             table.row(cells);
         }
         return heading(ReportText::tr("Patterns and conditions")) +
@@ -220,7 +233,7 @@ private:
                        fixed(bits ? std::optional(bits->measured_bit) : std::nullopt, 3),
                        fixed(guesserTransfer(person.matrix, m_task.alternatives()), 2),
                        fixed(bits ? std::optional(bits->corrected_bit) : std::nullopt, 3),
-                       fixed(person.medianTime_s, 3), QString::number(person.times)},
+                       fixed(person.medianTime_s, 3), QString::number(person.times_s.size())},
                       2);
         }
         return heading(ReportText::tr("Participants")) + table.html();
@@ -288,6 +301,7 @@ std::string reportHtml(const std::vector<TaskResults>& results, const ReportHead
                                  .arg(sources.join(QStringLiteral(", ")), text(heading.appVersion)));
     if (heading.frames.trials > 0)
         body += paragraph(framesText(heading.frames));
+    body += exclusionSection(results, heading.exclusions);
     for (const TaskResults& task : results)
         body += TaskSection(task, heading.mode).html();
     body += QStringLiteral("<section>\n<h2>%1</h2>\n<p>%2</p>\n</section>\n")

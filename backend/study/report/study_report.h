@@ -4,6 +4,7 @@
 #include "backend/core/error.h"
 #include "backend/study/analysis/study_results.h"
 #include "backend/study/protocol/trial.h"
+#include "backend/study/report/exclusion_report.h"
 
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ struct ReportHeading {
     std::vector<std::string> sources; ///< studies and files, as they were named
     std::string appVersion;
     TrialTally::Frames frames = {}; ///< how the stimuli were played; of no trials: nothing is said
+    ExclusionReport exclusions = {};
 };
 
 /// The results as one self-contained HTML 5 page: embedded SVG figures, each with its table, for light and

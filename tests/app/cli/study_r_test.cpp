@@ -36,8 +36,9 @@ Table tableOf(const std::string& path, std::size_t keys) {
     return table;
 }
 
-/// Numbers of both tables in these columns agree to 1e-6 of their size.
-void expectSame(const Table& ours, const Table& theirs, const std::vector<std::string>& columns) {
+/// Numbers of both tables in these columns agree to a part of their size.
+void expectSame(const Table& ours, const Table& theirs, const std::vector<std::string>& columns,
+                double tolerance = 1e-6) {
     ASSERT_FALSE(theirs.empty());
     for (const auto& [key, row] : theirs) {
         const auto found = ours.find(key);
@@ -45,7 +46,8 @@ void expectSame(const Table& ours, const Table& theirs, const std::vector<std::s
         for (const std::string& column : columns) {
             const double expected = std::strtod(row.at(column).c_str(), nullptr);
             const double value = std::strtod(found->second.at(column).c_str(), nullptr);
-            EXPECT_NEAR(value, expected, 1e-6 * std::max(1e-3, std::abs(expected))) << key << ' ' << column;
+            EXPECT_NEAR(value, expected, tolerance * std::max(1e-3, std::abs(expected)))
+                << key << ' ' << column;
         }
     }
 }
@@ -79,6 +81,29 @@ TEST(StudyR, theScriptThatComesWithAStudyGivesTheSameNumbersInR) {
         expectSame(tableOf(results + "/summary.csv", 3), tableOf(from + "/summary_r.csv", 3), summary);
         expectSame(tableOf(results + "/group.csv", 2), tableOf(from + "/group_r.csv", 2), group);
     }
+    const Table pairs = tableOf(results + "/comparisons.csv", 5);
+    const Table ranks = tableOf(results + "/ranks.csv", 6);
+    for (const std::string& from : {study, results}) {
+        expectSame(pairs, tableOf(from + "/comparisons_r.csv", 5),
+                   {"n", "difference", "lo", "hi", "t", "df", "p", "p_holm", "dz", "dz_lo", "dz_hi", "dav",
+                    "hedges_j", "gz"});
+        expectSame(pairs, tableOf(from + "/partial_eta2_r.csv", 5),
+                   {"partial_eta2", "partial_eta2_lo", "partial_eta2_hi"});
+        expectSame(ranks, tableOf(from + "/ranks_r.csv", 6),
+                   {"n", "zeros", "w_plus", "w_minus", "p", "p_holm", "exact", "rank_biserial"});
+        expectSame(ranks, tableOf(from + "/friedman_r.csv", 6), {"n", "chi2", "df", "p", "kendall_w"});
+        expectSame(
+            tableOf(results + "/binomial_model.csv", 4), tableOf(from + "/binomial_model_r.csv", 4),
+            {"estimate", "se", "lo", "hi", "sd_participants", "log_likelihood", "lr_chi2", "lr_df", "lr_p"},
+            1e-4);
+    }
+    // Two conditions and six (five) patterns: 1 + 15 + 6 (1 + 10 + 5) pairs.
+    EXPECT_LE(tableOf(results + "/comparisons_r.csv", 5).size(), 22U + 16U);
+    EXPECT_GE(tableOf(results + "/comparisons_r.csv", 5).size(), 30U);
+    expectSame(tableOf(results + "/response_times.csv", 4), tableOf(study + "/response_times_r.csv", 4),
+               {"n", "geometric_mean_s", "median_s"});
+    expectSame(tableOf(results + "/response_times.csv", 4), tableOf(study + "/response_time_ratios_r.csv", 4),
+               {"n", "ratio", "lo", "hi", "t", "df", "p", "p_holm"});
     expectSame(tableOf(results + "/summary.csv", 3), tableOf(study + "/summary_r.csv", 3),
                {"rt_median_s", "rt_n"});
     EXPECT_EQ(tableOf(study + "/summary_r.csv", 3).size(), 24U);

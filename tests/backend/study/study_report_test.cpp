@@ -60,12 +60,26 @@ bool has(const std::string& html, const std::string& text) {
 
 TEST(StudyReport, hasEveryFigureWithATableBesideIt) {
     auto elements = elementsOf(reportHtml(results(), heading()));
-    // Accuracy, two confusion matrices, patterns, times, transfer; participants and ANOVA are tables only.
-    EXPECT_EQ(elements[QStringLiteral("svg")], 6);
-    EXPECT_EQ(elements[QStringLiteral("figure")], 6);
-    EXPECT_EQ(elements[QStringLiteral("table")], 8);
-    EXPECT_EQ(elements[QStringLiteral("caption")], 8);
+    // Accuracy, two confusion matrices, patterns, times, cumulative times, transfer. Participants, ANOVA,
+    // ratios of times, effect sizes, pairs and ranks are tables only.
+    EXPECT_EQ(elements[QStringLiteral("svg")], 7);
+    EXPECT_EQ(elements[QStringLiteral("figure")], 7);
+    EXPECT_EQ(elements[QStringLiteral("table")], 12);
+    EXPECT_EQ(elements[QStringLiteral("caption")], 12);
     EXPECT_EQ(elements[QStringLiteral("h1")], 1);
+}
+
+TEST(StudyReport, showsWhatWasExcludedWithAndWithoutTheRules) {
+    ReportHeading page = heading();
+    EXPECT_FALSE(has(reportHtml(results(), page), "Exclusions"));
+    page.exclusions.lines.push_back(
+        {"fast", ExclusionKind::responseTimeBelow_s, 0.2, true, {}, 24, 2, 0, 0, 0});
+    page.exclusions.withoutRules = results();
+    auto elements = elementsOf(reportHtml(results(), page));
+    EXPECT_EQ(elements[QStringLiteral("table")], 14);
+    const std::string html = reportHtml(results(), page);
+    EXPECT_TRUE(has(html, "fast: response_time_below_s 0.2 (made after the data)"));
+    EXPECT_TRUE(has(html, "Correct without rules, %"));
 }
 
 TEST(StudyReport, saysWhenATaskWasOnlyPractised) {

@@ -160,7 +160,7 @@ TEST(StudyResults, medianTimesAreOfCorrectAnswersInTheTest) {
     ASSERT_TRUE(tally.add({"P1", "shape", "static", Phase::practice, "A", "A", 100.0}));
     const auto results = studyResults(tally);
     EXPECT_EQ(results[0].participants[0].medianTime_s, 2.0);
-    EXPECT_EQ(results[0].participants[0].times, 3U);
+    EXPECT_EQ(results[0].participants[0].times_s.size(), 3U);
 }
 
 TEST(StudyResults, doNotDependOnTheOrderOfTrials) {

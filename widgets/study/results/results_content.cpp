@@ -4,6 +4,7 @@
 #include "backend/study/analysis/information_transfer.h"
 #include "backend/study/analysis/proportion.h"
 #include "widgets/study/results/participant_picker.h"
+#include "widgets/study/results/result_cells.h"
 
 #include <QLocale>
 
@@ -16,7 +17,6 @@ namespace teleta::study {
 namespace {
 
 constexpr double kPercent = 100.0;
-constexpr double kSmallP = 0.001;
 
 QString text(const std::string& value) {
     return QString::fromStdString(value);
@@ -38,30 +38,6 @@ ResultCell conditionCell(const std::string& condition, const ConditionNames& nam
     return {conditionName(condition, names), text(condition)};
 }
 
-ResultCell missing() {
-    return {QStringLiteral("\u2013"), QStringLiteral("NA")};
-}
-
-ResultCell cell(const std::optional<double>& value, int decimals) {
-    if (!value || !std::isfinite(*value))
-        return missing();
-    return {QLocale().toString(*value, 'f', decimals),
-            QLocale::c().toString(*value, 'g', QLocale::FloatingPointShortest)};
-}
-
-ResultCell cell(const std::optional<Interval>& interval, int decimals, double factor = 1.0) {
-    if (!interval)
-        return missing();
-    const QLocale locale;
-    const QLocale c = QLocale::c();
-    return {QStringLiteral("%1 \u2013 %2")
-                .arg(locale.toString(factor * interval->low, 'f', decimals),
-                     locale.toString(factor * interval->high, 'f', decimals)),
-            QStringLiteral("%1;%2").arg(
-                c.toString(factor * interval->low, 'g', QLocale::FloatingPointShortest),
-                c.toString(factor * interval->high, 'g', QLocale::FloatingPointShortest))};
-}
-
 /// Interval of the true transfer, or a bound: "NA" stands for the end that is not known.
 ResultCell rangeCell(const std::optional<TransferEstimate>& transfer) {
     if (transfer && transfer->atLeast_bit) {
@@ -73,20 +49,6 @@ ResultCell rangeCell(const std::optional<TransferEstimate>& transfer) {
         return {QStringLiteral("\u2264 ") + bound.shown, QStringLiteral("NA;") + bound.data};
     }
     return cell(transfer ? transfer->interval : std::nullopt, 2);
-}
-
-ResultCell count(std::int64_t value) {
-    return {QString::number(value)};
-}
-
-QString pText(double p) {
-    return p < kSmallP ? QStringLiteral("< %1").arg(QLocale().toString(kSmallP))
-                       : QLocale().toString(p, 'f', 3);
-}
-
-ResultCell pCell(const std::optional<double>& p) {
-    return p ? ResultCell{pText(*p), QLocale::c().toString(*p, 'g', QLocale::FloatingPointShortest)}
-             : missing();
 }
 
 std::optional<double> percent(const std::optional<double>& share) {
@@ -105,6 +67,18 @@ ChartPoint groupPoint(const std::vector<double>& values) {
         point.interval = mean->interval;
     }
     point.single = values;
+    return point;
+}
+
+/// The same from shares, in percent.
+ChartPoint groupSharePoint(const std::vector<double>& shares) {
+    ChartPoint point;
+    if (const std::optional<GroupMean> mean = groupShare(shares)) {
+        point.value = percent(std::optional(mean->mean));
+        point.interval = percent(mean->interval);
+    }
+    for (const double share : shares)
+        point.single.push_back(kPercent * share);
     return point;
 }
 
@@ -129,12 +103,12 @@ ChartPoint rightPoint(const std::vector<const ParticipantSummary*>& people, bool
     }
     std::vector<double> values;
     for (const ParticipantSummary* one : people) {
-        const std::optional<double> share = pattern ? one->matrix.rowPercent(*pattern, *pattern)
-                                                    : kPercent * one->matrix.accuracy().value_or(0.0);
-        if (share)
-            values.push_back(*share);
+        if (!pattern)
+            values.push_back(one->matrix.accuracy().value_or(0.0));
+        else if (const std::optional<double> share = one->matrix.rowPercent(*pattern, *pattern))
+            values.push_back(*share / kPercent);
     }
-    return groupPoint(values);
+    return groupSharePoint(values);
 }
 
 std::vector<const ParticipantSummary*> under(const TaskResults& task, const std::string& condition,
@@ -157,6 +131,19 @@ bool areAllOne(const ShownPeople& shown) {
 }
 
 } // namespace
+
+ResultCell ResultsContent::groupRemark(const GroupSummary& group) {
+    QStringList remarks;
+    if (group.accuracy && group.accuracy->isCut)
+        remarks << tr("the t interval is cut off at 0 or 100 %");
+    if (group.accuracy && group.accuracy->allAgree())
+        remarks << tr("all participants have the same share");
+    const bool isDoubtful = group.transfer && group.transfer->doubt != TransferDoubt::none;
+    if (isDoubtful)
+        remarks << text(explain(group.transfer->doubt));
+    return {remarks.join(QStringLiteral("; ")),
+            isDoubtful ? QString::fromLatin1(toString(group.transfer->doubt)) : QString()};
+}
 
 std::vector<QStringList> ShownPeople::groups() const {
     return beside ? std::vector{group, *beside} : std::vector{group};
@@ -195,7 +182,8 @@ IntervalChartContent ResultsContent::accuracy(const TaskResults& task, const Sho
 }
 
 IntervalChartContent ResultsContent::patterns(const TaskResults& task, const ShownPeople& shown,
-                                              const ConditionNames& names) {
+                                              const ConditionNames& names,
+                                              const TaskComparisons* comparisons) {
     IntervalChartContent chart;
     chart.name = QStringLiteral("patterns_") + text(task.task);
     chart.title =
@@ -211,9 +199,10 @@ IntervalChartContent ResultsContent::patterns(const TaskResults& task, const Sho
         QString note;
         for (const AnovaLine& line : task.anova) {
             if (line.stimulus == pattern && line.row)
-                note = tr("p %1%2").arg(line.row->p < kSmallP ? QString() : QStringLiteral("= "),
-                                        pText(line.row->p));
+                note = tr("p %1").arg(pRelation(line.row->p));
         }
+        if (const auto corrected = comparisons ? patternPHolm(*comparisons, pattern) : std::nullopt)
+            note = tr("%1; Holm %2", "p of a pattern, corrected p").arg(note, pText(*corrected));
         // The comparison covers all participants.
         chart.notes << (shown.isEverybody() ? note : QString());
     }
@@ -288,18 +277,12 @@ TableContent ResultsContent::groups(const TaskResults& task, const ConditionName
         const std::optional<double> bias_bit =
             bits ? std::optional(bits->measured_bit - bits->corrected_bit) : std::nullopt;
         table.rows.push_back(
-            {conditionCell(group.condition, names),
-             count(static_cast<std::int64_t>(group.participants)),
+            {conditionCell(group.condition, names), count(static_cast<std::int64_t>(group.participants)),
              cell(percent(group.accuracy ? std::optional(group.accuracy->mean) : std::nullopt), 1),
              cell(percent(group.accuracy ? group.accuracy->standardDeviation : std::nullopt), 1),
              cell(group.accuracy ? group.accuracy->interval : std::nullopt, 1, kPercent),
-             count(group.matrix.total()),
-             cell(value(&TransferEstimate::measured_bit), 2),
-             cell(bias_bit, 2),
-             cell(value(&TransferEstimate::corrected_bit), 2),
-             rangeCell(bits),
-             {bits ? text(explain(bits->doubt)) : QString(),
-              bits ? QString::fromLatin1(toString(bits->doubt)) : QString()}});
+             count(group.matrix.total()), cell(value(&TransferEstimate::measured_bit), 2), cell(bias_bit, 2),
+             cell(value(&TransferEstimate::corrected_bit), 2), rangeCell(bits), groupRemark(group)});
     }
     return table;
 }
@@ -352,7 +335,7 @@ TableContent ResultsContent::people(const TaskResults& task, const ShownPeople& 
                               cell(value(&InformationTransfer::bias_bit), 2),
                               cell(value(&InformationTransfer::corrected_bit), 2),
                               cell(one.medianTime_s, 2),
-                              count(static_cast<std::int64_t>(one.times))});
+                              count(static_cast<std::int64_t>(one.times_s.size()))});
     }
     return table;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/study/analysis/study_results.h"
+#include "backend/study/comparison/task_comparisons.h"
 #include "widgets/study/results/interval_chart.h"
 #include "widgets/study/results/result_table.h"
 
@@ -44,9 +45,12 @@ public:
     /// Share of right answers: a group's mean with its t interval, or a participant's share with Wilson's.
     [[nodiscard]] static IntervalChartContent
     accuracy(const TaskResults& task, const ShownPeople& people = {}, const ConditionNames& names = {});
-    /// The same per pattern, conditions side by side, with p of the comparison if all participants are shown.
-    [[nodiscard]] static IntervalChartContent
-    patterns(const TaskResults& task, const ShownPeople& people = {}, const ConditionNames& names = {});
+    /// The same per pattern, conditions side by side, with p of the comparison if all participants are shown,
+    /// and with Holm's if the comparisons are given.
+    [[nodiscard]] static IntervalChartContent patterns(const TaskResults& task,
+                                                       const ShownPeople& people = {},
+                                                       const ConditionNames& names = {},
+                                                       const TaskComparisons* comparisons = nullptr);
     /// Median response times of right answers.
     [[nodiscard]] static IntervalChartContent times(const TaskResults& task, const ShownPeople& people = {},
                                                     const ConditionNames& names = {});
@@ -63,6 +67,10 @@ public:
     /// What guessing would give, and how far the information transfer can be trusted.
     [[nodiscard]] static QString transferNote(const TaskResults& task);
     [[nodiscard]] static QString anovaNote(const TaskResults& task);
+
+private:
+    /// What to know about the intervals of a group.
+    [[nodiscard]] static ResultCell groupRemark(const GroupSummary& group);
 };
 
 } // namespace teleta::study

@@ -3,6 +3,7 @@
 
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
+#include "widgets/study/results/comparisons_view.h"
 #include "widgets/study/results/confusion_view.h"
 #include "widgets/study/results/result_table.h"
 #include "widgets/study/results/results_content.h"
@@ -45,6 +46,7 @@ QLabel* heading(QWidget* parent) {
 
 ResultsView::ResultsView(QWidget* parent)
     : QWidget(parent)
+    , m_comparisons(new ComparisonsView(this))
     , m_groupsTitle(heading(m_content))
     , m_groups(new ResultTable(QStringLiteral("group"), m_content))
     , m_groupsNote(note(m_content))
@@ -89,6 +91,7 @@ ResultsView::ResultsView(QWidget* parent)
     m_tabs->addTab(m_thresholds, QString());
     m_tabs->addTab(m_tracks, QString());
     m_tabs->addTab(m_detection, QString());
+    m_tabs->addTab(m_comparisons, QString());
     m_tabs->setDocumentMode(true);
     layout->addWidget(m_tabs, 1);
     for (FigurePage* page : {m_thresholds, m_tracks, m_detection})
@@ -106,6 +109,7 @@ ResultsView::ResultsView(QWidget* parent)
         connect(chart, &IntervalChart::exportFailed, this, &ResultsView::figureFailed);
     for (ResultTable* table : {m_groups, m_anova, m_people})
         connect(&table->exporter(), &base::FigureExport::failed, this, &ResultsView::figureFailed);
+    connect(m_comparisons, &ComparisonsView::figureFailed, this, &ResultsView::figureFailed);
     m_content->hide();
     base::keepTranslated(this, &ResultsView::retranslate);
 }
@@ -142,6 +146,12 @@ const TaskResults* ResultsView::chosen() const {
     return found == m_scene.tasks.end() ? nullptr : &*found;
 }
 
+const TaskSupplement* ResultsView::supplement() const {
+    const TaskResults* results = chosen();
+    const auto index = static_cast<std::size_t>(results - m_scene.tasks.data());
+    return results != nullptr && index < m_scene.supplements.size() ? &m_scene.supplements[index] : nullptr;
+}
+
 /// Keeps the selection when new trials arrive.
 void ResultsView::fillChoices() {
     const QString oldTask = task();
@@ -168,6 +178,8 @@ void ResultsView::refresh() {
     m_content->setVisible(any);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_task, m_who, m_beside, m_counts, m_export})
         widget->setEnabled(any);
+    m_comparisons->setContent({any ? results : nullptr, any ? supplement() : nullptr, conditionNames(),
+                               &m_scene.tasks, &m_scene.exclusions, m_scene.mode});
     if (!any) {
         showLevels();
         return;
@@ -178,12 +190,14 @@ void ResultsView::refresh() {
     showLevels();
 }
 
-/// The tabs of a task with levels; other tasks have no tabs.
+/// The tabs of a task: comparisons where there are some, and those of levels.
 void ResultsView::showLevels() {
     const std::shared_ptr<const LevelResults>& levels = m_scene.levels;
     const bool any = levels && levels->has(task());
     const bool detects = levels && levels->hasDetection(task());
-    m_tabs->tabBar()->setVisible(any);
+    const bool compares = supplement() != nullptr;
+    m_tabs->tabBar()->setVisible(any || compares);
+    m_tabs->setTabVisible(m_tabs->indexOf(m_comparisons), compares);
     m_tabs->setTabVisible(m_tabs->indexOf(m_thresholds), any);
     m_tabs->setTabVisible(m_tabs->indexOf(m_tracks), any);
     m_tabs->setTabVisible(m_tabs->indexOf(m_detection), detects);
@@ -237,8 +251,10 @@ void ResultsView::showCharts(const TaskResults& results) {
         chart->setContent(std::move(content));
         chart->setMinimumHeight(base::em(this, 17));
     };
+    const TaskSupplement* extra = supplement();
     set(m_accuracy, ResultsContent::accuracy(results, shown(), conditionNames()));
-    set(m_patterns, ResultsContent::patterns(results, shown(), conditionNames()));
+    set(m_patterns, ResultsContent::patterns(results, shown(), conditionNames(),
+                                             extra != nullptr ? &extra->comparisons : nullptr));
     set(m_times, ResultsContent::times(results, shown(), conditionNames()));
 }
 
@@ -259,6 +275,7 @@ void ResultsView::retranslate() {
     m_counts->setAccessibleName(tr("What the matrices show"));
     m_counts->setItemText(0, tr("Counts"));
     m_counts->setItemText(1, tr("Percent of the row"));
+    m_tabs->setTabText(m_tabs->indexOf(m_comparisons), tr("Comparisons"));
     m_groupsTitle->setText(tr("All participants together"));
     m_anovaTitle->setText(tr("Analysis of variance"));
     m_peopleTitle->setText(tr("Each participant"));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/study/analysis/exclusion_results.h"
 #include "backend/study/analysis/study_results.h"
+#include "backend/study/model/task_supplement.h"
 #include "backend/study/protocol/trial.h"
 #include "widgets/base/compose.h"
 #include "widgets/study/results/interval_chart.h"
@@ -23,6 +25,7 @@
 namespace teleta::study {
 
 class ConfusionView;
+class ComparisonsView;
 class ResultTable;
 struct ShownPeople;
 using ConditionNames = QMap<QString, QString>;
@@ -30,6 +33,8 @@ using ConditionNames = QMap<QString, QString>;
 /// Results of a study, and names of its parts.
 struct ResultsScene {
     std::vector<TaskResults> tasks;
+    std::vector<TaskSupplement> supplements = {}; ///< of the tasks, in their order
+    ExclusionReport exclusions = {};
     QMap<QString, QString> taskNames;             ///< by id
     QMap<QString, ConditionNames> conditionNames; ///< by id of the task
     Mode mode = Mode::run;
@@ -37,8 +42,9 @@ struct ResultsScene {
 };
 
 /// The results of a study: confusion matrices, accuracy with intervals, conditions compared for each pattern,
-/// response times, information transfer with its bias, ANOVA. Tasks with levels have further tabs:
-/// thresholds, tracks, d' and c. All of it can be copied and saved. Thread: GUI.
+/// response times, information transfer with its bias, ANOVA; in a tab of their own pairs, ranks, model and
+/// exclusions. Tasks with levels have further tabs: thresholds, tracks, d' and c. All of it can be copied and
+/// saved. Thread: GUI.
 class ResultsView : public QWidget {
     Q_OBJECT
 
@@ -67,6 +73,7 @@ private:
     void showLevels();
     [[nodiscard]] ConditionNames conditionNames() const;
     [[nodiscard]] const TaskResults* chosen() const;
+    [[nodiscard]] const TaskSupplement* supplement() const;
     [[nodiscard]] ShownPeople shown() const;
 
     ResultsScene m_scene;
@@ -81,6 +88,7 @@ private:
     FigurePage* m_thresholds = new FigurePage(QStringLiteral("thresholds"), this);
     FigurePage* m_tracks = new FigurePage(QStringLiteral("tracks"), this);
     FigurePage* m_detection = new FigurePage(QStringLiteral("sdt"), this);
+    ComparisonsView* m_comparisons;
     QGridLayout* m_matrixGrid = new QGridLayout;
     std::vector<ConfusionView*> m_matrices;
     IntervalChart* m_accuracy = base::named<IntervalChart>("accuracyChart", m_content);

@@ -6,12 +6,16 @@
 #include "app/cli/commands/scenes/scene_commands.h"
 #include "app/cli/commands/scenes/study_fit.h"
 #include "app/cli/commands/scenes/study_papers.h"
+#include "app/cli/commands/scenes/study_plan.h"
 #include "backend/core/failure.h"
 #include "backend/figure/figure_file.h"
+#include "backend/study/analysis/exclusion_book.h"
 #include "backend/study/analysis/study_results.h"
 #include "backend/study/analysis/trial_source.h"
 #include "backend/study/analysis/trial_tally.h"
+#include "backend/study/comparison/task_comparisons.h"
 #include "backend/study/methods/results/level_trial_source.h"
+#include "backend/study/report/exclusion_report.h"
 #include "backend/study/report/study_export.h"
 #include "backend/study/report/study_figures.h"
 #include "backend/study/report/study_report.h"
@@ -47,6 +51,54 @@ nlohmann::ordered_json endsOrNull(const std::optional<study::Interval>& ends) {
     return ends ? nlohmann::ordered_json::array({ends->low, ends->high}) : nlohmann::ordered_json(nullptr);
 }
 
+nlohmann::ordered_json pairsJson(const study::TaskComparisons& comparisons) {
+    nlohmann::ordered_json pairs = nlohmann::ordered_json::array();
+    for (const study::LevelPair& pair : comparisons.pairs) {
+        const auto& test = pair.comparison.test;
+        pairs.push_back(
+            {{"effect", pair.effect},
+             {"stimulus", pair.stimulus.empty() ? nullptr : nlohmann::ordered_json(pair.stimulus)},
+             {"first", pair.first},
+             {"second", pair.second},
+             {"difference", orNull(pair.comparison.difference)},
+             {"t", test ? orNull(test->t) : nullptr},
+             {"p", test ? orNull(test->p) : nullptr},
+             {"p_holm", orNull(pair.pHolm)},
+             {"dz", test ? orNull(test->dz) : nullptr},
+             {"note", test ? nlohmann::ordered_json(nullptr)
+                           : nlohmann::ordered_json(study::toString(test.error()))}});
+    }
+    return pairs;
+}
+
+nlohmann::ordered_json exclusionsJson(const std::vector<study::ExclusionLine>& lines) {
+    nlohmann::ordered_json rules = nlohmann::ordered_json::array();
+    for (const study::ExclusionLine& line : lines) {
+        if (line.participant.empty())
+            rules.push_back({{"id", line.rule},
+                             {"after_the_data", line.afterTheData},
+                             {"trials", line.trials},
+                             {"sessions", line.sessions},
+                             {"participants", line.participants}});
+    }
+    return rules;
+}
+
+void addExclusions(const std::vector<study::ExclusionLine>& lines, Fields& fields) {
+    for (const study::ExclusionLine& line : lines) {
+        if (!line.participant.empty())
+            continue;
+        QString text = StudyText::tr("%1 of %2 trials left out").arg(line.trials).arg(line.trialsBefore);
+        if (line.afterTheData)
+            text = StudyText::tr("%1; rule made after the data").arg(text);
+        if (line.cellsWithoutSpread > 0)
+            text = StudyText::tr("%1; no spread of the times, so nothing was left out, in %2 case(s)")
+                       .arg(text)
+                       .arg(line.cellsWithoutSpread);
+        fields.emplace_back(QString::fromStdString(line.rule), text);
+    }
+}
+
 nlohmann::ordered_json toJson(const std::vector<study::TaskResults>& results) {
     nlohmann::ordered_json tasks = nlohmann::ordered_json::array();
     for (const study::TaskResults& task : results) {
@@ -67,6 +119,7 @@ nlohmann::ordered_json toJson(const std::vector<study::TaskResults>& results) {
                                  ? nlohmann::ordered_json(study::toString(bits->doubt))
                                  : nlohmann::ordered_json(nullptr)}});
         }
+        const study::TaskComparisons comparisons = study::taskComparisons(task);
         nlohmann::ordered_json anova = nlohmann::ordered_json::array();
         for (const study::AnovaLine& line : task.anova)
             anova.push_back(
@@ -75,8 +128,12 @@ nlohmann::ordered_json toJson(const std::vector<study::TaskResults>& results) {
                  {"f", line.row ? orNull(line.row->f) : nullptr},
                  {"p", line.row ? orNull(line.row->p) : nullptr},
                  {"p_gg", line.row ? orNull(line.row->pGg) : nullptr},
+                 {"p_holm", orNull(study::patternPHolm(comparisons, line.stimulus))},
                  {"note", line.note.empty() ? nullptr : nlohmann::ordered_json(line.note)}});
-        tasks.push_back({{"task", task.task}, {"groups", std::move(groups)}, {"anova", std::move(anova)}});
+        tasks.push_back({{"task", task.task},
+                         {"groups", std::move(groups)},
+                         {"anova", std::move(anova)},
+                         {"pairs", pairsJson(comparisons)}});
     }
     return {{"tasks", std::move(tasks)}};
 }
@@ -119,13 +176,17 @@ Fields toFields(const std::vector<study::TaskResults>& results) {
                 for (const QString& line : transferLines(*group.transfer))
                     fields.emplace_back(QString(), line);
         }
+        const study::TaskComparisons comparisons = study::taskComparisons(task);
         for (const study::AnovaLine& line : task.anova) {
             const QString name = QString::fromStdString(task.task + ", " + line.effect +
                                                         (line.stimulus.empty() ? "" : ", " + line.stimulus));
-            fields.emplace_back(name, line.row ? StudyText::tr("F(%1, %2) = %3, p = %4")
-                                                     .arg(forPeople(line.row->df1), forPeople(line.row->df2),
-                                                          forPeople(line.row->f), forPeople(line.row->pGg, 3))
-                                               : QString::fromStdString(line.note));
+            QString text = line.row ? StudyText::tr("F(%1, %2) = %3, p = %4")
+                                          .arg(forPeople(line.row->df1), forPeople(line.row->df2),
+                                               forPeople(line.row->f), forPeople(line.row->pGg, 3))
+                                    : QString::fromStdString(line.note);
+            if (const auto p = study::patternPHolm(comparisons, line.stimulus))
+                text = StudyText::tr("%1, Holm over the patterns %2", "F and p").arg(text, forPeople(*p, 3));
+            fields.emplace_back(name, text);
         }
     }
     return fields;
@@ -164,6 +225,9 @@ public:
         m_papers.declareTrigger(addPart(app, "trigger",
                                         StudyText::tr("Send one trial's triggers to another recorder"),
                                         [this] { return m_papers.testTrigger(); }));
+        m_plan.declare(addPart(
+            app, "plan", StudyText::tr("How many participants a test needs: power by simulated studies"),
+            [this] { return m_plan.run(); }));
         declareNoise(addPart(app, "noise", StudyText::tr("Write pink noise that can be played in a loop"),
                              [this] { return writeNoise(); }));
     }
@@ -216,10 +280,15 @@ private:
         addChoice(app, "--mode", m_mode,
                   StudyText::tr("Only data of this mode; different modes are not merged"),
                   {"run", "pilot", "simulated"});
+        addOption(app, "--exclude", m_exclude,
+                  StudyText::tr("Rule of what does not count, besides those of the protocol; marked as made "
+                                "after the data, for example response_time_below_s=0.2"),
+                  "RULE=VALUE");
         addOption(
             app, "--out", m_outFolder,
             StudyText::tr("Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, "
-                          "thresholds.csv, levels.csv, sdt.csv, figures"),
+                          "thresholds.csv, levels.csv, sdt.csv, comparisons.csv, ranks.csv, "
+                          "binomial_model.csv, response_times.csv, exclusions.csv, figures"),
             "DIR")
             ->required();
         declareJson(app, m_json);
@@ -301,10 +370,11 @@ private:
              {StudyText::tr("Of them kept before"), QString::number(progress->trialsBefore)}});
     }
 
-    [[nodiscard]] core::Expected<void> tallyInputs(study::TrialTally& tally, study::ModeFilter& modes) const {
+    [[nodiscard]] core::Expected<void> tallyInputs(study::TrialTally& tally, study::ModeFilter& modes,
+                                                   study::ExclusionBook& exclusions) const {
         const auto tallyStudy = [&](const study::StoreLocation& location) -> core::Expected<void> {
             TELETA_TRY(const study::StudyStore store, study::StudyStore::openForReading(location));
-            return study::tallyStore(store, modes, tally);
+            return study::tallyStore(store, modes, tally, exclusions);
         };
         if (m_inputs.empty() && m_server.empty())
             return core::failed(core::ErrorKind::badInput, StudyText::tr("there is nothing to analyze"),
@@ -330,7 +400,7 @@ private:
                 counted = tallyStudy(input);
             } else {
                 ProgressBar progress(ProgressBar::Unit::bytes, false);
-                counted = study::tallyCsv(input, modes, tally, [&](std::uint64_t bytes) {
+                counted = study::tallyCsv(input, modes, tally, exclusions, [&](std::uint64_t bytes) {
                     progress.update(static_cast<double>(bytes), static_cast<double>(info.size()));
                     return !interrupted();
                 });
@@ -338,6 +408,12 @@ private:
             if (!counted)
                 return core::Unexpected(interrupted() ? interruption() : counted.error());
         }
+        TELETA_CHECK(study::settle(exclusions, tally, m_inputs.empty() ? m_server : m_inputs.front()));
+        if (tally.cells().empty() && exclusions.isUsed())
+            return core::failed(core::ErrorKind::refused,
+                                StudyText::tr("the exclusion rules leave no completed trial"),
+                                StudyText::tr("rules that leave some"),
+                                {m_inputs.empty() ? std::string() : m_inputs.front()});
         if (tally.cells().empty() && !onlyLevels)
             return core::failed(core::ErrorKind::badInput, StudyText::tr("there are no completed trials"),
                                 StudyText::tr("trials that were answered or timed out"),
@@ -352,9 +428,11 @@ private:
 
     [[nodiscard]] core::Expected<void> writeAll(const std::vector<study::TaskResults>& results,
                                                 const study::ModeFilter& modes,
-                                                const study::TrialTally::Frames& frames) const {
+                                                const study::TrialTally::Frames& frames,
+                                                const study::ExclusionReport& exclusions) const {
         study::ReportHeading heading;
         heading.frames = frames;
+        heading.exclusions = exclusions;
         heading.title = StudyText::tr("Results of the study").toStdString();
         heading.mode = modes.wanted ? modes.wanted : modes.seen;
         heading.sources = m_inputs;
@@ -371,6 +449,7 @@ private:
             formats.push_back(std::move(made));
         }
         return study::writeResults(results, m_outFolder)
+            .and_then([&] { return study::writeExclusions(exclusions.lines, m_outFolder); })
             .and_then([&] { return study::writeFigures(results, m_outFolder, heading.mode, formats); })
             .and_then([&] { return writeLevelResults(modes); })
             .and_then([&] { return study::writeReport(results, heading, m_outFolder); });
@@ -392,23 +471,36 @@ private:
         return writeLevels(levels, m_outFolder, same.wanted ? same.wanted : same.seen, m_figures);
     }
 
+    [[nodiscard]] core::Expected<study::ExclusionBook> exclusionBook() const {
+        std::vector<study::ExclusionRule> rules;
+        for (const std::string& text : m_exclude) {
+            TELETA_TRY(study::ExclusionRule rule, study::parseExclusion(text));
+            rules.push_back(std::move(rule));
+        }
+        return study::ExclusionBook(std::move(rules));
+    }
+
     [[nodiscard]] core::Expected<void> analyze() const {
         study::TrialTally tally;
         study::ModeFilter modes;
         if (!m_mode.empty())
             modes.wanted = study::modeOf(m_mode);
-        TELETA_CHECK(tallyInputs(tally, modes));
+        TELETA_TRY(study::ExclusionBook exclusions, exclusionBook());
+        TELETA_CHECK(tallyInputs(tally, modes, exclusions));
         const std::vector<study::TaskResults> results = study::studyResults(tally);
-        TELETA_CHECK(writeAll(results, modes, tally.frames()));
+        const study::ExclusionReport excluded = study::exclusionReport(exclusions);
+        TELETA_CHECK(writeAll(results, modes, tally.frames(), excluded));
         const QString report =
             QDir(QString::fromStdString(m_outFolder)).filePath(QStringLiteral("report.html"));
         if (m_json) {
             nlohmann::ordered_json document = toJson(results);
+            document["exclusions"] = exclusionsJson(excluded.lines);
             document["folder"] = m_outFolder;
             document["report"] = report.toStdString();
             return printDocument(document);
         }
         Fields fields = toFields(results);
+        addExclusions(excluded.lines, fields);
         fields.emplace_back(StudyText::tr("Report"), report);
         fields.emplace_back(StudyText::tr("Tables and figures"), QString::fromStdString(m_outFolder));
         return printFields(fields);
@@ -449,6 +541,7 @@ private:
     }
 
     StudyPapers m_papers;
+    StudyPlan m_plan;
     std::string m_server;
     StudyFit m_fit;
     std::string m_protocolPath;
@@ -460,6 +553,7 @@ private:
     std::string m_studyFolder;
     std::vector<std::string> m_inputs;
     std::string m_mode;
+    std::vector<std::string> m_exclude;
     std::vector<std::string> m_figures = {"svg"};
     std::string m_format = "psychds";
     double m_level_dBFS = -20.0;

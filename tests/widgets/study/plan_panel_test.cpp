@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/test_registry.h"
+#include "widgets/study/planning/plan_content.h"
+#include "widgets/study/planning/plan_panel.h"
+#include "widgets/study/results/curve_view.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace teleta;
+using study::PlanContent;
+using study::PlanPanel;
+
+namespace {
+
+study::Protocol protocol() {
+    study::Protocol two;
+    two.name = "two";
+    two.test.repetitions = 5;
+    study::StudyTask shape;
+    shape.id = shape.name = "shape";
+    shape.patterns = {{"A", "A"}, {"B", "B"}};
+    shape.conditions = {"static", "dynamic"};
+    study::StudyTask one = shape;
+    one.id = one.name = "stiffness";
+    one.conditions = {"static"};
+    two.tasks = {shape, one};
+    return two;
+}
+
+study::PowerPlan planOf(std::optional<std::size_t> answer, std::optional<std::size_t> other = {}) {
+    study::PowerPlan plan;
+    plan.points = {{6, 1000, 400, 0}, {8, 1000, 930, 0}};
+    plan.participants = answer;
+    plan.orParticipants = other;
+    return plan;
+}
+
+} // namespace
+
+class PlanPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void offersTheLinesOfTheAnalyses() {
+        const auto tests = PlanContent::tests(protocol());
+        QCOMPARE(tests.size(), std::size_t(3 + 1));
+        QCOMPARE(tests[0].id, QStringLiteral("shape:condition"));
+        QCOMPARE(tests[3].id, QStringLiteral("stiffness:pattern"));
+        study::Protocol levels = protocol();
+        for (study::StudyTask& task : levels.tasks)
+            task.design = study::Design::yesNo;
+        QVERIFY(PlanContent::tests(levels).empty());
+    }
+
+    void theRequestIsWhatTheFormSays() {
+        PlanPanel panel;
+        QVERIFY(!panel.request());
+        panel.setProtocol(protocol());
+        panel.findChild<QDoubleSpinBox*>("planShare0")->setValue(60.0);
+        panel.findChild<QDoubleSpinBox*>("planShare1")->setValue(85.0);
+        panel.findChild<QDoubleSpinBox*>("planParticipantSd")->setValue(0.3);
+        panel.findChild<QSpinBox*>("planFrom")->setValue(4);
+        panel.findChild<QSpinBox*>("planTo")->setValue(9);
+        panel.findChild<QSpinBox*>("planStep")->setValue(2);
+        const auto request = panel.request();
+        QVERIFY(request.has_value());
+        QCOMPARE(request->test, QStringLiteral("shape:condition"));
+        QCOMPARE(request->settings.participants, (std::vector<std::size_t>{4, 6, 8}));
+        QCOMPARE(request->settings.target, 0.9);
+        const study::TaskTruth* truth = request->truth.find("shape");
+        QVERIFY(truth != nullptr);
+        QCOMPARE(truth->participantSd, 0.3);
+        QCOMPARE(truth->conditions[1].correct, 0.85);
+        panel.findChild<QSpinBox*>("planFrom")->setValue(20);
+        QVERIFY(!panel.request().has_value());
+    }
+
+    void aTaskWithOneConditionHasOneShare() {
+        PlanPanel panel;
+        panel.setProtocol(protocol());
+        panel.findChild<QComboBox*>("planTest")->setCurrentIndex(3);
+        QVERIFY(panel.findChild<QDoubleSpinBox*>("planShare0") != nullptr);
+        QTRY_VERIFY(panel.findChild<QDoubleSpinBox*>("planShare1") == nullptr);
+        QCOMPARE(panel.request()->truth.tasks[0].conditions.size(), std::size_t(1));
+    }
+
+    void aTruthOfAFileLocksTheShares() {
+        PlanPanel panel;
+        panel.setProtocol(protocol());
+        panel.show();
+        study::StudyTruth truth;
+        truth.tasks.push_back({"shape", 0.1, 0.1, {{"static", 0.5, {}}, {"dynamic", 0.9, {}}}});
+        panel.setTruth(truth, QStringLiteral("truth.toml"));
+        QVERIFY(!panel.findChild<QDoubleSpinBox*>("planShare0")->isEnabled());
+        QCOMPARE(panel.request()->truth.tasks[0].conditions[1].correct, 0.9);
+        QTest::mouseClick(panel.findChild<QPushButton*>("planOwn"), Qt::LeftButton);
+        QVERIFY(panel.findChild<QDoubleSpinBox*>("planShare0")->isEnabled());
+    }
+
+    void whileItRunsTheFormIsLockedAndCanBeCancelled() {
+        PlanPanel panel;
+        panel.setProtocol(protocol());
+        panel.show();
+        auto* start = panel.findChild<QPushButton*>("planStart");
+        auto* cancel = panel.findChild<QPushButton*>("planCancel");
+        QVERIFY(!cancel->isEnabled());
+        QSignalSpy planned(&panel, &PlanPanel::planRequested);
+        QSignalSpy cancelled(&panel, &PlanPanel::cancelRequested);
+        QTest::mouseClick(start, Qt::LeftButton);
+        QCOMPARE(planned.count(), 1);
+        panel.setRunning(0.25);
+        QVERIFY(!start->isEnabled());
+        QCOMPARE(panel.findChild<QProgressBar*>("planProgress")->value(), 250);
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        QCOMPARE(cancelled.count(), 1);
+        panel.setPlan(planOf(8U), {{6, 8}, 1000});
+        QVERIFY(start->isEnabled());
+        const study::CurveContent& curve = panel.findChild<study::CurveView*>("planCurve")->content();
+        QCOMPARE(curve.series[0].points.size(), std::size_t(2));
+        QCOMPARE(curve.series[0].points[0].y, 40.0);
+        QVERIFY(curve.series[0].points[0].interval->low < 40.0);
+        QCOMPARE(*curve.reference, 90.0);
+        QVERIFY(panel.findChild<QLabel*>("planAnswer")->text().contains(QStringLiteral("8 participants")));
+    }
+
+    void theAnswerSaysWhatChanceCannotTell() {
+        const study::PlanSettings settings{{6, 8}, 1000};
+        QVERIFY(PlanContent::answer(planOf(6U, 8U), settings).contains(QStringLiteral("6 or 8")));
+        QVERIFY(PlanContent::answer(planOf({}), settings).contains(QStringLiteral("No number up to 8")));
+        study::PowerPlan cut = planOf(8U);
+        cut.cancelled = true;
+        QVERIFY(PlanContent::answer(cut, settings).startsWith(QStringLiteral("Cancelled")));
+    }
+};
+
+static const test::Registration<PlanPanelTest> registration;
+#include "plan_panel_test.moc"
