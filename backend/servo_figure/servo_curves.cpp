@@ -33,8 +33,8 @@ struct Curve {
 
 constexpr std::array kCurves{
     Curve{&ServoCurves::time_s, &servo::ServoStep::time_s, "time_s"},
-    Curve{&ServoCurves::force_N, &servo::ServoStep::force_N, "force_true_N"},
-    Curve{&ServoCurves::desired_N, &servo::ServoStep::desired_N, "force_desired_N"},
+    Curve{&ServoCurves::force_N, &servo::ServoStep::force_N, "force_true_n"},
+    Curve{&ServoCurves::desired_N, &servo::ServoStep::desired_N, "force_desired_n"},
     Curve{&ServoCurves::copY_m, &servo::ServoStep::copY_m, "cop_y_m"},
     Curve{&ServoCurves::copYDesired_m, &servo::ServoStep::copYDesired_m, "cop_y_desired_m"},
     Curve{&ServoCurves::cocX_m, &servo::ServoStep::cocX_m, "coc_x_m"},
@@ -50,8 +50,16 @@ constexpr std::array kPoseCurves{&ServoCurves::x_m,       &ServoCurves::y_m,
                                  &ServoCurves::z_m,       &ServoCurves::way_m,
                                  &ServoCurves::turnZ_rad, &ServoCurves::turnZCommanded_rad};
 
+/// Name of a column in files of version 0.1.0, which the version after the next one will no longer read.
+struct OlderName {
+    std::string_view older;
+    std::string_view present;
+};
+constexpr std::array kOlderNames{OlderName{"force_true_N", "force_true_n"},
+                                 OlderName{"force_desired_N", "force_desired_n"}};
+
 constexpr std::array<std::string_view, 3> kPlace{"x_m", "y_m", "z_m"};
-/// In the order of the coefficients of an Eigen::Quaternion.
+/// In the order of the coefficients of an Eigen::Quaternion, as quaternionXyzw() writes them.
 constexpr std::array<std::string_view, 4> kTurn{"qx", "qy", "qz", "qw"};
 constexpr std::array<std::string_view, 4> kTurnCommanded{"qx_commanded", "qy_commanded", "qz_commanded",
                                                          "qw_commanded"};
@@ -141,10 +149,17 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
     const QString file =
         info.isDir() ? QDir(info.filePath()).filePath(QStringLiteral("servo.csv")) : info.filePath();
     TELETA_TRY(core::CsvReader csv, core::CsvReader::open(file.toStdString()));
+    const auto nameHere = [&csv](std::string_view present) {
+        const auto older = std::ranges::find(kOlderNames, present, &OlderName::present);
+        const bool isOlder = older != kOlderNames.end() &&
+                             std::ranges::find(csv.header(), older->older) != csv.header().end() &&
+                             std::ranges::find(csv.header(), present) == csv.header().end();
+        return isOlder ? older->older : present;
+    };
     std::vector<std::string_view> needed;
     for (const Curve& curve : kCurves)
         if (!curve.isLater)
-            needed.push_back(curve.column);
+            needed.push_back(nameHere(curve.column));
     needed.insert(needed.end(), {"x_m", "y_m", "z_m", "phase", "contact"});
     TELETA_CHECK(csv.columns(needed));
 
@@ -161,7 +176,7 @@ core::Expected<ServoCurves> readServoCurves(const std::string& path) {
             numbers.emplace_back(columnOf(name), &value);
     };
     for (const Curve& curve : kCurves)
-        take(curve.column, step.*curve.value);
+        take(nameHere(curve.column), step.*curve.value);
     for (std::size_t i = 0; i < kPlace.size(); ++i)
         take(kPlace[i], step.p_Base_Sensor.data()[i]);
     for (std::size_t i = 0; i < kTurn.size(); ++i) {

@@ -108,7 +108,7 @@ QString ServoRuns::csv() const {
         &servo_figure::ServoCurves::way_m,         &servo_figure::ServoCurves::cocXDesired_m,
         &servo_figure::ServoCurves::dzmpYDesired_m};
     QString text =
-        QStringLiteral("run,time_s,force_true_N,force_desired_N,cop_y_m,cop_y_desired_m,coc_x_m,"
+        QStringLiteral("run,time_s,force_true_n,force_desired_n,cop_y_m,cop_y_desired_m,coc_x_m,"
                        "dzmp_y_m,dzmp_y_true_m,alpha_z_rad,alpha_z_desired_rad,way_m,coc_x_desired_m,"
                        "dzmp_y_desired_m\n");
     for (const servo_figure::ServoCurves& run : m_curves) {

@@ -46,7 +46,8 @@ QString taxelText(const HeatmapContent& content, const Taxel& taxel) {
 
 QString frameCsv(const HeatmapContent& content) {
     const core::ArrayLayout& layout = content.snapshot.layout;
-    QString csv = QStringLiteral("row,column,x_m,y_m,load_%1,dead,contact_id\n").arg(content.unit());
+    QString csv =
+        QStringLiteral("row,column,x_m,y_m,load_%1,dead,contact_id\n").arg(content.unit().toLower());
     if (!content.valid)
         return csv;
     constexpr int kDoubleDigits = 15;

@@ -1,69 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/key_names.h"
 
+#include "backend/core/unit_names.h"
+
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace teleta::core {
 
 namespace {
-
-struct Unit {
-    std::string_view suffix; ///< of a key
-    std::string_view text;
-};
-constexpr std::array<Unit, 37> kUnits{{{"_N_per_mm", "N/mm"},
-                                       {"_N_per_m", "N/m"},
-                                       {"_Ns_per_m", "N s/m"},
-                                       {"_m_per_s", "m/s"},
-                                       {"_m_per_s2", "m/s²"},
-                                       {"_mm_per_s", "mm/s"},
-                                       {"_rad_per_s", "rad/s"},
-                                       {"_rad_per_s2", "rad/s²"},
-                                       {"_deg_per_s", "°/s"},
-                                       {"_Nm_per_rad", "N m/rad"},
-                                       {"_Nms_per_rad", "N m s/rad"},
-                                       {"_per_m", "1/m"},
-                                       {"_per_s", "1/s"},
-                                       {"_Nm", "N m"},
-                                       {"_mN", "mN"},
-                                       {"_kN", "kN"},
-                                       {"_N", "N"},
-                                       {"_mm", "mm"},
-                                       {"_cm", "cm"},
-                                       {"_um", "µm"},
-                                       {"_m", "m"},
-                                       {"_ms", "ms"},
-                                       {"_us", "µs"},
-                                       {"_ns", "ns"},
-                                       {"_min", "min"},
-                                       {"_s", "s"},
-                                       {"_kHz", "kHz"},
-                                       {"_MHz", "MHz"},
-                                       {"_Hz", "Hz"},
-                                       {"_rad", "rad"},
-                                       {"_deg", "°"},
-                                       {"_kgm2", "kg m²"},
-                                       {"_kg", "kg"},
-                                       {"_kPa", "kPa"},
-                                       {"_Pa", "Pa"},
-                                       {"_percent", "%"},
-                                       {"_px", "px"}}};
-
-/// The longest unit at the end of a key; empty: none.
-Unit unitAtEnd(std::string_view key) {
-    Unit longest;
-    for (const Unit& unit : kUnits)
-        if (key.size() > unit.suffix.size() && key.ends_with(unit.suffix) &&
-            unit.suffix.size() > longest.suffix.size())
-            longest = unit;
-    return longest;
-}
-
-std::string_view withoutUnit(std::string_view key) {
-    return key.substr(0, key.size() - unitAtEnd(key).suffix.size());
-}
 
 char lowered(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -91,10 +36,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }
 
 } // namespace
-
-std::string_view unitOf(std::string_view key) {
-    return unitAtEnd(key).text;
-}
 
 std::string_view nearestName(std::string_view name, const std::vector<std::string_view>& allowed) {
     std::string_view nearest;

@@ -13,9 +13,6 @@ namespace teleta::core {
 [[nodiscard]] std::string_view nearestName(std::string_view name,
                                            const std::vector<std::string_view>& allowed);
 
-/// Unit at the end of a key's name: "N/m" of "stiffness_N_per_m"; empty: none. Thread: any (pure).
-[[nodiscard]] std::string_view unitOf(std::string_view key);
-
 /// What an unknown key most likely stands for.
 struct KeyMatch {
     enum class Kind {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/key_reference.h"
 
-#include "backend/core/data/key_names.h"
+#include "backend/core/unit_names.h"
 
 #include <algorithm>
 #include <array>

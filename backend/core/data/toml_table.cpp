@@ -4,6 +4,7 @@
 #include "backend/core/data/key_lists.h"
 #include "backend/core/data/key_names.h"
 #include "backend/core/failure.h"
+#include "backend/core/unit_names.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -60,11 +61,27 @@ struct TomlTable::Data {
     std::vector<std::string> asked;
     std::vector<std::string> missing;
 
+    /// The node under a key, also under one whose unit is in lower case ("rate_hz" for "rate_Hz").
+    const toml::node* at(std::string_view key) const {
+        if (table == nullptr)
+            return nullptr;
+        const toml::node* node = table->get(key);
+        return node != nullptr ? node : table->get(lowerCaseUnit(key));
+    }
+
+    /// Whether somebody asked for a key of the file. One beside its twin with another letter case is not
+    /// known.
+    bool knows(std::string_view key) const {
+        return std::ranges::any_of(asked, [&](const std::string& name) {
+            return name == key || (lowerCaseUnit(name) == key && table->get(name) == nullptr);
+        });
+    }
+
     /// The node under a key; null when there is none, which is an error if it is required.
     const toml::node* find(std::string_view key, bool required) {
         if (std::ranges::find(asked, key) == asked.end())
             asked.emplace_back(key);
-        const toml::node* node = table != nullptr ? table->get(key) : nullptr;
+        const toml::node* node = at(key);
         if (required && node == nullptr && table != nullptr)
             missing.emplace_back(key);
         return node;
@@ -118,6 +135,15 @@ struct TomlTable::Data {
     }
 
     void reportUnknown(std::string_view key, const SourcePlace& where) {
+        const auto twin =
+            std::ranges::find_if(asked, [&](const std::string& name) { return lowerCaseUnit(name) == key; });
+        if (twin != asked.end()) {
+            document->report(
+                where,
+                TomlReader::tr("\"%1\" and \"%2\" are the same key").arg(asQString(key), asQString(*twin)),
+                TomlReader::tr("one of them"));
+            return;
+        }
         const KeyMatch match = matchKey(key, asked);
         const QString meant = asQString(match.name);
         switch (match.kind) {
@@ -296,7 +322,7 @@ SourcePlace TomlTable::place() const {
 }
 
 SourcePlace TomlTable::place(std::string_view key) const {
-    const toml::node* node = m_data->table != nullptr ? m_data->table->get(key) : nullptr;
+    const toml::node* node = m_data->at(key);
     return node != nullptr ? m_data->document->placeOf(node->source()) : m_data->place;
 }
 
@@ -311,8 +337,7 @@ void TomlTable::finish() {
         return;
     const toml::key* unknown = nullptr;
     for (auto&& [key, node] : *m_data->table) {
-        const bool known = std::ranges::find(m_data->asked, key.str()) != m_data->asked.end();
-        if (!known && (unknown == nullptr || key.source().begin < unknown->source().begin))
+        if (!m_data->knows(key.str()) && (unknown == nullptr || key.source().begin < unknown->source().begin))
             unknown = &key;
     }
     // A misspelt key leaves the right one missing: the misspelling is what helps.

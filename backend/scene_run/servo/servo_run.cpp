@@ -4,6 +4,7 @@
 #include "backend/scene_run/base/run_csv.h"
 #include "backend/scene_run/base/scene_recording.h"
 #include "backend/scene_run/servo/servo_measures.h"
+#include "backend/servo/quaternion_order.h"
 #include "backend/simulation/servo/servo_loop.h"
 #include "backend/simulation/servo/servo_verdict.h"
 
@@ -23,12 +24,12 @@ namespace {
 constexpr std::uint64_t kCyclesBetweenReports = 1024;
 
 constexpr std::string_view kServoColumns =
-    "time_s,phase,contact,type,force_N,force_desired_N,force_true_N,rim_true_N,peak_N,cop_x_m,cop_y_m,"
+    "time_s,phase,contact,type,force_n,force_desired_n,force_true_n,rim_true_n,peak_n,cop_x_m,cop_y_m,"
     "coc_x_m,coc_y_m,dzmp_x_m,dzmp_y_m,alpha_z_rad,cop_x_desired_m,cop_y_desired_m,alpha_z_desired_rad,"
-    "cop_x_true_m,cop_y_true_m,dzmp_y_true_m,alpha_z_true_rad,x_m,y_m,z_m,qw,qx,qy,qz,x_commanded_m,"
+    "cop_x_true_m,cop_y_true_m,dzmp_y_true_m,alpha_z_true_rad,x_m,y_m,z_m,qx,qy,qz,qw,x_commanded_m,"
     "y_commanded_m,z_commanded_m,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,wy_rad_per_s,wz_rad_per_s,"
-    "tray_rad,energy_J,limits,coc_x_desired_m,dzmp_y_desired_m,mass_x_true_m,qw_commanded,qx_commanded,"
-    "qy_commanded,qz_commanded";
+    "tray_rad,energy_j,limits,coc_x_desired_m,dzmp_y_desired_m,mass_x_true_m,qx_commanded,qy_commanded,"
+    "qz_commanded,qw_commanded";
 
 void addCycle(const simulation::ServoLoop& loop, const ServoMeasures& measures, RunCsv& csv) {
     const contact::TactileFeatures& felt = loop.features();
@@ -37,19 +38,17 @@ void addCycle(const simulation::ServoLoop& loop, const ServoMeasures& measures, 
     const simulation::ServoFrameTruth& frame = loop.world().frameTruth();
     const simulation::ImpedanceArm& arm = loop.world().arm();
     const bool loaded = frame.loads.force_N > 0.0;
-    const Eigen::Quaterniond turn(arm.X_Base_Sensor().linear());
-    const Eigen::Quaterniond commanded(arm.X_Base_Reference().linear());
     csv.row(truth.time_s, measures.phase(), servo::toString(output.contact), contact::toString(felt.type),
             felt.force_N, measures.desiredForce_N(), truth.force_N, frame.loads.rim_N, felt.peak_N,
             felt.copX_m, felt.copY_m, felt.cocX_m, felt.cocY_m, felt.dzmpX_m, felt.dzmpY_m, felt.alphaZ_rad,
             output.desired[servo::kX], output.desired[servo::kY], output.desired[servo::kWz],
             valueIf(loaded, frame.loads.copX_m), valueIf(loaded, frame.loads.copY_m),
             valueIf(loaded, frame.loads.copX_m - frame.loads.cocX_m), valueIf(loaded, frame.alphaZ_rad),
-            arm.X_Base_Sensor().translation(), turn.w(), turn.x(), turn.y(), turn.z(),
+            arm.X_Base_Sensor().translation(), servo::quaternionXyzw(arm.X_Base_Sensor().linear()),
             arm.X_Base_Reference().translation(), output.twist_Sensor, truth.hinge_rad, arm.energy_J(),
             output.limits.names(), output.desiredCocX_m(), output.desiredDzmpY_m(),
-            valueIf(arm.object().turns, truth.massPlace_m), commanded.w(), commanded.x(), commanded.y(),
-            commanded.z());
+            valueIf(arm.object().turns, truth.massPlace_m),
+            servo::quaternionXyzw(arm.X_Base_Reference().linear()));
 }
 
 core::Expected<void> writePoints(const std::string& outFolder, const std::vector<Eigen::Vector3d>& points_m) {

@@ -15,7 +15,6 @@ TEST(KeyNames, tellsAMissingUnitFromAnotherUnitAndFromAMisspelling) {
     EXPECT_EQ(kind("stiffness_N_per_mm"), KeyMatch::Kind::otherUnit);
     EXPECT_EQ(kind("rate_kHz"), KeyMatch::Kind::otherUnit);
     EXPECT_EQ(kind("radus_m"), KeyMatch::Kind::similar);
-    EXPECT_EQ(kind("rate_hz"), KeyMatch::Kind::similar);
     EXPECT_EQ(kind("nam"), KeyMatch::Kind::similar);
     EXPECT_EQ(kind("temperature"), KeyMatch::Kind::none);
     EXPECT_EQ(matchKey("stiffness", allowed).name, "stiffness_N_per_m");

@@ -142,3 +142,20 @@ TEST(TomlDocument, placesASyntaxErrorAndTellsAMissingFileFromAnEmptyOne) {
     EXPECT_TRUE(TomlDocument::open("/dev/null"));
     EXPECT_FALSE(TomlDocument::open(TELETA_SOURCE_DIR)) << "a folder is no file";
 }
+
+TEST(TomlTable, aKeyIsReadWithItsUnitInLowerCaseButNotTwice) {
+    double rate_Hz = 0.0;
+    const auto read = [&](TomlTable& table) {
+        rate_Hz = table.number("rate_Hz", NumberRange::positive());
+        (void)table.number("force_N", NumberRange::positive(), 1.0);
+    };
+    EXPECT_EQ(errorOf("rate_hz = 20\nforce_n = 2", read), "");
+    EXPECT_EQ(rate_Hz, 20.0);
+    EXPECT_EQ(errorOf("rate_Hz = 30", read), "");
+    EXPECT_EQ(rate_Hz, 30.0);
+    EXPECT_EQ(errorOf("rate_hz = 20\nrate_Hz = 20", read),
+              "f.toml:1:1: \"rate_hz\" and \"rate_Hz\" are the same key (expected one of them)");
+    EXPECT_EQ(errorOf("rate_hz = -1", read),
+              "f.toml:1:11: \"rate_Hz\" is out of range: -1 (expected a number above 0)");
+    EXPECT_NE(errorOf("rate_HZ = 20", read).find("perhaps \"rate_Hz\""), std::string::npos);
+}

@@ -21,7 +21,7 @@ using namespace servo;
 namespace {
 
 constexpr const char* kHeader =
-    "time_s,phase,contact,force_true_N,force_desired_N,cop_y_m,cop_y_desired_m,coc_x_m,"
+    "time_s,phase,contact,force_true_n,force_desired_n,cop_y_m,cop_y_desired_m,coc_x_m,"
     "dzmp_y_m,dzmp_y_true_m,alpha_z_rad,alpha_z_desired_rad,x_m,y_m,z_m\n";
 
 class ServoFigure : public testing::Test {
@@ -97,7 +97,7 @@ TEST_F(ServoFigure, whatIsNoRunIsRefusedWithItsPlace) {
         EXPECT_EQ(refused.error().where.line, 3) << time;
         EXPECT_EQ(refused.error().where.column, 1) << time;
     }
-    EXPECT_FALSE(readServoCurves(written("time_s,force_true_N\n0,1\n"))) << "columns are missing";
+    EXPECT_FALSE(readServoCurves(written("time_s,force_true_n\n0,1\n"))) << "columns are missing";
     EXPECT_FALSE(readServoCurves(m_folder.filePath("none").toStdString()));
 }
 
@@ -227,13 +227,25 @@ TEST_F(ServoFigure, theTurnAboutTheArraysOwnZIsThatSinceTheFirstContact) {
     const std::string older = std::string(kHeader);
     const auto read =
         readServoCurves(written(older.substr(0, older.size() - 1) +
-                                ",qw,qx,qy,qz,qw_commanded,qx_commanded,qy_commanded,"
-                                "qz_commanded\n"
-                                "0.02,align,touching,4,5,0,0,0,0,0,0,0,1,2,3,1,0,0,0,1,0,0,0\n"
-                                "0.03,align,touching,4,5,0,0,0,0,0,0,0,1,2,3,0.8,0,0,0.6,NA,0,0,0\n"));
+                                ",qx,qy,qz,qw,qx_commanded,qy_commanded,qz_commanded,"
+                                "qw_commanded\n"
+                                "0.02,align,touching,4,5,0,0,0,0,0,0,0,1,2,3,0,0,0,1,0,0,0,1\n"
+                                "0.03,align,touching,4,5,0,0,0,0,0,0,0,1,2,3,0,0,0.6,0.8,0,0,0,NA\n"));
     ASSERT_TRUE(read) << describe(read.error());
     EXPECT_NEAR(read->turnZ_rad[1], 2.0 * std::atan2(0.6, 0.8), 1e-12);
     EXPECT_TRUE(std::isnan(read->turnZCommanded_rad[1]));
+}
+
+TEST_F(ServoFigure, aRunOfVersion010IsReadUnderTheOldNamesOfItsColumns) {
+    const auto read = readServoCurves(
+        written("time_s,phase,contact,force_N,force_desired_N,force_true_N,cop_y_m,cop_y_desired_m,coc_x_m,"
+                "dzmp_y_m,dzmp_y_true_m,alpha_z_rad,alpha_z_desired_rad,x_m,y_m,z_m,qw,qx,qy,qz\n"
+                "0.02,align,touching,4.5,5,4,0,0,0,0,0,0,0,1,2,3,1,0,0,0\n"
+                "0.03,align,touching,4.6,5,4.25,0,0,0,0,0,0,0,1,2,3,0.8,0,0,0.6\n"));
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->force_N, (std::vector<double>{4.0, 4.25}));
+    EXPECT_EQ(read->desired_N, (std::vector<double>{5.0, 5.0}));
+    EXPECT_NEAR(read->turnZ_rad[1], 2.0 * std::atan2(0.6, 0.8), 1e-12);
 }
 
 TEST_F(ServoFigure, limitsThatFlickerForHoursAreBounded) {

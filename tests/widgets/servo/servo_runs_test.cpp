@@ -34,7 +34,7 @@ QString nameOf(const ServoRuns& runs, std::size_t index) {
 }
 
 const char* const kHeader =
-    "time_s,phase,contact,force_true_N,force_desired_N,cop_y_m,cop_y_desired_m,coc_x_m,"
+    "time_s,phase,contact,force_true_n,force_desired_n,cop_y_m,cop_y_desired_m,coc_x_m,"
     "dzmp_y_m,dzmp_y_true_m,alpha_z_rad,alpha_z_desired_rad,x_m,y_m,z_m\n";
 
 } // namespace

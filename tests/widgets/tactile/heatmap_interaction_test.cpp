@@ -256,7 +256,7 @@ private slots:
         const QString csv = m_view->figure().csv();
         const QStringList lines = csv.split(u'\n', Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), qsizetype(1 + 6 * 14));
-        QCOMPARE(lines.first(), QStringLiteral("row,column,x_m,y_m,load_N,dead,contact_id"));
+        QCOMPARE(lines.first(), QStringLiteral("row,column,x_m,y_m,load_n,dead,contact_id"));
         QCOMPARE(lines.at(1 + 3 * 14 + 7), QStringLiteral("3,7,0.0017,0.0017,1.25,0,1"));
         QCOMPARE(lines.at(1), QStringLiteral("0,0,-0.0221,-0.0085,0,0,0"));
     }
