@@ -46,11 +46,11 @@ packages=(
     xvfb xauth libgl1-mesa-dri fonts-dejavu-core
 )
 # For the checks only.
-test_packages=(clang-format clang-tidy desktop-file-utils appstream r-base-core)
+test_packages=(clang-format clang-tidy desktop-file-utils appstream shared-mime-info libglib2.0-bin r-base-core)
 # The shared store of studies, readers of reports and figures, and the other shell with completion.
 test_packages+=(postgresql python3-html5lib poppler-utils locales zsh)
 # Independent servers and serial lines, as peers of the devices.
-test_packages+=(python3-pymodbus python3-serial-asyncio socat qemu-system-x86 busybox-static cpio)
+test_packages+=(python3-pymodbus python3-serial-asyncio python3-dbusmock dbus socat qemu-system-x86 busybox-static cpio)
 # The simulator with which kinematics are compared.
 test_packages+=(libmujoco-dev)
 # Independent readers and writers of MCAP, which npm installs.

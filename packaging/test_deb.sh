@@ -17,7 +17,7 @@ package=$(compgen -G "$root/build/package/teleta-console_*.deb")
 module=$(compgen -G "$root/build/package/python3-teleta_*.deb")
 
 for each in "$package" "$module"; do
-    lintian --allow-root --fail-on error --suppress-tags bogus-mail-host,no-changelog,embedded-library "$each" || fail "lintian refuses $each"
+    lintian --allow-root --fail-on error --suppress-tags bogus-mail-host,embedded-library "$each" || fail "lintian refuses $each"
 done
 
 [[ -x $tree/usr/bin/apt-get ]] || make_tree "$tree"
@@ -52,7 +52,8 @@ inside teleta study analyze /tmp/study --out /tmp/results >/dev/null
 for file in man/man1/teleta.1.gz man/man1/teleta-console.1.gz man/man1/teleta-stiffness.1.gz \
     applications/org.teleta.Console.desktop metainfo/org.teleta.Console.metainfo.xml \
     icons/hicolor/scalable/apps/teleta-console.svg bash-completion/completions/teleta doc/teleta-console/copyright \
-    teleta-console/teleta_msgs/msg/Touch.msg; do
+    teleta-console/teleta_msgs/msg/Touch.msg \
+    doc/teleta-console/changelog.gz doc/teleta-console/CITATION.cff mime/packages/org.teleta.Console.xml; do
     [[ -s $tree/usr/share/$file || $file == doc/* || $file == man/* ]] || fail "/usr/share/$file is missing"
     inside dpkg -L teleta-console | grep -qxF "/usr/share/$file" || fail "the package does not hold /usr/share/$file"
 done

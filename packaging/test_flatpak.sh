@@ -35,11 +35,11 @@ flatpak install --user --noninteractive -y "$bundle"
 printf '\n== installed\n'
 flatpak list --user --columns=application,branch,installation,size
 for file in share/applications/$application.desktop share/icons/hicolor/scalable/apps/$application.svg \
-    share/metainfo/$application.appdata.xml bin/$application; do
+    share/metainfo/$application.appdata.xml share/mime/packages/$application.xml bin/$application; do
     [[ -s $installation/exports/$file ]] || fail "exports/$file is missing"
 done
 desktop="$installation/exports/share/applications/$application.desktop"
-grep -q "^Exec=.*flatpak run .*--command=teleta-console $application" "$desktop" || fail "the desktop file does not start the Flatpak"
+grep -q "^Exec=.*flatpak run .*--command=teleta-console .*$application" "$desktop" || fail "the desktop file does not start the Flatpak"
 grep -qx "Icon=$application" "$desktop" || fail "the desktop file names an icon that is not exported"
 files="$installation/app/$application/current/active/files"
 [[ $(gzip -dc "$files/share/app-info/xmls/$application.xml.gz") == *"<id>$application"* ]] || fail "software centres do not see the program"

@@ -3,6 +3,7 @@
 #include "app/cli/program.h"
 #include "app/common/arguments.h"
 #include "app/common/translation.h"
+#include "app/common/version.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -31,7 +32,7 @@ int main(int argc, char** argv) {
     preferUtf8();
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("teleta"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(TELETA_VERSION));
+    QCoreApplication::setApplicationVersion(teleta::app::version().text());
     // Qt has set the locale of the environment; numbers in options and files do not depend on it.
     std::setlocale(LC_NUMERIC, "C");
     teleta::app::installTranslator(application, QLocale::system());

@@ -4,11 +4,13 @@
 #include "app/cli/base/command.h"
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
+#include "app/cli/base/standard_streams.h"
 #include "app/cli/commands/arm/arm_commands.h"
 #include "app/cli/commands/camera/camera_commands.h"
 #include "app/cli/commands/devices/devices_commands.h"
 #include "app/cli/commands/scenes/scene_commands.h"
 #include "app/cli/commands/tactile/tactile_commands.h"
+#include "app/common/version.h"
 #include "backend/core/passwords.h"
 
 #include <QCoreApplication>
@@ -72,6 +74,18 @@ std::string usageError(const CLI::App* app, const CLI::Error& error) {
         .toStdString();
 }
 
+ExitCode printAbout(bool citation, bool json) {
+    const QString text = citation ? app::citation()
+                         : json   ? app::versionJson(QStringLiteral("teleta"))
+                                  : QStringLiteral("teleta %1\n").arg(app::version().number);
+    const core::Expected<void> done = printText(text.toStdString());
+    if (!done) {
+        printError(done.error());
+        return kWorkFailed;
+    }
+    return kDone;
+}
+
 } // namespace
 
 int runProgram(int argc, const char* const* argv) {
@@ -80,10 +94,18 @@ int runProgram(int argc, const char* const* argv) {
             .toStdString(),
         "teleta");
     translateHelp(app);
-    app.set_version_flag("--version", "teleta " + QCoreApplication::applicationVersion().toStdString(),
-                         ProgramText::tr("Print the version").toStdString());
+    bool asksVersion = false;
+    bool asksCitation = false;
+    bool asJson = false;
+    CLI::Option* version =
+        app.add_flag("--version", asksVersion, ProgramText::tr("Print the version").toStdString());
+    app.add_flag("--json", asJson,
+                 ProgramText::tr("With --version: print version and commit as JSON").toStdString())
+        ->needs(version);
+    app.add_flag("--citation", asksCitation,
+                 ProgramText::tr("Print how to cite the program, as BibTeX").toStdString());
     app.failure_message(usageError);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
 
     const std::vector<Command> commands = allCommands();
     for (const Command& command : commands) {
@@ -94,6 +116,11 @@ int runProgram(int argc, const char* const* argv) {
 
     try {
         app.parse(argc, argv);
+        if (asksVersion || asksCitation)
+            return printAbout(asksCitation, asJson);
+        if (app.get_subcommands().empty())
+            throw CLI::RequiredError::Subcommand(1);
+        refuseTwoOutputs(*app.get_subcommands().front());
         for (const Command& command : commands) {
             if (!app.got_subcommand(command.name))
                 continue;

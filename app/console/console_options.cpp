@@ -2,6 +2,7 @@
 #include "app/console/console_options.h"
 
 #include "app/common/translation.h"
+#include "app/common/version.h"
 #include "app/console/operate/operate_docks.h"
 #include "app/console/study/study_page.h"
 
@@ -163,9 +164,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     if (m_parser.isSet(help) || m_parser.isSet(QStringLiteral("help-all")))
         return {std::nullopt, m_parser.helpText(), 0};
     if (m_parser.isSet(version))
-        return {std::nullopt,
-                QCoreApplication::applicationName() + QLatin1Char(' ') +
-                    QCoreApplication::applicationVersion(),
+        return {std::nullopt, QCoreApplication::applicationName() + QLatin1Char(' ') + app::version().number,
                 0};
     ConsoleOptions options;
     options.files = m_parser.positionalArguments();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/arguments.h"
 #include "app/common/translation.h"
+#include "app/common/version.h"
 #include "app/console/base/console_settings.h"
 #include "app/console/console_options.h"
 #include "app/console/help/about.h"
@@ -51,7 +52,7 @@ std::optional<int> answerWithoutScreen(int argc, char* argv[]) {
 int main(int argc, char* argv[]) {
     QCoreApplication::setOrganizationName(QStringLiteral("TeleTA"));
     QCoreApplication::setApplicationName(QStringLiteral("teleta-console"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(TELETA_VERSION));
+    QCoreApplication::setApplicationVersion(app::version().text());
     if (const std::optional<int> exitCode = answerWithoutScreen(argc, argv))
         return *exitCode;
 

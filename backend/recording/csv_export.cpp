@@ -2,8 +2,10 @@
 #include "backend/recording/csv_export.h"
 
 #include "backend/core/data/csv_writer.h"
+#include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"
 #include "backend/core/number_text.h"
+#include "backend/recording/export_description.h"
 #include "backend/recording/stream_columns.h"
 
 #include <QCoreApplication>
@@ -79,27 +81,37 @@ void writeFrame(core::CsvWriter& csv, const StreamInfo& stream, const core::Tapp
         else
             writeNumbers(csv, values);
     }
-    csv.endRow();
 }
 
 /// All rows are written; finish() gives the file its name.
 struct WrittenFile {
-    ExportedFile file;
+    DescribedTable table;
     core::CsvWriter csv;
 };
 
-core::Expected<WrittenFile> exportEvents(const Recording& recording, const std::string& path) {
-    constexpr std::array<std::string_view, 5> kColumns{"time_s", "utc", "event", "text", "value"};
-    TELETA_TRY(auto csv, core::CsvWriter::create(path, kColumns));
+core::Expected<core::CsvWriter> createTable(DescribedTable& table, bool utc) {
+    if (utc)
+        table.columns.emplace_back("utc_s");
+    const std::vector<std::string_view> columns(table.columns.begin(), table.columns.end());
+    return core::CsvWriter::create(table.path, columns);
+}
+
+core::Expected<WrittenFile> exportEvents(const Recording& recording, const std::string& path, bool utc) {
+    DescribedTable table{.path = path,
+                         .columns = {"time_s", "utc", "event", "text", "value"},
+                         .rows = recording.events().size()};
+    TELETA_TRY(auto csv, createTable(table, utc));
     for (const RecordingEvent& event : recording.events()) {
         csv.number(recording.time_s(event.time_ns));
         csv.text(recording.utcOf(event.time_ns).toString(Qt::ISODateWithMs).toStdString());
         csv.text(event.kind);
         csv.text(event.text);
         csv.number(event.value);
+        if (utc)
+            csv.text(unixSeconds(recording, event.time_ns));
         csv.endRow();
     }
-    return WrittenFile{{path, recording.events().size(), 0}, std::move(csv)};
+    return WrittenFile{std::move(table), std::move(csv)};
 }
 
 /// Counts frames over all streams.
@@ -114,9 +126,14 @@ public:
     }
     void add(std::size_t frames) {
         m_done += static_cast<double>(frames);
-        m_stopped = m_options.goOn && !m_options.goOn(m_done, m_all);
+        m_stopped = m_stopped || (m_options.goOn && !m_options.goOn(m_done, m_all));
     }
     [[nodiscard]] bool stopped() const { return m_stopped; }
+    /// Asks once more, without new frames.
+    [[nodiscard]] bool goesOn() {
+        add(0);
+        return !m_stopped;
+    }
 
 private:
     const ExportOptions& m_options;
@@ -126,12 +143,10 @@ private:
 };
 
 core::Expected<WrittenFile> exportStream(const Recording& recording, std::size_t index,
-                                         const std::string& path, Progress& progress) {
+                                         const std::string& path, bool utc, Progress& progress) {
     const StreamInfo& stream = recording.streams()[index];
-    const std::vector<std::string> names = columnNames(stream);
-    const std::vector<std::string_view> columns(names.begin(), names.end());
-    TELETA_TRY(auto csv, core::CsvWriter::create(path, columns));
-    ExportedFile file{path, 0, 0};
+    DescribedTable table{.path = path, .stream = &stream, .columns = columnNames(stream)};
+    TELETA_TRY(auto csv, createTable(table, utc));
     StreamReader reader = recording.reader(index);
     core::TappedFrames block;
     while (!csv.failed() && !progress.stopped()) {
@@ -140,7 +155,7 @@ core::Expected<WrittenFile> exportStream(const Recording& recording, std::size_t
             return core::Unexpected(any.error());
         if (!any) {
             // Where not even the index can be read the stream ends.
-            ++file.damagedBlocks;
+            ++table.damagedBlocks;
             if (!reader.canGoOn())
                 break;
             progress.add(0);
@@ -151,13 +166,16 @@ core::Expected<WrittenFile> exportStream(const Recording& recording, std::size_t
         for (std::size_t frame = 0; frame < block.frames(); ++frame) {
             csv.number(recording.time_s(block.time_ns[frame]));
             writeFrame(csv, stream, block, frame);
+            if (utc)
+                csv.text(unixSeconds(recording, block.time_ns[frame]));
+            csv.endRow();
         }
-        file.rows += block.frames();
+        table.rows += block.frames();
         progress.add(block.frames());
     }
     if (csv.failed())
         return core::Unexpected(csv.finish().error());
-    return WrittenFile{std::move(file), std::move(csv)};
+    return WrittenFile{std::move(table), std::move(csv)};
 }
 
 /// The name of a stream as that of a file.
@@ -170,7 +188,7 @@ std::string fileName(const std::string& stream) {
 
 constexpr char kEvents[] = "events";
 
-/// The files of the streams, in their order, and that of the events.
+/// The files of the streams, in their order, that of the events, and recording.json.
 std::vector<std::string> filePaths(const Recording& recording, const std::string& folder) {
     // Some file systems ignore case.
     std::set<QString> taken{QString::fromLatin1(kEvents)};
@@ -183,15 +201,16 @@ std::vector<std::string> filePaths(const Recording& recording, const std::string
         paths.push_back(folder + "/" + name + ".csv");
     }
     paths.push_back(folder + "/" + kEvents + ".csv");
+    paths.push_back(folder + "/recording.json");
     return paths;
 }
 
-core::Expected<std::vector<WrittenFile>>
-writeAll(const Recording& recording, const std::vector<std::string>& paths, const ExportOptions& options) {
+core::Expected<std::vector<WrittenFile>> writeAll(const Recording& recording,
+                                                  const std::vector<std::string>& paths,
+                                                  const ExportOptions& options, Progress& progress) {
     std::vector<WrittenFile> files;
-    Progress progress(recording, options);
     for (std::size_t i = 0; i < recording.streams().size(); ++i) {
-        TELETA_TRY(auto file, exportStream(recording, i, paths[i], progress));
+        TELETA_TRY(auto file, exportStream(recording, i, paths[i], options.utc, progress));
         if (progress.stopped() && !options.finishesWhenEnded)
             return core::failed(core::ErrorKind::cancelled,
                                 CsvExportText::tr("interrupted; nothing was written"), {},
@@ -200,7 +219,7 @@ writeAll(const Recording& recording, const std::vector<std::string>& paths, cons
         if (progress.stopped())
             break;
     }
-    TELETA_TRY(auto events, exportEvents(recording, paths.back()));
+    TELETA_TRY(auto events, exportEvents(recording, paths[recording.streams().size()], options.utc));
     files.push_back(std::move(events));
     return files;
 }
@@ -228,16 +247,25 @@ core::Expected<std::vector<ExportedFile>> exportCsv(const Recording& recording, 
             QDir().rmdir(path);
         return core::Unexpected(error);
     };
-    auto written = writeAll(recording, paths, options);
+    Progress progress(recording, options);
+    auto written = writeAll(recording, paths, options, progress);
     if (!written)
         return leaveNothing(written.error());
+    std::vector<DescribedTable> tables;
     for (WrittenFile& each : *written) {
         if (const core::Expected<void> done = each.csv.finish(); !done) {
             written->clear(); // with what has no name yet
             return leaveNothing(done.error());
         }
-        files.push_back(std::move(each.file));
+        files.push_back({each.table.path, each.table.rows, each.table.damagedBlocks});
+        tables.push_back(std::move(each.table));
     }
+    const auto described = exportDescription(recording, tables, [&progress] { return progress.goesOn(); });
+    if (!described)
+        return leaveNothing(described.error());
+    if (const auto done = core::writeFile(paths.back(), *described); !done)
+        return leaveNothing(done.error());
+    files.push_back({paths.back(), 0, 0});
     return files;
 }
 

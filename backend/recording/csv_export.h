@@ -14,7 +14,7 @@ namespace teleta::recording {
 /// One file that was written.
 struct ExportedFile {
     std::string path;
-    std::uint64_t rows = 0;
+    std::uint64_t rows = 0;          ///< 0 of recording.json
     std::uint64_t damagedBlocks = 0; ///< that were left out
 };
 
@@ -24,18 +24,21 @@ struct ExportOptions {
     /// An export ended by goOn keeps its files: those of the streams so far, the last one incomplete, and the
     /// events. Otherwise it leaves none.
     bool finishesWhenEnded = false;
+    /// Adds a last column utc_s to each file: Unix time in s with nine decimals.
+    bool utc = false;
     /// Overwrites existing files.
     bool overwrite = false;
 };
 
-/// Writes each stream as NAME.csv, and events.csv, into a folder, which is created if missing. Equal names
-/// get numbers. Times are since the start of the recording, from the steady clock.
+/// Writes each stream as NAME.csv, events.csv, and recording.json, into a folder, which is created if
+/// missing. Equal names get numbers. Times are since the start of the recording, from the steady clock.
 /// - array: time_s,t0,t1,... as `teleta features` reads them
 /// - joints: time_s,joint_angle_rad,joint_torque_nm,q1,... the elbow first, as `teleta stiffness` reads it
 /// - features: time_s,contact_type,force_n,... as `teleta features` writes them
 /// - camera: time_s,frame_time_s,width_px,height_px, the pictures' times
 /// - others: time_s and the stream's own columns; NA where there is no value
 /// - events: time_s,utc,event,text,value
+/// - recording.json, the last of the files: see exportDescription()
 /// Damaged blocks are skipped and counted. All files appear together at the end, so that a partial export
 /// cannot be mistaken for a whole one.
 /// Error: ioFailed; cancelled by goOn, unless the files are to be kept; refused when a file exists already.

@@ -2,6 +2,7 @@
 #include "app/cli/base/command_io.h"
 
 #include "app/cli/base/options.h"
+#include "app/cli/base/standard_streams.h"
 #include "backend/core/number_text.h"
 #include "backend/core/steady_time.h"
 
@@ -47,11 +48,11 @@ void warn(const QString& text) {
 }
 
 void declareJson(CLI::App& app, bool& json) {
-    addFlag(app, "--json", json, OutputText::tr("Print one JSON document on standard output"));
+    addFlag(app, "-j,--json", json, OutputText::tr("Print one JSON document on standard output"));
 }
 
 void declareOut(CLI::App& app, std::string& outPath) {
-    addOption(app, "--out", outPath,
+    addOption(app, "-o,--out", outPath,
               OutputText::tr("Write the CSV to this file, which appears when it is complete"), "FILE");
 }
 
@@ -64,21 +65,27 @@ nlohmann::ordered_json orNull(const std::optional<double>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
-core::Expected<void> printDocument(const nlohmann::ordered_json& document) {
+core::Expected<void> printText(std::string_view text) {
     core::OutputFile output = core::OutputFile::standardOutput();
-    output.write(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-    output.write("\n");
+    output.write(text);
     return output.finish();
+}
+
+core::Expected<void> printDocument(const nlohmann::ordered_json& document) {
+    return printText(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 core::Expected<void> printFields(const Fields& fields) {
     qsizetype width = 0;
     for (const auto& [label, value] : fields)
         width = std::max(width, label.size());
-    core::OutputFile output = core::OutputFile::standardOutput();
+    std::string text;
     for (const auto& [label, value] : fields)
-        output.write((label.leftJustified(width + 2) + value + QLatin1Char('\n')).toStdString());
-    return output.finish();
+        text += (label.leftJustified(width + 2) + value + QLatin1Char('\n')).toStdString();
+    if (!standardOutputIsFile())
+        return printText(text);
+    std::fputs(text.c_str(), stderr);
+    return {};
 }
 
 RowOutput::RowOutput(std::span<const std::string_view> columns)

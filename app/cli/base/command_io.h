@@ -46,12 +46,15 @@ void declareOut(CLI::App& app, std::string& outPath);
 /// A number for a JSON document; null without one.
 [[nodiscard]] nlohmann::ordered_json orNull(const std::optional<double>& value);
 
+/// Prints a text on standard output.
+[[nodiscard]] core::Expected<void> printText(std::string_view text);
+
 /// Prints one JSON document on standard output; NaN and infinities become null.
 [[nodiscard]] core::Expected<void> printDocument(const nlohmann::ordered_json& document);
 
 /// Labels and values.
 using Fields = std::vector<std::pair<QString, QString>>;
-/// Prints them as a table of two columns on standard output.
+/// Prints them as a table of two columns on standard output; on standard error when a file goes there.
 [[nodiscard]] core::Expected<void> printFields(const Fields& fields);
 
 /// Where the rows of a command go.

@@ -4,6 +4,7 @@
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
+#include "app/cli/base/standard_streams.h"
 #include "backend/core/data/frame_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
 
@@ -72,7 +73,7 @@ core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning() const
 void refuseToReplace(const std::string& output, std::span<const std::string> inputs, const char* option) {
     for (const std::string& input : inputs) {
         std::error_code missing;
-        if (!output.empty() && std::filesystem::equivalent(input, output, missing))
+        if (!output.empty() && output != kStandardOutput && std::filesystem::equivalent(input, output, missing))
             refuse(option, FrameOptionText::tr("the output would replace the input"));
     }
 }
@@ -82,7 +83,7 @@ void FrameOptions::declare(CLI::App& app) {
               FrameOptionText::tr("Recorded frames: time_s,t0,t1,... with one row a frame, row-major"), "")
         ->required();
     array.declare(app);
-    addOption(app, "--threshold", threshold_N,
+    addOption(app, "-t,--threshold", threshold_N,
               FrameOptionText::tr("Load in N from which a taxel is in contact"), positive());
     addOption(app, "--gain", gain, FrameOptionText::tr("N per raw unit"), nonZero());
     addOption(app, "--gains", gainsPath,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cli/base/standard_streams.h"
 #include "backend/core/error.h"
 
 #include <QString>
@@ -9,16 +10,19 @@
 
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace teleta::cli {
 
 /// Adds an option, or an argument when its name has no dashes, with a translated help. type: stands for its
-/// value in the help; null: CLI11's name of the type.
+/// value in the help; null: CLI11's name of the type. A text may be "-", see acceptDash().
 template <typename Value>
 CLI::Option* addOption(CLI::App& app, const char* name, Value& value, const QString& help,
                        const char* type = nullptr) {
     CLI::Option* option = app.add_option(name, value, help.toStdString());
+    if constexpr (std::is_same_v<Value, std::string> || std::is_same_v<Value, std::vector<std::string>>)
+        acceptDash(*option, name, type == nullptr ? "" : type);
     return type == nullptr ? option : option->type_name(type);
 }
 

@@ -24,11 +24,13 @@ bool isTaxelName(const std::string& name, std::size_t index) {
     return name == 't' + std::to_string(index);
 }
 
-/// Number of taxel columns when the header is time_s,t0,t1,...
+/// Number of taxel columns when the header is time_s,t0,t1,... with or without a last utc_s, which is not
+/// read.
 Expected<std::size_t> checkHeader(const CsvReader& csv) {
     const std::vector<std::string>& header = csv.header();
     TELETA_CHECK(csv.column("time_s"));
-    for (std::size_t i = 0; i < header.size(); ++i) {
+    const std::size_t read = header.size() - (header.size() > 1 && header.back() == "utc_s" ? 1 : 0);
+    for (std::size_t i = 0; i < read; ++i) {
         if (i == 0 ? header[i] == "time_s" : isTaxelName(header[i], i - 1))
             continue;
         return failed(ErrorKind::badInput,
@@ -37,10 +39,10 @@ Expected<std::size_t> checkHeader(const CsvReader& csv) {
                           .arg(QString::fromStdString(header[i]).left(40)),
                       i == 0 ? QStringLiteral("time_s") : QStringLiteral("t%1").arg(i - 1), csv.place(i));
     }
-    if (header.size() == 1)
+    if (read == 1)
         return failed(ErrorKind::badInput, FrameFileText::tr("there are no taxel columns"),
                       FrameFileText::tr("the columns time_s, t0, t1, ..."), csv.place(1));
-    return header.size() - 1;
+    return read - 1;
 }
 
 QString shortest(double value) {

@@ -41,6 +41,9 @@ OutputFile::OutputFile(OutputFile&&) noexcept = default;
 OutputFile& OutputFile::operator=(OutputFile&&) noexcept = default;
 
 Expected<OutputFile> OutputFile::create(const std::string& path) {
+    // Redirected to a file it must not be replaced by another one.
+    if (path == "/dev/stdout")
+        return standardOutput();
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
     const QString name = QString::fromStdString(path);

@@ -5,6 +5,8 @@
 #include "backend/core/data/output_file.h"
 #include "backend/core/quantile.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,6 +40,7 @@ ordered_json SceneSummary::toJson() const {
         return entries;
     };
     ordered_json document{{"scene", scene},
+                          {"app_version", QCoreApplication::applicationVersion().toStdString()},
                           {"seed", seed},
                           {"simulated_s", simulated_s},
                           {"wall_s", wall_s},

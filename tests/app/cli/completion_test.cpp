@@ -75,6 +75,23 @@ TEST(Completion, offersScenesPatternsAndLaddersByName) {
     EXPECT_EQ(offered({"teleta", "tradeoff", "contour", "stif"}), Words{"stiffness"});
 }
 
+TEST(Completion, offersTheStreamsOfTheRecordingThatIsNamed) {
+    const teleta::test::TemporaryFolder folder;
+    ASSERT_EQ(
+        teleta::test::run({"simulate", "teleta-touch", "--duration", "0.2", "--out", folder.path("run")})
+            .exitCode,
+        0);
+    const std::string recording = folder.path("run/recording.teleta");
+    EXPECT_EQ(offered({"teleta", "replay", recording, "--stream", "fra"}), Words{"frames"});
+    EXPECT_EQ(offered({"teleta", "replay", "missing.teleta", "--stream", ""}), Words{});
+}
+
+TEST(Completion, offersShortAndLongOptions) {
+    const Words all = offered({"teleta", "simulate", "-"});
+    for (const char* name : {"-o", "--out", "-s", "--seed", "-d", "--duration", "-j", "--json"})
+        EXPECT_NE(std::find(all.begin(), all.end(), name), all.end()) << name;
+}
+
 TEST(Completion, leavesFileNamesToTheShell) {
     EXPECT_EQ(offered({"teleta", "features", "fra"}), Words{});
 }

@@ -2,6 +2,9 @@
 #include "tests/app/cli/program_run.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 using teleta::test::ProgramResult;
 using teleta::test::readAll;
@@ -84,6 +87,44 @@ TEST(CommandLine, theVersionIsPrinted) {
     const ProgramResult result = run({"--version"});
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.out.find("teleta "), 0U);
+    EXPECT_EQ(result.out.find('+'), std::string::npos) << "the commit is for programs";
+}
+
+TEST(CommandLine, versionAndCommitAreToldToPrograms) {
+    const ProgramResult result = run({"--version", "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto document = nlohmann::json::parse(result.out);
+    EXPECT_EQ("teleta " + document["version"].get<std::string>() + "\n", run({"--version"}).out);
+    EXPECT_EQ(document["name"], "teleta");
+    EXPECT_TRUE(document["modified"].is_boolean());
+    if (!document["commit"].is_null()) {
+        const auto commit = document["commit"].get<std::string>();
+        EXPECT_EQ(commit.size(), 12U);
+        EXPECT_EQ(commit.find_first_not_of("0123456789abcdef"), std::string::npos) << commit;
+    }
+    EXPECT_EQ(run({"--json"}).exitCode, 2) << "of nothing";
+    EXPECT_EQ(run({}).exitCode, 2);
+}
+
+TEST(CommandLine, theCitationIsAnEntryOfBibTeXWithTheDataOfTheCitationFile) {
+    const ProgramResult result = run({"--citation"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(result.out.find("@software{teleta_console,\n"), 0U) << result.out;
+    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '{'),
+              std::count(result.out.begin(), result.out.end(), '}'));
+    const std::string cff = readAll(std::string(TELETA_SOURCE_DIR) + "/CITATION.cff");
+    const auto ofFile = [&cff](const std::string& key) {
+        const std::size_t at = cff.find("\n" + key + ": ") + key.size() + 3;
+        std::string value = cff.substr(at, cff.find('\n', at) - at);
+        std::erase(value, '"');
+        return value;
+    };
+    for (const char* key : {"title", "version", "license"})
+        EXPECT_NE(result.out.find("{" + ofFile(key) + "}"), std::string::npos) << key << "\n" << result.out;
+    EXPECT_NE(result.out.find("date    = {" + ofFile("date-released") + "}"), std::string::npos)
+        << result.out;
+    EXPECT_NE(cff.find("name: The TeleTA Console authors"), std::string::npos);
+    EXPECT_NE(result.out.find("{The TeleTA Console authors}"), std::string::npos);
 }
 
 TEST(CommandLine, anOutputThatIsTheInputIsRefusedAndLeavesItAlone) {

@@ -13,6 +13,7 @@ output is compared where it is CSV or JSON. Left out, because it differs from ru
     ablation                the columns own_time_s, run_s and run_with_all_s
     recordings, studies     SQLite pages: each table is dumped row by row, without the version of the program, comments
                             and descriptions of the scene or protocol; frames of a recording without their cut into blocks
+    the commit              behind each version; the sum of a recording in recording.json
     times of the clock      in recordings; in studies they count from its beginning; dates of PDF and HJIF
 Not run, because their files are times: tradeoff, pattern play. Not run, because they need a device or server: devices,
 study --store. Libraries are kept from choosing faster code on newer processors, so that sums hold on every x86-64.
@@ -243,6 +244,7 @@ def write_all(program, folder, whole):
 # --- what differs from run to run is taken out
 
 LEFT_OUT_COLUMNS = {"app_version", "created_utc", "utc"}
+COMMIT = re.compile(rb"(?<=\d\.\d\.\d)\+[0-9a-f]{12}(?:\.modified)?")
 CLOCK = re.compile(rb"20\d\d-\d\d-\d\dT\d\d:\d\d:\d\d(?:\.\d+)?(?=Z)|20\d{6}T\d{6}(?!\d)")
 
 
@@ -311,7 +313,8 @@ def study_origin_s(folder):
 
 def without_times(document):
     if isinstance(document, dict):
-        return {key: without_times(value) for key, value in document.items() if key not in ("wall_s", "time_s")}
+        left_out = ("wall_s", "time_s", "app_version", "exported_by", "sha256")
+        return {key: without_times(value) for key, value in document.items() if key not in left_out}
     if isinstance(document, list):
         return [without_times(value) for value in document]
     return document
@@ -321,7 +324,7 @@ def normalised(path, content):
     name = path.name
     if path.suffix in (".teleta", ".sqlite"):
         return dump(path)
-    if name == "summary.json":
+    if name in ("summary.json", "recording.json"):
         return json.dumps(without_times(json.loads(content)), indent=1).encode()
     if name == "ablation.csv":
         return b"\n".join(b",".join(line.split(b",")[:-3]) for line in content.splitlines())
@@ -341,6 +344,7 @@ def normalise(folder):
             content = path.read_bytes()
             changed = normalised(path, content).replace(str(folder).encode(), b"FOLDER")
             if path.suffix not in (".png", ".wav", ".zip"):
+                changed = COMMIT.sub(b"", changed)
                 changed = since(origin_s if of_study else None, changed)
             if changed != content:
                 path.write_bytes(changed)

@@ -5,6 +5,10 @@
 #include "backend/recording/stream_columns.h"
 #include "tests/backend/recording/recorded_files.h"
 
+#include <QCryptographicHash>
+
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <limits>
 
@@ -44,7 +48,7 @@ TEST_F(CsvExportTest, anArrayIsReadBackAsFramesFromTheStartOn) {
         ASSERT_TRUE(recorder->stop());
     }
     const auto files = exported();
-    ASSERT_EQ(files.size(), 2U);
+    ASSERT_EQ(files.size(), 3U);
     EXPECT_EQ(files[0].rows, 2U);
     EXPECT_EQ(readAll(m_folder.path("csv/frames.csv")), "time_s,t0,t1,t2,t3,t4,t5\n"
                                                         "0.005,0.1,0.225,0.35,0.475,0.6,0.725\n"
@@ -92,6 +96,75 @@ TEST_F(CsvExportTest, marksAreEventsWithTheTimeOfTheWallClock) {
               "1.5,2030-01-01T12:00:01.500Z,mark,\"a, \"\"note\"\"\",0\n");
 }
 
+TEST_F(CsvExportTest, theUnixTimeIsALastColumnThatReadersOfFramesPassOver) {
+    {
+        auto recorder =
+            Recorder::start(m_folder.path("run.teleta"), headAt(kStart_ns),
+                            {.utcNow = [] { return QDateTime(QDate(2030, 1, 1), QTime(12, 0), Qt::UTC); },
+                             .simulatedTime = true})
+                .value();
+        const auto tap = recorder->addStream(arrayInfo());
+        appendFrame(*tap, kStart_ns + 5'000'001, 0.1F);
+        appendFrame(*tap, kStart_ns + 1'010'000'000, 0.2F);
+        recorder->add({.time_ns = kStart_ns + 1'500'000'000, .kind = kMark, .text = "note"});
+        ASSERT_TRUE(recorder->stop());
+    }
+    const auto recording = Recording::open(m_folder.path("run.teleta"));
+    ASSERT_TRUE(exportCsv(*recording, m_folder.path("csv"), {.utc = true}));
+    // 2030-01-01T12:00:00Z is 1893499200 s after 1970 (date -u -d 2030-01-01T12:00 +%s).
+    EXPECT_EQ(readAll(m_folder.path("csv/frames.csv")),
+              "time_s,t0,t1,t2,t3,t4,t5,utc_s\n"
+              "0.005000001,0.1,0.225,0.35,0.475,0.6,0.725,1893499200.005000001\n"
+              "1.01,0.2,0.325,0.45,0.575,0.7,0.825,1893499201.010000000\n");
+    EXPECT_NE(readAll(m_folder.path("csv/events.csv")).find(",mark,note,0,1893499201.500000000\n"),
+              std::string::npos);
+    EXPECT_EQ(core::FrameFile::countTaxels(m_folder.path("csv/frames.csv")), kTaxels);
+    auto file = core::FrameFile::open(m_folder.path("csv/frames.csv"), {.rows = 2, .columns = 3});
+    ASSERT_TRUE(file) << core::describe(file.error());
+    double time_s = 0.0;
+    std::vector<float> values(kTaxels);
+    EXPECT_TRUE(file->next(time_s, values).value());
+    EXPECT_EQ(values[5], 0.725F);
+}
+
+TEST_F(CsvExportTest, theDescriptionBesideTheFilesHasStartUnitsAndTheSumOfTheRecording) {
+    {
+        auto recorder =
+            Recorder::start(m_folder.path("run.teleta"), headAt(kStart_ns),
+                            {.utcNow = [] { return QDateTime(QDate(2030, 1, 1), QTime(12, 0), Qt::UTC); },
+                             .simulatedTime = true})
+                .value();
+        appendFrame(*recorder->addStream(arrayInfo()), kStart_ns, 0.1F);
+        const auto values = jointValues({}, 4);
+        recorder->addStream(jointStream(1000.0, 4))->append(kStart_ns, 0.0, std::span<const double>(values));
+        ASSERT_TRUE(recorder->stop());
+    }
+    (void)exported();
+    const auto document = nlohmann::json::parse(readAll(m_folder.path("csv/recording.json")));
+    EXPECT_EQ(document["recording"], "run.teleta");
+    EXPECT_EQ(document["complete"], true);
+    EXPECT_EQ(document["app_version"], "1.2.3");
+    EXPECT_EQ(document["start_utc"], "2030-01-01T12:00:00.000Z");
+    EXPECT_EQ(document["anchors"][0]["time_s"], 0.0);
+    EXPECT_EQ(document["anchors"][0]["utc"], "2030-01-01T12:00:00.000Z");
+    const std::string recorded = readAll(m_folder.path("run.teleta"));
+    EXPECT_EQ(document["sha256"],
+              QCryptographicHash::hash({recorded.data(), static_cast<qsizetype>(recorded.size())},
+                                       QCryptographicHash::Sha256)
+                  .toHex()
+                  .toStdString());
+    ASSERT_EQ(document["tables"].size(), 3U);
+    const auto& frames = document["tables"][0];
+    EXPECT_EQ(frames["file"], "frames.csv");
+    EXPECT_EQ(frames["rows"], 1);
+    EXPECT_EQ(frames["columns"][0], (nlohmann::json{{"name", "time_s"}, {"unit", "s"}}));
+    EXPECT_EQ(frames["columns"][6], (nlohmann::json{{"name", "t5"}, {"unit", "N"}}));
+    const auto& joints = document["tables"][1];
+    EXPECT_EQ(joints["columns"][2], (nlohmann::json{{"name", "joint_torque_nm"}, {"unit", "N m"}}));
+    EXPECT_EQ(joints["columns"][10], (nlohmann::json{{"name", "tau4"}, {"unit", "N m"}}));
+    EXPECT_EQ(document["tables"][2]["columns"][2], (nlohmann::json{{"name", "event"}, {"unit", nullptr}}));
+}
+
 TEST_F(CsvExportTest, featuresHaveTheirWordsAndDamagedBlocksAreLeftOutAndCounted) {
     {
         auto recorder = start();
@@ -124,7 +197,7 @@ TEST_F(CsvExportTest, pagesThatCannotBeReadTakeOnlyTheirBlocks) {
     damageLargeBlock(path, 0);
     damageLargeBlock(path, 3);
     const auto files = exported();
-    ASSERT_EQ(files.size(), 2U);
+    ASSERT_EQ(files.size(), 3U);
     EXPECT_EQ(files[0].damagedBlocks, 2U);
     EXPECT_EQ(files[0].rows, 4U * kLargeFrames);
 }
@@ -172,7 +245,7 @@ TEST_F(CsvExportTest, anExportThatIsStoppedLeavesNoFileUnlessItFinishesThem) {
         exportCsv(*recording, m_folder.path("part"),
                   {.goOn = [](double frames, double) { return frames < 2.0; }, .finishesWhenEnded = true});
     ASSERT_TRUE(done) << core::describe(done.error());
-    ASSERT_EQ(done->size(), 2U);
+    ASSERT_EQ(done->size(), 3U);
     EXPECT_EQ(done->at(0).rows, 2U);
     EXPECT_EQ(readAll(m_folder.path("part/frames.csv")), "time_s,t0,t1,t2,t3,t4,t5\n0,0,0,0,0,0,0\n"
                                                          "1e-09,1,0,0,0,0,0\n");
@@ -210,8 +283,8 @@ TEST_F(CsvExportTest, streamsWhoseFilesWouldHaveOneNameGetNumbers) {
     std::vector<std::string> names;
     for (const ExportedFile& file : exported())
         names.push_back(file.path.substr(file.path.rfind('/') + 1));
-    EXPECT_EQ(names,
-              (std::vector<std::string>{"a_b.csv", "a_b-2.csv", "A_B-3.csv", "events-2.csv", "events.csv"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"a_b.csv", "a_b-2.csv", "A_B-3.csv", "events-2.csv",
+                                               "events.csv", "recording.json"}));
     EXPECT_NE(readAll(m_folder.path("csv/A_B-3.csv")).find("\n0,2,"), std::string::npos);
     EXPECT_EQ(readAll(m_folder.path("csv/events.csv")).substr(0, 10), "time_s,utc");
 }

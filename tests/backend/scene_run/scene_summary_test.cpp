@@ -29,8 +29,8 @@ TEST(SceneSummary, hasTheKeysOfTheFormatInTheirOrder) {
     const ordered_json document = summary.toJson();
     for (const auto& [key, value] : document.items())
         keys.push_back(key);
-    EXPECT_EQ(keys, (std::vector<std::string>{"scene", "seed", "simulated_s", "wall_s", "effects", "measures",
-                                              "events"}));
+    EXPECT_EQ(keys, (std::vector<std::string>{"scene", "app_version", "seed", "simulated_s", "wall_s",
+                                              "effects", "measures", "events"}));
     EXPECT_EQ(document["effects"].dump(), R"([{"name":"noise","time_s":0.25}])");
     EXPECT_TRUE(document["measures"].is_object());
     EXPECT_TRUE(document["events"].is_array());

@@ -115,7 +115,8 @@ public:
                                     "without a lens, drops pairs that are off by more than 2 mm"),
                   {"robust", "paper"})
             ->capture_default_str();
-        addOption(app, "--out", m_outPath, CalibrateText::tr("Write the camera to this file"), "CAMERA.json");
+        addOption(app, "-o,--out", m_outPath, CalibrateText::tr("Write the camera to this file"),
+                  "CAMERA.json");
         addOption(app, "--residuals", m_residualsPath,
                   CalibrateText::tr("Write each pair and its residual as CSV"), "OUT.csv");
         declareJson(app, m_json);

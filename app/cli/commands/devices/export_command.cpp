@@ -43,7 +43,9 @@ core::Expected<void> printJson(const Recording& recording, const std::vector<Exp
 core::Expected<void> printFiles(const Recording& recording, const std::vector<ExportedFile>& files) {
     Fields fields;
     for (const ExportedFile& file : files) {
-        QString text = ExportText::tr("%n row(s)", nullptr, static_cast<int>(file.rows));
+        QString text = QString::fromStdString(file.path).endsWith(QLatin1String(".json"))
+                           ? ExportText::tr("start, units and origin of these files")
+                           : ExportText::tr("%n row(s)", nullptr, static_cast<int>(file.rows));
         if (file.damagedBlocks > 0)
             text += QStringLiteral(", ") + ExportText::tr("%n damaged block(s) left out", nullptr,
                                                           static_cast<int>(file.damagedBlocks));
@@ -92,14 +94,24 @@ core::Expected<void> printTopics(const Recording& recording, const mcap::McapExp
     return printFields(fields);
 }
 
+core::Expected<void> listStreams(const Recording& recording) {
+    std::string text;
+    for (const recording::StreamInfo& stream : recording.streams())
+        text += stream.name + '\t' + recording::toString(stream.kind) + '\n';
+    return printText(text);
+}
+
 class ExportCommand {
 public:
     void declare(CLI::App& app) {
         addOption(app, "RECORDING", m_path, ExportText::tr("Recording of the console or of teleta simulate"),
                   "")
             ->required();
-        addOption(app, "--csv", m_folder, ExportText::tr("Folder for a CSV file a stream and events.csv"),
-                  "DIR");
+        addOption(app, "--csv", m_folder,
+                  ExportText::tr("Folder for a CSV file a stream, events.csv and recording.json"), "DIR");
+        addFlag(app, "--list", m_list, ExportText::tr("List the streams of the recording: name and kind"));
+        addFlag(app, "--utc", m_utc,
+                ExportText::tr("Add a last column utc_s: Unix time in s with nine decimals"));
         addOption(app, "--mcap", m_mcapPath, ExportText::tr("MCAP file for Foxglove and ROS 2"), "FILE");
         addOption(app, "--stream", m_streams, ExportText::tr("Only these streams into the MCAP file"),
                   "NAME");
@@ -113,11 +125,13 @@ public:
     }
 
     [[nodiscard]] core::Expected<void> run() {
-        if (m_folder.empty() == m_mcapPath.empty())
+        if (!m_list && m_folder.empty() == m_mcapPath.empty())
             refuse("--csv", ExportText::tr("either a folder here or a file after --mcap is needed"));
         if (m_mcapPath.empty() && !m_streams.empty())
             refuse("--stream", ExportText::tr("only with --mcap"));
         TELETA_TRY(const Recording recording, Recording::open(m_path));
+        if (m_list)
+            return listStreams(recording);
         return m_mcapPath.empty() ? writeCsv(recording) : writeMcap(recording);
     }
 
@@ -148,6 +162,7 @@ private:
     [[nodiscard]] core::Expected<void> writeCsv(const Recording& recording) {
         ProgressBar progress(ProgressBar::Unit::frames, false);
         recording::ExportOptions options;
+        options.utc = m_utc;
         options.overwrite = m_force;
         options.finishesWhenEnded = true;
         bool stopped = false;
@@ -174,6 +189,8 @@ private:
     std::vector<std::string> m_streams;
     std::string m_compression = "zstd";
     double m_chunk_MB = 4.0;
+    bool m_list = false;
+    bool m_utc = false;
     bool m_force = false;
     bool m_json = false;
 };

@@ -2,9 +2,11 @@
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
+#include "app/cli/base/standard_streams.h"
 #include "app/cli/commands/devices/devices_commands.h"
 #include "app/cli/commands/devices/pattern_play.h"
 #include "backend/core/data/output_file.h"
+#include "backend/core/failure.h"
 #include "backend/motors/motor_file.h"
 #include "backend/pattern/files/pattern_file.h"
 #include "backend/pattern/files/pattern_format.h"
@@ -16,6 +18,8 @@
 #include "backend/pattern/motors/sampled_output.h"
 
 #include <QCoreApplication>
+#include <QFile>
+#include <QTemporaryDir>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -136,7 +140,7 @@ public:
         takePattern(renders);
         addOption(renders, "--rate", m_rate_Hz, PatternText::tr("Samples a second"),
                   between(pattern::kLowestRate_Hz, pattern::kHighestRate_Hz), "HZ");
-        addOption(renders, "--csv,--out", m_outPath,
+        addOption(renders, "-o,--csv,--out", m_outPath,
                   PatternText::tr("Write the CSV to this file, which appears when it is complete"), "OUT");
         addFlag(renders, "--predicted", m_predicted,
                 PatternText::tr("What the motors will do; without --motors with an assumed motor: lag, start "
@@ -154,6 +158,9 @@ public:
                       QString::fromStdString(pattern::allEndings()),
                   "OUT")
             ->required();
+        addOption(converts, "--format", m_format,
+                  PatternText::tr("Ending that chooses the format when OUT is -, for example json"),
+                  "ENDING");
         addOption(converts, "--rate", m_convertRate_Hz,
                   PatternText::tr("Samples a second of CSV (default 200) and WAV (default 8000)"), "HZ")
             ->check(between(pattern::kLowestRate_Hz, pattern::kHighestRate_Hz));
@@ -284,10 +291,18 @@ private:
 
     [[nodiscard]] core::Expected<void> convert() const {
         TELETA_TRY(const Pattern pattern, pattern::findPattern(m_pattern));
-        const std::optional<pattern::PatternFormat> format = pattern::formatOf(m_outPath);
+        const bool toStandardOutput = m_outPath == kStandardOutput;
+        if (toStandardOutput == m_format.empty())
+            refuse("--format", PatternText::tr("it belongs to OUT as -, where it is needed"));
+        // Its ending chooses the format; some formats are written to a file only.
+        const QTemporaryDir folder;
+        const std::string path = toStandardOutput
+                                     ? folder.filePath(QStringLiteral("pattern.")).toStdString() + m_format
+                                     : m_outPath;
+        const std::optional<pattern::PatternFormat> format = pattern::formatOf(path);
         if (!format)
             refuse("OUT", PatternText::tr("the ending of %1 is not that of a format; expected one of %2")
-                              .arg(QString::fromStdString(m_outPath),
+                              .arg(QString::fromStdString(toStandardOutput ? m_format : m_outPath),
                                    QString::fromStdString(pattern::allEndings())));
         const bool sampled = format == pattern::PatternFormat::csv || format == pattern::PatternFormat::wav;
         if (!sampled && (m_convertRate_Hz || m_predicted))
@@ -298,8 +313,15 @@ private:
         samples.rate_Hz = m_convertRate_Hz;
         if (m_predicted)
             samples.motors = pattern::assumedMotors();
-        if (auto saved = pattern::savePattern(pattern, m_outPath, samples); !saved || !m_json)
+        if (auto saved = pattern::savePattern(pattern, path, samples);
+            !saved || !(m_json || toStandardOutput))
             return saved;
+        if (toStandardOutput) {
+            QFile written(QString::fromStdString(path));
+            if (!written.open(QIODevice::ReadOnly))
+                return core::failed(core::ErrorKind::ioFailed, written.errorString(), {}, {path});
+            return printText(written.readAll().toStdString());
+        }
         return printDocument({{"id", pattern.id}, {"out", m_outPath}});
     }
 
@@ -329,6 +351,7 @@ private:
     }
 
     std::string m_pattern;
+    std::string m_format;
     std::string m_outPath;
     PlayOptions m_play;
     double m_rate_Hz = 200.0;

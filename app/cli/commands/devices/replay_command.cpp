@@ -78,7 +78,7 @@ public:
         addOption(app, "--speed", m_speed,
                   ReplayText::tr("Times the recorded speed; otherwise as fast as possible"), "X")
             ->check(between(0.01, 100.0));
-        addOption(app, "--threshold", m_threshold,
+        addOption(app, "-t,--threshold", m_threshold,
                   ReplayText::tr("Load from which a taxel is in contact; otherwise as it was recorded"))
             ->check(positive());
         declareJson(app, m_output.json);

@@ -188,13 +188,13 @@ public:
                   SimulateText::tr("Scene file, or the name of a scene that comes with the program"),
                   "SCENE");
         addFlag(app, "--list", m_list, SimulateText::tr("List the scenes that come with the program"));
-        addOption(app, "--seed", m_seed, SimulateText::tr("Seed of all random numbers of the scene"), seed(),
-                  "N");
-        addOption(app, "--duration", m_duration_s,
+        addOption(app, "-s,--seed", m_seed, SimulateText::tr("Seed of all random numbers of the scene"),
+                  seed(), "N");
+        addOption(app, "-d,--duration", m_duration_s,
                   SimulateText::tr("Simulated time in seconds; default: as the scene says"), "S")
             ->check(positive());
         addOption(
-            app, "--out", m_outFolder,
+            app, "-o,--out", m_outFolder,
             SimulateText::tr(
                 "Folder for summary.json, the recording and its data as CSV; with --ablate the CSV file"),
             "DIR");

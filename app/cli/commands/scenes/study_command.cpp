@@ -254,7 +254,7 @@ private:
                   "PROTOCOL.toml|NAME");
         addOption(app, "--participants", m_participants, StudyText::tr("Number of participants"),
                   between(1, 10'000), "N");
-        addOption(app, "--seed", m_seed, StudyText::tr("Seed of all orders and answers"), seed(), "S");
+        addOption(app, "-s,--seed", m_seed, StudyText::tr("Seed of all orders and answers"), seed(), "S");
         addOption(app, "--lapses", m_lapses,
                   StudyText::tr("Share of the trials in which nothing is answered"), between(0, 1), "P");
         addOption(app, "--observer", m_observer,
@@ -262,7 +262,7 @@ private:
                                 "psychometric function, lapse rate, and sd of the threshold between them, in "
                                 "the scale of the levels"),
                   "t=..,slope=..,lapse=..,sd=..");
-        addOption(app, "--out", m_outFolder, StudyText::tr("Folder of the new study"), "DIR")->required();
+        addOption(app, "-o,--out", m_outFolder, StudyText::tr("Folder of the new study"), "DIR")->required();
         declareStore(app);
         declareJson(app, m_json);
     }
@@ -285,7 +285,7 @@ private:
                                 "after the data, for example response_time_below_s=0.2"),
                   "RULE=VALUE");
         addOption(
-            app, "--out", m_outFolder,
+            app, "-o,--out", m_outFolder,
             StudyText::tr("Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, "
                           "thresholds.csv, levels.csv, sdt.csv, comparisons.csv, ranks.csv, "
                           "binomial_model.csv, response_times.csv, exclusions.csv, figures"),
@@ -306,13 +306,13 @@ private:
     }
 
     void declareNoise(CLI::App& app) {
-        addOption(app, "--out", m_outFolder, StudyText::tr("The sound file"), "FILE.wav")->required();
+        addOption(app, "-o,--out", m_outFolder, StudyText::tr("The sound file"), "FILE.wav")->required();
         addOption(
             app, "--level", m_level_dBFS,
             StudyText::tr("Root mean square against full scale, dB; how loud it is at the ear has to be "
                           "measured"),
             between(-90, 0), "DBFS");
-        addOption(app, "--seed", m_seed, StudyText::tr("Seed of the noise"), seed(), "S");
+        addOption(app, "-s,--seed", m_seed, StudyText::tr("Seed of the noise"), seed(), "S");
         declareJson(app, m_json);
     }
 

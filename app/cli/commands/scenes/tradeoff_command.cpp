@@ -206,7 +206,7 @@ public:
     void declare(CLI::App& app) {
         addOption(app, "name", m_names, TradeoffText::tr("Ladders of --list; otherwise all of them"), "NAME");
         addFlag(app, "--list", m_list, TradeoffText::tr("List the ladders"));
-        addOption(app, "--out", m_outFolder,
+        addOption(app, "-o,--out", m_outFolder,
                   TradeoffText::tr("Folder for tradeoff.csv and a picture of each ladder (SVG)"), "DIR");
         addOption(app, "--largest-spread", m_largestSpread_percent,
                   TradeoffText::tr("Refuse the times of a rung when the machine ran more unevenly than this "
