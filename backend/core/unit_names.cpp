@@ -96,7 +96,11 @@ constexpr auto kWithoutUnit = std::to_array<std::string_view>({
     "participants", "count", "row_total", "n", "n_correct", "n_timeout", "rt_n", "accuracy", "accuracy_mean",
     "accuracy_sd", "wilson_lo", "wilson_hi", "cp_lo", "cp_hi", "t_lo", "t_hi", "p_chance", "it_few_trials",
     "it_note", "df", "ss", "ss_error", "f", "p", "eps_gg", "p_gg", "eps_hf", "p_hf", "partial_eta",
-    "generalized_eta", "dropped", "category", "series", "low", "high", "singles"});
+    "generalized_eta", "dropped", "design", "track", "level", "level_unit", "reference", "procedure",
+    "excluded", "recording", "function", "threshold", "lo", "hi", "interval", "unit", "spread", "guess",
+    "lapse", "lapse_lo", "lapse_hi", "deviance", "p_deviance", "jnd", "weber", "pse", "stair_estimate",
+    "stair_reversals", "bayes_mean", "bayes_sd", "scale", "n_positive", "positive", "counts", "hits",
+    "n_signal", "false_alarms", "n_noise", "dprime", "c", "category", "series", "low", "high", "singles"});
 
 constexpr char lowered(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

@@ -86,10 +86,10 @@ protected:
             if (ending == ".csv" || ending == ".tsv") {
                 const std::string text = readAll(entry.path().string());
                 const bool semicolons = entry.path().string().find("excel") != std::string::npos;
-                m_wrong += unknownColumns(columnsOf(text, ending == ".tsv" ? '\t'
-                                                          : semicolons     ? ';'
-                                                                           : ','),
-                                          entry.path().filename().string());
+                addOnce(columnsOf(text, ending == ".tsv" ? '\t'
+                                        : semicolons     ? ';'
+                                                         : ','),
+                        entry.path().filename().string());
                 ++m_tables;
             } else if (ending == ".json") {
                 m_wrong += upperCaseKeys(json::parse(readAll(entry.path().string())),
@@ -98,7 +98,15 @@ protected:
         }
     }
 
+    /// Names each unknown column with the first file that has it.
+    void addOnce(const std::vector<std::string>& columns, const std::string& file) {
+        for (const std::string& column : columns)
+            if (m_seen.insert(column).second)
+                m_wrong += unknownColumns({column}, file);
+    }
+
     TemporaryFolder m_folder;
+    std::set<std::string> m_seen;
     std::string m_wrong;
     int m_tables = 0;
 };
