@@ -102,8 +102,8 @@ void acceptDash(CLI::Option& option, std::string_view name, std::string_view typ
             return std::string();
         if (type == "DIR")
             return error(StreamText::tr("- is given, a folder is expected"));
-        if (name == "RECORDING")
-            return error(StreamText::tr("a recording is a database and cannot be read from standard input"));
+        if (name == "RECORDING" || name == "--mcap" || type.find(".teleta") != std::string::npos)
+            return error(StreamText::tr("a recording is a database, which is no stream"));
         if (name == "video")
             return error(StreamText::tr("a video cannot be read from standard input"));
         if (isOutput(name))

@@ -75,7 +75,7 @@ class ImportCommand {
 public:
     void declare(CLI::App& app) {
         addOption(app, "FILE", m_path, ImportText::tr("MCAP file with messages of ROS 2"), "")->required();
-        addOption(app, "--out", m_out, ImportText::tr("Recording to be made"), "FILE")->required();
+        addOption(app, "--out", m_out, ImportText::tr("Recording to be made"), "REC.teleta")->required();
         addOption(app, "--topic", m_topics,
                   ImportText::tr("Read a topic as array, camera or joints, where its type leaves a choice"),
                   "/TOPIC=KIND");
