@@ -16,6 +16,8 @@ build_packages=(
     # Qt 6
     qt6-base-dev qt6-base-dev-tools qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-svg-dev libqt6svg6
     libqt6opengl6-dev libqt6sql6-sqlite libqt6sql6-psql qt6-translations-l10n
+    # the live view for Foxglove
+    qt6-websockets-dev
     # masking noise
     qt6-multimedia-dev
     # charts and the 3D view

@@ -28,6 +28,19 @@ std::optional<typename Values::value_type> valueFor(const Values& values, qsizet
     return *(values.begin() + std::min<qsizetype>(index, std::ssize(values) - 1));
 }
 
+/// QCommandLineParser knows no option whose value may be missing: --foxglove without a port gets the usual
+/// one.
+QStringList withFoxglovePort(QStringList arguments) {
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        bool isPort = false;
+        if (i + 1 < arguments.size())
+            (void)arguments[i + 1].toUInt(&isPort);
+        if (arguments[i] == QLatin1String("--foxglove") && !isPort)
+            arguments[i] += QStringLiteral("=%1").arg(foxglove::LiveViewOptions().port);
+    }
+    return arguments;
+}
+
 class OptionReader {
     Q_DECLARE_TR_FUNCTIONS(ConsoleOptions)
 
@@ -123,6 +136,11 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     const auto sources = option("sources", tr("Open the sources listed in a TOML file."), tr("FILE"));
     const auto record =
         option("record", tr("Record all sources and the bracelet into a new file."), tr("FILE"));
+    const auto live =
+        option("foxglove", tr("Show all sources live to Foxglove on this port (default 8765)."), tr("PORT"));
+    const auto liveAddress = option(
+        "foxglove-address",
+        tr("Address on which the live view listens (default 127.0.0.1: this computer only)."), tr("ADDRESS"));
     const auto camera = option(
         "camera", tr("Open a camera in the soft tube by its number, or a video of one."), tr("FILE|N"));
     const auto cameraModel =
@@ -159,7 +177,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         "measure", tr("Run for so many seconds, print how long the event loop was busy, quit."), tr("S"));
     const auto fresh = option("fresh", tr("Start with the default layout and settings, and save none."));
 
-    if (!m_parser.parse(arguments))
+    if (!m_parser.parse(withFoxglovePort(arguments)))
         return {std::nullopt, m_parser.errorText(), 2};
     if (m_parser.isSet(help) || m_parser.isSet(QStringLiteral("help-all")))
         return {std::nullopt, m_parser.helpText(), 0};
@@ -201,6 +219,11 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     }
     options.sourceList = m_parser.value(sources);
     options.record = m_parser.value(record);
+    options.startsLiveView = m_parser.isSet(live);
+    if (const auto ports = integers(live, 1, std::numeric_limits<std::uint16_t>::max()); !ports.empty())
+        options.liveView.port = static_cast<std::uint16_t>(ports.back());
+    if (m_parser.isSet(liveAddress))
+        options.liveView.address = m_parser.value(liveAddress).toStdString();
     if (const auto seeds = integers(seed, 0, std::numeric_limits<int>::max()); !seeds.empty())
         options.seed = static_cast<std::uint64_t>(seeds.back());
     options.pattern = m_parser.value(pattern);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/sources/recording_arguments.h"
+#include "devices/foxglove/live_view.h"
 
 #include <QSize>
 #include <QString>
@@ -18,7 +19,9 @@ struct ConsoleOptions {
     QStringList scenes;
     std::vector<RecordingArguments> recordings;
     QString sourceList;
-    QString record; ///< file to record into once all that is asked for is open
+    QString record;                     ///< file to record into once all that is asked for is open
+    foxglove::LiveViewOptions liveView; ///< where it listens
+    bool startsLiveView = false;
     std::uint64_t seed = 1;
     QString pattern;       ///< id or file to open on the Patterns page
     QString dataFolder;    ///< of the user's own patterns and of what was not saved; empty: none is used

@@ -7,6 +7,7 @@
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/cost/cost_page.h"
 #include "app/console/file_opener.h"
+#include "app/console/foxglove/live_view_service.h"
 #include "app/console/help/about.h"
 #include "app/console/help/help_menu.h"
 #include "app/console/language_menu.h"
@@ -94,6 +95,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                           {}, this))
     , m_braceletMenu(new BraceletMenu(m_bracelet, settings, this))
     , m_recording(new RecordingControls(m_recorder, m_sources, *m_operate, settings, this))
+    , m_live(std::make_unique<LiveViewService>(m_sources, m_bracelet))
     , m_help(new HelpMenu(*this, [this] { return m_rail->currentPage(); }))
     , m_opener(new FileOpener(m_sources, *m_recordings, *m_study, options.seed, this))
     , m_hand(std::make_unique<HandStation>())
@@ -142,6 +144,15 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     });
     connect(&m_sources, &SourceManager::failed, this, &MainWindow::onFailed);
     connect(m_recordings, &RecordingFiles::failed, this, &MainWindow::onFailed);
+    connect(m_live.get(), &LiveViewService::listening, this, [this](const QString& address) {
+        m_operate->messages().post(
+            {chrome::Message::Severity::information, tr("Foxglove can be connected to %1.").arg(address),
+             tr("Open connection > Foxglove WebSocket shows all sources there."), QString()});
+    });
+    connect(m_live.get(), &LiveViewService::failed, this, [this](const QString& why) {
+        m_operate->messages().post({chrome::Message::Severity::error, tr("The live view has ended."),
+                                    tr("Choose another port with --foxglove."), why});
+    });
     connect(m_recordings, &RecordingFiles::opened, this, &MainWindow::addRecent);
     connect(m_opener, &FileOpener::failed, this, &MainWindow::onFailed);
     connect(m_opener, &FileOpener::listOpened, this, &MainWindow::addRecent);
@@ -224,6 +235,7 @@ void MainWindow::onTick() {
     m_sources.poll();
     m_operate->armViews().setHand(m_hand->motion(), m_hand->text());
     m_recording->tick();
+    m_live->tick();
     m_operate->tick();
     m_patterns->tick();
     m_study->tick();
@@ -255,6 +267,9 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
     if (!options.pattern.isEmpty())
         m_patterns->open(options.pattern);
     m_record = options.record;
+    m_live->setOptions(options.liveView);
+    if (options.startsLiveView)
+        m_live->start();
     if (!options.cameraPairs.isEmpty())
         m_calibrate->openPairs(options.cameraPairs);
 }
@@ -374,6 +389,7 @@ void MainWindow::buildMenus() {
     addTheme(tr("As the de&sktop"), QStringLiteral("system"));
     addLanguageMenu(*view, m_settings);
     view->addSeparator();
+    m_live->fill(*view);
     view->addAction(tr("&Full screen"), QKeySequence::FullScreen, this,
                     [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
 

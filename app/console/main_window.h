@@ -32,6 +32,7 @@ class CostPage;
 class FileOpener;
 class HandStation;
 class HelpMenu;
+class LiveViewService;
 class OperatePage;
 class PageStack;
 class PatternCollection;
@@ -68,6 +69,7 @@ public:
     /// Waits until the motors are off, the recording is complete and all answers are kept; touches no widget.
     /// STOP must be engaged.
     void secure();
+    [[nodiscard]] LiveViewService& liveView() { return *m_live; }
     /// Whether a source failed to open since the start; decides the exit code of --screenshot.
     [[nodiscard]] bool anyFailure() const { return m_anyFailure; }
 
@@ -124,6 +126,7 @@ private:
     std::unique_ptr<CostPage> m_cost;
     BraceletMenu* m_braceletMenu;
     std::unique_ptr<RecordingControls> m_recording;
+    std::unique_ptr<LiveViewService> m_live;
     HelpMenu* m_help;
     FileOpener* m_opener;
     std::unique_ptr<HandStation> m_hand;

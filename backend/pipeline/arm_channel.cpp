@@ -54,20 +54,27 @@ bool ArmChannel::hasProgram() const {
 
 void ArmChannel::record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) {
     m_skin->record(recorder, name);
-    if (!recorder) {
-        m_taps.set(nullptr);
-        return;
-    }
+    m_taps.set(recorder ? tapsInto(*recorder, name) : nullptr);
+}
+
+void ArmChannel::watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) {
+    m_skin->watch(sink, name);
+    m_watched.set(sink ? tapsInto(*sink, name) : nullptr);
+}
+
+std::shared_ptr<const ArmTaps> ArmChannel::tapsInto(recording::StreamSink& sink,
+                                                    const std::string& name) const {
     auto taps = std::make_shared<ArmTaps>();
-    taps->joints = recorder->addStream(armStream(name + "-joints", description(), framesStreamName(name)));
-    taps->touches = recorder->addStream(touchStream(name + "-touches", description()));
-    m_taps.set(std::move(taps));
+    taps->joints = sink.addStream(armStream(name + "-joints", description(), framesStreamName(name)));
+    taps->touches = sink.addStream(touchStream(name + "-touches", description()));
+    return taps;
 }
 
 std::size_t ArmChannel::process() {
     bool changed = takeCommands();
 
     m_tapsInUse = m_taps.get();
+    m_watchedInUse = m_watched.get();
 
     // Joints first: a skin frame that was read before them is then there, too.
     m_joints.clear();
@@ -88,10 +95,12 @@ std::size_t ArmChannel::process() {
         }
     };
     for (const core::JointSample& next : m_joints) {
-        if (m_tapsInUse) {
+        for (const auto& taps : {m_tapsInUse, m_watchedInUse}) {
+            if (!taps)
+                continue;
             const auto values = recording::jointValues(next, m_arm->description().joints());
-            m_tapsInUse->joints->append(next.time_ns, next.sourceTime_s, std::span<const double>(values),
-                                        next.discontinuity);
+            taps->joints->append(next.time_ns, next.sourceTime_s, std::span<const double>(values),
+                                 next.discontinuity);
         }
         feedContactsUntil(next.time_ns - 1);
         if (auto touch = m_estimator.update(next))
@@ -131,9 +140,11 @@ bool ArmChannel::takeCommands() {
 }
 
 void ArmChannel::take(TouchRecord&& touch) {
-    if (m_tapsInUse) {
+    for (const auto& taps : {m_tapsInUse, m_watchedInUse}) {
+        if (!taps)
+            continue;
         const auto values = touchValues(touch);
-        m_tapsInUse->touches->append(touch.ready_ns, touch.ready_s, std::span<const double>(values));
+        taps->touches->append(touch.ready_ns, touch.ready_s, std::span<const double>(values));
     }
     const std::shared_ptr<TactileFeedback> feedback = m_feedback.get();
     if (feedback)

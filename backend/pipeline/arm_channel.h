@@ -111,6 +111,7 @@ public:
 
     /// Streams NAME-joints and NAME-touches, and those of the skin.
     void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
+    void watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) override;
     [[nodiscard]] std::optional<recording::RecordingEvent> takeSettingsEvent() override {
         return m_skin->takeSettingsEvent();
     }
@@ -142,8 +143,13 @@ private:
     core::LatestCopy<ArmSettings> m_settingsInUse;
     std::atomic<bool> m_contourReset{false};
     core::LatestCopy<std::shared_ptr<TactileFeedback>> m_feedback;
+    [[nodiscard]] std::shared_ptr<const ArmTaps> tapsInto(recording::StreamSink& sink,
+                                                          const std::string& name) const;
+
     core::LatestCopy<std::shared_ptr<const ArmTaps>> m_taps;
-    std::shared_ptr<const ArmTaps> m_tapsInUse; ///< of the pipeline's thread
+    core::LatestCopy<std::shared_ptr<const ArmTaps>> m_watched;
+    std::shared_ptr<const ArmTaps> m_tapsInUse;    ///< of the pipeline's thread
+    std::shared_ptr<const ArmTaps> m_watchedInUse; ///< of the same
 
     std::vector<core::JointSample> m_joints;
     std::vector<SkinContact> m_contacts;

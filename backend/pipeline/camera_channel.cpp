@@ -92,26 +92,31 @@ void CameraChannel::drain() {
 }
 
 void CameraChannel::record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) {
-    if (!recorder) {
-        m_taps.set(nullptr);
-        return;
-    }
+    m_taps.set(recorder ? tapsInto(recorder, name) : nullptr);
+}
+
+void CameraChannel::watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) {
+    m_watched.set(sink ? tapsInto(sink, name) : nullptr);
+}
+
+std::shared_ptr<const CameraTaps> CameraChannel::tapsInto(const std::shared_ptr<recording::StreamSink>& sink,
+                                                          const std::string& name) const {
     const core::CameraDescription& description = m_source->description();
     const std::string reference = name + "-reference";
     auto taps = std::make_shared<CameraTaps>();
-    taps->reference = recorder->addStream(referenceStream(reference, description));
-    taps->pictures = recorder->addStream(
+    taps->reference = sink->addStream(referenceStream(reference, description));
+    taps->pictures = sink->addStream(
         cameraStream(name + "-camera", description, m_camera, m_settings.tracker.bump, reference));
-    taps->contacts = recorder->addStream(contactStream(name + "-contacts", description));
-    taps->event = [weak = std::weak_ptr<recording::Recorder>(recorder), name](const CameraEvent& event,
-                                                                              std::int64_t time_ns) {
+    taps->contacts = sink->addStream(contactStream(name + "-contacts", description));
+    taps->event = [weak = std::weak_ptr<recording::StreamSink>(sink), name](const CameraEvent& event,
+                                                                            std::int64_t time_ns) {
         if (const auto kept = weak.lock())
             kept->add({.time_ns = time_ns,
                        .kind = kEventWords[static_cast<std::size_t>(event.kind)],
                        .text = name,
                        .value = static_cast<double>(event.contact)});
     };
-    m_taps.set(std::move(taps));
+    return taps;
 }
 
 void CameraChannel::start(core::Wakeup& /*data*/) {
@@ -170,6 +175,8 @@ void CameraChannel::run(const std::stop_token& stop) {
         while (m_source->pop(frame)) {
             if (m_tapsInUse)
                 m_tapsInUse->pictures->append(frame);
+            if (m_watchedInUse)
+                m_watchedInUse->pictures->append(frame);
             if (any)
                 frame.replace(newest);
             newest = std::move(frame);
@@ -415,35 +422,49 @@ void CameraChannel::report(const std::vector<FollowedContact>& contacts) {
 }
 
 void CameraChannel::takeTaps() {
-    std::shared_ptr<const CameraTaps> taps = m_taps.get();
-    if (taps == m_tapsInUse)
-        return;
-    m_tapsInUse = std::move(taps);
-    recordReference(core::steadyNow_ns(), m_time_s - m_offset_s);
+    const auto take = [this](std::shared_ptr<const CameraTaps> taps,
+                             std::shared_ptr<const CameraTaps>& inUse) {
+        if (taps == inUse)
+            return;
+        inUse = std::move(taps);
+        recordReference(inUse, core::steadyNow_ns(), m_time_s - m_offset_s);
+    };
+    take(m_taps.get(), m_tapsInUse);
+    take(m_watched.get(), m_watchedInUse);
 }
 
 void CameraChannel::recordReference(std::int64_t time_ns, double capture_s) {
+    recordReference(m_tapsInUse, time_ns, capture_s);
+    recordReference(m_watchedInUse, time_ns, capture_s);
+}
+
+void CameraChannel::recordReference(const std::shared_ptr<const CameraTaps>& taps, std::int64_t time_ns,
+                                    double capture_s) {
     // Nobody writes to the reference's pixels.
-    if (m_tapsInUse && m_tracker.hasReference())
-        m_tapsInUse->reference->append(
+    if (taps && m_tracker.hasReference())
+        taps->reference->append(
             {.image = core::greyImageOf(m_tracker.reference()), .time_ns = time_ns, .capture_s = capture_s});
 }
 
 void CameraChannel::recordContacts(const core::CameraFrame& frame,
                                    const std::vector<FollowedContact>& contacts) {
-    if (!m_tapsInUse)
-        return;
-    for (const FollowedContact& followed : contacts) {
-        if (!followed.seen && followed.event != ContactEvent::ends)
+    for (const auto& taps : {m_tapsInUse, m_watchedInUse}) {
+        if (!taps)
             continue;
-        const auto values = contactValues(followed);
-        m_tapsInUse->contacts->append(frame.time_ns, frame.capture_s, std::span<const double>(values));
+        for (const FollowedContact& followed : contacts) {
+            if (!followed.seen && followed.event != ContactEvent::ends)
+                continue;
+            const auto values = contactValues(followed);
+            taps->contacts->append(frame.time_ns, frame.capture_s, std::span<const double>(values));
+        }
     }
 }
 
 void CameraChannel::addEvent(CameraEvent event) {
-    if (m_tapsInUse && m_tapsInUse->event)
-        m_tapsInUse->event(event, m_frame_ns);
+    for (const auto& taps : {m_tapsInUse, m_watchedInUse}) {
+        if (taps && taps->event)
+            taps->event(event, m_frame_ns);
+    }
     m_events.push(std::move(event));
 }
 

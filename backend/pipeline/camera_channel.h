@@ -96,6 +96,7 @@ public:
 
     /// Streams NAME-reference, NAME-camera and NAME-contacts, and the events.
     void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
+    void watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) override;
     /// Who gets copies of pictures, contacts and events from the next ones on, and of the reference; null:
     /// nobody. Any thread.
     void record(std::shared_ptr<const CameraTaps> taps) { m_taps.set(std::move(taps)); }
@@ -139,6 +140,8 @@ private:
     void takeTaps();
     /// capture_s: by the source's clock, as of the pictures.
     void recordReference(std::int64_t time_ns, double capture_s);
+    void recordReference(const std::shared_ptr<const CameraTaps>& taps, std::int64_t time_ns,
+                         double capture_s);
     void recordContacts(const core::CameraFrame& frame, const std::vector<vision::FollowedContact>& contacts);
     [[nodiscard]] bool mayReact() const;
 
@@ -157,7 +160,11 @@ private:
     std::atomic<std::uint64_t> m_permission{kNoPermission};
     std::atomic<bool> m_permissionAsked{false};
     core::Mailbox<ReadyFinder> m_ready;
+    [[nodiscard]] std::shared_ptr<const CameraTaps>
+    tapsInto(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) const;
+
     core::LatestCopy<std::shared_ptr<const CameraTaps>> m_taps;
+    core::LatestCopy<std::shared_ptr<const CameraTaps>> m_watched;
     std::stop_source m_stopping; ///< ends what makes a finder ready
     std::atomic<std::uint64_t> m_processed{0};
 
@@ -178,6 +185,7 @@ private:
     double m_time_s = 0.0;
     std::uint64_t m_passedOver = 0;
     std::shared_ptr<const CameraTaps> m_tapsInUse;
+    std::shared_ptr<const CameraTaps> m_watchedInUse;
     int m_following = 0; ///< contact that the arm follows, or is held from following
 
     std::jthread m_maker;

@@ -15,7 +15,8 @@
 
 namespace teleta::recording {
 class Recorder;
-}
+class StreamSink;
+} // namespace teleta::recording
 
 namespace teleta::pipeline {
 
@@ -32,8 +33,8 @@ struct ChannelSummary {
 /// kind. A class rather than a variant, since the pipeline, the recorder and the status
 /// bar treat all kinds alike, and a further kind of source then changes none of them.
 ///
-/// Threads: start() and stop() by the control thread; process() by the pipeline thread; drain(), record() and
-/// takeSettingsEvent() by the viewer (the GUI's); the rest by any.
+/// Threads: start() and stop() by the control thread; process() by the pipeline thread; drain(), record(),
+/// watch() and takeSettingsEvent() by the viewer (the GUI's); the rest by any.
 class Channel {
 public:
     virtual ~Channel() = default;
@@ -60,6 +61,8 @@ public:
 
     /// Records what comes from now on as streams that begin with a name; a null recorder: no more.
     virtual void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) = 0;
+    /// Somebody else follows the same streams, whether it is recorded or not; null: no more.
+    virtual void watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) = 0;
     /// The settings, when they have changed since record() or the last call.
     [[nodiscard]] virtual std::optional<recording::RecordingEvent> takeSettingsEvent() {
         return std::nullopt;

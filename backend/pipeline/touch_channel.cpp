@@ -68,6 +68,7 @@ void TouchChannel::setTaxelGain(std::vector<float> gain) {
 std::size_t TouchChannel::process(const std::function<void(const TouchSnapshot&)>& onFrame) {
     const bool changed = takeCommands();
     const std::shared_ptr<const TouchTaps> taps = m_taps.get();
+    const std::shared_ptr<const TouchTaps> watched = m_watched.get();
     const std::shared_ptr<core::StreamTap> collector = m_collector.get();
     std::size_t frames = 0;
     // What comes meanwhile waits for the next time: a source that is as fast as its reader would never let
@@ -85,13 +86,15 @@ std::size_t TouchChannel::process(const std::function<void(const TouchSnapshot&)
         m_recordedFeatures.clear();
         for (std::size_t index = 0; index < m_block.frames(); ++index) {
             processFrame(m_block, index);
-            if (taps)
+            if (taps || watched)
                 std::ranges::copy(featureValues(m_current.features), std::back_inserter(m_recordedFeatures));
             if (onFrame)
                 onFrame(m_current);
         }
         if (taps)
             tap(*taps);
+        if (watched)
+            tap(*watched);
         if (collector)
             collector->append(std::span<const std::int64_t>(m_block.time_ns),
                               std::span<const double>(m_block.sourceTime_s),
@@ -119,10 +122,19 @@ void TouchChannel::record(const std::shared_ptr<recording::Recorder>& recorder, 
     const std::uint64_t revision = settingsRevision();
     const ChannelSettings inUse = settings();
     m_told = {frames, revision, settingsEvent(frames, inUse).text};
+    m_taps.set(tapsInto(*recorder, name, inUse));
+}
+
+void TouchChannel::watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) {
+    m_watched.set(sink ? tapsInto(*sink, name, settings()) : nullptr);
+}
+
+std::shared_ptr<const TouchTaps> TouchChannel::tapsInto(recording::StreamSink& sink, const std::string& name,
+                                                        const ChannelSettings& inUse) const {
     auto taps = std::make_shared<TouchTaps>();
-    taps->frames = recorder->addStream(arrayStream(frames, description(), inUse));
-    taps->features = recorder->addStream(featureStream(name + "-features", description()));
-    m_taps.set(std::move(taps));
+    taps->frames = sink.addStream(arrayStream(framesStreamName(name), description(), inUse));
+    taps->features = sink.addStream(featureStream(name + "-features", description()));
+    return taps;
 }
 
 std::optional<recording::RecordingEvent> TouchChannel::takeSettingsEvent() {

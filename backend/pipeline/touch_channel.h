@@ -82,6 +82,7 @@ public:
 
     /// Streams NAME-frames and NAME-features.
     void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
+    void watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) override;
     [[nodiscard]] std::optional<recording::RecordingEvent> takeSettingsEvent() override;
     /// Who gets a copy of the raw frames besides, to calibrate the array; null: nobody. Any thread.
     void collect(std::shared_ptr<core::StreamTap> frames) { m_collector.set(std::move(frames)); }
@@ -115,6 +116,8 @@ private:
     void accumulateTare(const core::SampleBlock& block, std::size_t index);
     void publish();
     void tap(const TouchTaps& taps);
+    [[nodiscard]] std::shared_ptr<const TouchTaps>
+    tapsInto(recording::StreamSink& sink, const std::string& name, const ChannelSettings& inUse) const;
 
     /// The settings as the recording has them.
     struct ToldSettings {
@@ -133,6 +136,7 @@ private:
     core::Mailbox<std::vector<float>> m_gainChanges;
     core::Mailbox<TareRequest> m_tareRequests;
     core::LatestCopy<std::shared_ptr<const TouchTaps>> m_taps;
+    core::LatestCopy<std::shared_ptr<const TouchTaps>> m_watched;
     core::LatestCopy<std::shared_ptr<core::StreamTap>> m_collector;
     std::vector<double> m_recordedFeatures; ///< of the block at hand
 

@@ -5,6 +5,7 @@
 #include "backend/core/error.h"
 #include "backend/core/threads/latest_copy.h"
 #include "backend/recording/recording_types.h"
+#include "backend/recording/stream_sink.h"
 
 #include <condition_variable>
 #include <cstdint>
@@ -52,23 +53,18 @@ struct RecorderOptions {
 /// A killed program loses what came after the last transaction. If a write fails (disk full), the recording
 /// ends with an error, what was written stays readable, and the data threads are not disturbed.
 /// Thread: any.
-class Recorder {
+class Recorder : public StreamSink {
 public:
     /// Creates the file and starts the writer. Waits for the disk: not on the GUI's thread.
     /// Error: as RecordingDatabase::create.
     [[nodiscard]] static core::Expected<std::unique_ptr<Recorder>>
     start(const std::string& path, RecordingHead head, RecorderOptions options = {});
     /// As stop().
-    ~Recorder();
-    Recorder(const Recorder&) = delete;
-    Recorder& operator=(const Recorder&) = delete;
+    ~Recorder() override;
 
-    /// Adds a stream. A name that is taken gets a number. The tap may outlive the recorder and is then
-    /// ignored. Returns at once.
-    [[nodiscard]] std::shared_ptr<core::StreamTap> addStream(StreamInfo info);
-
-    /// Adds an event; time_ns: steady clock. Ignored after the end. Returns at once.
-    void add(RecordingEvent event);
+    [[nodiscard]] std::shared_ptr<core::StreamTap> addStream(StreamInfo info) override;
+    /// Ignored after the end.
+    void add(RecordingEvent event) override;
     /// Adds a mark for now, or for another time; returns its number. Returns at once, as the next two.
     std::uint64_t mark(std::string note);
     std::uint64_t mark(std::string note, std::int64_t time_ns);

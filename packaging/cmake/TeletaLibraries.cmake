@@ -3,7 +3,7 @@
 include_guard(GLOBAL)
 
 find_package(Threads REQUIRED)
-find_package(Qt6 6.4 REQUIRED COMPONENTS Core LinguistTools Sql)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core LinguistTools Network Sql WebSockets)
 find_package(Boost 1.74 REQUIRED)
 find_package(Ceres 2.1 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)

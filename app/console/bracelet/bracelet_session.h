@@ -45,6 +45,8 @@ public:
     [[nodiscard]] playback::Player& player() { return *m_player; }
     /// Who gets copies of the frames that are written; null: nobody. Thread: any.
     void record(std::shared_ptr<core::StreamTap> tap) { m_source->setTap(std::move(tap)); }
+    /// The same for somebody else who follows. Thread: any.
+    void watch(std::shared_ptr<core::StreamTap> tap) { m_source->setWatcher(std::move(tap)); }
     /// As the file of this bracelet says; assumed motors without one.
     [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
     /// Why that file could not be used.

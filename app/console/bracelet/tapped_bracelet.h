@@ -25,6 +25,8 @@ public:
 
     /// From the next frame on; null: none.
     void setTap(std::shared_ptr<core::StreamTap> tap) { m_tap.set(std::move(tap)); }
+    /// The same for somebody else who follows.
+    void setWatcher(std::shared_ptr<core::StreamTap> tap) { m_watcher.set(std::move(tap)); }
 
     [[nodiscard]] const core::BraceletDescription& description() const override {
         return m_bracelet->description();
@@ -39,8 +41,9 @@ public:
     }
     core::WriteResult write(const core::BraceletFrame& frame) override {
         const core::WriteResult result = m_bracelet->write(frame);
-        const std::shared_ptr<core::StreamTap> tap = m_tap.get();
-        if (tap && result.outcome == core::WriteOutcome::written) {
+        for (const std::shared_ptr<core::StreamTap>& tap : {m_tap.get(), m_watcher.get()}) {
+            if (!tap || result.outcome != core::WriteOutcome::written)
+                continue;
             std::array<float, core::kTactors> shares{};
             for (std::size_t i = 0; i < shares.size(); ++i)
                 shares[i] = static_cast<float>(frame.drive[i]) / static_cast<float>(core::kFullDrive);
@@ -53,6 +56,7 @@ public:
 private:
     std::unique_ptr<core::BraceletSource> m_bracelet;
     core::LatestCopy<std::shared_ptr<core::StreamTap>> m_tap;
+    core::LatestCopy<std::shared_ptr<core::StreamTap>> m_watcher;
 };
 
 } // namespace teleta::console

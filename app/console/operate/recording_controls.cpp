@@ -33,6 +33,7 @@ RecordingControls::RecordingControls(RecordingService& service, SourceManager& s
     , m_mark(new QAction(this))
     , m_folder(new QAction(this))
     , m_csv(new QAction(this))
+    , m_mcap(new QAction(this))
     , m_undo(new QAction(this))
     , m_redo(new QAction(this)) {
     m_record->setShortcut(Qt::CTRL | Qt::Key_R);
@@ -47,19 +48,18 @@ RecordingControls::RecordingControls(RecordingService& service, SourceManager& s
     connect(m_record, &QAction::triggered, this, &RecordingControls::toggle);
     connect(m_mark, &QAction::triggered, this, [this] { mark(core::steadyNow_ns()); });
     connect(m_folder, &QAction::triggered, this, &RecordingControls::askForFolder);
-    connect(m_csv, &QAction::triggered, this, &RecordingControls::exportCsv);
+    connect(m_csv, &QAction::triggered, this, [this] { m_export.ask(suggestedForExport()); });
+    connect(m_mcap, &QAction::triggered, this, [this] { m_export.askMcap(suggestedForExport()); });
     connect(&m_export, &RecordingExport::busyChanged, m_csv, &QAction::setDisabled);
+    connect(&m_export, &RecordingExport::busyChanged, m_mcap, &QAction::setDisabled);
     connect(&m_export, &RecordingExport::finished, this,
             [this](const QString& folder, int files, int damaged, bool complete) {
-                QStringList missing;
-                if (damaged > 0)
-                    missing << tr("%n damaged block(s) left out.", nullptr, damaged);
-                if (!complete)
-                    missing << tr("The recording was cut off; what had been written is there.");
-                m_page.messages().post({missing.isEmpty() ? chrome::Message::Severity::information
-                                                          : chrome::Message::Severity::warning,
-                                        tr("%n CSV file(s) were written.", nullptr, files),
-                                        missing.join(QLatin1Char(' ')), folder});
+                onExported(tr("%n CSV file(s) were written.", nullptr, files), damaged, complete, folder);
+            });
+    connect(&m_export, &RecordingExport::finishedMcap, this,
+            [this](const QString& file, int damaged, bool complete) {
+                onExported(tr("%1 was written.", "a file").arg(QFileInfo(file).fileName()), damaged, complete,
+                           file);
             });
     connect(&m_export, &RecordingExport::failed, this, [this](const QString& name, const core::Error& error) {
         m_page.messages().post(
@@ -106,6 +106,7 @@ void RecordingControls::fill(QMenu& menu) {
     menu.addAction(m_folder);
     menu.addSeparator();
     menu.addAction(m_csv);
+    menu.addAction(m_mcap);
 }
 
 void RecordingControls::toggle() {
@@ -137,13 +138,24 @@ QString RecordingControls::folder() const {
         .filePath(QStringLiteral("TeleTA"));
 }
 
-void RecordingControls::exportCsv() {
+void RecordingControls::onExported(const QString& text, int damaged, bool complete, const QString& place) {
+    QStringList missing;
+    if (damaged > 0)
+        missing << tr("%n damaged block(s) left out.", nullptr, damaged);
+    if (!complete)
+        missing << tr("The recording was cut off; what had been written is there.");
+    m_page.messages().post(
+        {missing.isEmpty() ? chrome::Message::Severity::information : chrome::Message::Severity::warning,
+         text, missing.join(QLatin1Char(' ')), place});
+}
+
+QString RecordingControls::suggestedForExport() {
     const auto* shown = m_sources.active();
     const auto* played = shown != nullptr ? std::get_if<RecordingRequest>(&shown->request) : nullptr;
     const QString last = m_service.path();
-    m_export.ask(played != nullptr ? QString::fromStdString(played->path)
-                 : last.isEmpty()  ? folder() + QLatin1Char('/')
-                                   : last);
+    if (played != nullptr)
+        return QString::fromStdString(played->path);
+    return last.isEmpty() ? folder() + QLatin1Char('/') : last;
 }
 
 void RecordingControls::askForFolder() {
@@ -182,6 +194,7 @@ void RecordingControls::update() {
     m_mark->setEnabled(recording);
     m_folder->setText(tr("&Folder of the recordings\u2026"));
     m_csv->setText(tr("&Export recording as CSV\u2026"));
+    m_mcap->setText(tr("Ex&port recording as MCAP\u2026"));
     m_undo->setText(tr("&Undo"));
     m_redo->setText(tr("&Redo"));
     m_page.marks().setRecorded(m_service.marks().all(), recording);

@@ -46,7 +46,8 @@ public:
 private:
     void mark(std::int64_t time_ns);
     void askForFolder();
-    void exportCsv();
+    [[nodiscard]] QString suggestedForExport();
+    void onExported(const QString& text, int damaged, bool complete, const QString& place);
     void update();
     void onFailed(const core::Error& error, bool begun);
 
@@ -61,6 +62,7 @@ private:
     QAction* m_mark;
     QAction* m_folder;
     QAction* m_csv;
+    QAction* m_mcap;
     QAction* m_undo;
     QAction* m_redo;
 };

@@ -51,6 +51,7 @@ private slots:
         QTest::newRow("unknown theme") << QStringList{"--theme", "pink"} << "light, dark or system";
         QTest::newRow("size without x") << QStringList{"--size", "1600"} << "WIDTHxHEIGHT";
         QTest::newRow("size too small") << QStringList{"--size", "10x10"} << "320x240";
+        QTest::newRow("no port") << QStringList{"--foxglove", "70000"} << "1 to 65535";
         QTest::newRow("value missing") << QStringList{"--screenshot"} << "screenshot";
     }
     void refusesWrongUsageWithTheReason() {
@@ -79,6 +80,21 @@ private slots:
         QVERIFY(parsed.options.has_value());
         QCOMPARE(parsed.options->files, (QStringList{"a.teleta", "frames.CSV", "lab.toml"}));
         QCOMPARE(parsed.options->record, QString("new.teleta"));
+    }
+
+    void takesTheLiveViewWithAndWithoutAPort() {
+        QVERIFY(!parseOptions({"teleta-console"}).options->startsLiveView);
+        const auto usual = parseOptions({"teleta-console", "--foxglove", "run.teleta"});
+        QVERIFY(usual.options.has_value());
+        QVERIFY(usual.options->startsLiveView);
+        QCOMPARE(usual.options->liveView.port, 8765);
+        QCOMPARE(usual.options->liveView.address, std::string("127.0.0.1"));
+        QCOMPARE(usual.options->files, QStringList("run.teleta"));
+        const auto other =
+            parseOptions({"teleta-console", "--foxglove", "9000", "--foxglove-address", "0.0.0.0"});
+        QVERIFY(other.options.has_value());
+        QCOMPARE(other.options->liveView.port, 9000);
+        QCOMPARE(other.options->liveView.address, std::string("0.0.0.0"));
     }
 
     void printsHelpAndVersionWithoutFailing() {

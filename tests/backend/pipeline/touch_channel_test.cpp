@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch/skin_contact.h"
 #include "backend/pipeline/touch_channel.h"
+#include "backend/recording/recording.h"
+#include "backend/recording/stream_sink.h"
 #include "tests/backend/pipeline/scripted_source.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +11,8 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <string>
+#include <vector>
 
 using teleta::contact::ContactType;
 using teleta::core::ArrayLayout;
@@ -200,6 +204,36 @@ TEST(TouchChannel, handsRawFramesToWhoCollectsThem) {
     std::memcpy(raw.data(), frames.values.data(), frames.values.size());
     EXPECT_EQ(raw, (std::vector<float>{1, 2, 3, 4, 5, 6}));
     EXPECT_FALSE(tap->pop(frames));
+}
+
+TEST(TouchChannel, givesItsStreamsToWhoWatchesWhetherItIsRecordedOrNot) {
+    class Sink : public teleta::recording::StreamSink {
+    public:
+        std::shared_ptr<teleta::core::StreamTap> addStream(teleta::recording::StreamInfo info) override {
+            names.push_back(info.name);
+            taps.push_back(std::make_shared<teleta::core::StreamTap>(8));
+            return taps.back();
+        }
+        void add(teleta::recording::RecordingEvent /*event*/) override {}
+        std::vector<std::string> names;
+        std::vector<std::shared_ptr<teleta::core::StreamTap>> taps;
+    };
+    const auto sink = std::make_shared<Sink>();
+    Channel channel;
+    channel->watch(sink, "skin");
+    EXPECT_EQ(sink->names, (std::vector<std::string>{"skin-frames", "skin-features"}));
+    channel.source->push({1, 2, 3, 4, 5, 6}, 0.005);
+    channel->process();
+    teleta::core::TappedFrames frames;
+    ASSERT_TRUE(sink->taps[0]->pop(frames));
+    EXPECT_EQ(teleta::recording::valuesOf<float>(frames, 0, 6)[5], 6.0F);
+    ASSERT_TRUE(sink->taps[1]->pop(frames));
+    EXPECT_EQ(teleta::recording::valuesOf<double>(frames, 0, 12)[1], 21.0) << "force_n";
+    channel->watch(nullptr, {});
+    EXPECT_EQ(sink->taps[0].use_count(), 1) << "it lets go of the taps";
+    channel.source->push({1, 2, 3, 4, 5, 6}, 0.010);
+    channel->process();
+    EXPECT_FALSE(sink->taps[0]->pop(frames));
 }
 
 TEST(TouchChannel, taresWithTheMeanOfTheFramesInTheGivenTime) {

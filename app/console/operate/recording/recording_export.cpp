@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording/recording_export.h"
 
+#include "backend/mcap/recorded/mcap_export.h"
 #include "backend/recording/recording.h"
 #include "widgets/base/file_dialog.h"
 
@@ -54,7 +55,33 @@ void RecordingExport::askForFolder(const QString& path) {
     });
 }
 
+void RecordingExport::askMcap(const QString& suggested) {
+    base::askToOpen(m_window,
+                    {.title = tr("Export recording as MCAP"),
+                     .filters = {tr("Recordings (*.teleta)")},
+                     .folder = QFileInfo(suggested).path()},
+                    [this](const QString& path) {
+                        const QFileInfo recording(path);
+                        base::askToSave(m_window,
+                                        {.title = tr("MCAP file"),
+                                         .filters = {tr("MCAP files (*.mcap)")},
+                                         .folder = recording.absolutePath(),
+                                         .suffix = QStringLiteral("mcap"),
+                                         .name = recording.completeBaseName() + QStringLiteral(".mcap")},
+                                        [this, path](const QString& file) { startMcap(path, file); });
+                    })
+        ->selectFile(suggested);
+}
+
 void RecordingExport::start(const QString& path, const QString& folder) {
+    begin(path, folder, &RecordingExport::write);
+}
+
+void RecordingExport::startMcap(const QString& path, const QString& file) {
+    begin(path, file, &RecordingExport::writeMcap);
+}
+
+void RecordingExport::begin(const QString& path, const QString& target, Work work) {
     if (isBusy()) {
         emit failed(QFileInfo(path).fileName(), core::Error{core::ErrorKind::refused,
                                                             tr("another export is running").toStdString(),
@@ -63,12 +90,12 @@ void RecordingExport::start(const QString& path, const QString& folder) {
         return;
     }
     m_path = path;
-    m_folder = folder;
+    m_folder = target;
+    m_isMcap = work == &RecordingExport::writeMcap;
     m_progress = std::make_shared<Progress>();
     m_result = std::async(std::launch::async,
-                          [progress = m_progress, path = path.toStdString(), folder = folder.toStdString()] {
-                              return write(path, folder, *progress);
-                          });
+                          [work, progress = m_progress, path = path.toStdString(),
+                           target = target.toStdString()] { return work(path, target, *progress); });
     m_dialog = new QProgressDialog(tr("Exporting %1\u2026", "a file").arg(QFileInfo(path).fileName()),
                                    tr("Cancel"), 0, kPermille, m_window);
     m_dialog->setWindowModality(Qt::NonModal);
@@ -94,6 +121,24 @@ RecordingExport::Result RecordingExport::write(const std::string& path, const st
     // What was cancelled in time has left nothing.
     const bool isStopped = !files && files.error().kind == core::ErrorKind::cancelled;
     return isStopped ? Result() : files;
+}
+
+RecordingExport::Result RecordingExport::writeMcap(const std::string& path, const std::string& file,
+                                                   Progress& progress) {
+    const auto recording = recording::Recording::open(path);
+    TELETA_CHECK(recording);
+    progress.isComplete = recording->isComplete();
+    mcap::McapExportOptions options;
+    options.overwrite = true; // the dialog has asked
+    options.goOn = [&](double frames, double all) {
+        progress.share = all > 0.0 ? frames / all : 0.0;
+        return !progress.cancelled;
+    };
+    const auto written = mcap::exportMcap(*recording, file, options);
+    if (!written && written.error().kind == core::ErrorKind::cancelled)
+        return Result();
+    TELETA_CHECK(written);
+    return std::vector<recording::ExportedFile>{{file, 0, written->damagedBlocks}};
 }
 
 void RecordingExport::discard(const std::vector<recording::ExportedFile>& files, const std::string& folder,
@@ -132,6 +177,10 @@ void RecordingExport::look() {
     std::uint64_t damaged = 0;
     for (const recording::ExportedFile& file : *result)
         damaged += file.damagedBlocks;
+    if (m_isMcap) {
+        emit finishedMcap(m_folder, static_cast<int>(damaged), m_progress->isComplete);
+        return;
+    }
     emit finished(m_folder, static_cast<int>(result->size()), static_cast<int>(damaged),
                   m_progress->isComplete);
 }

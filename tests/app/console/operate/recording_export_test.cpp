@@ -3,6 +3,7 @@
 #include "backend/recording/recorder.h"
 
 #include <QDir>
+#include <QFile>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -82,6 +83,26 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!exporter.isBusy(), 60'000);
         QCOMPARE(finished.size(), 0);
         QCOMPARE(QDir(csv()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList("mine"));
+    }
+
+    void anMcapFileIsWrittenAndOneThatIsCancelledIsNot() {
+        RecordingExport exporter(&m_window);
+        QSignalSpy finished(&exporter, &RecordingExport::finishedMcap);
+        const QString file = m_folder.filePath("run.mcap");
+        exporter.startMcap(recording(), file);
+        QVERIFY(exporter.isBusy());
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60'000);
+        QCOMPARE(finished[0][0].toString(), file);
+        QCOMPARE(finished[0][1].toInt(), 0);
+        QVERIFY(finished[0][2].toBool());
+        QFile written(file);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QVERIFY(written.read(8) == QByteArray("\x89MCAP0\r\n", 8));
+        exporter.startMcap(recording(), m_folder.filePath("never.mcap"));
+        cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!exporter.isBusy(), 60'000);
+        QCOMPARE(finished.size(), 1);
+        QVERIFY(!QFileInfo::exists(m_folder.filePath("never.mcap")));
     }
 
     void anotherExportMeanwhileIsRefusedAndSaysSo() {
