@@ -128,10 +128,11 @@ void LawList::keepKeyboard() {
 }
 
 void LawList::returnKeyboard() {
-    if (!m_keyboard)
+    QWidget* const before = m_keyboard;
+    if (before == nullptr)
         return;
     if (hasFocus())
-        (m_keyboard->isEnabled() ? m_keyboard.data() : m_list)->setFocus(Qt::OtherFocusReason);
+        (before->isEnabled() ? before : m_list)->setFocus(Qt::OtherFocusReason);
     m_keyboard.clear();
 }
 

@@ -92,7 +92,7 @@ void writeSummary(const TaskResults& task, Rows& rows) {
         rows.number(chanceProbability(correct, n, 1.0 / static_cast<double>(task.alternatives())));
         detail::transfer(rows, informationTransfer(person.matrix));
         rows.number(person.medianTime_s);
-        detail::count(rows, person.times);
+        detail::count(rows, person.times_s.size());
         rows.endRow();
     }
 }

@@ -39,6 +39,10 @@ ResultCell endsCell(const std::optional<double>& low, const std::optional<double
             QStringLiteral("%1;%2").arg(data(low), data(high))};
 }
 
+ResultCell endsCell(const std::optional<Interval>& ends) {
+    return ends ? endsCell(ends->low, ends->high) : endsCell(std::nullopt, std::nullopt);
+}
+
 ResultCell noteCell(const QString& words, const std::string& note) {
     return {words, note.empty() ? QStringLiteral("NA") : shownText(note)};
 }
@@ -224,8 +228,7 @@ TableContent LevelContent::thresholdTable(const LevelResults& results, const QSt
                               {shownText(group.track)},
                               {QStringLiteral("\u2013"), QStringLiteral("NA")},
                               numberCell(group.threshold),
-                              endsCell(group.interval ? std::optional(group.interval->low) : std::nullopt,
-                                       group.interval ? std::optional(group.interval->high) : std::nullopt),
+                              endsCell(group.interval),
                               numberCell({}),
                               numberCell({}),
                               numberCell({}),
@@ -313,8 +316,7 @@ TableContent LevelContent::detectionTable(const LevelResults& results, const QSt
                               shareCell({}, {}),
                               shareCell({}, {}),
                               numberCell(group.sensitivity),
-                              endsCell(group.interval ? std::optional(group.interval->low) : std::nullopt,
-                                       group.interval ? std::optional(group.interval->high) : std::nullopt),
+                              endsCell(group.interval),
                               numberCell({}),
                               {tr("mean of %1").arg(group.participants)}});
     }

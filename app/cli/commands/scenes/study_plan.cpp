@@ -43,7 +43,7 @@ std::optional<std::vector<std::size_t>> numbersOf(const std::string& text) {
             return std::nullopt;
         parts.push_back(static_cast<std::size_t>(value));
     }
-    if (parts.size() > 3)
+    if (parts.empty() || parts.size() > 3)
         return std::nullopt;
     const std::size_t to = parts.size() > 1 ? parts[1] : parts[0];
     const std::size_t step = parts.size() > 2 ? parts[2] : 1;

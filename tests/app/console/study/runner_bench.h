@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,6 +45,9 @@ public:
     }
     void stop() override { ++m_stops; }
     StimulusState state(std::int64_t) const override { return m_state; }
+    std::function<std::int64_t()> onset() const override {
+        return [this] { return m_state.onset_ns; };
+    }
 
     QString m_obstacle;
     StimulusState m_state;

@@ -62,7 +62,8 @@ protected:
         const Participant participant = store.participants()->front();
         const SessionRecord record = store.sessions(participant)->at(session);
         const StudyTask& task = store.head().protocol.tasks[0];
-        for (const StoredTrial& stored : *store.trials(record)) {
+        const auto trials = store.trials(record);
+        for (const StoredTrial& stored : trials.value()) {
             const TrialResult& result = stored.result;
             if (result.planned.phase != Phase::test)
                 continue;
