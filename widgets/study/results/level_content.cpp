@@ -294,7 +294,6 @@ TableContent LevelContent::detectionTable(const LevelResults& results, const QSt
     for (const DetectionLine& line : results.detection.lines) {
         if (shownText(line.task) != task)
             continue;
-        const std::optional<Interval> ends = line.detection ? line.detection->interval : std::nullopt;
         table.rows.push_back(
             {{shownText(line.participant)},
              nameCell(line.condition, names),
@@ -302,8 +301,7 @@ TableContent LevelContent::detectionTable(const LevelResults& results, const QSt
              shareCell(line.hits, line.signalTrials),
              shareCell(line.falseAlarms, line.noiseTrials),
              numberCell(line.detection ? std::optional(line.detection->sensitivity) : std::nullopt),
-             endsCell(ends ? std::optional(ends->low) : std::nullopt,
-                      ends ? std::optional(ends->high) : std::nullopt),
+             endsCell(line.detection ? line.detection->interval : std::nullopt),
              numberCell(line.detection ? line.detection->criterion : std::nullopt),
              {shownText(line.method)}});
     }
