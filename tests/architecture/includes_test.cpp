@@ -76,6 +76,8 @@ TEST(ModuleGraphTest, forbidsEdgesAgainstTheLayers) {
               "widgets/d:0: must not use devices/b\n");
     EXPECT_EQ(complaintsAbout(folders + "folder app/cli/d\n    uses app/common devices/b widgets/c\n"),
               "app/cli/d:0: must not use widgets/c\n");
+    EXPECT_EQ(complaintsAbout(folders + "folder app/python/d\n    uses app/common devices/b\n"),
+              "app/python/d:0: must not use devices/b\n");
 }
 
 TEST(ModuleGraphTest, reportsTheLineThatIsNotUnderstood) {

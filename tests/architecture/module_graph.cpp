@@ -36,6 +36,8 @@ bool isLayered(const std::string& from, const std::string& to) {
                lies(to, "app/console");
     if (lies(from, "app/cli"))
         return lies(to, "devices") || lies(to, "app/common") || lies(to, "app/cli");
+    if (lies(from, "app/python"))
+        return lies(to, "app/common") || lies(to, "app/python");
     return false;
 }
 
