@@ -33,7 +33,8 @@ std::vector<TrialResult> run(const Protocol& protocol, const PlannedSession& pla
         EXPECT_TRUE(session->startTrial(now_ns));
         session->stimulusStarted(now_ns);
         session->stimulusEnded(now_ns + 3 * kS / 2);
-        const std::size_t right = session->current()->stimulus;
+        const PlannedTrial* const shown = session->current();
+        const std::size_t right = shown == nullptr ? 0 : shown->stimulus;
         const KeyPress press{done.size() % 3 == 0 ? 1 - right : right, "keyboard", "Digit1", now_ns + 2 * kS,
                              false};
         session->press(press);
