@@ -2,12 +2,42 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>ArmCommand</name>
+    <message numerus="yes">
+        <source>%1: %n joint(s) from %2 to %3</source>
+        <translation>
+            <numerusform>%1: %n joint from %2 to %3</numerusform>
+            <numerusform>%1: %n joints from %2 to %3</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonContent</name>
+    <message numerus="yes">
+        <source>no spread of the times in %n case(s): nothing left out</source>
+        <translation>
+            <numerusform>no spread of the times in %n case: nothing left out</numerusform>
+            <numerusform>no spread of the times in %n cases: nothing left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ContourPicture</name>
     <message numerus="yes">
         <source>%n point(s)</source>
         <translation>
             <numerusform>%n point</numerusform>
             <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ExclusionReport</name>
+    <message numerus="yes">
+        <source>no spread of the times, so nothing was left out, in %n case(s)</source>
+        <translation>
+            <numerusform>no spread of the times, so nothing was left out, in %n case</numerusform>
+            <numerusform>no spread of the times, so nothing was left out, in %n cases</numerusform>
         </translation>
     </message>
 </context>
@@ -27,6 +57,13 @@
             <numerusform>%n damaged blocks left out</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n message</numerusform>
+            <numerusform>%n messages</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>GaugeTexts</name>
@@ -35,6 +72,47 @@
         <translation>
             <numerusform>%n sample</numerusform>
             <numerusform>%n samples</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ImportCommand</name>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n message</numerusform>
+            <numerusform>%n messages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged or of another shape</source>
+        <translation>
+            <numerusform>%n damaged or of another shape</numerusform>
+            <numerusform>%n damaged or of another shape</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged chunk(s) left out</source>
+        <translation>
+            <numerusform>%n damaged chunk left out</numerusform>
+            <numerusform>%n damaged chunks left out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged record(s) left out</source>
+        <translation>
+            <numerusform>%n damaged record left out</numerusform>
+            <numerusform>%n damaged records left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantReport</name>
+    <message numerus="yes">
+        <source>In %n trial(s) the time was over before you answered.</source>
+        <translation>
+            <numerusform>In %n trial the time was over before you answered.</numerusform>
+            <numerusform>In %n trials the time was over before you answered.</numerusform>
         </translation>
     </message>
 </context>
@@ -80,6 +158,16 @@
     </message>
 </context>
 <context>
+    <name>StimulusText</name>
+    <message numerus="yes">
+        <source>%n object(s) of the stimulus have %1</source>
+        <translation>
+            <numerusform>%n object of the stimulus has %1</numerusform>
+            <numerusform>%n objects of the stimulus have %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StudyScenes</name>
     <message numerus="yes">
         <source>%1: %n pattern(s); %2</source>
@@ -87,6 +175,22 @@
         <translation>
             <numerusform>%1: %n pattern; %2</numerusform>
             <numerusform>%1: %n patterns; %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n track(s); %2</source>
+        <comment>task; conditions</comment>
+        <translation>
+            <numerusform>%1: %n track; %2</numerusform>
+            <numerusform>%1: %n tracks; %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1. %n trigger(s) could not be written: %2</source>
+        <comment>device; why</comment>
+        <translation>
+            <numerusform>%1. %n trigger could not be written: %2</numerusform>
+            <numerusform>%1. %n triggers could not be written: %2</numerusform>
         </translation>
     </message>
 </context>
@@ -215,6 +319,23 @@
         <translation>
             <numerusform>%1 of %n pair kept; </numerusform>
             <numerusform>%1 of %n pairs kept; </numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveViewService</name>
+    <message numerus="yes">
+        <source>%n viewer(s)</source>
+        <translation>
+            <numerusform>%n viewer</numerusform>
+            <numerusform>%n viewers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s) missed</source>
+        <translation>
+            <numerusform>%n message missed</numerusform>
+            <numerusform>%n messages missed</numerusform>
         </translation>
     </message>
 </context>

@@ -283,6 +283,84 @@
     </message>
 </context>
 <context>
+    <name>ArmCommand</name>
+    <message>
+        <source>no end</source>
+        <translation>sans fin</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>cannot be moved: the description states no speed</source>
+        <translation>ne peut pas être bougé : la description n’indique pas de vitesse</translation>
+    </message>
+    <message>
+        <source>Chain, limits and mass of an arm, and what cannot be moved</source>
+        <translation>Chaîne, limites et masse d’un bras, et ce qui ne peut pas être bougé</translation>
+    </message>
+    <message>
+        <source>URDF file, or the name of one that comes with the program: %1</source>
+        <translation>Fichier URDF, ou nom de l’un de ceux fournis avec le programme : %1</translation>
+    </message>
+    <message>
+        <source>Link that stands still; default: the root</source>
+        <translation>Segment immobile ; par défaut : la racine</translation>
+    </message>
+    <message>
+        <source>Link that is moved; default: tool0, flange or ee_link, else the end of the longest chain</source>
+        <translation>Segment qui est bougé ; par défaut : tool0, flange ou ee_link, sinon le bout de la chaîne la plus longue</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Articulation</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Effort</source>
+        <translation>Effort</translation>
+    </message>
+    <message>
+        <source>shown, not moved</source>
+        <translation>montré, non bougé</translation>
+    </message>
+    <message>
+        <source>follows %1</source>
+        <translation>suit %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n joint(s) from %2 to %3</source>
+        <translation>
+            <numerusform>%1 : %n articulation de %2 à %3</numerusform>
+            <numerusform>%1 : %n articulations de %2 à %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The link &apos;%1&apos; has no mass, so the torque of gravity is not known.</source>
+        <translation>Le segment « %1 » n’a pas de masse : le couple de pesanteur est donc inconnu.</translation>
+    </message>
+    <message>
+        <source>%1 kg are moved.</source>
+        <translation>%1 kg sont bougés.</translation>
+    </message>
+    <message>
+        <source>Descriptions of robot arms (URDF)</source>
+        <translation>Descriptions de bras robotisés (URDF)</translation>
+    </message>
+</context>
+<context>
     <name>BakeText</name>
     <message>
         <source>the pattern has too many corners</source>
@@ -683,6 +761,49 @@
     </message>
 </context>
 <context>
+    <name>ChainText</name>
+    <message>
+        <source>the robot has no link &apos;%1&apos;</source>
+        <translation>le robot n’a pas de segment « %1 »</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>l’un de %1</translation>
+    </message>
+    <message>
+        <source>the link &apos;%1&apos; does not hang on &apos;%2&apos;</source>
+        <translation>le segment « %1 » n’est pas rattaché à « %2 »</translation>
+    </message>
+    <message>
+        <source>a base from which joints lead to the tip</source>
+        <translation>une base d’où des articulations mènent au bout</translation>
+    </message>
+    <message>
+        <source>no joint between &apos;%1&apos; and &apos;%2&apos; moves</source>
+        <translation>aucune articulation entre « %1 » et « %2 » ne bouge</translation>
+    </message>
+    <message>
+        <source>at least one revolute, continuous or prismatic joint</source>
+        <translation>au moins une articulation revolute, continuous ou prismatic</translation>
+    </message>
+    <message>
+        <source>%1 joints move the tip</source>
+        <translation>%1 articulations bougent le bout</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>a joint that moves &apos;%1&apos; moves the tip as well</source>
+        <translation>une articulation qui bouge « %1 » bouge aussi le bout</translation>
+    </message>
+    <message>
+        <source>a base that stands still while the tip moves</source>
+        <translation>une base qui reste immobile pendant que le bout bouge</translation>
+    </message>
+</context>
+<context>
     <name>ChartText</name>
     <message>
         <source>correct answers</source>
@@ -727,6 +848,471 @@
     <message>
         <source>less bias</source>
         <translation>sans biais</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonContent</name>
+    <message>
+        <source>Effect</source>
+        <translation>Effet</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Motif</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>Paire</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>Difference %</source>
+        <translation>Différence %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>t</source>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>p</translation>
+    </message>
+    <message>
+        <source>p Holm</source>
+        <translation>p Holm</translation>
+    </message>
+    <message>
+        <source>d_z</source>
+        <translation>d_z</translation>
+    </message>
+    <message>
+        <source>d_z 95 %</source>
+        <translation>d_z 95 %</translation>
+    </message>
+    <message>
+        <source>d_av</source>
+        <translation>d_av</translation>
+    </message>
+    <message>
+        <source>g_z</source>
+        <translation>g_z</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>A comparison of the conditions for this pattern alone</source>
+        <translation>Comparaison des conditions pour ce seul motif</translation>
+    </message>
+    <message>
+        <source>The first minus the second</source>
+        <translation>La première moins la seconde</translation>
+    </message>
+    <message>
+        <source>Participants with both values</source>
+        <translation>Participants avec les deux valeurs</translation>
+    </message>
+    <message>
+        <source>Of the difference, not corrected</source>
+        <translation>De la différence, non corrigé</translation>
+    </message>
+    <message>
+        <source>Paired t test</source>
+        <translation>Test t apparié</translation>
+    </message>
+    <message>
+        <source>Corrected over all pairs of the effect; over all patterns where the conditions are compared within them</source>
+        <translation>Corrigé sur toutes les paires de l’effet ; sur tous les motifs là où les conditions sont comparées au sein de chacun</translation>
+    </message>
+    <message>
+        <source>Difference over the standard deviation of the differences</source>
+        <translation>Différence divisée par l’écart-type des différences</translation>
+    </message>
+    <message>
+        <source>From the noncentral t distribution, not corrected</source>
+        <translation>D’après la loi t non centrée, non corrigé</translation>
+    </message>
+    <message>
+        <source>Difference over the mean standard deviation of the two</source>
+        <translation>Différence divisée par l’écart-type moyen des deux</translation>
+    </message>
+    <message>
+        <source>d_z with Hedges&apos; correction</source>
+        <translation>d_z avec la correction de Hedges</translation>
+    </message>
+    <message>
+        <source>W+</source>
+        <translation>W+</translation>
+    </message>
+    <message>
+        <source>W−</source>
+        <translation>W−</translation>
+    </message>
+    <message>
+        <source>r</source>
+        <translation>r</translation>
+    </message>
+    <message>
+        <source>Sum of the ranks of positive differences</source>
+        <translation>Somme des rangs des différences positives</translation>
+    </message>
+    <message>
+        <source>Sum of the ranks of negative differences</source>
+        <translation>Somme des rangs des différences négatives</translation>
+    </message>
+    <message>
+        <source>Wilcoxon&apos;s signed rank test with Pratt&apos;s zeros; exact up to 25 differences</source>
+        <translation>Test des rangs signés de Wilcoxon avec les zéros selon Pratt ; exact jusqu’à 25 différences</translation>
+    </message>
+    <message>
+        <source>Corrected over all pairs of the effect</source>
+        <translation>Corrigé sur toutes les paires de l’effet</translation>
+    </message>
+    <message>
+        <source>Rank-biserial correlation</source>
+        <translation>Corrélation bisériale de rangs</translation>
+    </message>
+    <message>
+        <source>partial eta²</source>
+        <translation>êta² partiel</translation>
+    </message>
+    <message>
+        <source>Friedman χ²</source>
+        <translation>χ² de Friedman</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>ddl</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation>W de Kendall</translation>
+    </message>
+    <message>
+        <source>From the noncentral F distribution; only with sphericity, eps GG at least 0.75</source>
+        <translation>D’après la loi F non centrée ; seulement avec sphéricité, eps GG d’au moins 0.75</translation>
+    </message>
+    <message>
+        <source>By ranks, of three levels and more</source>
+        <translation>Par les rangs, à partir de trois niveaux</translation>
+    </message>
+    <message>
+        <source>Of Friedman&apos;s test</source>
+        <translation>Du test de Friedman</translation>
+    </message>
+    <message>
+        <source>Concordance of the participants</source>
+        <translation>Concordance des participants</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>Terme</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Estimation</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>Erreur type</translation>
+    </message>
+    <message>
+        <source>Odds ratio</source>
+        <translation>Rapport de cotes</translation>
+    </message>
+    <message>
+        <source>Logit of a right answer</source>
+        <translation>Logit d’une réponse correcte</translation>
+    </message>
+    <message>
+        <source>Wald&apos;s interval</source>
+        <translation>Intervalle de Wald</translation>
+    </message>
+    <message>
+        <source>intercept (%1)</source>
+        <translation>ordonnée à l’origine (%1)</translation>
+    </message>
+    <message>
+        <source>A model of single answers needs at least 5 participants.</source>
+        <translation>Un modèle des réponses individuelles demande au moins 5 participants.</translation>
+    </message>
+    <message>
+        <source>No model of single answers: under one condition all answers are right, or all wrong, so that its effect has no finite estimate.</source>
+        <translation>Pas de modèle des réponses individuelles : dans une condition, toutes les réponses sont correctes, ou toutes fausses, si bien que son effet n’a pas d’estimation finie.</translation>
+    </message>
+    <message>
+        <source>No model of single answers: the search has found no maximum.</source>
+        <translation>Pas de modèle des réponses individuelles : la recherche n’a pas trouvé de maximum.</translation>
+    </message>
+    <message>
+        <source>Each participant has an own intercept, with a standard deviation of %1.</source>
+        <translation>Chaque participant a sa propre ordonnée à l’origine, avec un écart-type de %1.</translation>
+    </message>
+    <message>
+        <source>The participants do not differ more than chance makes them.</source>
+        <translation>Les participants ne diffèrent pas plus que par hasard.</translation>
+    </message>
+    <message>
+        <source>Conditions: likelihood ratio χ²(%1) = %2, p %3.</source>
+        <translation>Conditions : rapport de vraisemblance χ²(%1) = %2, p %3.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>The first divided by the second</source>
+        <translation>La première divisée par la seconde</translation>
+    </message>
+    <message>
+        <source>Participants with times under both</source>
+        <translation>Participants avec des temps dans les deux</translation>
+    </message>
+    <message>
+        <source>Of the geometric means of the response times of right answers</source>
+        <translation>Des moyennes géométriques des temps de réponse des réponses correctes</translation>
+    </message>
+    <message>
+        <source>Paired t test of the mean logarithms</source>
+        <translation>Test t apparié des logarithmes moyens</translation>
+    </message>
+    <message>
+        <source>Right answers given within a time</source>
+        <translation>Réponses correctes données en un temps donné</translation>
+    </message>
+    <message>
+        <source>s from the onset</source>
+        <translation>s depuis le début</translation>
+    </message>
+    <message>
+        <source>answered, %</source>
+        <translation>réponses données, %</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Fixée</translation>
+    </message>
+    <message>
+        <source>Trials before</source>
+        <translation>Essais avant</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sessions</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Participants</translation>
+    </message>
+    <message>
+        <source>Before the data, in the protocol, or after them</source>
+        <translation>Avant les données, dans le protocole, ou après elles</translation>
+    </message>
+    <message>
+        <source>What the rules before have left</source>
+        <translation>Ce que les règles précédentes ont laissé</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Écartés</translation>
+    </message>
+    <message>
+        <source>Left out as a whole</source>
+        <translation>Écartés en entier</translation>
+    </message>
+    <message numerus="yes">
+        <source>no spread of the times in %n case(s): nothing left out</source>
+        <translation>
+            <numerusform>pas de dispersion des temps dans %n cas : rien n’est écarté</numerusform>
+            <numerusform>pas de dispersion des temps dans %n cas : rien n’est écarté</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>in the file</source>
+        <translation>dans le fichier</translation>
+    </message>
+    <message>
+        <source>after the data</source>
+        <translation>après les données</translation>
+    </message>
+    <message>
+        <source>before the data</source>
+        <translation>avant les données</translation>
+    </message>
+    <message>
+        <source>Condition or effect</source>
+        <translation>Condition ou effet</translation>
+    </message>
+    <message>
+        <source>Right %</source>
+        <translation>Correctes %</translation>
+    </message>
+    <message>
+        <source>Right % without rules</source>
+        <translation>Correctes % sans règles</translation>
+    </message>
+    <message>
+        <source>p GG</source>
+        <translation>p GG</translation>
+    </message>
+    <message>
+        <source>p GG without rules</source>
+        <translation>p GG sans règles</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonText</name>
+    <message>
+        <source>Pairs of levels, paired t tests of the shares of correct answers. Holm: corrected over all pairs of the effect. The intervals (95 %) are not corrected</source>
+        <translation>Paires de niveaux, tests t appariés des parts de réponses correctes. Holm : corrigé sur toutes les paires de l’effet. Les intervalles (95 %) ne sont pas corrigés</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Effet</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>Paire</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Participants</translation>
+    </message>
+    <message>
+        <source>Difference, %</source>
+        <translation>Différence, %</translation>
+    </message>
+    <message>
+        <source>Interval, %</source>
+        <translation>Intervalle, %</translation>
+    </message>
+    <message>
+        <source>p, Holm</source>
+        <translation>p, Holm</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervalle</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>The same pairs by ranks: Wilcoxon&apos;s signed rank test with Pratt&apos;s zeros, exact up to 25 differences</source>
+        <translation>Les mêmes paires par les rangs : test des rangs signés de Wilcoxon avec les zéros selon Pratt, exact jusqu’à 25 différences</translation>
+    </message>
+    <message>
+        <source>Rank-biserial r</source>
+        <translation>r bisérial de rangs</translation>
+    </message>
+    <message>
+        <source>Friedman&apos;s test of effects with three levels and more</source>
+        <translation>Test de Friedman des effets à trois niveaux et plus</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>ddl</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation>W de Kendall</translation>
+    </message>
+    <message>
+        <source>Partial η² with its interval (95 %), where sphericity holds (ε GG at least 0.75)</source>
+        <translation>η² partiel avec son intervalle (95 %), là où la sphéricité est respectée (ε GG d’au moins 0.75)</translation>
+    </message>
+    <message>
+        <source>Model of single answers</source>
+        <translation>Modèle des réponses individuelles</translation>
+    </message>
+    <message>
+        <source>There are no numbers: %1.</source>
+        <translation>Il n’y a pas de nombres : %1.</translation>
+    </message>
+    <message>
+        <source>Logit of a correct answer: an intercept that differs between participants, and the conditions against %1; Wald&apos;s intervals (95 %)</source>
+        <translation>Logit d’une réponse correcte : une ordonnée à l’origine propre à chaque participant, et les conditions par rapport à %1 ; intervalles de Wald (95 %)</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>Terme</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Estimation</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>Erreur type</translation>
+    </message>
+    <message>
+        <source>Odds ratio</source>
+        <translation>Rapport de cotes</translation>
+    </message>
+    <message>
+        <source>intercept (%1)</source>
+        <translation>ordonnée à l’origine (%1)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the participants: %1.</source>
+        <translation>Écart-type des participants : %1.</translation>
+    </message>
+    <message>
+        <source>The participants do not differ more than chance makes them.</source>
+        <translation>Les participants ne diffèrent pas plus que par hasard.</translation>
+    </message>
+    <message>
+        <source>Conditions: likelihood ratio χ²(%1) = %2, p %3.</source>
+        <translation>Conditions : rapport de vraisemblance χ²(%1) = %2, p %3.</translation>
+    </message>
+    <message>
+        <source>Comparisons and effect sizes</source>
+        <translation>Comparaisons et tailles d’effet</translation>
+    </message>
+    <message>
+        <source>response times, cumulative</source>
+        <translation>temps de réponse, cumulés</translation>
+    </message>
+    <message>
+        <source>time from the onset, s</source>
+        <translation>temps depuis le début, s</translation>
+    </message>
+    <message>
+        <source>answered, %</source>
+        <translation>réponses données, %</translation>
+    </message>
+    <message>
+        <source>Share of the correct answers of all participants that were given within a time.</source>
+        <translation>Part des réponses correctes de tous les participants qui ont été données en un temps donné.</translation>
+    </message>
+    <message>
+        <source>Conditions compared by the participants&apos; geometric means: how many times as long the first takes; paired t tests of the logarithms</source>
+        <translation>Conditions comparées par les moyennes géométriques des participants : combien de fois plus de temps prend la première ; tests t appariés des logarithmes</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Rapport</translation>
     </message>
 </context>
 <context>
@@ -987,6 +1573,22 @@ Exemples&#xa0;:
     <message>
         <source>--language %1: expected en, fr, ja or zh_CN</source>
         <translation>--language %1&#xa0;: attendu en, fr, ja ou zh_CN</translation>
+    </message>
+    <message>
+        <source>Show all sources live to Foxglove on this port (default 8765).</source>
+        <translation>Montrer toutes les sources en direct à Foxglove sur ce port (par défaut 8765).</translation>
+    </message>
+    <message>
+        <source>PORT</source>
+        <translation>PORT</translation>
+    </message>
+    <message>
+        <source>Address on which the live view listens (default 127.0.0.1: this computer only).</source>
+        <translation>Adresse sur laquelle la vue en direct écoute (par défaut 127.0.0.1 : cet ordinateur seulement).</translation>
+    </message>
+    <message>
+        <source>ADDRESS</source>
+        <translation>ADRESSE</translation>
     </message>
 </context>
 <context>
@@ -1674,6 +2276,107 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>ExclusionReport</name>
+    <message>
+        <source>%1 (marked in the file)</source>
+        <translation>%1 (d’après une marque dans le fichier)</translation>
+    </message>
+    <message>
+        <source>%1 (made after the data)</source>
+        <translation>%1 (fixée après les données)</translation>
+    </message>
+    <message>
+        <source>What was left out, in the order of the rules; nothing was deleted</source>
+        <translation>Ce qui a été écarté, dans l’ordre des règles ; rien n’a été supprimé</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Règle</translation>
+    </message>
+    <message>
+        <source>Trials before</source>
+        <translation>Essais avant</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sessions</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Participants</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Remarque</translation>
+    </message>
+    <message numerus="yes">
+        <source>no spread of the times, so nothing was left out, in %n case(s)</source>
+        <translation>
+            <numerusform>pas de dispersion des temps, donc rien n’a été écarté, dans %n cas</numerusform>
+            <numerusform>pas de dispersion des temps, donc rien n’a été écarté, dans %n cas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The results with the rules, and without them</source>
+        <translation>Les résultats avec les règles, et sans elles</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tâche</translation>
+    </message>
+    <message>
+        <source>Condition or effect</source>
+        <translation>Condition ou effet</translation>
+    </message>
+    <message>
+        <source>Correct, %</source>
+        <translation>Correctes, %</translation>
+    </message>
+    <message>
+        <source>Correct without rules, %</source>
+        <translation>Correctes sans règles, %</translation>
+    </message>
+    <message>
+        <source>p GG without rules</source>
+        <translation>p GG sans règles</translation>
+    </message>
+    <message>
+        <source>Exclusions</source>
+        <translation>Exclusions</translation>
+    </message>
+</context>
+<context>
+    <name>ExclusionRule</name>
+    <message>
+        <source>the rule %1 is about something else</source>
+        <translation>la règle %1 porte sur autre chose</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;</source>
+        <translation>« %1 »</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no exclusion rule</source>
+        <translation>« %1 » n’est pas une règle d’exclusion</translation>
+    </message>
+    <message>
+        <source>RULE=VALUE with one of %1</source>
+        <translation>RÈGLE=VALEUR avec l’une de %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no usable value</source>
+        <translation>« %1 » n’a pas de valeur utilisable</translation>
+    </message>
+    <message>
+        <source>%1=VALUE with %2</source>
+        <translation>%1=VALEUR avec %2</translation>
+    </message>
+</context>
+<context>
     <name>ExportCommand</name>
     <message numerus="yes">
         <source>%n row(s)</source>
@@ -1698,16 +2401,8 @@ Exemples&#xa0;:
         <translation>L’enregistrement a été coupé&#xa0;; ce qui avait été écrit est là.</translation>
     </message>
     <message>
-        <source>Write the streams of a recording as CSV files</source>
-        <translation>Écrire les flux d’un enregistrement en fichiers CSV</translation>
-    </message>
-    <message>
         <source>Recording of the console or of teleta simulate</source>
         <translation>Enregistrement de la console ou de teleta simulate</translation>
-    </message>
-    <message>
-        <source>Folder for a CSV file a stream and events.csv</source>
-        <translation>Dossier pour un fichier CSV par flux et events.csv</translation>
     </message>
     <message>
         <source>Write over files that are there already</source>
@@ -1716,6 +2411,69 @@ Exemples&#xa0;:
     <message>
         <source>another folder, or --force</source>
         <translation>un autre dossier, ou --force</translation>
+    </message>
+    <message>
+        <source>start, units and origin of these files</source>
+        <translation>début, unités et origine de ces fichiers</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n message</numerusform>
+            <numerusform>%n messages</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The camera sees a left-handed frame: y of %1 has changed its sign.</source>
+        <translation>La caméra voit un repère indirect : y de %1 a changé de signe.</translation>
+    </message>
+    <message>
+        <source>%1 has no messages in ROS and was left out.</source>
+        <translation>%1 n’a pas de messages dans ROS et a été laissé de côté.</translation>
+    </message>
+    <message>
+        <source>Folder for a CSV file a stream, events.csv and recording.json</source>
+        <translation>Dossier pour un fichier CSV par flux, events.csv et recording.json</translation>
+    </message>
+    <message>
+        <source>List the streams of the recording: name and kind</source>
+        <translation>Lister les flux de l’enregistrement : nom et type</translation>
+    </message>
+    <message>
+        <source>Add a last column utc_s: Unix time in s with nine decimals</source>
+        <translation>Ajouter une dernière colonne utc_s : temps Unix en s avec neuf décimales</translation>
+    </message>
+    <message>
+        <source>MCAP file for Foxglove and ROS 2</source>
+        <translation>Fichier MCAP pour Foxglove et ROS 2</translation>
+    </message>
+    <message>
+        <source>Only these streams into the MCAP file</source>
+        <translation>Seulement ces flux dans le fichier MCAP</translation>
+    </message>
+    <message>
+        <source>Compression of the MCAP file</source>
+        <translation>Compression du fichier MCAP</translation>
+    </message>
+    <message>
+        <source>Size of a chunk of the MCAP file in MiB</source>
+        <translation>Taille d’un bloc (chunk) du fichier MCAP, en MiB</translation>
+    </message>
+    <message>
+        <source>either a folder here or a file after --mcap is needed</source>
+        <translation>il faut soit un dossier ici, soit un fichier après --mcap</translation>
+    </message>
+    <message>
+        <source>only with --mcap</source>
+        <translation>seulement avec --mcap</translation>
+    </message>
+    <message>
+        <source>another name, or --force</source>
+        <translation>un autre nom, ou --force</translation>
+    </message>
+    <message>
+        <source>Write the streams of a recording as CSV or MCAP files</source>
+        <translation>Écrire les flux d’un enregistrement en fichiers CSV ou MCAP</translation>
     </message>
 </context>
 <context>
@@ -2417,6 +3175,73 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>ImportCommand</name>
+    <message>
+        <source>left out</source>
+        <translation>laissé de côté</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n message</numerusform>
+            <numerusform>%n messages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged or of another shape</source>
+        <translation>
+            <numerusform>%n endommagé ou d’une autre forme</numerusform>
+            <numerusform>%n endommagés ou d’une autre forme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>The file was cut off: %1 of %2 bytes could be read.</source>
+        <translation>Le fichier a été coupé : %1 octets sur %2 ont pu être lus.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged chunk(s) left out</source>
+        <translation>
+            <numerusform>%n bloc (chunk) endommagé ignoré</numerusform>
+            <numerusform>%n blocs (chunks) endommagés ignorés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged record(s) left out</source>
+        <translation>
+            <numerusform>%n entrée (record) endommagée ignorée</numerusform>
+            <numerusform>%n entrées (records) endommagées ignorées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The checksum of the file is wrong: it was damaged somewhere.</source>
+        <translation>La somme de contrôle du fichier est fausse : il a été endommagé quelque part.</translation>
+    </message>
+    <message>
+        <source>MCAP file with messages of ROS 2</source>
+        <translation>Fichier MCAP avec des messages de ROS 2</translation>
+    </message>
+    <message>
+        <source>Recording to be made</source>
+        <translation>Enregistrement à créer</translation>
+    </message>
+    <message>
+        <source>Read a topic as array, camera or joints, where its type leaves a choice</source>
+        <translation>Lire un topic comme array, camera ou joints, là où son type laisse le choix</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not /TOPIC=array, /TOPIC=camera or /TOPIC=joints</source>
+        <translation>« %1 » n’est pas /TOPIC=array, /TOPIC=camera ni /TOPIC=joints</translation>
+    </message>
+    <message>
+        <source>Make a recording of an MCAP file</source>
+        <translation>Créer un enregistrement d’après un fichier MCAP</translation>
+    </message>
+</context>
+<context>
     <name>Interruption</name>
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
@@ -2534,6 +3359,266 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>LevelContent</name>
+    <message>
+        <source>All participants</source>
+        <translation>Tous les participants</translation>
+    </message>
+    <message>
+        <source>Thresholds of all participants</source>
+        <translation>Seuils de tous les participants</translation>
+    </message>
+    <message>
+        <source>Levels of %1 over the trials</source>
+        <translation>Niveaux de %1 au fil des essais</translation>
+    </message>
+    <message>
+        <source>d&apos; and c of all participants, %1</source>
+        <translation>d&apos; et c de tous les participants, %1</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Participant</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Piste</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Spread or slope</source>
+        <translation>Dispersion ou pente</translation>
+    </message>
+    <message>
+        <source>Lapses</source>
+        <translation>Inattentions</translation>
+    </message>
+    <message>
+        <source>p of fit</source>
+        <translation>p d’ajustement</translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation>JND</translation>
+    </message>
+    <message>
+        <source>Weber</source>
+        <translation>Weber</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>Ce qu’il indique</translation>
+    </message>
+    <message>
+        <source>Where the curve is half-way between guessing and its upper end; of a comparison the level that feels equal</source>
+        <translation>Là où la courbe est à mi-chemin entre la réponse au hasard et son extrémité supérieure ; pour une comparaison, le niveau ressenti comme égal</translation>
+    </message>
+    <message>
+        <source>By profile likelihood; of all participants Student&apos;s t of their thresholds. ? stands for an open end</source>
+        <translation>Par vraisemblance profilée ; pour tous les participants, t de Student de leurs seuils. ? signale une extrémité ouverte</translation>
+    </message>
+    <message>
+        <source>s of gauss and logistic, in the unit of the level; the slope b of weibull</source>
+        <translation>s de gauss et de logistic, dans l’unité du niveau ; la pente b de weibull</translation>
+    </message>
+    <message>
+        <source>Share of mistakes however strong the stimulus is</source>
+        <translation>Part d’erreurs, si fort que soit le stimulus</translation>
+    </message>
+    <message>
+        <source>Of the deviance, by data sets that are drawn and fitted again; constant stimuli only</source>
+        <translation>De la déviance, par des jeux de données tirés puis ajustés à nouveau ; stimuli constants seulement</translation>
+    </message>
+    <message>
+        <source>Just noticeable difference: half of the way from 25 to 75 %</source>
+        <translation>Différence juste perceptible : la moitié de l’écart de 25 à 75 %</translation>
+    </message>
+    <message>
+        <source>JND over the reference</source>
+        <translation>JND divisée par la référence</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>moyenne de %1</translation>
+    </message>
+    <message>
+        <source>mean of %1; %2 without threshold</source>
+        <translation>moyenne de %1 ; %2 sans seuil</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tous</translation>
+    </message>
+    <message>
+        <source>Mean of reversals</source>
+        <translation>Moyenne des inversions</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>Inversions</translation>
+    </message>
+    <message>
+        <source>Posterior mean</source>
+        <translation>Moyenne a posteriori</translation>
+    </message>
+    <message>
+        <source>Its sd</source>
+        <translation>Son écart-type</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>The estimate of a staircase</source>
+        <translation>L’estimation d’un escalier</translation>
+    </message>
+    <message>
+        <source>The estimate of a Bayesian procedure</source>
+        <translation>L’estimation d’une procédure bayésienne</translation>
+    </message>
+    <message>
+        <source>On the scale of the levels: in log10 units on a logarithmic one</source>
+        <translation>À l’échelle des niveaux : en unités log10 si elle est logarithmique</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation>Détections correctes</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>Fausses alarmes</translation>
+    </message>
+    <message>
+        <source>d&apos;</source>
+        <translation>d&apos;</translation>
+    </message>
+    <message>
+        <source>c</source>
+        <translation>c</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Of how many trials with a stimulus; of several intervals right answers</source>
+        <translation>Sur combien d’essais avec stimulus ; à plusieurs intervalles, réponses correctes</translation>
+    </message>
+    <message>
+        <source>Of how many trials without</source>
+        <translation>Sur combien d’essais sans stimulus</translation>
+    </message>
+    <message>
+        <source>Sensitivity; rates are (count + 1/2) / (trials + 1)</source>
+        <translation>Sensibilité ; les taux sont (nombre + 1/2) / (essais + 1)</translation>
+    </message>
+    <message>
+        <source>Criterion: above 0 rather no; of two intervals below 0 rather the first</source>
+        <translation>Critère : au-dessus de 0, plutôt non ; à deux intervalles, au-dessous de 0, plutôt le premier</translation>
+    </message>
+</context>
+<context>
+    <name>LevelSourceText</name>
+    <message>
+        <source>these are data of different modes: %1 and %2</source>
+        <translation>ces données sont de modes différents : %1 et %2</translation>
+    </message>
+    <message>
+        <source>one mode, or the choice of one</source>
+        <translation>un seul mode, ou l’indication de celui qui compte</translation>
+    </message>
+    <message>
+        <source>%1 cannot be &quot;%2&quot;</source>
+        <translation>%1 ne peut pas être « %2 »</translation>
+    </message>
+    <message>
+        <source>nothing says which answers are correct</source>
+        <translation>rien ne dit quelles réponses sont correctes</translation>
+    </message>
+    <message>
+        <source>a column correct, or stimulus and response</source>
+        <translation>une colonne correct, ou stimulus et response</translation>
+    </message>
+    <message>
+        <source>practice or test</source>
+        <translation>practice ou test</translation>
+    </message>
+    <message>
+        <source>run, pilot or simulated</source>
+        <translation>run, pilot ou simulated</translation>
+    </message>
+    <message>
+        <source>correct, incorrect, timeout, aborted or device_error</source>
+        <translation>correct, incorrect, timeout, aborted ou device_error</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2, or NA</source>
+        <translation>un nombre de %1 à %2, ou NA</translation>
+    </message>
+    <message>
+        <source>yes_no, interval, same_different or compare, one for a task</source>
+        <translation>yes_no, interval, same_different ou compare, un seul par tâche</translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation>0 ou 1</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>une valeur</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompu</translation>
+    </message>
+</context>
+<context>
+    <name>ListText</name>
+    <message>
+        <source>a list of %1, each %2</source>
+        <translation>une liste de %1 éléments, chacun %2</translation>
+    </message>
+    <message>
+        <source>a list of %1 to %2, each %3</source>
+        <translation>une liste de %1 à %2 éléments, chacun %3</translation>
+    </message>
+</context>
+<context>
+    <name>LiveView</name>
+    <message>
+        <source>&quot;%1&quot; is no address</source>
+        <translation>« %1 » n’est pas une adresse</translation>
+    </message>
+    <message>
+        <source>an address such as 127.0.0.1</source>
+        <translation>une adresse comme 127.0.0.1</translation>
+    </message>
+    <message>
+        <source>the live view cannot listen on %1:%2: %3</source>
+        <translation>la vue en direct ne peut pas écouter sur %1:%2 : %3</translation>
+    </message>
+    <message>
+        <source>another port</source>
+        <translation>un autre port</translation>
+    </message>
+</context>
+<context>
     <name>LocateCommand</name>
     <message>
         <source>Camera file that teleta calibrate has written</source>
@@ -2546,6 +3631,95 @@ Exemples&#xa0;:
     <message>
         <source>Points on the tactile cylinder that belong to pixels of its camera</source>
         <translation>Points du cylindre tactile que montrent des pixels de sa caméra</translation>
+    </message>
+</context>
+<context>
+    <name>McapExport</name>
+    <message>
+        <source>there is no stream &quot;%1&quot;</source>
+        <translation>il n’y a pas de flux « %1 »</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>l’un de %1</translation>
+    </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>interrompu ; rien n’a été écrit</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>il y a déjà un fichier de ce nom</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>un autre nom</translation>
+    </message>
+</context>
+<context>
+    <name>McapFile</name>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n’existe pas</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>ouverture impossible : %1</translation>
+    </message>
+    <message>
+        <source>this is not an MCAP file</source>
+        <translation>ce n’est pas un fichier MCAP</translation>
+    </message>
+    <message>
+        <source>an MCAP file, version 0</source>
+        <translation>un fichier MCAP, version 0</translation>
+    </message>
+    <message>
+        <source>the attachment &quot;%1&quot; is damaged</source>
+        <translation>la pièce jointe « %1 » est endommagée</translation>
+    </message>
+</context>
+<context>
+    <name>McapImport</name>
+    <message>
+        <source>%1 is of the type %2 and cannot be read as %3</source>
+        <translation>%1 est du type %2 et ne peut pas être lu comme %3</translation>
+    </message>
+    <message>
+        <source>there is no topic %1</source>
+        <translation>il n’y a pas de topic %1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>l’un de %1</translation>
+    </message>
+    <message>
+        <source>no topic of this file can be read: %1</source>
+        <translation>aucun topic de ce fichier ne peut être lu : %1</translation>
+    </message>
+    <message>
+        <source>it has none</source>
+        <translation>il n’en a pas</translation>
+    </message>
+    <message>
+        <source>messages of ROS 2 in CDR</source>
+        <translation>des messages de ROS 2 en CDR</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompu</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>il y a déjà un fichier de ce nom</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>un autre nom</translation>
+    </message>
+    <message>
+        <source>the file cannot be given its name</source>
+        <translation>le nom voulu ne peut pas être donné au fichier</translation>
     </message>
 </context>
 <context>
@@ -2860,6 +4034,21 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>OscTrigger</name>
+    <message>
+        <source>the host for triggers was not found: %1</source>
+        <translation>l’hôte des déclencheurs est introuvable : %1</translation>
+    </message>
+    <message>
+        <source>a name or an address</source>
+        <translation>un nom ou une adresse</translation>
+    </message>
+    <message>
+        <source>triggers cannot be sent: %1</source>
+        <translation>les déclencheurs ne peuvent pas être envoyés : %1</translation>
+    </message>
+</context>
+<context>
     <name>OutputFileText</name>
     <message>
         <source>cannot write: %1</source>
@@ -3060,6 +4249,155 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>ParticipantReport</name>
+    <message>
+        <source>In this part nothing was tested yet.</source>
+        <translation>Dans cette partie, rien n’a encore été testé.</translation>
+    </message>
+    <message>
+        <source>You answered %1 of %2 trials correctly: %3 %.</source>
+        <comment>numbers</comment>
+        <translation>Vous avez répondu correctement à %1 essais sur %2 : %3 %.</translation>
+    </message>
+    <message>
+        <source>There were %1 possible answers. Whoever guesses is right in about %2 % of the trials.</source>
+        <translation>Il y avait %1 réponses possibles. Qui devine a raison dans environ %2 % des essais.</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n trial(s) the time was over before you answered.</source>
+        <translation>
+            <numerusform>Dans %n essai, le temps était écoulé avant votre réponse.</numerusform>
+            <numerusform>Dans %n essais, le temps était écoulé avant votre réponse.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Half of your correct answers came within %1 seconds.</source>
+        <translation>La moitié de vos réponses correctes ont été données en %1 secondes au plus.</translation>
+    </message>
+    <message>
+        <source>You recognised these every time: %1.</source>
+        <translation>Vous avez reconnu ceux-ci à chaque fois : %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>This part was not finished.</source>
+        <translation>Cette partie n’a pas été terminée.</translation>
+    </message>
+    <message>
+        <source>Thank you for taking part in the study &quot;%1&quot;.</source>
+        <translation>Merci d’avoir participé à l’étude « %1 ».</translation>
+    </message>
+    <message>
+        <source>You have not begun yet.</source>
+        <translation>Vous n’avez pas encore commencé.</translation>
+    </message>
+    <message>
+        <source>This page has your answers alone. They say how well these vibrations can be told apart on this bracelet; they are no test of health.</source>
+        <translation>Cette page contient vos réponses seules. Elles indiquent à quel point ces vibrations peuvent être distinguées sur ce bracelet ; ce n’est pas un test de santé.</translation>
+    </message>
+    <message>
+        <source>Completed test trials of each session; the interval is Wilson&apos;s (95 %)</source>
+        <translation>Essais de test achevés de chaque session ; l’intervalle est celui de Wilson (95 %)</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Session</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tâche</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Terminée</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Correctes</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Interval, %</source>
+        <translation>Intervalle, %</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>Sans réponse</translation>
+    </message>
+    <message>
+        <source>Device faults</source>
+        <translation>Défauts d’appareil</translation>
+    </message>
+    <message>
+        <source>Median time, s</source>
+        <translation>Temps médian, s</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Rows: presented; columns: answered. Number of trials.</source>
+        <translation>Lignes : présenté ; colonnes : répondu. Nombre d’essais.</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Question</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Réponse</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>sans réponse</translation>
+    </message>
+    <message>
+        <source>Questionnaires</source>
+        <translation>Questionnaires</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>the study has no participant &quot;%1&quot;</source>
+        <translation>l’étude n’a pas de participant « %1 »</translation>
+    </message>
+    <message>
+        <source>Your results</source>
+        <translation>Vos résultats</translation>
+    </message>
+    <message>
+        <source>Study: %1. Participant %2 in the order of enrolment.</source>
+        <translation>Étude : %1. Participant %2 dans l’ordre d’inscription.</translation>
+    </message>
+    <message>
+        <source>No session has begun.</source>
+        <translation>Aucune session n’a commencé.</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <comment>an id</comment>
+        <translation>Participant %1</translation>
+    </message>
+</context>
+<context>
     <name>PatternCommand</name>
     <message>
         <source>shape</source>
@@ -3232,6 +4570,14 @@ Aire %6</translation>
     <message>
         <source>the ending of %1 is not that of a format; expected one of %2</source>
         <translation>l’extension de %1 n’indique aucun format&#xa0;; attendu l’un de %2</translation>
+    </message>
+    <message>
+        <source>Ending that chooses the format when OUT is -, for example json</source>
+        <translation>Extension qui choisit le format quand OUT est -, par exemple json</translation>
+    </message>
+    <message>
+        <source>it belongs to OUT as -, where it is needed</source>
+        <translation>elle va avec OUT donné comme -, où elle est nécessaire</translation>
     </message>
 </context>
 <context>
@@ -3595,6 +4941,59 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>PlanContent</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>task, test</comment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>conditions</source>
+        <translation>conditions</translation>
+    </message>
+    <message>
+        <source>patterns</source>
+        <translation>motifs</translation>
+    </message>
+    <message>
+        <source>conditions by patterns</source>
+        <translation>conditions × motifs</translation>
+    </message>
+    <message>
+        <source>Power: %1</source>
+        <comment>test</comment>
+        <translation>Puissance : %1</translation>
+    </message>
+    <message>
+        <source>participants</source>
+        <translation>participants</translation>
+    </message>
+    <message>
+        <source>significant studies, %</source>
+        <translation>études significatives, %</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>cible</translation>
+    </message>
+    <message>
+        <source>Cancelled. The curve has the studies drawn so far.</source>
+        <translation>Annulé. La courbe contient les études tirées jusqu’ici.</translation>
+    </message>
+    <message>
+        <source>No number up to %1 reaches %2 %.</source>
+        <translation>Aucun nombre jusqu’à %1 n’atteint %2 %.</translation>
+    </message>
+    <message>
+        <source>%1 or %2 participants reach %3 %; chance cannot tell which.</source>
+        <translation>%1 ou %2 participants atteignent %3 % ; le hasard ne permet pas de dire lequel.</translation>
+    </message>
+    <message>
+        <source>%1 participants reach %2 %.</source>
+        <translation>%1 participants atteignent %2 %.</translation>
+    </message>
+</context>
+<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -3651,6 +5050,14 @@ Run %2 --help for more.
         <translation>teleta&#xa0;: %1
 %2 --help en dit plus.
 </translation>
+    </message>
+    <message>
+        <source>With --version: print version and commit as JSON</source>
+        <translation>Avec --version : afficher la version et le commit en JSON</translation>
+    </message>
+    <message>
+        <source>Print how to cite the program, as BibTeX</source>
+        <translation>Afficher comment citer le programme, en BibTeX</translation>
     </message>
 </context>
 <context>
@@ -3790,6 +5197,10 @@ Run %2 --help for more.
     <message>
         <source>a file of this name already exists</source>
         <translation>il y a déjà un fichier de ce nom</translation>
+    </message>
+    <message>
+        <source>the recording cannot be read</source>
+        <translation>l’enregistrement ne peut pas être lu</translation>
     </message>
 </context>
 <context>
@@ -4077,10 +5488,6 @@ Run %2 --help for more.
         <translation>ddl</translation>
     </message>
     <message>
-        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
-        <translation>Moyenne des réponses correctes des participants pour chaque motif&#xa0;; deux conditions sont comparées intra-participants</translation>
-    </message>
-    <message>
         <source>Patterns and conditions</source>
         <translation>Motifs et conditions</translation>
     </message>
@@ -4271,6 +5678,22 @@ Run %2 --help for more.
         <source>analysis.R beside this page computes its numbers again from confusion_long.csv, except the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
         <translation>analysis.R, à côté de cette page, recalcule ses nombres à partir de confusion_long.csv, sauf les temps de réponse, que ce fichier n’a pas&#xa0;: Rscript analysis.R. Dans le dossier de l’étude, il calcule aussi les temps de réponse, à partir des essais exportés.</translation>
     </message>
+    <message>
+        <source>all participants have the same share</source>
+        <translation>tous les participants ont la même part</translation>
+    </message>
+    <message>
+        <source>the interval is cut off at 0 or 100 %</source>
+        <translation>l’intervalle est coupé à 0 ou à 100 %</translation>
+    </message>
+    <message>
+        <source>p, Holm</source>
+        <translation>p, Holm</translation>
+    </message>
+    <message>
+        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants; Holm: corrected over the patterns</source>
+        <translation>Moyenne des réponses correctes des participants pour chaque motif ; deux conditions sont comparées au sein des participants ; Holm : corrigé sur les motifs</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPicture</name>
@@ -4353,10 +5776,6 @@ Run %2 --help for more.
     <message>
         <source>Each pattern</source>
         <translation>Chaque motif</translation>
-    </message>
-    <message>
-        <source>p %1%2</source>
-        <translation>p %1%2</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -4599,6 +6018,23 @@ Run %2 --help for more.
         <source>Interval or bound of the true transfer, from the jackknife over participants</source>
         <translation>Intervalle ou borne du vrai transfert, par le jackknife sur les participants</translation>
     </message>
+    <message>
+        <source>the t interval is cut off at 0 or 100 %</source>
+        <translation>l’intervalle t est coupé à 0 ou à 100 %</translation>
+    </message>
+    <message>
+        <source>all participants have the same share</source>
+        <translation>tous les participants ont la même part</translation>
+    </message>
+    <message>
+        <source>p %1</source>
+        <translation>p %1</translation>
+    </message>
+    <message>
+        <source>%1; Holm %2</source>
+        <comment>p of a pattern, corrected p</comment>
+        <translation>%1 ; Holm %2</translation>
+    </message>
 </context>
 <context>
     <name>RunSheet</name>
@@ -4804,6 +6240,24 @@ Run %2 --help for more.
     <message>
         <source>tasks, letters and conditions whose patterns are built in</source>
         <translation>des tâches, lettres et conditions dont les motifs sont fournis avec le programme</translation>
+    </message>
+</context>
+<context>
+    <name>SerialText</name>
+    <message>
+        <source>the trigger&apos;s serial line cannot be used: %1</source>
+        <translation>la ligne série du déclencheur ne peut pas être utilisée : %1</translation>
+    </message>
+</context>
+<context>
+    <name>SerialTrigger</name>
+    <message>
+        <source>this is not a serial line</source>
+        <translation>ce n’est pas une ligne série</translation>
+    </message>
+    <message>
+        <source>a serial port, such as /dev/ttyUSB0</source>
+        <translation>un port série, comme /dev/ttyUSB0</translation>
     </message>
 </context>
 <context>
@@ -5199,6 +6653,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>SimulatedObserver</name>
+    <message>
+        <source>an observer cannot have &quot;%1&quot;</source>
+        <translation>un observateur ne peut pas avoir « %1 »</translation>
+    </message>
+    <message>
+        <source>t and slope above 0, lapse from 0 to %1, sd of at least 0, as in t=0.2,slope=3.5,lapse=0.02,sd=0.1</source>
+        <translation>t et slope supérieurs à 0, lapse de 0 à %1, sd d’au moins 0, comme dans t=0.2,slope=3.5,lapse=0.02,sd=0.1</translation>
+    </message>
+</context>
+<context>
     <name>SimulatedTube</name>
     <message>
         <source>the lens folds the image over itself: no camera has such a lens</source>
@@ -5274,6 +6739,49 @@ Run %2 --help for more.
     <message>
         <source>trial %1 of session %2 of %3 was already counted</source>
         <translation>l’essai %1 de la session %2 de %3 a déjà été compté</translation>
+    </message>
+    <message>
+        <source>this text is not UTF-8</source>
+        <translation>ce texte n’est pas en UTF-8</translation>
+    </message>
+    <message>
+        <source>a file that was saved as UTF-8</source>
+        <translation>un fichier enregistré en UTF-8</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <source>the columns are separated by semicolons</source>
+        <translation>les colonnes sont séparées par des points-virgules</translation>
+    </message>
+    <message>
+        <source>the columns are separated by tabs</source>
+        <translation>les colonnes sont séparées par des tabulations</translation>
+    </message>
+    <message>
+        <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
+        <translation>des virgules, et un point dans les nombres : les essais qui sont dans data/ de l’étude, ou le fichier enregistré en CSV avec des virgules</translation>
+    </message>
+</context>
+<context>
+    <name>StandardStreams</name>
+    <message>
+        <source>- is given, a folder is expected</source>
+        <translation>- est donné, un dossier est attendu</translation>
+    </message>
+    <message>
+        <source>a recording is a database, which is no stream</source>
+        <translation>un enregistrement est une base de données, et non un flux</translation>
+    </message>
+    <message>
+        <source>a video cannot be read from standard input</source>
+        <translation>une vidéo ne peut pas être lue sur l’entrée standard</translation>
+    </message>
+    <message>
+        <source>the document and a file would both go to standard output</source>
+        <translation>le document et un fichier iraient tous deux sur la sortie standard</translation>
     </message>
 </context>
 <context>
@@ -5631,6 +7139,41 @@ Run %2 --help for more.
         <source>the full path of the file</source>
         <translation>le chemin complet du fichier</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; cannot be moved to other tactors</source>
+        <translation>« %1 » ne peut pas être déplacé vers d’autres tacteurs</translation>
+    </message>
+    <message>
+        <source>a stimulus without rings and strokes, or a track without tactors</source>
+        <translation>un stimulus sans anneaux ni tracés, ou une piste sans tacteurs</translation>
+    </message>
+    <message>
+        <source>the stimulus does not use tactor %1</source>
+        <translation>le stimulus n’utilise pas le tacteur %1</translation>
+    </message>
+    <message>
+        <source>a stimulus of one tactor, or of as many as the track names</source>
+        <translation>un stimulus à un seul tacteur, ou à autant de tacteurs que la piste en nomme</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n object(s) of the stimulus have %1</source>
+        <translation>
+            <numerusform>%n objet du stimulus a %1</numerusform>
+            <numerusform>%n objets du stimulus ont %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>exactly one</source>
+        <translation>exactement un</translation>
+    </message>
+    <message>
+        <source>the stimulus takes %1 s at level %2</source>
+        <translation>le stimulus dure %1 s au niveau %2</translation>
+    </message>
+    <message>
+        <source>at most stimulus_s, %1 s</source>
+        <translation>au plus stimulus_s, %1 s</translation>
+    </message>
 </context>
 <context>
     <name>StoreText</name>
@@ -5705,6 +7248,25 @@ Run %2 --help for more.
     <message>
         <source>the patterns have changed since this study was created</source>
         <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
+    </message>
+</context>
+<context>
+    <name>StreamText</name>
+    <message>
+        <source>standard input cannot be read</source>
+        <translation>l’entrée standard ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>standard input is too large</source>
+        <translation>l’entrée standard est trop volumineuse</translation>
+    </message>
+    <message>
+        <source>standard input can be read only once</source>
+        <translation>l’entrée standard ne peut être lue qu’une fois</translation>
+    </message>
+    <message>
+        <source>standard output can be written only once</source>
+        <translation>la sortie standard ne peut être écrite qu’une fois</translation>
     </message>
 </context>
 <context>
@@ -5970,6 +7532,34 @@ Run %2 --help for more.
         <source>Start the server or repair the network connection, then try again.</source>
         <translation>Démarrez le serveur ou rétablissez le réseau, puis réessayez.</translation>
     </message>
+    <message>
+        <source>a motor takes %1 s to stop, and the gap between the intervals of %2 is %3 s</source>
+        <translation>un moteur met %1 s à s’arrêter, et la pause entre les intervalles de %2 est de %3 s</translation>
+    </message>
+    <message>
+        <source>Create a study with a longer gap (gap_s).</source>
+        <translation>Créez une étude avec une pause plus longue (gap_s).</translation>
+    </message>
+    <message>
+        <source>the line is being opened</source>
+        <translation>la ligne est en cours d’ouverture</translation>
+    </message>
+    <message>
+        <source>Wait a moment.</source>
+        <translation>Attendez un instant.</translation>
+    </message>
+    <message>
+        <source>the line cannot be used</source>
+        <translation>la ligne est inutilisable</translation>
+    </message>
+    <message>
+        <source>Plug the device in and switch it on; it is tried again every second.</source>
+        <translation>Branchez l’appareil et allumez-le ; une nouvelle tentative est faite chaque seconde.</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Déclencheur</translation>
+    </message>
 </context>
 <context>
     <name>StudyCommand</name>
@@ -5992,10 +7582,6 @@ Run %2 --help for more.
     <message>
         <source>Run simulated participants through a whole study</source>
         <translation>Faire parcourir toute une étude à des participants simulés</translation>
-    </message>
-    <message>
-        <source>Protocol of the study; otherwise the paper&apos;s</source>
-        <translation>Protocole de l’étude&#xa0;; sinon celui de l’article</translation>
     </message>
     <message>
         <source>Seed of all orders and answers</source>
@@ -6094,10 +7680,6 @@ Run %2 --help for more.
         <translation>Formats des figures, séparés par des virgules</translation>
     </message>
     <message>
-        <source>Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, figures</source>
-        <translation>Dossier pour report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, figures</translation>
-    </message>
-    <message>
         <source>Write pink noise that can be played in a loop</source>
         <translation>Écrire un bruit rose qui peut être joué en boucle</translation>
     </message>
@@ -6173,6 +7755,75 @@ Run %2 --help for more.
         <source>%1 bit without bias (95 %: at most %2)</source>
         <translation>%1 bit sans biais (95&#xa0;%&#xa0;: au plus %2)</translation>
     </message>
+    <message>
+        <source>%1 of %2 trials left out</source>
+        <translation>%1 essais sur %2 écartés</translation>
+    </message>
+    <message>
+        <source>%1; rule made after the data</source>
+        <translation>%1 ; règle établie après les données</translation>
+    </message>
+    <message>
+        <source>%1; no spread of the times, so nothing was left out, in %2 case(s)</source>
+        <translation>%1 ; temps sans dispersion, donc rien n’a été écarté, dans %2 cas</translation>
+    </message>
+    <message>
+        <source>%1, Holm over the patterns %2</source>
+        <comment>F and p</comment>
+        <translation>%1, Holm sur les motifs %2</translation>
+    </message>
+    <message>
+        <source>Thresholds, slopes and d&apos; of tasks with levels, by maximum likelihood</source>
+        <translation>Seuils, pentes et d&apos; des tâches à niveaux, par maximum de vraisemblance</translation>
+    </message>
+    <message>
+        <source>Write one participant&apos;s results as a page</source>
+        <translation>Écrire les résultats d’un participant sous forme de page</translation>
+    </message>
+    <message>
+        <source>What the columns of all files of studies mean</source>
+        <translation>Ce que signifient les colonnes de tous les fichiers des études</translation>
+    </message>
+    <message>
+        <source>Send one trial&apos;s triggers to another recorder</source>
+        <translation>Envoyer les déclencheurs d’un essai à un autre enregistreur</translation>
+    </message>
+    <message>
+        <source>How many participants a test needs: power by simulated studies</source>
+        <translation>Combien de participants demande un test : puissance par des études simulées</translation>
+    </message>
+    <message>
+        <source>Protocol of the study, or the name of one that comes with the program: tactor-detection, intensity-steps, equal-strength, two-or-one, motion-timing; otherwise the paper&apos;s</source>
+        <translation>Protocole de l’étude, ou nom de l’un de ceux fournis avec le programme : tactor-detection, intensity-steps, equal-strength, two-or-one, motion-timing ; sinon celui de l’article</translation>
+    </message>
+    <message>
+        <source>Simulated participants in tasks with levels: threshold t and slope of their psychometric function, lapse rate, and sd of the threshold between them, in the scale of the levels</source>
+        <translation>Participants simulés dans les tâches à niveaux : seuil t et pente de leur fonction psychométrique, taux d’inattention, et écart-type sd du seuil entre eux, dans l’échelle des niveaux</translation>
+    </message>
+    <message>
+        <source>Rule of what does not count, besides those of the protocol; marked as made after the data, for example response_time_below_s=0.2</source>
+        <translation>Règle de ce qui ne compte pas, en plus de celles du protocole ; marquée comme établie après les données, par exemple response_time_below_s=0.2</translation>
+    </message>
+    <message>
+        <source>Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, thresholds.csv, levels.csv, sdt.csv, comparisons.csv, ranks.csv, binomial_model.csv, response_times.csv, exclusions.csv, figures</source>
+        <translation>Dossier pour report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, thresholds.csv, levels.csv, sdt.csv, comparisons.csv, ranks.csv, binomial_model.csv, response_times.csv, exclusions.csv, figures</translation>
+    </message>
+    <message>
+        <source>the exclusion rules leave no completed trial</source>
+        <translation>les règles d’exclusion ne laissent aucun essai achevé</translation>
+    </message>
+    <message>
+        <source>rules that leave some</source>
+        <translation>des règles qui en laissent</translation>
+    </message>
+    <message>
+        <source>there are no test trials, only practice: the report has no results</source>
+        <translation>il n’y a pas d’essais de test, seulement de l’entraînement : le rapport n’a pas de résultats</translation>
+    </message>
+    <message>
+        <source>the answer &quot;%1&quot; counts as wrong: the pattern is &quot;%2&quot;</source>
+        <translation>la réponse « %1 » compte comme fausse : le motif est « %2 »</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -6194,6 +7845,89 @@ Run %2 --help for more.
     <message>
         <source>SIMULATED</source>
         <translation>SIMULÉ</translation>
+    </message>
+</context>
+<context>
+    <name>StudyFitCommand</name>
+    <message>
+        <source>; the curve does not fit: p of the deviance %1</source>
+        <translation> ; la courbe n’est pas ajustée aux données : p de la déviance %1</translation>
+    </message>
+    <message>
+        <source>Mean of %1</source>
+        <translation>Moyenne de %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 à %3)</translation>
+    </message>
+    <message>
+        <source>no d&apos;: trials of one kind are missing</source>
+        <translation>pas de d&apos; : il manque les essais d’une des deux sortes</translation>
+    </message>
+    <message>
+        <source>d&apos; %1, c %2</source>
+        <translation>d&apos; %1, c %2</translation>
+    </message>
+    <message>
+        <source>d&apos; %1</source>
+        <translation>d&apos; %1</translation>
+    </message>
+    <message>
+        <source>Folder of a study, or a CSV with participant_id,task,condition,phase,track,level,correct</source>
+        <translation>Dossier d’une étude, ou un CSV avec participant_id,task,condition,phase,track,level,correct</translation>
+    </message>
+    <message>
+        <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME</source>
+        <translation>Serveur PostgreSQL qui contient l’étude, postgresql://USER@HOST/DATABASE?study=NAME</translation>
+    </message>
+    <message>
+        <source>Function that is fitted; otherwise weibull for detection on a logarithmic scale, else gauss</source>
+        <translation>Fonction ajustée ; sinon weibull pour la détection sur une échelle logarithmique, et gauss dans les autres cas</translation>
+    </message>
+    <message>
+        <source>Share of right answers without a stimulus; otherwise from the design</source>
+        <translation>Part de réponses correctes sans stimulus ; sinon d’après le plan d’expérience</translation>
+    </message>
+    <message>
+        <source>Share of mistakes with any stimulus: fixed, or the range in which it is free; otherwise 0:0.06</source>
+        <translation>Part d’erreurs avec n’importe quel stimulus : fixe, ou la plage dans laquelle elle est libre ; sinon 0:0.06</translation>
+    </message>
+    <message>
+        <source>How the interval of a threshold is computed</source>
+        <translation>Mode de calcul de l’intervalle d’un seuil</translation>
+    </message>
+    <message>
+        <source>Folder for thresholds.csv, levels.csv, sdt.csv, analysis.R and figures</source>
+        <translation>Dossier pour thresholds.csv, levels.csv, sdt.csv, analysis.R et les figures</translation>
+    </message>
+    <message>
+        <source>--lapse cannot be &quot;%1&quot;</source>
+        <translation>--lapse ne peut pas être « %1 »</translation>
+    </message>
+    <message>
+        <source>a share from 0 to 0.4, or two with a colon between them, the lower one first</source>
+        <translation>une part de 0 à 0.4, ou deux séparées par un deux-points, la plus petite d’abord</translation>
+    </message>
+    <message>
+        <source>there are no test trials with a level</source>
+        <translation>il n’y a pas d’essais de test avec un niveau</translation>
+    </message>
+    <message>
+        <source>trials of a design with levels, or a column level</source>
+        <translation>des essais d’un plan à niveaux, ou une colonne level</translation>
+    </message>
+    <message>
+        <source>nothing says how often guessing is right in task %1</source>
+        <translation>rien ne dit combien de fois on répond juste au hasard dans la tâche %1</translation>
+    </message>
+    <message>
+        <source>--guess (0.5 for two intervals, 0.02 for yes and no), or a column design or n_alternatives</source>
+        <translation>--guess (0.5 pour deux intervalles, 0.02 pour oui et non), ou une colonne design ou n_alternatives</translation>
+    </message>
+    <message>
+        <source>Tables and figures</source>
+        <translation>Tableaux et figures</translation>
     </message>
 </context>
 <context>
@@ -6258,6 +7992,90 @@ Run %2 --help for more.
         <source>metal</source>
         <translation>métal</translation>
     </message>
+    <message>
+        <source>Tactor detection</source>
+        <translation>Détection des tacteurs</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>repos</translation>
+    </message>
+    <message>
+        <source>In which interval did you feel a vibration?</source>
+        <translation>Dans quel intervalle avez-vous senti une vibration ?</translation>
+    </message>
+    <message>
+        <source>Intensity steps</source>
+        <translation>Écarts d’intensité</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>faible</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>moyen</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>fort</translation>
+    </message>
+    <message>
+        <source>Which interval was stronger?</source>
+        <translation>Quel intervalle était le plus fort ?</translation>
+    </message>
+    <message>
+        <source>Equal strength</source>
+        <translation>Même force</translation>
+    </message>
+    <message>
+        <source>Two or one</source>
+        <translation>Deux ou un</translation>
+    </message>
+    <message>
+        <source>Did you feel two separate taps?</source>
+        <translation>Avez-vous senti deux tapotements distincts ?</translation>
+    </message>
+    <message>
+        <source>Motion timing</source>
+        <translation>Cadence du mouvement</translation>
+    </message>
+    <message>
+        <source>Did you feel one moving point?</source>
+        <translation>Avez-vous senti un seul point en mouvement ?</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>identiques</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>différents</translation>
+    </message>
+    <message>
+        <source>Was there a vibration?</source>
+        <translation>Y avait-il une vibration ?</translation>
+    </message>
+    <message>
+        <source>Which interval had the vibration?</source>
+        <translation>Quel intervalle contenait la vibration ?</translation>
+    </message>
+    <message>
+        <source>Were the two intervals the same?</source>
+        <translation>Les deux intervalles étaient-ils identiques ?</translation>
+    </message>
+    <message>
+        <source>Which interval had more?</source>
+        <translation>Quel intervalle en avait le plus ?</translation>
+    </message>
 </context>
 <context>
     <name>StudyNoise</name>
@@ -6295,6 +8113,183 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StudyPapers</name>
+    <message>
+        <source>Folder of the study</source>
+        <translation>Dossier de l’étude</translation>
+    </message>
+    <message>
+        <source>Whose report it is</source>
+        <translation>Participant dont c’est le rapport</translation>
+    </message>
+    <message>
+        <source>experimenter: everything of this participant; participant: their own answers in plain words</source>
+        <translation>experimenter : tout sur ce participant ; participant : ses propres réponses, en mots simples</translation>
+    </message>
+    <message>
+        <source>The page; otherwise report-ID.html or report-ID-participant.html in the folder of the study</source>
+        <translation>La page ; sinon report-ID.html ou report-ID-participant.html dans le dossier de l’étude</translation>
+    </message>
+    <message>
+        <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME; the password comes from PGPASSWORD or ~/.pgpass</source>
+        <translation>Serveur PostgreSQL qui contient l’étude, postgresql://USER@HOST/DATABASE?study=NAME ; le mot de passe vient de PGPASSWORD ou de ~/.pgpass</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Folder of a study, whose questionnaires are described too</source>
+        <translation>Dossier d’une étude, dont les questionnaires sont décrits aussi</translation>
+    </message>
+    <message>
+        <source>Where one trial&apos;s events go: a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC by UDP</source>
+        <translation>Où vont les événements d’un essai : un port série tel que /dev/ttyUSB0, ou HOST:PORT pour OSC par UDP</translation>
+    </message>
+    <message>
+        <source>written in %1 ms</source>
+        <translation>écrit en %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPlan</name>
+    <message>
+        <source>the protocol has no task &quot;%1&quot;</source>
+        <translation>le protocole n’a pas de tâche « %1 »</translation>
+    </message>
+    <message>
+        <source>TASK:EFFECT with one of %1</source>
+        <translation>TASK:EFFECT avec l’une de %1</translation>
+    </message>
+    <message>
+        <source>the task %1 measures levels</source>
+        <translation>la tâche %1 mesure des niveaux</translation>
+    </message>
+    <message>
+        <source>a task in which patterns are told apart</source>
+        <translation>une tâche où des motifs sont distingués</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no line of the analysis of %2</source>
+        <translation>« %1 » n’est pas une ligne de l’analyse de %2</translation>
+    </message>
+    <message>
+        <source>condition, pattern, condition:pattern, or condition@PATTERN</source>
+        <translation>condition, pattern, condition:pattern ou condition@PATTERN</translation>
+    </message>
+    <message>
+        <source>pattern</source>
+        <translation>pattern</translation>
+    </message>
+    <message>
+        <source>the protocol has no test trials</source>
+        <translation>le protocole n’a pas d’essais de test</translation>
+    </message>
+    <message>
+        <source>test.repetitions above 0</source>
+        <translation>test.repetitions supérieur à 0</translation>
+    </message>
+    <message>
+        <source>the task %1 has no pattern &quot;%2&quot;</source>
+        <translation>la tâche %1 n’a pas de motif « %2 »</translation>
+    </message>
+    <message>
+        <source>one of its letters</source>
+        <translation>l’une de ses lettres</translation>
+    </message>
+    <message>
+        <source>the truth says nothing of the task %1</source>
+        <translation>la vérité ne dit rien de la tâche %1</translation>
+    </message>
+    <message>
+        <source>a [[task]] with that id</source>
+        <translation>une [[task]] avec cet identifiant</translation>
+    </message>
+    <message>
+        <source>the truth says nothing of %1 under %2</source>
+        <translation>la vérité ne dit rien de %1 dans la condition %2</translation>
+    </message>
+    <message>
+        <source>a condition with that id</source>
+        <translation>une condition avec cet identifiant</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPlanCommand</name>
+    <message>
+        <source>no number up to %1 reaches %2 %</source>
+        <translation>aucun nombre jusqu’à %1 n’atteint %2 %</translation>
+    </message>
+    <message>
+        <source>%1 or %2 participants; %3 studies cannot tell which</source>
+        <translation>%1 ou %2 participants ; %3 études ne permettent pas de trancher</translation>
+    </message>
+    <message>
+        <source>%1 participants reach %2 %</source>
+        <translation>%1 participants atteignent %2 %</translation>
+    </message>
+    <message>
+        <source>Protocol of the study</source>
+        <translation>Protocole de l’étude</translation>
+    </message>
+    <message>
+        <source>Numbers of participants to try: from, to, step</source>
+        <translation>Nombres de participants à essayer : de, à, pas</translation>
+    </message>
+    <message>
+        <source>What is assumed: a file with shares of right answers and spreads, or the folder of a pilot study</source>
+        <translation>Ce qui est supposé : un fichier avec des parts de réponses correctes et des dispersions, ou le dossier d’une étude pilote</translation>
+    </message>
+    <message>
+        <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A</source>
+        <translation>Ligne de l’analyse : shape:condition, shape:pattern, shape:condition:pattern, ou shape:condition@A pour le seul motif A</translation>
+    </message>
+    <message>
+        <source>Studies drawn for each number</source>
+        <translation>Études tirées pour chaque nombre</translation>
+    </message>
+    <message>
+        <source>Seed of all studies</source>
+        <translation>Graine de toutes les études</translation>
+    </message>
+    <message>
+        <source>Wanted share of significant studies</source>
+        <translation>Part voulue d’études significatives</translation>
+    </message>
+    <message>
+        <source>Table of the power, CSV</source>
+        <translation>Tableau de la puissance, CSV</translation>
+    </message>
+    <message>
+        <source>%1 is not FROM:TO:STEP with numbers from 1 to %2</source>
+        <translation>%1 n’est pas FROM:TO:STEP avec des nombres de 1 à %2</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>%1 % (95 %: %2 to %3, %4 studies)</source>
+        <translation>%1 % (95 % : %2 à %3, %4 études)</translation>
+    </message>
+    <message>
+        <source>%1; no analysis in %2 of them</source>
+        <translation>%1 ; pas d’analyse dans %2 d’entre elles</translation>
+    </message>
+    <message>
+        <source>%1 participants</source>
+        <translation>%1 participants</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Réponse</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+</context>
+<context>
     <name>StudyProtocol</name>
     <message>
         <source>&quot;%1&quot; means no answer</source>
@@ -6315,6 +8310,114 @@ Run %2 --help for more.
     <message>
         <source>at most %1, one digit each</source>
         <translation>au plus %1, un chiffre pour chacun</translation>
+    </message>
+    <message>
+        <source>%1 is not one more tactor</source>
+        <translation>%1 n’est pas un tacteur de plus</translation>
+    </message>
+    <message>
+        <source>whole numbers from 1 to %1, each once</source>
+        <translation>des nombres entiers de 1 à %1, chacun une seule fois</translation>
+    </message>
+    <message>
+        <source>there are too many tracks</source>
+        <translation>il y a trop de séries</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>%1 is not among the levels</source>
+        <translation>%1 ne fait pas partie des niveaux</translation>
+    </message>
+    <message>
+        <source>from lowest to highest, %1 to %2</source>
+        <translation>du plus bas au plus haut, de %1 à %2</translation>
+    </message>
+    <message>
+        <source>the lowest level is not below the highest</source>
+        <translation>le niveau le plus bas n’est pas inférieur au plus haut</translation>
+    </message>
+    <message>
+        <source>a number below %1</source>
+        <translation>un nombre inférieur à %1</translation>
+    </message>
+    <message>
+        <source>0 has no place on a scale of logarithms</source>
+        <translation>0 n’a pas de place sur une échelle logarithmique</translation>
+    </message>
+    <message>
+        <source>a number above 0, or the scale linear</source>
+        <translation>un nombre supérieur à 0, ou l’échelle linear</translation>
+    </message>
+    <message>
+        <source>a level of %1 cannot be shown</source>
+        <translation>un niveau de %1 ne peut pas être présenté</translation>
+    </message>
+    <message>
+        <source>there is nothing to compare with</source>
+        <translation>il n’y a rien à quoi comparer</translation>
+    </message>
+    <message>
+        <source>a reference above 0, here or in each condition</source>
+        <translation>une référence supérieure à 0, ici ou dans chaque condition</translation>
+    </message>
+    <message>
+        <source>the levels do not rise</source>
+        <translation>les niveaux ne sont pas croissants</translation>
+    </message>
+    <message>
+        <source>each level above the one before</source>
+        <translation>chaque niveau supérieur au précédent</translation>
+    </message>
+    <message>
+        <source>weibull has no place for a level of 0</source>
+        <translation>weibull n’a pas de place pour un niveau de 0</translation>
+    </message>
+    <message>
+        <source>gauss or logistic, or a lowest level above 0</source>
+        <translation>gauss ou logistic, ou un niveau le plus bas supérieur à 0</translation>
+    </message>
+    <message>
+        <source>a prior needs its mean and its standard deviation</source>
+        <translation>un a priori demande sa moyenne et son écart-type</translation>
+    </message>
+    <message>
+        <source>prior_mean and prior_sd</source>
+        <translation>prior_mean et prior_sd</translation>
+    </message>
+    <message>
+        <source>too few reversals for an estimate</source>
+        <translation>trop peu d’inversions pour une estimation</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>constant stimuli need their levels</source>
+        <translation>les stimuli constants demandent leurs niveaux</translation>
+    </message>
+    <message>
+        <source>values in level, 1 to %1 of them</source>
+        <translation>des valeurs dans level, de 1 à %1</translation>
+    </message>
+    <message>
+        <source>answers to this design count from the end of the last interval</source>
+        <translation>les réponses de ce plan d’expérience comptent à partir de la fin du dernier intervalle</translation>
+    </message>
+    <message>
+        <source>response_window = &quot;from_end&quot;</source>
+        <translation>response_window = &quot;from_end&quot;</translation>
+    </message>
+    <message>
+        <source>patterns have no reference</source>
+        <translation>les motifs n’ont pas de référence</translation>
+    </message>
+    <message>
+        <source>conditions without reference</source>
+        <translation>des conditions sans référence</translation>
     </message>
 </context>
 <context>
@@ -6354,6 +8457,18 @@ Run %2 --help for more.
     <message>
         <source>one answer per item, in order</source>
         <translation>une réponse par question, dans leur ordre</translation>
+    </message>
+    <message>
+        <source>a pair has two choices</source>
+        <translation>une paire a deux choix</translation>
+    </message>
+    <message>
+        <source>two of them</source>
+        <translation>deux choix</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 100 in steps of 5</source>
+        <translation>un nombre de 0 à 100 par pas de 5</translation>
     </message>
 </context>
 <context>
@@ -6684,6 +8799,31 @@ Run %2 --help for more.
         <source>No session is selected</source>
         <translation>Aucune session n’est choisie</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n track(s); %2</source>
+        <comment>task; conditions</comment>
+        <translation>
+            <numerusform>%1 : %n série ; %2</numerusform>
+            <numerusform>%1 : %n séries ; %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1. %n trigger(s) could not be written: %2</source>
+        <comment>device; why</comment>
+        <translation>
+            <numerusform>%1. %n déclencheur n’a pas pu être écrit : %2</numerusform>
+            <numerusform>%1. %n déclencheurs n’ont pas pu être écrits : %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the line was not open</source>
+        <translation>la ligne n’était pas ouverte</translation>
+    </message>
+    <message>
+        <source>Track %1, level %2 %3</source>
+        <comment>name, number, unit</comment>
+        <translation>Série %1, niveau %2 %3</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -6895,6 +9035,21 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StudyTruth</name>
+    <message>
+        <source>cannot open the truth: %1</source>
+        <translation>impossible d’ouvrir la vérité : %1</translation>
+    </message>
+    <message>
+        <source>the task %1 shows no spread of its participants: %2</source>
+        <translation>la tâche %1 ne montre pas de dispersion de ses participants : %2</translation>
+    </message>
+    <message>
+        <source>a pilot with at least 5 participants, or a file with the truth</source>
+        <translation>une étude pilote avec au moins 5 participants, ou un fichier avec la vérité</translation>
+    </message>
+</context>
+<context>
     <name>StudyWatermark</name>
     <message>
         <source>PILOT</source>
@@ -7025,6 +9180,177 @@ Run %2 --help for more.
     <message>
         <source>The frames have %1 values in total.</source>
         <translation>Les trames ont %1 valeurs en tout.</translation>
+    </message>
+</context>
+<context>
+    <name>ThresholdText</name>
+    <message>
+        <source>PILOT</source>
+        <translation>PILOTE</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>level, s</source>
+        <translation>niveau, s</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>niveau</translation>
+    </message>
+    <message>
+        <source>level, %1</source>
+        <translation>niveau, %1</translation>
+    </message>
+    <message>
+        <source>share of yes</source>
+        <translation>part de oui</translation>
+    </message>
+    <message>
+        <source>share of different</source>
+        <translation>part de « différents »</translation>
+    </message>
+    <message>
+        <source>share of more</source>
+        <translation>part de « plus »</translation>
+    </message>
+    <message>
+        <source>share of right answers</source>
+        <translation>part de réponses correctes</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <comment>end of an interval</comment>
+        <translation>ouvert</translation>
+    </message>
+    <message>
+        <source> (%1 to %2)</source>
+        <comment>interval behind a number</comment>
+        <translation> (%1 à %2)</translation>
+    </message>
+    <message>
+        <source>reversal</source>
+        <translation>inversion</translation>
+    </message>
+    <message>
+        <source>mean of reversals</source>
+        <translation>moyenne des inversions</translation>
+    </message>
+    <message>
+        <source>threshold, 95 %</source>
+        <translation>seuil, 95 %</translation>
+    </message>
+    <message>
+        <source>not fitted: the table does not say what guessing gives</source>
+        <translation>sans ajustement : la table ne dit pas ce que donne le hasard</translation>
+    </message>
+    <message>
+        <source>no trials</source>
+        <translation>aucun essai</translation>
+    </message>
+    <message>
+        <source>worse with more of it: are levels or answers swapped?</source>
+        <translation>moins bon quand il y en a plus : niveaux ou réponses sont-ils intervertis ?</translation>
+    </message>
+    <message>
+        <source>the answers do not depend on the level</source>
+        <translation>les réponses ne dépendent pas du niveau</translation>
+    </message>
+    <message>
+        <source>below %1%2, the lowest level</source>
+        <translation>inférieur à %1%2, le niveau le plus bas</translation>
+    </message>
+    <message>
+        <source>above %1%2, the highest level</source>
+        <translation>supérieur à %1%2, le niveau le plus haut</translation>
+    </message>
+    <message>
+        <source>too few levels for a fit; one less is enough with a fixed lapse rate</source>
+        <translation>trop peu de niveaux pour un ajustement ; un de moins suffit avec un taux d’inattention fixe</translation>
+    </message>
+    <message>
+        <source>no level is above 0</source>
+        <translation>aucun niveau n’est supérieur à 0</translation>
+    </message>
+    <message>
+        <source>equal at %1</source>
+        <translation>égal à %1</translation>
+    </message>
+    <message>
+        <source>threshold %1</source>
+        <translation>seuil %1</translation>
+    </message>
+    <message>
+        <source>a step between two levels, without a threshold</source>
+        <translation>un saut entre deux niveaux, sans seuil</translation>
+    </message>
+    <message>
+        <source>, just noticeable %1</source>
+        <translation>, différence juste perceptible %1</translation>
+    </message>
+    <message>
+        <source>; a step between two levels</source>
+        <translation> ; un saut entre deux niveaux</translation>
+    </message>
+    <message>
+        <source>; many lapses, or no upper end</source>
+        <translation> ; beaucoup d’inattention, ou pas de palier supérieur</translation>
+    </message>
+    <message>
+        <source>the curve does not fit: p of the deviance %1</source>
+        <translation>la courbe n’est pas ajustée aux données : p de la déviance %1</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>essai</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>juste</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <comment>answer: yes, different, more</comment>
+        <translation>senti</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>faux</translation>
+    </message>
+    <message>
+        <source>not felt</source>
+        <comment>answer: no, same, less</comment>
+        <translation>non senti</translation>
+    </message>
+    <message>
+        <source>thresholds</source>
+        <translation>seuils</translation>
+    </message>
+    <message>
+        <source>participants</source>
+        <translation>participants</translation>
+    </message>
+    <message>
+        <source>mean, 95 %</source>
+        <translation>moyenne, 95 %</translation>
+    </message>
+    <message>
+        <source>d&apos;, c</source>
+        <translation>d&apos;, c</translation>
+    </message>
+    <message>
+        <source>d&apos;, 95 %</source>
+        <translation>d&apos;, 95 %</translation>
+    </message>
+    <message>
+        <source>c (above 0: rather no)</source>
+        <translation>c (supérieur à 0 : plutôt non)</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>moyenne</translation>
     </message>
 </context>
 <context>
@@ -7253,6 +9579,14 @@ Run %2 --help for more.
     <message>
         <source>&quot;%1&quot; is missing</source>
         <translation>«&#xa0;%1&#xa0;» manque</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; and &quot;%2&quot; are the same key</source>
+        <translation>« %1 » et « %2 » sont la même clé</translation>
+    </message>
+    <message>
+        <source>one of them</source>
+        <translation>une seule des deux</translation>
     </message>
 </context>
 <context>
@@ -7629,6 +9963,192 @@ Run %2 --help for more.
     <message>
         <source>device fault, will be repeated</source>
         <translation>panne de l’appareil, sera repris</translation>
+    </message>
+</context>
+<context>
+    <name>TriggerOpener</name>
+    <message>
+        <source>this is no trigger device</source>
+        <translation>ceci n’est pas un appareil de déclenchement</translation>
+    </message>
+    <message>
+        <source>a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC</source>
+        <translation>un port série tel que /dev/ttyUSB0, ou HOST:PORT pour OSC</translation>
+    </message>
+</context>
+<context>
+    <name>UrdfText</name>
+    <message>
+        <source>there is a document type declaration</source>
+        <translation>il y a une déclaration de type de document</translation>
+    </message>
+    <message>
+        <source>a plain URDF</source>
+        <translation>un URDF simple</translation>
+    </message>
+    <message>
+        <source>this is xacro, not URDF</source>
+        <translation>ceci est du xacro, pas de l’URDF</translation>
+    </message>
+    <message>
+        <source>the expanded text: xacro FILE &gt; robot.urdf</source>
+        <translation>le texte développé : xacro FILE &gt; robot.urdf</translation>
+    </message>
+    <message>
+        <source>the document is &apos;%1&apos;</source>
+        <translation>le document est « %1 »</translation>
+    </message>
+    <message>
+        <source>&lt;robot name=&quot;...&quot;&gt;</source>
+        <translation>&lt;robot name=&quot;...&quot;&gt;</translation>
+    </message>
+    <message>
+        <source>elements are nested more than %1 deep</source>
+        <translation>des éléments sont imbriqués sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>&lt;robot&gt; with &lt;link&gt; and &lt;joint&gt;</source>
+        <translation>&lt;robot&gt; avec &lt;link&gt; et &lt;joint&gt;</translation>
+    </message>
+    <message>
+        <source>a well-formed XML document</source>
+        <translation>un document XML bien formé</translation>
+    </message>
+    <message>
+        <source>some links hang on themselves</source>
+        <translation>certains segments dépendent d’eux-mêmes</translation>
+    </message>
+    <message>
+        <source>a tree of links</source>
+        <translation>un arbre de segments</translation>
+    </message>
+    <message>
+        <source>link &apos;%1&apos;: %2</source>
+        <translation>segment « %1 » : %2</translation>
+    </message>
+    <message>
+        <source>joint &apos;%1&apos;: %2</source>
+        <translation>articulation « %1 » : %2</translation>
+    </message>
+    <message>
+        <source>numbers from -%1 to %1</source>
+        <translation>des nombres de -%1 à %1</translation>
+    </message>
+    <message>
+        <source>a number of its inertial is out of range</source>
+        <translation>un nombre de son élément inertial est hors limites</translation>
+    </message>
+    <message>
+        <source>its mass is negative</source>
+        <translation>sa masse est négative</translation>
+    </message>
+    <message>
+        <source>0 kg or more</source>
+        <translation>0 kg ou plus</translation>
+    </message>
+    <message>
+        <source>a number of its visual is out of range</source>
+        <translation>un nombre de son élément visual est hors limites</translation>
+    </message>
+    <message>
+        <source>it is floating or planar</source>
+        <translation>elle est de type floating ou planar</translation>
+    </message>
+    <message>
+        <source>revolute, continuous, prismatic or fixed</source>
+        <translation>revolute, continuous, prismatic ou fixed</translation>
+    </message>
+    <message>
+        <source>a number of its origin is out of range</source>
+        <translation>un nombre de son élément origin est hors limites</translation>
+    </message>
+    <message>
+        <source>its axis has no direction</source>
+        <translation>son axe n’a pas de direction</translation>
+    </message>
+    <message>
+        <source>&lt;axis xyz=&quot;...&quot;&gt; other than 0 0 0</source>
+        <translation>&lt;axis xyz=&quot;...&quot;&gt; autre que 0 0 0</translation>
+    </message>
+    <message>
+        <source>it has no limits</source>
+        <translation>elle n’a pas de limites</translation>
+    </message>
+    <message>
+        <source>&lt;limit lower= upper= effort= velocity=&gt;</source>
+        <translation>&lt;limit lower= upper= effort= velocity=&gt;</translation>
+    </message>
+    <message>
+        <source>a number of its limits is out of range</source>
+        <translation>un nombre de ses limites est hors limites</translation>
+    </message>
+    <message>
+        <source>a limit of velocity or effort is negative</source>
+        <translation>une limite de vitesse ou d’effort est négative</translation>
+    </message>
+    <message>
+        <source>0 or more</source>
+        <translation>0 ou plus</translation>
+    </message>
+    <message>
+        <source>its lower limit lies above the upper one</source>
+        <translation>sa limite inférieure est au-dessus de la limite supérieure</translation>
+    </message>
+    <message>
+        <source>lower &lt;= upper</source>
+        <translation>lower &lt;= upper</translation>
+    </message>
+    <message>
+        <source>it mimics itself</source>
+        <translation>elle s’imite elle-même</translation>
+    </message>
+    <message>
+        <source>a mimic of another joint</source>
+        <translation>un élément mimic d’une autre articulation</translation>
+    </message>
+    <message>
+        <source>it mimics &apos;%1&apos;, which does not exist</source>
+        <translation>elle imite « %1 », qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>the name of a joint</source>
+        <translation>le nom d’une articulation</translation>
+    </message>
+    <message>
+        <source>a number of its mimic is out of range</source>
+        <translation>un nombre de son élément mimic est hors limites</translation>
+    </message>
+    <message>
+        <source>the text has %1 bytes</source>
+        <translation>le texte a %1 octets</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>this is not a robot</source>
+        <translation>ceci n’est pas un robot</translation>
+    </message>
+    <message>
+        <source>a tree of links and joints, http://wiki.ros.org/urdf/XML</source>
+        <translation>un arbre de segments et d’articulations, http://wiki.ros.org/urdf/XML</translation>
+    </message>
+    <message>
+        <source>the file does not exist</source>
+        <translation>le fichier n’existe pas</translation>
+    </message>
+    <message>
+        <source>a URDF file</source>
+        <translation>un fichier URDF</translation>
+    </message>
+    <message>
+        <source>this is not a file</source>
+        <translation>ceci n’est pas un fichier</translation>
+    </message>
+    <message>
+        <source>the file has %1 bytes</source>
+        <translation>le fichier a %1 octets</translation>
     </message>
 </context>
 <context>
@@ -10321,6 +12841,298 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::LevelTaskForm</name>
+    <message>
+        <source>Task with levels</source>
+        <translation>Tâche à niveaux</translation>
+    </message>
+    <message>
+        <source>yes or no: was it there?</source>
+        <translation>oui ou non : était-il là ?</translation>
+    </message>
+    <message>
+        <source>intervals: in which one was it?</source>
+        <translation>intervalles : dans lequel était-il ?</translation>
+    </message>
+    <message>
+        <source>same or different</source>
+        <translation>identiques ou différents</translation>
+    </message>
+    <message>
+        <source>compare: which one had more?</source>
+        <translation>comparer : lequel en avait le plus ?</translation>
+    </message>
+    <message>
+        <source>the usual question of the design</source>
+        <translation>la question habituelle du plan d’expérience</translation>
+    </message>
+    <message>
+        <source>for example rest, or weak 0.3, strong 0.7 with their references</source>
+        <translation>par exemple rest, ou weak 0.3, strong 0.7 avec leurs références</translation>
+    </message>
+    <message>
+        <source>name and tactors, one track per line, for example t1 1; tactors of the reference after /</source>
+        <translation>nom et tacteurs, une série par ligne, par exemple t1 1 ; tacteurs de la référence après /</translation>
+    </message>
+    <message>
+        <source>full path of a pattern file</source>
+        <translation>chemin complet d’un fichier de motif</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation>l’intensité</translation>
+    </message>
+    <message>
+        <source>time from burst to burst</source>
+        <translation>le temps d’une salve à la suivante</translation>
+    </message>
+    <message>
+        <source>length of a burst</source>
+        <translation>la durée d’une salve</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>la durée</translation>
+    </message>
+    <message>
+        <source>balance of a phantom</source>
+        <translation>l’équilibre d’un fantôme</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linéaire</translation>
+    </message>
+    <message>
+        <source>logarithmic (log10)</source>
+        <translation>logarithmique (log10)</translation>
+    </message>
+    <message>
+        <source>the highest</source>
+        <translation>le plus haut</translation>
+    </message>
+    <message>
+        <source>constant stimuli</source>
+        <translation>stimuli constants</translation>
+    </message>
+    <message>
+        <source>staircase</source>
+        <translation>escalier</translation>
+    </message>
+    <message>
+        <source>Bayesian (QUEST+)</source>
+        <translation>bayésien (QUEST+)</translation>
+    </message>
+    <message>
+        <source>levels with commas between them, for example 0.1, 0.2, 0.4</source>
+        <translation>niveaux séparés par des virgules, par exemple 0.1, 0.2, 0.4</translation>
+    </message>
+    <message>
+        <source>Identifier</source>
+        <translation>Identifiant</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Plan d’expérience</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Question</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Conditions</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>Intervalles</translation>
+    </message>
+    <message>
+        <source>Gap between intervals, s</source>
+        <translation>Pause entre les intervalles, s</translation>
+    </message>
+    <message>
+        <source>Share of catch trials</source>
+        <translation>Part d’essais pièges</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Séries</translation>
+    </message>
+    <message>
+        <source>Stimulus</source>
+        <translation>Stimulus</translation>
+    </message>
+    <message>
+        <source>A level sets the</source>
+        <translation>Un niveau règle</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Lowest level</source>
+        <translation>Niveau le plus bas</translation>
+    </message>
+    <message>
+        <source>Highest level</source>
+        <translation>Niveau le plus haut</translation>
+    </message>
+    <message>
+        <source>Reference; 0 is nothing</source>
+        <translation>Référence ; 0 : rien</translation>
+    </message>
+    <message>
+        <source>Level of the practice</source>
+        <translation>Niveau de l’entraînement</translation>
+    </message>
+    <message>
+        <source>Levels are chosen by</source>
+        <translation>Choix des niveaux</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Niveaux</translation>
+    </message>
+    <message>
+        <source>Remove this task</source>
+        <translation>Supprimer cette tâche</translation>
+    </message>
+    <message>
+        <source>First level</source>
+        <translation>Premier niveau</translation>
+    </message>
+    <message>
+        <source>Right answers for a step down</source>
+        <translation>Réponses correctes pour un pas vers le bas</translation>
+    </message>
+    <message>
+        <source>Step up, in the scale</source>
+        <translation>Pas vers le haut, dans l’échelle</translation>
+    </message>
+    <message>
+        <source>Step down, in the scale</source>
+        <translation>Pas vers le bas, dans l’échelle</translation>
+    </message>
+    <message>
+        <source>Reversals with larger steps</source>
+        <translation>Inversions à pas plus grands</translation>
+    </message>
+    <message>
+        <source>Times larger</source>
+        <translation>Fois plus grands</translation>
+    </message>
+    <message>
+        <source>Reversals at most</source>
+        <translation>Inversions au plus</translation>
+    </message>
+    <message>
+        <source>Reversals left out</source>
+        <translation>Inversions écartées</translation>
+    </message>
+    <message>
+        <source>Trials at most</source>
+        <translation>Essais au plus</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>Fonction</translation>
+    </message>
+    <message>
+        <source>Slopes or spreads</source>
+        <translation>Pentes ou dispersions</translation>
+    </message>
+    <message>
+        <source>Lapse rates</source>
+        <translation>Taux d’inattention</translation>
+    </message>
+    <message>
+        <source>Rates of yes without a stimulus</source>
+        <translation>Taux de oui sans stimulus</translation>
+    </message>
+    <message>
+        <source>Levels of the grid</source>
+        <translation>Niveaux de la grille</translation>
+    </message>
+    <message>
+        <source>Mean of the prior, in the scale</source>
+        <translation>Moyenne de l’a priori, dans l’échelle</translation>
+    </message>
+    <message>
+        <source>all thresholds are equally likely</source>
+        <translation>tous les seuils sont également probables</translation>
+    </message>
+    <message>
+        <source>Its standard deviation</source>
+        <translation>Son écart-type</translation>
+    </message>
+    <message>
+        <source>Trials at least</source>
+        <translation>Essais au moins</translation>
+    </message>
+    <message>
+        <source>Ends with a standard deviation of</source>
+        <translation>Se termine à un écart-type de</translation>
+    </message>
+    <message>
+        <source>only with its trials</source>
+        <translation>seulement avec ses essais</translation>
+    </message>
+    <message>
+        <source>Pattern file of the stimulus</source>
+        <translation>Fichier de motif du stimulus</translation>
+    </message>
+    <message>
+        <source>Detection</source>
+        <translation>Détection</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a number</source>
+        <comment>a row of the form</comment>
+        <translation>%1 : « %2 » n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a number with a point, such as 0.5</source>
+        <translation>un nombre avec un point, tel que 0.5</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>« %1 » n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>numbers with a point, such as 0.1, 0.2</source>
+        <translation>des nombres avec un point, tels que 0.1, 0.2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number</source>
+        <translation>« %1 » n’est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>a number such as 12</source>
+        <translation>un nombre tel que 12</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tactor</source>
+        <translation>« %1 » n’est pas un tacteur</translation>
+    </message>
+    <message>
+        <source>a name and numbers of tactors, for example t1 1</source>
+        <translation>un nom et des numéros de tacteurs, par exemple t1 1</translation>
+    </message>
+    <message>
+        <source>a condition and its reference, such as weak 0.3</source>
+        <translation>une condition et sa référence, telles que weak 0.3</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LiveProbing</name>
     <message>
         <source>The camera is open but sends no frames.</source>
@@ -10459,6 +13271,27 @@ Run %2 --help for more.
     <message>
         <source>Keep the pairs collected so far</source>
         <translation>Garder ce qui a été recueilli jusqu’ici</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveViewService</name>
+    <message>
+        <source>Li&amp;ve view for Foxglove</source>
+        <translation>&amp;Vue en direct pour Foxglove</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n viewer(s)</source>
+        <translation>
+            <numerusform>%n spectateur</numerusform>
+            <numerusform>%n spectateurs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s) missed</source>
+        <translation>
+            <numerusform>%n message manqué</numerusform>
+            <numerusform>%n messages manqués</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10671,6 +13504,22 @@ Run %2 --help for more.
         <source>Re&amp;start</source>
         <translation>Re&amp;commencer</translation>
     </message>
+    <message>
+        <source>Foxglove can be connected to %1.</source>
+        <translation>Foxglove peut être connecté à %1.</translation>
+    </message>
+    <message>
+        <source>Open connection &gt; Foxglove WebSocket shows all sources there.</source>
+        <translation>Open connection &gt; Foxglove WebSocket y montre toutes les sources.</translation>
+    </message>
+    <message>
+        <source>The live view has ended.</source>
+        <translation>La vue en direct s’est terminée.</translation>
+    </message>
+    <message>
+        <source>Choose another port with --foxglove.</source>
+        <translation>Choisissez un autre port avec --foxglove.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -10825,10 +13674,6 @@ Run %2 --help for more.
         <translation>Réelle&#xa0;: de vrais participants, compte comme données</translation>
     </message>
     <message>
-        <source>Determines the order of all trials: the same seed gives the same study</source>
-        <translation>L’ordre de tous les essais en découle&#xa0;: la même graine donne la même étude</translation>
-    </message>
-    <message>
         <source>New &amp;folder</source>
         <translation>&amp;Dossier, qui sera créé</translation>
     </message>
@@ -10862,6 +13707,10 @@ Run %2 --help for more.
     <message>
         <source>The file is not a usable protocol; the one above stays selected. %1</source>
         <translation>Le fichier n’est pas un protocole utilisable&#xa0;; celui ci-dessus reste choisi. %1</translation>
+    </message>
+    <message>
+        <source>Determines the order of all trials: the same seed gives the same study. It is drawn at random, shown here and kept with the study.</source>
+        <translation>Détermine l’ordre de tous les essais : la même graine donne la même étude. Elle est tirée au hasard, affichée ici et conservée avec l’étude.</translation>
     </message>
 </context>
 <context>
@@ -11494,6 +14343,10 @@ Run %2 --help for more.
             <numerusform>%n essais de test par participant</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add a task with &amp;levels</source>
+        <translation>Ajouter une tâche à ni&amp;veaux</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::QuestionnaireEditor</name>
@@ -11563,10 +14416,6 @@ Run %2 --help for more.
         <translation> points</translation>
     </message>
     <message>
-        <source>what 1 means</source>
-        <translation>ce que signifie 1</translation>
-    </message>
-    <message>
         <source>what the last point means</source>
         <translation>ce que signifie le dernier point</translation>
     </message>
@@ -11597,6 +14446,42 @@ Run %2 --help for more.
     <message>
         <source>identifier and text, one per line, for example yes I felt it</source>
         <translation>identifiant et texte, un par ligne, par exemple yes I felt it</translation>
+    </message>
+    <message>
+        <source>all questions have to be answered</source>
+        <translation>il faut répondre à toutes les questions</translation>
+    </message>
+    <message>
+        <source>of my own</source>
+        <translation>personnel</translation>
+    </message>
+    <message>
+        <source>NASA-TLX: six ratings</source>
+        <translation>NASA-TLX : six évaluations</translation>
+    </message>
+    <message>
+        <source>NASA-TLX: ratings and comparisons</source>
+        <translation>NASA-TLX : évaluations et comparaisons</translation>
+    </message>
+    <message>
+        <source>System Usability Scale</source>
+        <translation>System Usability Scale</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Questions</translation>
+    </message>
+    <message>
+        <source>scale from 0 to 100</source>
+        <translation>échelle de 0 à 100</translation>
+    </message>
+    <message>
+        <source>one of two answers</source>
+        <translation>une réponse parmi deux</translation>
+    </message>
+    <message>
+        <source>what the first point means</source>
+        <translation>ce que signifie le premier point</translation>
     </message>
 </context>
 <context>
@@ -11701,6 +14586,15 @@ Run %2 --help for more.
     <message>
         <source>Close whatever else uses the file. It is tried again with the next change of a mark, and when the program ends.</source>
         <translation>Fermez tout ce qui utilise encore le fichier. Un nouvel essai a lieu à la prochaine modification d’une marque, et à la fin du programme.</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <comment>a file</comment>
+        <translation>%1 a été écrit.</translation>
+    </message>
+    <message>
+        <source>Ex&amp;port recording as MCAP…</source>
+        <translation>Ex&amp;porter un enregistrement en MCAP…</translation>
     </message>
 </context>
 <context>
@@ -11852,6 +14746,18 @@ Run %2 --help for more.
     <message>
         <source>another export is running</source>
         <translation>une autre exportation est en cours</translation>
+    </message>
+    <message>
+        <source>Export recording as MCAP</source>
+        <translation>Exporter un enregistrement en MCAP</translation>
+    </message>
+    <message>
+        <source>MCAP file</source>
+        <translation>Fichier MCAP</translation>
+    </message>
+    <message>
+        <source>MCAP files (*.mcap)</source>
+        <translation>Fichiers MCAP (*.mcap)</translation>
     </message>
 </context>
 <context>
@@ -12206,6 +15112,29 @@ Run %2 --help for more.
     <message>
         <source>Speed of the simulated participants; can be changed between sessions</source>
         <translation>Rapidité des participants simulés&#xa0;; elle peut être changée entre les sessions</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planification</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::StudyPlanning</name>
+    <message>
+        <source>What is assumed</source>
+        <translation>Ce qui est supposé</translation>
+    </message>
+    <message>
+        <source>Truth (*.toml)</source>
+        <translation>Vérité (*.toml)</translation>
+    </message>
+    <message>
+        <source>There is no number of participants to try: &quot;from&quot; is above &quot;to&quot;.</source>
+        <translation>Il n’y a aucun nombre de participants à essayer : « de » est supérieur à « à ».</translation>
+    </message>
+    <message>
+        <source>this study</source>
+        <translation>cette étude</translation>
     </message>
 </context>
 <context>
@@ -13207,6 +16136,58 @@ Run %2 --help for more.
         <source>your answer</source>
         <translation>votre réponse</translation>
     </message>
+    <message>
+        <source>Answer: %1</source>
+        <comment>yes, no, a number ..</comment>
+        <translation>Réponse : %1</translation>
+    </message>
+    <message>
+        <source>%1. This was right.</source>
+        <translation>%1. C’était juste.</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <translation>✓ juste</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::study::ComparisonsView</name>
+    <message>
+        <source>Pairs of levels</source>
+        <translation>Paires de niveaux</translation>
+    </message>
+    <message>
+        <source>Paired t tests. p Holm is corrected over all pairs of an effect; intervals are not corrected.</source>
+        <translation>Tests t appariés. p Holm est corrigé sur toutes les paires d’un effet ; les intervalles ne sont pas corrigés.</translation>
+    </message>
+    <message>
+        <source>Effect sizes, and effects by ranks</source>
+        <translation>Tailles d’effet, et effets par les rangs</translation>
+    </message>
+    <message>
+        <source>The same pairs by ranks</source>
+        <translation>Les mêmes paires par les rangs</translation>
+    </message>
+    <message>
+        <source>Model of single answers</source>
+        <translation>Modèle des réponses individuelles</translation>
+    </message>
+    <message>
+        <source>Response times of the conditions</source>
+        <translation>Temps de réponse des conditions</translation>
+    </message>
+    <message>
+        <source>Exclusions</source>
+        <translation>Exclusions</translation>
+    </message>
+    <message>
+        <source>Nothing was deleted: the trials are in the study and in its exports, with the rule that left them out.</source>
+        <translation>Rien n’a été supprimé : les essais sont dans l’étude et dans ses exports, avec la règle qui les a écartés.</translation>
+    </message>
+    <message>
+        <source>With the rules, and without them</source>
+        <translation>Avec les règles, et sans elles</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::ConfusionView</name>
@@ -13335,6 +16316,110 @@ Run %2 --help for more.
         <source>Take a break. Press Space when you would like to continue.</source>
         <translation>Reposez-vous. Appuyez sur Espace quand vous voulez continuer.</translation>
     </message>
+    <message>
+        <source>%1 Press R to feel it again.</source>
+        <comment>a question</comment>
+        <translation>%1 Appuyez sur R pour le sentir à nouveau.</translation>
+    </message>
+    <message>
+        <source>There was no answer in time. The marked answer was the right one. Press Space to continue.</source>
+        <translation>Il n’y a pas eu de réponse à temps. La réponse marquée était la bonne. Appuyez sur Espace pour continuer.</translation>
+    </message>
+    <message>
+        <source>The answer marked with ✓ was the right one. Press Space to continue.</source>
+        <translation>La réponse marquée d’un ✓ était la bonne. Appuyez sur Espace pour continuer.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::study::PlanPanel</name>
+    <message>
+        <source>Right answers, %1</source>
+        <comment>condition</comment>
+        <translation>Réponses correctes, %1</translation>
+    </message>
+    <message>
+        <source>The middle participant has these shares; the spreads are in logits.</source>
+        <translation>Le participant médian a ces parts ; les dispersions sont en logits.</translation>
+    </message>
+    <message>
+        <source>Assumed: what %1 says.</source>
+        <translation>Supposé : ce que dit %1.</translation>
+    </message>
+    <message>
+        <source>This protocol has no task in which patterns are told apart.</source>
+        <translation>Ce protocole n’a pas de tâche où des motifs sont distingués.</translation>
+    </message>
+    <message>
+        <source>&amp;Test</source>
+        <translation>&amp;Test</translation>
+    </message>
+    <message>
+        <source>Spread of &amp;participants</source>
+        <translation>Dispersion entre &amp;participants</translation>
+    </message>
+    <message>
+        <source>Spread under one &amp;condition</source>
+        <translation>Dispersion dans une &amp;condition</translation>
+    </message>
+    <message>
+        <source>From a &amp;file…</source>
+        <translation>D’un &amp;fichier…</translation>
+    </message>
+    <message>
+        <source>A TOML file with shares of right answers and spreads</source>
+        <translation>Un fichier TOML avec des parts de réponses correctes et des dispersions</translation>
+    </message>
+    <message>
+        <source>From this st&amp;udy</source>
+        <translation>De cette ét&amp;ude</translation>
+    </message>
+    <message>
+        <source>Assumes what the results of this study show; at least 5 participants</source>
+        <translation>Suppose ce que montrent les résultats de cette étude ; au moins 5 participants</translation>
+    </message>
+    <message>
+        <source>From this f&amp;orm</source>
+        <translation>De ce f&amp;ormulaire</translation>
+    </message>
+    <message>
+        <source>Part&amp;icipants</source>
+        <translation>Part&amp;icipants</translation>
+    </message>
+    <message>
+        <source>from </source>
+        <comment>number of participants</comment>
+        <translation>de </translation>
+    </message>
+    <message>
+        <source>to </source>
+        <comment>number of participants</comment>
+        <translation>à </translation>
+    </message>
+    <message>
+        <source>step </source>
+        <comment>of the number of participants</comment>
+        <translation>pas de </translation>
+    </message>
+    <message>
+        <source>Target po&amp;wer</source>
+        <translation>Puissance &amp;visée</translation>
+    </message>
+    <message>
+        <source>&amp;Studies drawn</source>
+        <translation>Étude&amp;s tirées</translation>
+    </message>
+    <message>
+        <source>P&amp;lan</source>
+        <translation>P&amp;lanifier</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Power over the number of participants</source>
+        <translation>Puissance selon le nombre de participants</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::QuestionnaireForm</name>
@@ -13459,6 +16544,38 @@ Run %2 --help for more.
     <message>
         <source>Tick the participants to compare with: a second group, side by side</source>
         <translation>Cochez ceux à qui comparer&#xa0;: un second groupe côte à côte</translation>
+    </message>
+    <message>
+        <source>Comparisons</source>
+        <translation>Comparaisons</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Réponses</translation>
+    </message>
+    <message>
+        <source>Thresholds</source>
+        <translation>Seuils</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Séries</translation>
+    </message>
+    <message>
+        <source>d&apos; and c</source>
+        <translation>d&apos; et c</translation>
+    </message>
+    <message>
+        <source>Whose threshold is shown</source>
+        <translation>De qui le seuil est affiché</translation>
+    </message>
+    <message>
+        <source>Which track is shown</source>
+        <translation>Série affichée</translation>
+    </message>
+    <message>
+        <source>Which condition is shown</source>
+        <translation>Condition affichée</translation>
     </message>
 </context>
 <context>

@@ -283,6 +283,83 @@
     </message>
 </context>
 <context>
+    <name>ArmCommand</name>
+    <message>
+        <source>no end</source>
+        <translation>終端なし</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>記載なし</translation>
+    </message>
+    <message>
+        <source>cannot be moved: the description states no speed</source>
+        <translation>動かせません: 記述に速度がありません</translation>
+    </message>
+    <message>
+        <source>Chain, limits and mass of an arm, and what cannot be moved</source>
+        <translation>アームの運動連鎖、限界、質量と、動かせないもの</translation>
+    </message>
+    <message>
+        <source>URDF file, or the name of one that comes with the program: %1</source>
+        <translation>URDFファイル、またはプログラムに付属するものの名前: %1</translation>
+    </message>
+    <message>
+        <source>Link that stands still; default: the root</source>
+        <translation>静止しているリンク。デフォルト: ルート</translation>
+    </message>
+    <message>
+        <source>Link that is moved; default: tool0, flange or ee_link, else the end of the longest chain</source>
+        <translation>動かすリンク。デフォルト: tool0、flange、またはee_link。なければ最長の連鎖の終端</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Effort</source>
+        <translation>トルク・力</translation>
+    </message>
+    <message>
+        <source>shown, not moved</source>
+        <translation>表示のみ、動かしません</translation>
+    </message>
+    <message>
+        <source>follows %1</source>
+        <translation>%1に従動</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n joint(s) from %2 to %3</source>
+        <translation>
+            <numerusform>%1: %2から%3まで%n個の関節</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The link &apos;%1&apos; has no mass, so the torque of gravity is not known.</source>
+        <translation>リンク「%1」に質量がないため、重力によるトルクは不明です。</translation>
+    </message>
+    <message>
+        <source>%1 kg are moved.</source>
+        <translation>動く質量は%1 kgです。</translation>
+    </message>
+    <message>
+        <source>Descriptions of robot arms (URDF)</source>
+        <translation>ロボットアームの記述 (URDF)</translation>
+    </message>
+</context>
+<context>
     <name>BakeText</name>
     <message>
         <source>the pattern has too many corners</source>
@@ -683,6 +760,49 @@
     </message>
 </context>
 <context>
+    <name>ChainText</name>
+    <message>
+        <source>the robot has no link &apos;%1&apos;</source>
+        <translation>ロボットにリンク「%1」がありません</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>the link &apos;%1&apos; does not hang on &apos;%2&apos;</source>
+        <translation>リンク「%1」は「%2」につながっていません</translation>
+    </message>
+    <message>
+        <source>a base from which joints lead to the tip</source>
+        <translation>関節を介して先端に至るベース</translation>
+    </message>
+    <message>
+        <source>no joint between &apos;%1&apos; and &apos;%2&apos; moves</source>
+        <translation>「%1」と「%2」の間に動く関節がありません</translation>
+    </message>
+    <message>
+        <source>at least one revolute, continuous or prismatic joint</source>
+        <translation>1つ以上の回転 (revolute)、連続回転 (continuous)、または直動 (prismatic) 関節</translation>
+    </message>
+    <message>
+        <source>%1 joints move the tip</source>
+        <translation>先端を動かす関節が%1個あります</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>%1以下</translation>
+    </message>
+    <message>
+        <source>a joint that moves &apos;%1&apos; moves the tip as well</source>
+        <translation>「%1」を動かす関節が先端も動かします</translation>
+    </message>
+    <message>
+        <source>a base that stands still while the tip moves</source>
+        <translation>先端が動いても静止しているベース</translation>
+    </message>
+</context>
+<context>
     <name>ChartText</name>
     <message>
         <source>correct answers</source>
@@ -727,6 +847,470 @@
     <message>
         <source>less bias</source>
         <translation>バイアス除去後</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonContent</name>
+    <message>
+        <source>Effect</source>
+        <translation>効果</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>パターン</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>ペア</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>Difference %</source>
+        <translation>差 %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>t</source>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>p</translation>
+    </message>
+    <message>
+        <source>p Holm</source>
+        <translation>p Holm</translation>
+    </message>
+    <message>
+        <source>d_z</source>
+        <translation>d_z</translation>
+    </message>
+    <message>
+        <source>d_z 95 %</source>
+        <translation>d_z 95 %</translation>
+    </message>
+    <message>
+        <source>d_av</source>
+        <translation>d_av</translation>
+    </message>
+    <message>
+        <source>g_z</source>
+        <translation>g_z</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>A comparison of the conditions for this pattern alone</source>
+        <translation>このパターンのみでの条件の比較</translation>
+    </message>
+    <message>
+        <source>The first minus the second</source>
+        <translation>1つ目から2つ目を引いた値</translation>
+    </message>
+    <message>
+        <source>Participants with both values</source>
+        <translation>両方の値がある参加者</translation>
+    </message>
+    <message>
+        <source>Of the difference, not corrected</source>
+        <translation>差の区間、補正なし</translation>
+    </message>
+    <message>
+        <source>Paired t test</source>
+        <translation>対応のあるt検定</translation>
+    </message>
+    <message>
+        <source>Corrected over all pairs of the effect; over all patterns where the conditions are compared within them</source>
+        <translation>効果の全ペアにわたる補正。条件をパターン内で比較する場合は全パターンにわたる補正</translation>
+    </message>
+    <message>
+        <source>Difference over the standard deviation of the differences</source>
+        <translation>差を、差の標準偏差で割った値</translation>
+    </message>
+    <message>
+        <source>From the noncentral t distribution, not corrected</source>
+        <translation>非心t分布による、補正なし</translation>
+    </message>
+    <message>
+        <source>Difference over the mean standard deviation of the two</source>
+        <translation>差を、両者の標準偏差の平均で割った値</translation>
+    </message>
+    <message>
+        <source>d_z with Hedges&apos; correction</source>
+        <translation>Hedgesの補正を施したd_z</translation>
+    </message>
+    <message>
+        <source>W+</source>
+        <translation>W+</translation>
+    </message>
+    <message>
+        <source>W−</source>
+        <translation>W−</translation>
+    </message>
+    <message>
+        <source>r</source>
+        <translation>r</translation>
+    </message>
+    <message>
+        <source>Sum of the ranks of positive differences</source>
+        <translation>正の差の順位和</translation>
+    </message>
+    <message>
+        <source>Sum of the ranks of negative differences</source>
+        <translation>負の差の順位和</translation>
+    </message>
+    <message>
+        <source>Wilcoxon&apos;s signed rank test with Pratt&apos;s zeros; exact up to 25 differences</source>
+        <translation>Wilcoxonの符号付き順位検定、ゼロはPrattの方法。差が25個までは正確</translation>
+    </message>
+    <message>
+        <source>Corrected over all pairs of the effect</source>
+        <translation>効果の全ペアにわたる補正</translation>
+    </message>
+    <message>
+        <source>Rank-biserial correlation</source>
+        <translation>順位双列相関</translation>
+    </message>
+    <message>
+        <source>partial eta²</source>
+        <translation>偏eta²</translation>
+    </message>
+    <message>
+        <source>Friedman χ²</source>
+        <translation>Friedman χ²</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>df</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation>KendallのW</translation>
+    </message>
+    <message>
+        <source>From the noncentral F distribution; only with sphericity, eps GG at least 0.75</source>
+        <translation>非心F分布による。球面性が成り立つ場合 (eps GGが0.75以上) のみ</translation>
+    </message>
+    <message>
+        <source>By ranks, of three levels and more</source>
+        <translation>順位による、3水準以上</translation>
+    </message>
+    <message>
+        <source>Of Friedman&apos;s test</source>
+        <translation>Friedman検定の値</translation>
+    </message>
+    <message>
+        <source>Concordance of the participants</source>
+        <translation>参加者間の一致度</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>項</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>推定値</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>SE</translation>
+    </message>
+    <message>
+        <source>Odds ratio</source>
+        <translation>オッズ比</translation>
+    </message>
+    <message>
+        <source>Logit of a right answer</source>
+        <translation>正答のロジット</translation>
+    </message>
+    <message>
+        <source>Wald&apos;s interval</source>
+        <translation>Wald区間</translation>
+    </message>
+    <message>
+        <source>intercept (%1)</source>
+        <translation>切片 (%1)</translation>
+    </message>
+    <message>
+        <source>A model of single answers needs at least 5 participants.</source>
+        <translation>個々の回答のモデルには5名以上の参加者が必要です。</translation>
+    </message>
+    <message>
+        <source>No model of single answers: under one condition all answers are right, or all wrong, so that its effect has no finite estimate.</source>
+        <translation>個々の回答のモデルはありません: ある条件ですべての回答が正答、またはすべて誤答のため、その効果の推定値が有限になりません。</translation>
+    </message>
+    <message>
+        <source>No model of single answers: the search has found no maximum.</source>
+        <translation>個々の回答のモデルはありません: 探索で最大値が見つかりませんでした。</translation>
+    </message>
+    <message>
+        <source>Each participant has an own intercept, with a standard deviation of %1.</source>
+        <translation>参加者ごとに固有の切片があり、その標準偏差は%1です。</translation>
+    </message>
+    <message>
+        <source>The participants do not differ more than chance makes them.</source>
+        <translation>参加者間の差は偶然による程度を超えません。</translation>
+    </message>
+    <message>
+        <source>Conditions: likelihood ratio χ²(%1) = %2, p %3.</source>
+        <translation>条件: 尤度比 χ²(%1) = %2、p %3。</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>比</translation>
+    </message>
+    <message>
+        <source>The first divided by the second</source>
+        <translation>1つ目を2つ目で割った値</translation>
+    </message>
+    <message>
+        <source>Participants with times under both</source>
+        <translation>両方の条件で時間がある参加者</translation>
+    </message>
+    <message>
+        <source>Of the geometric means of the response times of right answers</source>
+        <translation>正答の応答時間の幾何平均による</translation>
+    </message>
+    <message>
+        <source>Paired t test of the mean logarithms</source>
+        <translation>対数の平均の対応のあるt検定</translation>
+    </message>
+    <message>
+        <source>Right answers given within a time</source>
+        <translation>時間内に与えられた正答</translation>
+    </message>
+    <message>
+        <source>s from the onset</source>
+        <translation>開始からの時間、s</translation>
+    </message>
+    <message>
+        <source>answered, %</source>
+        <translation>回答済み、%</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>規則</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>作成時期</translation>
+    </message>
+    <message>
+        <source>Trials before</source>
+        <translation>適用前の試行数</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>試行数</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>セッション数</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>参加者数</translation>
+    </message>
+    <message>
+        <source>Before the data, in the protocol, or after them</source>
+        <translation>データ取得前、プロトコル内、またはデータ取得後</translation>
+    </message>
+    <message>
+        <source>What the rules before have left</source>
+        <translation>前の規則の適用後に残ったもの</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>除外</translation>
+    </message>
+    <message>
+        <source>Left out as a whole</source>
+        <translation>全体として除外</translation>
+    </message>
+    <message numerus="yes">
+        <source>no spread of the times in %n case(s): nothing left out</source>
+        <translation>
+            <numerusform>時間のばらつきがない場合が%n件: 何も除外していません</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>in the file</source>
+        <translation>ファイル内</translation>
+    </message>
+    <message>
+        <source>after the data</source>
+        <translation>データ取得後</translation>
+    </message>
+    <message>
+        <source>before the data</source>
+        <translation>データ取得前</translation>
+    </message>
+    <message>
+        <source>Condition or effect</source>
+        <translation>条件または効果</translation>
+    </message>
+    <message>
+        <source>Right %</source>
+        <translation>正答 %</translation>
+    </message>
+    <message>
+        <source>Right % without rules</source>
+        <translation>規則なしの正答 %</translation>
+    </message>
+    <message>
+        <source>p GG</source>
+        <translation>p GG</translation>
+    </message>
+    <message>
+        <source>p GG without rules</source>
+        <translation>規則なしのp GG</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonText</name>
+    <message>
+        <source>Pairs of levels, paired t tests of the shares of correct answers. Holm: corrected over all pairs of the effect. The intervals (95 %) are not corrected</source>
+        <translation>水準のペア、正答率の対応のあるt検定。Holm: 効果の全ペアにわたる補正。区間 (95 %) は補正なし</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>効果</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>ペア</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>参加者数</translation>
+    </message>
+    <message>
+        <source>Difference, %</source>
+        <translation>差、%</translation>
+    </message>
+    <message>
+        <source>Interval, %</source>
+        <translation>区間、%</translation>
+    </message>
+    <message>
+        <source>p, Holm</source>
+        <translation>p、Holm</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>区間</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>備考</translation>
+    </message>
+    <message>
+        <source>The same pairs by ranks: Wilcoxon&apos;s signed rank test with Pratt&apos;s zeros, exact up to 25 differences</source>
+        <translation>同じペアの順位による比較: Wilcoxonの符号付き順位検定、ゼロはPrattの方法、差が25個までは正確</translation>
+    </message>
+    <message>
+        <source>Rank-biserial r</source>
+        <translation>順位双列相関 r</translation>
+    </message>
+    <message>
+        <source>Friedman&apos;s test of effects with three levels and more</source>
+        <translation>3水準以上の効果のFriedman検定</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>df</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation>KendallのW</translation>
+    </message>
+    <message>
+        <source>Partial η² with its interval (95 %), where sphericity holds (ε GG at least 0.75)</source>
+        <translation>偏η²とその区間 (95 %)、球面性が成り立つ場合 (ε GGが0.75以上)</translation>
+    </message>
+    <message>
+        <source>Model of single answers</source>
+        <translation>個々の回答のモデル</translation>
+    </message>
+    <message>
+        <source>There are no numbers: %1.</source>
+        <translation>数値はありません: %1。</translation>
+    </message>
+    <message>
+        <source>Logit of a correct answer: an intercept that differs between participants, and the conditions against %1; Wald&apos;s intervals (95 %)</source>
+        <translation>正答のロジット: 参加者ごとに異なる切片と、%1に対する各条件。Wald区間 (95 %)</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>項</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>推定値</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>SE</translation>
+    </message>
+    <message>
+        <source>Odds ratio</source>
+        <translation>オッズ比</translation>
+    </message>
+    <message>
+        <source>intercept (%1)</source>
+        <translation>切片 (%1)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the participants: %1.</source>
+        <translation>参加者の標準偏差: %1。</translation>
+    </message>
+    <message>
+        <source>The participants do not differ more than chance makes them.</source>
+        <translation>参加者間の差は偶然による程度を超えません。</translation>
+    </message>
+    <message>
+        <source>Conditions: likelihood ratio χ²(%1) = %2, p %3.</source>
+        <translation>条件: 尤度比 χ²(%1) = %2、p %3。</translation>
+    </message>
+    <message>
+        <source>Comparisons and effect sizes</source>
+        <translation>比較と効果量</translation>
+    </message>
+    <message>
+        <source>response times, cumulative</source>
+        <translation>応答時間、累積</translation>
+    </message>
+    <message>
+        <source>time from the onset, s</source>
+        <translation>開始からの時間、s</translation>
+    </message>
+    <message>
+        <source>answered, %</source>
+        <translation>回答済み、%</translation>
+    </message>
+    <message>
+        <source>Share of the correct answers of all participants that were given within a time.</source>
+        <translation>全参加者の正答のうち、ある時間内に与えられたものの割合。</translation>
+    </message>
+    <message>
+        <source>Conditions compared by the participants&apos; geometric means: how many times as long the first takes; paired t tests of the logarithms</source>
+        <translation>参加者の幾何平均による条件の比較: 1つ目にかかる時間が何倍か。対数の対応のあるt検定</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>比</translation>
     </message>
 </context>
 <context>
@@ -987,6 +1571,22 @@ Examples:
     <message>
         <source>--language %1: expected en, fr, ja or zh_CN</source>
         <translation>--language %1: en、fr、ja、zh_CN のいずれかを指定してください</translation>
+    </message>
+    <message>
+        <source>Show all sources live to Foxglove on this port (default 8765).</source>
+        <translation>すべてのソースをこのポートでFoxgloveにライブ表示します (デフォルト 8765)。</translation>
+    </message>
+    <message>
+        <source>PORT</source>
+        <translation>PORT</translation>
+    </message>
+    <message>
+        <source>Address on which the live view listens (default 127.0.0.1: this computer only).</source>
+        <translation>ライブ表示が待ち受けるアドレス (デフォルト 127.0.0.1: このコンピューターのみ)。</translation>
+    </message>
+    <message>
+        <source>ADDRESS</source>
+        <translation>ADDRESS</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +2273,106 @@ Examples:
     </message>
 </context>
 <context>
+    <name>ExclusionReport</name>
+    <message>
+        <source>%1 (marked in the file)</source>
+        <translation>%1 (ファイル内でマーク済み)</translation>
+    </message>
+    <message>
+        <source>%1 (made after the data)</source>
+        <translation>%1 (データ取得後に作成)</translation>
+    </message>
+    <message>
+        <source>What was left out, in the order of the rules; nothing was deleted</source>
+        <translation>除外されたもの (規則の順)。何も削除していません</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>規則</translation>
+    </message>
+    <message>
+        <source>Trials before</source>
+        <translation>適用前の試行数</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>試行数</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>セッション数</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>参加者数</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>備考</translation>
+    </message>
+    <message numerus="yes">
+        <source>no spread of the times, so nothing was left out, in %n case(s)</source>
+        <translation>
+            <numerusform>時間のばらつきがなく、何も除外しなかった場合が%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The results with the rules, and without them</source>
+        <translation>規則を適用した結果と、適用しない結果</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>Condition or effect</source>
+        <translation>条件または効果</translation>
+    </message>
+    <message>
+        <source>Correct, %</source>
+        <translation>正答、%</translation>
+    </message>
+    <message>
+        <source>Correct without rules, %</source>
+        <translation>規則なしの正答、%</translation>
+    </message>
+    <message>
+        <source>p GG without rules</source>
+        <translation>規則なしのp GG</translation>
+    </message>
+    <message>
+        <source>Exclusions</source>
+        <translation>除外</translation>
+    </message>
+</context>
+<context>
+    <name>ExclusionRule</name>
+    <message>
+        <source>the rule %1 is about something else</source>
+        <translation>規則%1の対象は別のものです</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;</source>
+        <translation>「%1」</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no exclusion rule</source>
+        <translation>「%1」は除外規則ではありません</translation>
+    </message>
+    <message>
+        <source>RULE=VALUE with one of %1</source>
+        <translation>RULE=VALUE、RULEは次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no usable value</source>
+        <translation>「%1」に使用できる値がありません</translation>
+    </message>
+    <message>
+        <source>%1=VALUE with %2</source>
+        <translation>%1=VALUE、VALUEは%2</translation>
+    </message>
+</context>
+<context>
     <name>ExportCommand</name>
     <message numerus="yes">
         <source>%n row(s)</source>
@@ -1695,16 +2395,8 @@ Examples:
         <translation>記録は途中で切れています。それまでに書き込まれた分は残っています。</translation>
     </message>
     <message>
-        <source>Write the streams of a recording as CSV files</source>
-        <translation>記録のストリームをCSVファイルとして書き込みます</translation>
-    </message>
-    <message>
         <source>Recording of the console or of teleta simulate</source>
         <translation>コンソールまたはteleta simulateの記録</translation>
-    </message>
-    <message>
-        <source>Folder for a CSV file a stream and events.csv</source>
-        <translation>ストリームごとのCSVファイルとevents.csvのフォルダー</translation>
     </message>
     <message>
         <source>Write over files that are there already</source>
@@ -1713,6 +2405,68 @@ Examples:
     <message>
         <source>another folder, or --force</source>
         <translation>別のフォルダー、または--force</translation>
+    </message>
+    <message>
+        <source>start, units and origin of these files</source>
+        <translation>これらのファイルの開始時刻、単位、由来</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n件のメッセージ</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The camera sees a left-handed frame: y of %1 has changed its sign.</source>
+        <translation>カメラは左手系で見ています: %1のyの符号を反転しました。</translation>
+    </message>
+    <message>
+        <source>%1 has no messages in ROS and was left out.</source>
+        <translation>%1に対応するROSのメッセージがないため、除外しました。</translation>
+    </message>
+    <message>
+        <source>Folder for a CSV file a stream, events.csv and recording.json</source>
+        <translation>ストリームごとのCSVファイル、events.csv、recording.jsonを保存するフォルダー</translation>
+    </message>
+    <message>
+        <source>List the streams of the recording: name and kind</source>
+        <translation>記録のストリームを一覧表示: 名前と種類</translation>
+    </message>
+    <message>
+        <source>Add a last column utc_s: Unix time in s with nine decimals</source>
+        <translation>最後の列utc_sを追加: Unix時刻 (s)、小数点以下9桁</translation>
+    </message>
+    <message>
+        <source>MCAP file for Foxglove and ROS 2</source>
+        <translation>FoxgloveおよびROS 2用のMCAPファイル</translation>
+    </message>
+    <message>
+        <source>Only these streams into the MCAP file</source>
+        <translation>MCAPファイルにこれらのストリームのみを含める</translation>
+    </message>
+    <message>
+        <source>Compression of the MCAP file</source>
+        <translation>MCAPファイルの圧縮</translation>
+    </message>
+    <message>
+        <source>Size of a chunk of the MCAP file in MiB</source>
+        <translation>MCAPファイルのチャンクの大きさ (MiB)</translation>
+    </message>
+    <message>
+        <source>either a folder here or a file after --mcap is needed</source>
+        <translation>ここにフォルダー、または--mcapの後にファイルが必要です</translation>
+    </message>
+    <message>
+        <source>only with --mcap</source>
+        <translation>--mcapと併用する場合のみ</translation>
+    </message>
+    <message>
+        <source>another name, or --force</source>
+        <translation>別の名前、または--force</translation>
+    </message>
+    <message>
+        <source>Write the streams of a recording as CSV or MCAP files</source>
+        <translation>記録のストリームをCSVまたはMCAPファイルとして書き出す</translation>
     </message>
 </context>
 <context>
@@ -2413,6 +3167,69 @@ Examples:
     </message>
 </context>
 <context>
+    <name>ImportCommand</name>
+    <message>
+        <source>left out</source>
+        <translation>除外</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n件のメッセージ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged or of another shape</source>
+        <translation>
+            <numerusform>破損または形の異なるもの%n件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>The file was cut off: %1 of %2 bytes could be read.</source>
+        <translation>ファイルが途中で切れています: %2バイト中%1バイトを読み取れました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged chunk(s) left out</source>
+        <translation>
+            <numerusform>破損した%nチャンクを除外</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged record(s) left out</source>
+        <translation>
+            <numerusform>破損した%nレコードを除外</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The checksum of the file is wrong: it was damaged somewhere.</source>
+        <translation>ファイルのチェックサムが誤っています: どこかが破損しています。</translation>
+    </message>
+    <message>
+        <source>MCAP file with messages of ROS 2</source>
+        <translation>ROS 2のメッセージを含むMCAPファイル</translation>
+    </message>
+    <message>
+        <source>Recording to be made</source>
+        <translation>作成する記録</translation>
+    </message>
+    <message>
+        <source>Read a topic as array, camera or joints, where its type leaves a choice</source>
+        <translation>型から一意に決まらないトピックを、array、camera、またはjointsとして読み取る</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not /TOPIC=array, /TOPIC=camera or /TOPIC=joints</source>
+        <translation>「%1」は/TOPIC=array、/TOPIC=camera、/TOPIC=jointsのいずれでもありません</translation>
+    </message>
+    <message>
+        <source>Make a recording of an MCAP file</source>
+        <translation>MCAPファイルから記録を作成する</translation>
+    </message>
+</context>
+<context>
     <name>Interruption</name>
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
@@ -2530,6 +3347,266 @@ Examples:
     </message>
 </context>
 <context>
+    <name>LevelContent</name>
+    <message>
+        <source>All participants</source>
+        <translation>全参加者</translation>
+    </message>
+    <message>
+        <source>Thresholds of all participants</source>
+        <translation>全参加者のしきい値</translation>
+    </message>
+    <message>
+        <source>Levels of %1 over the trials</source>
+        <translation>試行にわたる%1のレベル</translation>
+    </message>
+    <message>
+        <source>d&apos; and c of all participants, %1</source>
+        <translation>全参加者のd&apos;とc、%1</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>参加者</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>トラック</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>試行数</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>しきい値</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Spread or slope</source>
+        <translation>広がりまたは傾き</translation>
+    </message>
+    <message>
+        <source>Lapses</source>
+        <translation>ラプス率</translation>
+    </message>
+    <message>
+        <source>p of fit</source>
+        <translation>適合度のp</translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation>JND</translation>
+    </message>
+    <message>
+        <source>Weber</source>
+        <translation>ウェーバー比</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Where the curve is half-way between guessing and its upper end; of a comparison the level that feels equal</source>
+        <translation>曲線が当て推量の水準と上端の中間になる点。比較では等しいと感じられるレベル</translation>
+    </message>
+    <message>
+        <source>By profile likelihood; of all participants Student&apos;s t of their thresholds. ? stands for an open end</source>
+        <translation>プロファイル尤度による。全参加者ではしきい値のStudentのtによる。?は開いた端を表す</translation>
+    </message>
+    <message>
+        <source>s of gauss and logistic, in the unit of the level; the slope b of weibull</source>
+        <translation>gaussとlogisticのs (レベルの単位)。weibullの傾きb</translation>
+    </message>
+    <message>
+        <source>Share of mistakes however strong the stimulus is</source>
+        <translation>刺激がどれほど強くても生じる誤りの割合</translation>
+    </message>
+    <message>
+        <source>Of the deviance, by data sets that are drawn and fitted again; constant stimuli only</source>
+        <translation>逸脱度のp、再抽出して再度当てはめたデータセットによる。恒常法のみ</translation>
+    </message>
+    <message>
+        <source>Just noticeable difference: half of the way from 25 to 75 %</source>
+        <translation>丁度可知差異: 25 %から75 %までの幅の半分</translation>
+    </message>
+    <message>
+        <source>JND over the reference</source>
+        <translation>JNDを基準で割った値</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>%1名の平均</translation>
+    </message>
+    <message>
+        <source>mean of %1; %2 without threshold</source>
+        <translation>%1名の平均。しきい値なし: %2名</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Mean of reversals</source>
+        <translation>反転の平均</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>反転数</translation>
+    </message>
+    <message>
+        <source>Posterior mean</source>
+        <translation>事後平均</translation>
+    </message>
+    <message>
+        <source>Its sd</source>
+        <translation>その標準偏差</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>The estimate of a staircase</source>
+        <translation>階段法の推定値</translation>
+    </message>
+    <message>
+        <source>The estimate of a Bayesian procedure</source>
+        <translation>ベイズ法の推定値</translation>
+    </message>
+    <message>
+        <source>On the scale of the levels: in log10 units on a logarithmic one</source>
+        <translation>レベルの尺度上の値: 対数尺度ではlog10の単位</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation>ヒット</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>誤警報</translation>
+    </message>
+    <message>
+        <source>d&apos;</source>
+        <translation>d&apos;</translation>
+    </message>
+    <message>
+        <source>c</source>
+        <translation>c</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Of how many trials with a stimulus; of several intervals right answers</source>
+        <translation>刺激のある試行数に対する数。複数区間では正答数</translation>
+    </message>
+    <message>
+        <source>Of how many trials without</source>
+        <translation>刺激のない試行数に対する数</translation>
+    </message>
+    <message>
+        <source>Sensitivity; rates are (count + 1/2) / (trials + 1)</source>
+        <translation>感度。率は (数 + 1/2) / (試行数 + 1)</translation>
+    </message>
+    <message>
+        <source>Criterion: above 0 rather no; of two intervals below 0 rather the first</source>
+        <translation>判断基準: 0より大きいと「なし」寄り。2区間では0より小さいと1つ目寄り</translation>
+    </message>
+</context>
+<context>
+    <name>LevelSourceText</name>
+    <message>
+        <source>these are data of different modes: %1 and %2</source>
+        <translation>異なるモードのデータが混在しています: %1と%2</translation>
+    </message>
+    <message>
+        <source>one mode, or the choice of one</source>
+        <translation>1つのモード、または対象とするモードの指定</translation>
+    </message>
+    <message>
+        <source>%1 cannot be &quot;%2&quot;</source>
+        <translation>%1 を「%2」にはできません</translation>
+    </message>
+    <message>
+        <source>nothing says which answers are correct</source>
+        <translation>どの回答が正答かを示すものがありません</translation>
+    </message>
+    <message>
+        <source>a column correct, or stimulus and response</source>
+        <translation>correct列、またはstimulus列とresponse列</translation>
+    </message>
+    <message>
+        <source>practice or test</source>
+        <translation>practiceまたはtest</translation>
+    </message>
+    <message>
+        <source>run, pilot or simulated</source>
+        <translation>run、pilot、またはsimulated</translation>
+    </message>
+    <message>
+        <source>correct, incorrect, timeout, aborted or device_error</source>
+        <translation>correct、incorrect、timeout、aborted、またはdevice_error</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2, or NA</source>
+        <translation>%1から%2までの数、またはNA</translation>
+    </message>
+    <message>
+        <source>yes_no, interval, same_different or compare, one for a task</source>
+        <translation>yes_no、interval、same_different、またはcompare。課題ごとに1つ</translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation>0または1</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>中断されました</translation>
+    </message>
+</context>
+<context>
+    <name>ListText</name>
+    <message>
+        <source>a list of %1, each %2</source>
+        <translation>%1個の要素からなるリスト。各要素は%2</translation>
+    </message>
+    <message>
+        <source>a list of %1 to %2, each %3</source>
+        <translation>%1～%2個の要素からなるリスト。各要素は%3</translation>
+    </message>
+</context>
+<context>
+    <name>LiveView</name>
+    <message>
+        <source>&quot;%1&quot; is no address</source>
+        <translation>「%1」はアドレスではありません</translation>
+    </message>
+    <message>
+        <source>an address such as 127.0.0.1</source>
+        <translation>アドレス。例: 127.0.0.1</translation>
+    </message>
+    <message>
+        <source>the live view cannot listen on %1:%2: %3</source>
+        <translation>ライブビューが %1:%2 で待ち受けできません: %3</translation>
+    </message>
+    <message>
+        <source>another port</source>
+        <translation>別のポート</translation>
+    </message>
+</context>
+<context>
     <name>LocateCommand</name>
     <message>
         <source>Camera file that teleta calibrate has written</source>
@@ -2542,6 +3619,95 @@ Examples:
     <message>
         <source>Points on the tactile cylinder that belong to pixels of its camera</source>
         <translation>カメラの画素に写る触覚円筒上の点</translation>
+    </message>
+</context>
+<context>
+    <name>McapExport</name>
+    <message>
+        <source>there is no stream &quot;%1&quot;</source>
+        <translation>ストリーム「%1」がありません</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>中断されました。何も書き込まれていません</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>同じ名前のファイルがすでにあります</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>別の名前</translation>
+    </message>
+</context>
+<context>
+    <name>McapFile</name>
+    <message>
+        <source>there is no such file</source>
+        <translation>そのようなファイルはありません</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>開けません: %1</translation>
+    </message>
+    <message>
+        <source>this is not an MCAP file</source>
+        <translation>MCAPファイルではありません</translation>
+    </message>
+    <message>
+        <source>an MCAP file, version 0</source>
+        <translation>MCAPファイル、バージョン0</translation>
+    </message>
+    <message>
+        <source>the attachment &quot;%1&quot; is damaged</source>
+        <translation>添付ファイル「%1」が破損しています</translation>
+    </message>
+</context>
+<context>
+    <name>McapImport</name>
+    <message>
+        <source>%1 is of the type %2 and cannot be read as %3</source>
+        <translation>%1 は型 %2 のため、%3 として読み込めません</translation>
+    </message>
+    <message>
+        <source>there is no topic %1</source>
+        <translation>トピック %1 がありません</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>no topic of this file can be read: %1</source>
+        <translation>このファイルには読み込めるトピックがありません: %1</translation>
+    </message>
+    <message>
+        <source>it has none</source>
+        <translation>トピックがありません</translation>
+    </message>
+    <message>
+        <source>messages of ROS 2 in CDR</source>
+        <translation>CDR形式のROS 2メッセージ</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>中断されました</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>同じ名前のファイルがすでにあります</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>別の名前</translation>
+    </message>
+    <message>
+        <source>the file cannot be given its name</source>
+        <translation>ファイルに目的の名前を付けられません</translation>
     </message>
 </context>
 <context>
@@ -2856,6 +4022,21 @@ Examples:
     </message>
 </context>
 <context>
+    <name>OscTrigger</name>
+    <message>
+        <source>the host for triggers was not found: %1</source>
+        <translation>トリガーの送信先ホストが見つかりません: %1</translation>
+    </message>
+    <message>
+        <source>a name or an address</source>
+        <translation>名前またはアドレス</translation>
+    </message>
+    <message>
+        <source>triggers cannot be sent: %1</source>
+        <translation>トリガーを送信できません: %1</translation>
+    </message>
+</context>
+<context>
     <name>OutputFileText</name>
     <message>
         <source>cannot write: %1</source>
@@ -3056,6 +4237,154 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>ParticipantReport</name>
+    <message>
+        <source>In this part nothing was tested yet.</source>
+        <translation>この部分では、まだ何もテストしていません。</translation>
+    </message>
+    <message>
+        <source>You answered %1 of %2 trials correctly: %3 %.</source>
+        <comment>numbers</comment>
+        <translation>%2試行中%1試行に正しく答えました: %3 %。</translation>
+    </message>
+    <message>
+        <source>There were %1 possible answers. Whoever guesses is right in about %2 % of the trials.</source>
+        <translation>選べる答えは%1通りでした。当て推量だけでも、約%2 %の試行で正解します。</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n trial(s) the time was over before you answered.</source>
+        <translation>
+            <numerusform>%n試行で、答える前に時間切れになりました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Half of your correct answers came within %1 seconds.</source>
+        <translation>正しい答えの半分は%1秒以内のものでした。</translation>
+    </message>
+    <message>
+        <source>You recognised these every time: %1.</source>
+        <translation>毎回正しく識別できたもの: %1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>This part was not finished.</source>
+        <translation>この部分は終了していません。</translation>
+    </message>
+    <message>
+        <source>Thank you for taking part in the study &quot;%1&quot;.</source>
+        <translation>実験「%1」にご参加いただき、ありがとうございました。</translation>
+    </message>
+    <message>
+        <source>You have not begun yet.</source>
+        <translation>まだ始まっていません。</translation>
+    </message>
+    <message>
+        <source>This page has your answers alone. They say how well these vibrations can be told apart on this bracelet; they are no test of health.</source>
+        <translation>このページには、あなたの回答だけが載っています。これらの振動がこのブレスレットでどの程度識別できるかを示すもので、健康状態の検査ではありません。</translation>
+    </message>
+    <message>
+        <source>Completed test trials of each session; the interval is Wilson&apos;s (95 %)</source>
+        <translation>各セッションの完了したテスト試行。区間はWilsonのもの (95 %)</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>セッション</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>正答</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Interval, %</source>
+        <translation>区間、%</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>無回答</translation>
+    </message>
+    <message>
+        <source>Device faults</source>
+        <translation>デバイス障害</translation>
+    </message>
+    <message>
+        <source>Median time, s</source>
+        <translation>時間の中央値、s</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>Rows: presented; columns: answered. Number of trials.</source>
+        <translation>行: 提示。列: 回答。試行数。</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>質問</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>回答</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>無回答</translation>
+    </message>
+    <message>
+        <source>Questionnaires</source>
+        <translation>質問票</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>the study has no participant &quot;%1&quot;</source>
+        <translation>実験に参加者「%1」がいません</translation>
+    </message>
+    <message>
+        <source>Your results</source>
+        <translation>あなたの結果</translation>
+    </message>
+    <message>
+        <source>Study: %1. Participant %2 in the order of enrolment.</source>
+        <translation>実験: %1。登録順で%2番目の参加者。</translation>
+    </message>
+    <message>
+        <source>No session has begun.</source>
+        <translation>まだ始まったセッションはありません。</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <comment>an id</comment>
+        <translation>参加者 %1</translation>
+    </message>
+</context>
+<context>
     <name>PatternCommand</name>
     <message>
         <source>shape</source>
@@ -3228,6 +4557,14 @@ x %4, y %5
     <message>
         <source>the ending of %1 is not that of a format; expected one of %2</source>
         <translation>%1 の拡張子から形式を判別できません。次のいずれかが必要です: %2</translation>
+    </message>
+    <message>
+        <source>Ending that chooses the format when OUT is -, for example json</source>
+        <translation>OUTが-のときに形式を決める拡張子。例: json</translation>
+    </message>
+    <message>
+        <source>it belongs to OUT as -, where it is needed</source>
+        <translation>OUTが-のときに使うもので、その場合は必須です</translation>
     </message>
 </context>
 <context>
@@ -3591,6 +4928,59 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>PlanContent</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>task, test</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>patterns</source>
+        <translation>パターン</translation>
+    </message>
+    <message>
+        <source>conditions by patterns</source>
+        <translation>条件 × パターン</translation>
+    </message>
+    <message>
+        <source>Power: %1</source>
+        <comment>test</comment>
+        <translation>検出力: %1</translation>
+    </message>
+    <message>
+        <source>participants</source>
+        <translation>参加者数</translation>
+    </message>
+    <message>
+        <source>significant studies, %</source>
+        <translation>有意となった実験、%</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>Cancelled. The curve has the studies drawn so far.</source>
+        <translation>キャンセルしました。曲線は、それまでに生成した実験によるものです。</translation>
+    </message>
+    <message>
+        <source>No number up to %1 reaches %2 %.</source>
+        <translation>%1名以下では%2 %に達しません。</translation>
+    </message>
+    <message>
+        <source>%1 or %2 participants reach %3 %; chance cannot tell which.</source>
+        <translation>%1名または%2名の参加者で%3 %に達します。どちらであるかは、偶然のばらつきのため決まりません。</translation>
+    </message>
+    <message>
+        <source>%1 participants reach %2 %.</source>
+        <translation>%1名の参加者で%2 %に達します。</translation>
+    </message>
+</context>
+<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -3647,6 +5037,14 @@ Run %2 --help for more.
         <translation>teleta: %1
 詳しくは %2 --help を参照してください。
 </translation>
+    </message>
+    <message>
+        <source>With --version: print version and commit as JSON</source>
+        <translation>--versionと併用: バージョンとコミットをJSONで出力する</translation>
+    </message>
+    <message>
+        <source>Print how to cite the program, as BibTeX</source>
+        <translation>プログラムの引用方法をBibTeXで出力する</translation>
     </message>
 </context>
 <context>
@@ -3786,6 +5184,10 @@ Run %2 --help for more.
     <message>
         <source>a file of this name already exists</source>
         <translation>同じ名前のファイルがすでにあります</translation>
+    </message>
+    <message>
+        <source>the recording cannot be read</source>
+        <translation>記録を読み込めません</translation>
     </message>
 </context>
 <context>
@@ -4070,10 +5472,6 @@ Run %2 --help for more.
         <translation>df</translation>
     </message>
     <message>
-        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
-        <translation>各パターンの参加者の正答の平均。2条件の比較は参加者内で行います</translation>
-    </message>
-    <message>
         <source>Patterns and conditions</source>
         <translation>パターンと条件</translation>
     </message>
@@ -4262,6 +5660,22 @@ Run %2 --help for more.
         <source>analysis.R beside this page computes its numbers again from confusion_long.csv, except the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
         <translation>このページと同じ場所にあるanalysis.Rで、このページの数値をconfusion_long.csvから再計算できます (このファイルにない反応時間を除く): Rscript analysis.R。スタディのフォルダーでは、エクスポートされた試行から反応時間も計算します。</translation>
     </message>
+    <message>
+        <source>all participants have the same share</source>
+        <translation>全参加者の割合が同じです</translation>
+    </message>
+    <message>
+        <source>the interval is cut off at 0 or 100 %</source>
+        <translation>区間は0または100 %で打ち切られています</translation>
+    </message>
+    <message>
+        <source>p, Holm</source>
+        <translation>p、Holm</translation>
+    </message>
+    <message>
+        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants; Holm: corrected over the patterns</source>
+        <translation>パターンごとの、各参加者の正答の平均。2つの条件は参加者内で比較します。Holm: パターンにわたって補正</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPicture</name>
@@ -4344,10 +5758,6 @@ Run %2 --help for more.
     <message>
         <source>Each pattern</source>
         <translation>パターン別</translation>
-    </message>
-    <message>
-        <source>p %1%2</source>
-        <translation>p %1%2</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -4590,6 +6000,23 @@ Run %2 --help for more.
         <source>Interval or bound of the true transfer, from the jackknife over participants</source>
         <translation>真の情報伝達量の区間または限界 (参加者にわたるジャックナイフによる)</translation>
     </message>
+    <message>
+        <source>the t interval is cut off at 0 or 100 %</source>
+        <translation>t区間は0または100 %で打ち切られています</translation>
+    </message>
+    <message>
+        <source>all participants have the same share</source>
+        <translation>全参加者の割合が同じです</translation>
+    </message>
+    <message>
+        <source>p %1</source>
+        <translation>p %1</translation>
+    </message>
+    <message>
+        <source>%1; Holm %2</source>
+        <comment>p of a pattern, corrected p</comment>
+        <translation>%1、Holm %2</translation>
+    </message>
 </context>
 <context>
     <name>RunSheet</name>
@@ -4795,6 +6222,24 @@ Run %2 --help for more.
     <message>
         <source>tasks, letters and conditions whose patterns are built in</source>
         <translation>パターンがプログラムに付属している課題、文字、条件</translation>
+    </message>
+</context>
+<context>
+    <name>SerialText</name>
+    <message>
+        <source>the trigger&apos;s serial line cannot be used: %1</source>
+        <translation>トリガーのシリアル回線を使用できません: %1</translation>
+    </message>
+</context>
+<context>
+    <name>SerialTrigger</name>
+    <message>
+        <source>this is not a serial line</source>
+        <translation>シリアル回線ではありません</translation>
+    </message>
+    <message>
+        <source>a serial port, such as /dev/ttyUSB0</source>
+        <translation>シリアルポート。例: /dev/ttyUSB0</translation>
     </message>
 </context>
 <context>
@@ -5190,6 +6635,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>SimulatedObserver</name>
+    <message>
+        <source>an observer cannot have &quot;%1&quot;</source>
+        <translation>観測者に「%1」は指定できません</translation>
+    </message>
+    <message>
+        <source>t and slope above 0, lapse from 0 to %1, sd of at least 0, as in t=0.2,slope=3.5,lapse=0.02,sd=0.1</source>
+        <translation>tとslopeは0より大きい値、lapseは0から%1まで、sdは0以上。例: t=0.2,slope=3.5,lapse=0.02,sd=0.1</translation>
+    </message>
+</context>
+<context>
     <name>SimulatedTube</name>
     <message>
         <source>the lens folds the image over itself: no camera has such a lens</source>
@@ -5265,6 +6721,49 @@ Run %2 --help for more.
     <message>
         <source>trial %1 of session %2 of %3 was already counted</source>
         <translation>%3 のセッション %2 の試行 %1 はすでに数えられています</translation>
+    </message>
+    <message>
+        <source>this text is not UTF-8</source>
+        <translation>テキストがUTF-8ではありません</translation>
+    </message>
+    <message>
+        <source>a file that was saved as UTF-8</source>
+        <translation>UTF-8で保存したファイル</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>the columns are separated by semicolons</source>
+        <translation>列がセミコロンで区切られています</translation>
+    </message>
+    <message>
+        <source>the columns are separated by tabs</source>
+        <translation>列がタブで区切られています</translation>
+    </message>
+    <message>
+        <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
+        <translation>コンマ区切りで、小数点はピリオド: 実験のdata/にある試行、またはコンマ区切りのCSVとして保存したファイル</translation>
+    </message>
+</context>
+<context>
+    <name>StandardStreams</name>
+    <message>
+        <source>- is given, a folder is expected</source>
+        <translation>-が指定されましたが、必要なのはフォルダーです</translation>
+    </message>
+    <message>
+        <source>a recording is a database, which is no stream</source>
+        <translation>記録はデータベースであり、ストリームとして扱えません</translation>
+    </message>
+    <message>
+        <source>a video cannot be read from standard input</source>
+        <translation>動画は標準入力から読み込めません</translation>
+    </message>
+    <message>
+        <source>the document and a file would both go to standard output</source>
+        <translation>文書とファイルの両方が標準出力に書き込まれることになります</translation>
     </message>
 </context>
 <context>
@@ -5622,6 +7121,40 @@ Run %2 --help for more.
         <source>the full path of the file</source>
         <translation>ファイルの絶対パス</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; cannot be moved to other tactors</source>
+        <translation>「%1」はほかのタクタへ移せません</translation>
+    </message>
+    <message>
+        <source>a stimulus without rings and strokes, or a track without tactors</source>
+        <translation>リングとストロークのない刺激、またはタクタを指定しないトラック</translation>
+    </message>
+    <message>
+        <source>the stimulus does not use tactor %1</source>
+        <translation>刺激がタクタ%1を使用していません</translation>
+    </message>
+    <message>
+        <source>a stimulus of one tactor, or of as many as the track names</source>
+        <translation>タクタ1個の刺激、またはトラックに指定した数のタクタの刺激</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n object(s) of the stimulus have %1</source>
+        <translation>
+            <numerusform>刺激のオブジェクト%n個に%1があります</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>exactly one</source>
+        <translation>ちょうど1個</translation>
+    </message>
+    <message>
+        <source>the stimulus takes %1 s at level %2</source>
+        <translation>レベル%2では刺激に%1 sかかります</translation>
+    </message>
+    <message>
+        <source>at most stimulus_s, %1 s</source>
+        <translation>stimulus_s以下、つまり%1 s以下</translation>
+    </message>
 </context>
 <context>
     <name>StoreText</name>
@@ -5696,6 +7229,25 @@ Run %2 --help for more.
     <message>
         <source>the patterns have changed since this study was created</source>
         <translation>パターンが、このスタディを始めたときのものと異なります</translation>
+    </message>
+</context>
+<context>
+    <name>StreamText</name>
+    <message>
+        <source>standard input cannot be read</source>
+        <translation>標準入力を読み込めません</translation>
+    </message>
+    <message>
+        <source>standard input is too large</source>
+        <translation>標準入力が大きすぎます</translation>
+    </message>
+    <message>
+        <source>standard input can be read only once</source>
+        <translation>標準入力は一度しか読み込めません</translation>
+    </message>
+    <message>
+        <source>standard output can be written only once</source>
+        <translation>標準出力には一度しか書き込めません</translation>
     </message>
 </context>
 <context>
@@ -5961,6 +7513,34 @@ Run %2 --help for more.
         <source>Start the server or repair the network connection, then try again.</source>
         <translation>サーバーを起動するかネットワークを修復してから、もう一度お試しください。</translation>
     </message>
+    <message>
+        <source>a motor takes %1 s to stop, and the gap between the intervals of %2 is %3 s</source>
+        <translation>モーターの停止には%1 sかかりますが、%2の区間の間隔は%3 sです</translation>
+    </message>
+    <message>
+        <source>Create a study with a longer gap (gap_s).</source>
+        <translation>間隔 (gap_s) をより長くした実験を作成してください。</translation>
+    </message>
+    <message>
+        <source>the line is being opened</source>
+        <translation>回線を開いています</translation>
+    </message>
+    <message>
+        <source>Wait a moment.</source>
+        <translation>しばらくお待ちください。</translation>
+    </message>
+    <message>
+        <source>the line cannot be used</source>
+        <translation>回線を使用できません</translation>
+    </message>
+    <message>
+        <source>Plug the device in and switch it on; it is tried again every second.</source>
+        <translation>デバイスを接続して電源を入れてください。毎秒、自動的に再試行します。</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>トリガー</translation>
+    </message>
 </context>
 <context>
     <name>StudyCommand</name>
@@ -5983,10 +7563,6 @@ Run %2 --help for more.
     <message>
         <source>Run simulated participants through a whole study</source>
         <translation>シミュレーション参加者に実験全体を行わせます</translation>
-    </message>
-    <message>
-        <source>Protocol of the study; otherwise the paper&apos;s</source>
-        <translation>実験のプロトコル。省略時は論文のプロトコル</translation>
     </message>
     <message>
         <source>Seed of all orders and answers</source>
@@ -6085,10 +7661,6 @@ Run %2 --help for more.
         <translation>図の形式 (コンマ区切り)</translation>
     </message>
     <message>
-        <source>Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, figures</source>
-        <translation>report.html、confusion_long.csv、summary.csv、group.csv、anova.csv、図のフォルダー</translation>
-    </message>
-    <message>
         <source>Write pink noise that can be played in a loop</source>
         <translation>ループ再生できるピンクノイズを書き込みます</translation>
     </message>
@@ -6164,6 +7736,75 @@ Run %2 --help for more.
         <source>%1 bit without bias (95 %: at most %2)</source>
         <translation>%1 bit、バイアス除去後 (95 %: %2以下)</translation>
     </message>
+    <message>
+        <source>%1 of %2 trials left out</source>
+        <translation>%2試行中%1試行を除外</translation>
+    </message>
+    <message>
+        <source>%1; rule made after the data</source>
+        <translation>%1。データ取得後に作られた規則</translation>
+    </message>
+    <message>
+        <source>%1; no spread of the times, so nothing was left out, in %2 case(s)</source>
+        <translation>%1。時間にばらつきがないため何も除外しなかった場合が%2件</translation>
+    </message>
+    <message>
+        <source>%1, Holm over the patterns %2</source>
+        <comment>F and p</comment>
+        <translation>%1、パターンにわたるHolm %2</translation>
+    </message>
+    <message>
+        <source>Thresholds, slopes and d&apos; of tasks with levels, by maximum likelihood</source>
+        <translation>レベルのある課題のしきい値、傾き、d&apos;を最尤法で求めます</translation>
+    </message>
+    <message>
+        <source>Write one participant&apos;s results as a page</source>
+        <translation>1人の参加者の結果をページとして書き込みます</translation>
+    </message>
+    <message>
+        <source>What the columns of all files of studies mean</source>
+        <translation>実験の全ファイルの列の意味を書き込みます</translation>
+    </message>
+    <message>
+        <source>Send one trial&apos;s triggers to another recorder</source>
+        <translation>1試行分のトリガーを別の記録装置へ送信します</translation>
+    </message>
+    <message>
+        <source>How many participants a test needs: power by simulated studies</source>
+        <translation>検定に必要な参加者数: 実験のシミュレーションによる検出力</translation>
+    </message>
+    <message>
+        <source>Protocol of the study, or the name of one that comes with the program: tactor-detection, intensity-steps, equal-strength, two-or-one, motion-timing; otherwise the paper&apos;s</source>
+        <translation>実験のプロトコル、またはプログラムに付属するプロトコルの名前: tactor-detection, intensity-steps, equal-strength, two-or-one, motion-timing。省略時は論文のもの</translation>
+    </message>
+    <message>
+        <source>Simulated participants in tasks with levels: threshold t and slope of their psychometric function, lapse rate, and sd of the threshold between them, in the scale of the levels</source>
+        <translation>レベルのある課題でのシミュレーション参加者: 心理測定関数のしきい値tと傾きslope、ラプス率lapse、参加者間のしきい値の標準偏差sd。レベルの尺度で指定</translation>
+    </message>
+    <message>
+        <source>Rule of what does not count, besides those of the protocol; marked as made after the data, for example response_time_below_s=0.2</source>
+        <translation>プロトコルの規則に加える、集計対象から外すものの規則。データ取得後に作られたものとして示されます。例: response_time_below_s=0.2</translation>
+    </message>
+    <message>
+        <source>Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, thresholds.csv, levels.csv, sdt.csv, comparisons.csv, ranks.csv, binomial_model.csv, response_times.csv, exclusions.csv, figures</source>
+        <translation>report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, thresholds.csv, levels.csv, sdt.csv, comparisons.csv, ranks.csv, binomial_model.csv, response_times.csv, exclusions.csv, 図のフォルダー</translation>
+    </message>
+    <message>
+        <source>the exclusion rules leave no completed trial</source>
+        <translation>除外規則を適用すると、完了した試行が残りません</translation>
+    </message>
+    <message>
+        <source>rules that leave some</source>
+        <translation>試行が残る規則</translation>
+    </message>
+    <message>
+        <source>there are no test trials, only practice: the report has no results</source>
+        <translation>テスト試行がなく、練習のみです: レポートに結果はありません</translation>
+    </message>
+    <message>
+        <source>the answer &quot;%1&quot; counts as wrong: the pattern is &quot;%2&quot;</source>
+        <translation>回答「%1」は誤答として数えられます: パターンは「%2」です</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -6185,6 +7826,89 @@ Run %2 --help for more.
     <message>
         <source>SIMULATED</source>
         <translation>シミュレーション</translation>
+    </message>
+</context>
+<context>
+    <name>StudyFitCommand</name>
+    <message>
+        <source>; the curve does not fit: p of the deviance %1</source>
+        <translation>; 曲線は適合していません: 逸脱度のp %1</translation>
+    </message>
+    <message>
+        <source>Mean of %1</source>
+        <translation>%1名の平均</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2～%3)</translation>
+    </message>
+    <message>
+        <source>no d&apos;: trials of one kind are missing</source>
+        <translation>d&apos;なし: 一方の種類の試行がありません</translation>
+    </message>
+    <message>
+        <source>d&apos; %1, c %2</source>
+        <translation>d&apos; %1、c %2</translation>
+    </message>
+    <message>
+        <source>d&apos; %1</source>
+        <translation>d&apos; %1</translation>
+    </message>
+    <message>
+        <source>Folder of a study, or a CSV with participant_id,task,condition,phase,track,level,correct</source>
+        <translation>実験のフォルダー、または participant_id,task,condition,phase,track,level,correct のCSV</translation>
+    </message>
+    <message>
+        <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME</source>
+        <translation>実験を持つPostgreSQLサーバー、postgresql://USER@HOST/DATABASE?study=NAME</translation>
+    </message>
+    <message>
+        <source>Function that is fitted; otherwise weibull for detection on a logarithmic scale, else gauss</source>
+        <translation>当てはめる関数。省略時は、対数尺度の検出ではweibull、それ以外ではgauss</translation>
+    </message>
+    <message>
+        <source>Share of right answers without a stimulus; otherwise from the design</source>
+        <translation>刺激がないときの正答の割合。省略時はデザインから決定</translation>
+    </message>
+    <message>
+        <source>Share of mistakes with any stimulus: fixed, or the range in which it is free; otherwise 0:0.06</source>
+        <translation>どのような刺激でも生じる誤りの割合: 固定値、または自由に推定する範囲。省略時は0:0.06</translation>
+    </message>
+    <message>
+        <source>How the interval of a threshold is computed</source>
+        <translation>しきい値の区間の計算方法</translation>
+    </message>
+    <message>
+        <source>Folder for thresholds.csv, levels.csv, sdt.csv, analysis.R and figures</source>
+        <translation>thresholds.csv, levels.csv, sdt.csv, analysis.R, 図のフォルダー</translation>
+    </message>
+    <message>
+        <source>--lapse cannot be &quot;%1&quot;</source>
+        <translation>--lapseを「%1」にはできません</translation>
+    </message>
+    <message>
+        <source>a share from 0 to 0.4, or two with a colon between them, the lower one first</source>
+        <translation>0から0.4までの割合、またはコロンで区切った2つの割合 (小さいほうが先)</translation>
+    </message>
+    <message>
+        <source>there are no test trials with a level</source>
+        <translation>レベルのあるテスト試行がありません</translation>
+    </message>
+    <message>
+        <source>trials of a design with levels, or a column level</source>
+        <translation>レベルのあるデザインの試行、または列level</translation>
+    </message>
+    <message>
+        <source>nothing says how often guessing is right in task %1</source>
+        <translation>課題%1で当て推量が正解する割合が、どこにも示されていません</translation>
+    </message>
+    <message>
+        <source>--guess (0.5 for two intervals, 0.02 for yes and no), or a column design or n_alternatives</source>
+        <translation>--guess (2区間では0.5、はい/いいえでは0.02)、または列designかn_alternatives</translation>
+    </message>
+    <message>
+        <source>Tables and figures</source>
+        <translation>表と図</translation>
     </message>
 </context>
 <context>
@@ -6249,6 +7973,90 @@ Run %2 --help for more.
         <source>metal</source>
         <translation>金属</translation>
     </message>
+    <message>
+        <source>Tactor detection</source>
+        <translation>タクタの検出</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>安静</translation>
+    </message>
+    <message>
+        <source>In which interval did you feel a vibration?</source>
+        <translation>どの区間で振動を感じましたか?</translation>
+    </message>
+    <message>
+        <source>Intensity steps</source>
+        <translation>強度のステップ</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>弱</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>中</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>強</translation>
+    </message>
+    <message>
+        <source>Which interval was stronger?</source>
+        <translation>どの区間がより強かったですか?</translation>
+    </message>
+    <message>
+        <source>Equal strength</source>
+        <translation>等しい強さ</translation>
+    </message>
+    <message>
+        <source>Two or one</source>
+        <translation>2つか1つか</translation>
+    </message>
+    <message>
+        <source>Did you feel two separate taps?</source>
+        <translation>別々の2回のタップを感じましたか?</translation>
+    </message>
+    <message>
+        <source>Motion timing</source>
+        <translation>運動のタイミング</translation>
+    </message>
+    <message>
+        <source>Did you feel one moving point?</source>
+        <translation>動く1つの点を感じましたか?</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>同じ</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>異なる</translation>
+    </message>
+    <message>
+        <source>Was there a vibration?</source>
+        <translation>振動はありましたか?</translation>
+    </message>
+    <message>
+        <source>Which interval had the vibration?</source>
+        <translation>振動はどの区間にありましたか?</translation>
+    </message>
+    <message>
+        <source>Were the two intervals the same?</source>
+        <translation>2つの区間は同じでしたか?</translation>
+    </message>
+    <message>
+        <source>Which interval had more?</source>
+        <translation>どの区間がより大きかったですか?</translation>
+    </message>
 </context>
 <context>
     <name>StudyNoise</name>
@@ -6286,6 +8094,183 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StudyPapers</name>
+    <message>
+        <source>Folder of the study</source>
+        <translation>実験のフォルダー</translation>
+    </message>
+    <message>
+        <source>Whose report it is</source>
+        <translation>レポートの対象となる参加者</translation>
+    </message>
+    <message>
+        <source>experimenter: everything of this participant; participant: their own answers in plain words</source>
+        <translation>experimenter: この参加者のすべての内容。participant: 本人の回答のみを平易な言葉で</translation>
+    </message>
+    <message>
+        <source>The page; otherwise report-ID.html or report-ID-participant.html in the folder of the study</source>
+        <translation>書き込むページ。省略時は実験のフォルダー内のreport-ID.htmlまたはreport-ID-participant.html</translation>
+    </message>
+    <message>
+        <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME; the password comes from PGPASSWORD or ~/.pgpass</source>
+        <translation>実験を持つPostgreSQLサーバー、postgresql://USER@HOST/DATABASE?study=NAME。パスワードはPGPASSWORDまたは~/.pgpassから取得</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>レポート</translation>
+    </message>
+    <message>
+        <source>Folder of a study, whose questionnaires are described too</source>
+        <translation>実験のフォルダー。その質問票も説明に含めます</translation>
+    </message>
+    <message>
+        <source>Where one trial&apos;s events go: a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC by UDP</source>
+        <translation>1試行分のイベントの送信先: シリアルポート (例: /dev/ttyUSB0)、またはUDPによるOSCではHOST:PORT</translation>
+    </message>
+    <message>
+        <source>written in %1 ms</source>
+        <translation>%1 msで書き込み</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPlan</name>
+    <message>
+        <source>the protocol has no task &quot;%1&quot;</source>
+        <translation>プロトコルに課題「%1」がありません</translation>
+    </message>
+    <message>
+        <source>TASK:EFFECT with one of %1</source>
+        <translation>TASK:EFFECT。EFFECTは次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>the task %1 measures levels</source>
+        <translation>課題%1はレベルを測定するものです</translation>
+    </message>
+    <message>
+        <source>a task in which patterns are told apart</source>
+        <translation>パターンを識別する課題</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no line of the analysis of %2</source>
+        <translation>「%1」は%2の分析の行ではありません</translation>
+    </message>
+    <message>
+        <source>condition, pattern, condition:pattern, or condition@PATTERN</source>
+        <translation>condition、pattern、condition:pattern、またはcondition@PATTERN</translation>
+    </message>
+    <message>
+        <source>pattern</source>
+        <translation>pattern</translation>
+    </message>
+    <message>
+        <source>the protocol has no test trials</source>
+        <translation>プロトコルにテスト試行がありません</translation>
+    </message>
+    <message>
+        <source>test.repetitions above 0</source>
+        <translation>0より大きいtest.repetitions</translation>
+    </message>
+    <message>
+        <source>the task %1 has no pattern &quot;%2&quot;</source>
+        <translation>課題%1にパターン「%2」がありません</translation>
+    </message>
+    <message>
+        <source>one of its letters</source>
+        <translation>その課題の文字のいずれか</translation>
+    </message>
+    <message>
+        <source>the truth says nothing of the task %1</source>
+        <translation>真値に課題%1の記述がありません</translation>
+    </message>
+    <message>
+        <source>a [[task]] with that id</source>
+        <translation>そのidを持つ[[task]]</translation>
+    </message>
+    <message>
+        <source>the truth says nothing of %1 under %2</source>
+        <translation>真値に、条件%2での%1の記述がありません</translation>
+    </message>
+    <message>
+        <source>a condition with that id</source>
+        <translation>そのidを持つ条件</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPlanCommand</name>
+    <message>
+        <source>no number up to %1 reaches %2 %</source>
+        <translation>%1名以下では%2 %に達しません</translation>
+    </message>
+    <message>
+        <source>%1 or %2 participants; %3 studies cannot tell which</source>
+        <translation>%1名または%2名。%3回の実験ではどちらか決まりません</translation>
+    </message>
+    <message>
+        <source>%1 participants reach %2 %</source>
+        <translation>%1名の参加者で%2 %に達します</translation>
+    </message>
+    <message>
+        <source>Protocol of the study</source>
+        <translation>実験のプロトコル</translation>
+    </message>
+    <message>
+        <source>Numbers of participants to try: from, to, step</source>
+        <translation>試す参加者数: 開始、終了、刻み</translation>
+    </message>
+    <message>
+        <source>What is assumed: a file with shares of right answers and spreads, or the folder of a pilot study</source>
+        <translation>仮定する内容: 正答の割合とばらつきを記したファイル、またはパイロット実験のフォルダー</translation>
+    </message>
+    <message>
+        <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A</source>
+        <translation>分析の行: shape:condition、shape:pattern、shape:condition:pattern、またはパターンA内ではshape:condition@A</translation>
+    </message>
+    <message>
+        <source>Studies drawn for each number</source>
+        <translation>参加者数ごとに生成する実験の数</translation>
+    </message>
+    <message>
+        <source>Seed of all studies</source>
+        <translation>すべての実験のシード</translation>
+    </message>
+    <message>
+        <source>Wanted share of significant studies</source>
+        <translation>有意となる実験の割合の目標</translation>
+    </message>
+    <message>
+        <source>Table of the power, CSV</source>
+        <translation>検出力の表、CSV</translation>
+    </message>
+    <message>
+        <source>%1 is not FROM:TO:STEP with numbers from 1 to %2</source>
+        <translation>%1 はFROM:TO:STEPの形式で、1から%2までの数を指定したものではありません</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>検定</translation>
+    </message>
+    <message>
+        <source>%1 % (95 %: %2 to %3, %4 studies)</source>
+        <translation>%1 % (95 %: %2～%3、%4実験)</translation>
+    </message>
+    <message>
+        <source>%1; no analysis in %2 of them</source>
+        <translation>%1。うち%2件は分析なし</translation>
+    </message>
+    <message>
+        <source>%1 participants</source>
+        <translation>参加者%1名</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>答え</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表</translation>
+    </message>
+</context>
+<context>
     <name>StudyProtocol</name>
     <message>
         <source>&quot;%1&quot; means no answer</source>
@@ -6306,6 +8291,114 @@ Run %2 --help for more.
     <message>
         <source>at most %1, one digit each</source>
         <translation>%1以下、それぞれに数字キー1つ</translation>
+    </message>
+    <message>
+        <source>%1 is not one more tactor</source>
+        <translation>%1 は新たなタクタの番号ではありません</translation>
+    </message>
+    <message>
+        <source>whole numbers from 1 to %1, each once</source>
+        <translation>1から%1までの整数、それぞれ1回のみ</translation>
+    </message>
+    <message>
+        <source>there are too many tracks</source>
+        <translation>トラックが多すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>%1以下</translation>
+    </message>
+    <message>
+        <source>%1 is not among the levels</source>
+        <translation>%1 はレベルの範囲にありません</translation>
+    </message>
+    <message>
+        <source>from lowest to highest, %1 to %2</source>
+        <translation>最低から最高まで、%1から%2</translation>
+    </message>
+    <message>
+        <source>the lowest level is not below the highest</source>
+        <translation>最低レベルが最高レベルより低くありません</translation>
+    </message>
+    <message>
+        <source>a number below %1</source>
+        <translation>%1未満の数</translation>
+    </message>
+    <message>
+        <source>0 has no place on a scale of logarithms</source>
+        <translation>対数尺度に0は置けません</translation>
+    </message>
+    <message>
+        <source>a number above 0, or the scale linear</source>
+        <translation>0より大きい数、または尺度linear</translation>
+    </message>
+    <message>
+        <source>a level of %1 cannot be shown</source>
+        <translation>レベル%1は提示できません</translation>
+    </message>
+    <message>
+        <source>there is nothing to compare with</source>
+        <translation>比較の対象がありません</translation>
+    </message>
+    <message>
+        <source>a reference above 0, here or in each condition</source>
+        <translation>0より大きい基準 (ここ、または各条件で指定)</translation>
+    </message>
+    <message>
+        <source>the levels do not rise</source>
+        <translation>レベルが昇順になっていません</translation>
+    </message>
+    <message>
+        <source>each level above the one before</source>
+        <translation>直前のレベルより大きいレベル</translation>
+    </message>
+    <message>
+        <source>weibull has no place for a level of 0</source>
+        <translation>レベル0にはweibullを使えません</translation>
+    </message>
+    <message>
+        <source>gauss or logistic, or a lowest level above 0</source>
+        <translation>gaussまたはlogistic、または0より大きい最低レベル</translation>
+    </message>
+    <message>
+        <source>a prior needs its mean and its standard deviation</source>
+        <translation>事前分布には平均と標準偏差が必要です</translation>
+    </message>
+    <message>
+        <source>prior_mean and prior_sd</source>
+        <translation>prior_meanとprior_sd</translation>
+    </message>
+    <message>
+        <source>too few reversals for an estimate</source>
+        <translation>推定するには反転が少なすぎます</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>%1以上</translation>
+    </message>
+    <message>
+        <source>constant stimuli need their levels</source>
+        <translation>恒常法にはレベルの指定が必要です</translation>
+    </message>
+    <message>
+        <source>values in level, 1 to %1 of them</source>
+        <translation>levelのvalues、1～%1個</translation>
+    </message>
+    <message>
+        <source>answers to this design count from the end of the last interval</source>
+        <translation>この課題形式では、回答時間は最後の区間の終了から数えます</translation>
+    </message>
+    <message>
+        <source>response_window = &quot;from_end&quot;</source>
+        <translation>response_window = &quot;from_end&quot;</translation>
+    </message>
+    <message>
+        <source>patterns have no reference</source>
+        <translation>パターンには基準がありません</translation>
+    </message>
+    <message>
+        <source>conditions without reference</source>
+        <translation>基準のない条件</translation>
     </message>
 </context>
 <context>
@@ -6345,6 +8438,18 @@ Run %2 --help for more.
     <message>
         <source>one answer per item, in order</source>
         <translation>項目ごとに1つの回答 (項目順)</translation>
+    </message>
+    <message>
+        <source>a pair has two choices</source>
+        <translation>ペアの選択肢は2つです</translation>
+    </message>
+    <message>
+        <source>two of them</source>
+        <translation>そのうちの2つ</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 100 in steps of 5</source>
+        <translation>0から100までの5刻みの数値</translation>
     </message>
 </context>
 <context>
@@ -6674,6 +8779,29 @@ Run %2 --help for more.
         <source>No session is selected</source>
         <translation>セッションが選ばれていません</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n track(s); %2</source>
+        <comment>task; conditions</comment>
+        <translation>
+            <numerusform>%1: %nトラック、%2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1. %n trigger(s) could not be written: %2</source>
+        <comment>device; why</comment>
+        <translation>
+            <numerusform>%1。トリガー%n件を書き込めませんでした: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the line was not open</source>
+        <translation>回線が開かれていませんでした</translation>
+    </message>
+    <message>
+        <source>Track %1, level %2 %3</source>
+        <comment>name, number, unit</comment>
+        <translation>トラック %1、レベル %2 %3</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -6885,6 +9013,21 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StudyTruth</name>
+    <message>
+        <source>cannot open the truth: %1</source>
+        <translation>真値を開けません: %1</translation>
+    </message>
+    <message>
+        <source>the task %1 shows no spread of its participants: %2</source>
+        <translation>課題 %1 は参加者のばらつきを示していません: %2</translation>
+    </message>
+    <message>
+        <source>a pilot with at least 5 participants, or a file with the truth</source>
+        <translation>参加者5名以上のパイロット、または真値のファイル</translation>
+    </message>
+</context>
+<context>
     <name>StudyWatermark</name>
     <message>
         <source>PILOT</source>
@@ -7015,6 +9158,177 @@ Run %2 --help for more.
     <message>
         <source>The frames have %1 values in total.</source>
         <translation>フレームの値は全部で%1個です。</translation>
+    </message>
+</context>
+<context>
+    <name>ThresholdText</name>
+    <message>
+        <source>PILOT</source>
+        <translation>パイロット</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>シミュレーション</translation>
+    </message>
+    <message>
+        <source>level, s</source>
+        <translation>レベル、s</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>レベル</translation>
+    </message>
+    <message>
+        <source>level, %1</source>
+        <translation>レベル、%1</translation>
+    </message>
+    <message>
+        <source>share of yes</source>
+        <translation>「はい」の割合</translation>
+    </message>
+    <message>
+        <source>share of different</source>
+        <translation>「異なる」の割合</translation>
+    </message>
+    <message>
+        <source>share of more</source>
+        <translation>「より多い」の割合</translation>
+    </message>
+    <message>
+        <source>share of right answers</source>
+        <translation>正答の割合</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <comment>end of an interval</comment>
+        <translation>開放</translation>
+    </message>
+    <message>
+        <source> (%1 to %2)</source>
+        <comment>interval behind a number</comment>
+        <translation> (%1～%2)</translation>
+    </message>
+    <message>
+        <source>reversal</source>
+        <translation>反転</translation>
+    </message>
+    <message>
+        <source>mean of reversals</source>
+        <translation>反転の平均</translation>
+    </message>
+    <message>
+        <source>threshold, 95 %</source>
+        <translation>しきい値、95 %</translation>
+    </message>
+    <message>
+        <source>not fitted: the table does not say what guessing gives</source>
+        <translation>当てはめなし: 当て推量での値が表に示されていません</translation>
+    </message>
+    <message>
+        <source>no trials</source>
+        <translation>試行なし</translation>
+    </message>
+    <message>
+        <source>worse with more of it: are levels or answers swapped?</source>
+        <translation>多いほど成績が悪化: レベルまたは回答が入れ替わっていませんか?</translation>
+    </message>
+    <message>
+        <source>the answers do not depend on the level</source>
+        <translation>回答がレベルに依存していません</translation>
+    </message>
+    <message>
+        <source>below %1%2, the lowest level</source>
+        <translation>最低レベルの%1%2を下回る</translation>
+    </message>
+    <message>
+        <source>above %1%2, the highest level</source>
+        <translation>最高レベルの%1%2を上回る</translation>
+    </message>
+    <message>
+        <source>too few levels for a fit; one less is enough with a fixed lapse rate</source>
+        <translation>当てはめにはレベルが少なすぎます。ラプス率を固定すれば、必要なレベルは1つ減ります</translation>
+    </message>
+    <message>
+        <source>no level is above 0</source>
+        <translation>0より大きいレベルがありません</translation>
+    </message>
+    <message>
+        <source>equal at %1</source>
+        <translation>%1 で等価</translation>
+    </message>
+    <message>
+        <source>threshold %1</source>
+        <translation>しきい値 %1</translation>
+    </message>
+    <message>
+        <source>a step between two levels, without a threshold</source>
+        <translation>2つのレベルの間に段差があり、しきい値なし</translation>
+    </message>
+    <message>
+        <source>, just noticeable %1</source>
+        <translation>、丁度可知差異 %1</translation>
+    </message>
+    <message>
+        <source>; a step between two levels</source>
+        <translation>、2つのレベルの間に段差</translation>
+    </message>
+    <message>
+        <source>; many lapses, or no upper end</source>
+        <translation>、ラプスが多いか、上端がない</translation>
+    </message>
+    <message>
+        <source>the curve does not fit: p of the deviance %1</source>
+        <translation>曲線が当てはまりません: 逸脱度のp %1</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>試行</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>正答</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <comment>answer: yes, different, more</comment>
+        <translation>感じた</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>誤答</translation>
+    </message>
+    <message>
+        <source>not felt</source>
+        <comment>answer: no, same, less</comment>
+        <translation>感じなかった</translation>
+    </message>
+    <message>
+        <source>thresholds</source>
+        <translation>しきい値</translation>
+    </message>
+    <message>
+        <source>participants</source>
+        <translation>参加者</translation>
+    </message>
+    <message>
+        <source>mean, 95 %</source>
+        <translation>平均、95 %</translation>
+    </message>
+    <message>
+        <source>d&apos;, c</source>
+        <translation>d&apos;、c</translation>
+    </message>
+    <message>
+        <source>d&apos;, 95 %</source>
+        <translation>d&apos;、95 %</translation>
+    </message>
+    <message>
+        <source>c (above 0: rather no)</source>
+        <translation>c (0より大きい: 「いいえ」寄り)</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>平均</translation>
     </message>
 </context>
 <context>
@@ -7243,6 +9557,14 @@ Run %2 --help for more.
     <message>
         <source>&quot;%1&quot; is missing</source>
         <translation>「%1」がありません</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; and &quot;%2&quot; are the same key</source>
+        <translation>「%1」と「%2」は同じキーです</translation>
+    </message>
+    <message>
+        <source>one of them</source>
+        <translation>そのうちの1つ</translation>
     </message>
 </context>
 <context>
@@ -7618,6 +9940,192 @@ Run %2 --help for more.
     <message>
         <source>device fault, will be repeated</source>
         <translation>デバイス障害、再提示</translation>
+    </message>
+</context>
+<context>
+    <name>TriggerOpener</name>
+    <message>
+        <source>this is no trigger device</source>
+        <translation>これはトリガーデバイスではありません</translation>
+    </message>
+    <message>
+        <source>a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC</source>
+        <translation>/dev/ttyUSB0などのシリアルポート、またはOSC用のHOST:PORT</translation>
+    </message>
+</context>
+<context>
+    <name>UrdfText</name>
+    <message>
+        <source>there is a document type declaration</source>
+        <translation>文書型宣言があります</translation>
+    </message>
+    <message>
+        <source>a plain URDF</source>
+        <translation>通常のURDF</translation>
+    </message>
+    <message>
+        <source>this is xacro, not URDF</source>
+        <translation>これはURDFではなくxacroです</translation>
+    </message>
+    <message>
+        <source>the expanded text: xacro FILE &gt; robot.urdf</source>
+        <translation>展開後のテキスト: xacro FILE &gt; robot.urdf</translation>
+    </message>
+    <message>
+        <source>the document is &apos;%1&apos;</source>
+        <translation>ドキュメントが「%1」です</translation>
+    </message>
+    <message>
+        <source>&lt;robot name=&quot;...&quot;&gt;</source>
+        <translation>&lt;robot name=&quot;...&quot;&gt;</translation>
+    </message>
+    <message>
+        <source>elements are nested more than %1 deep</source>
+        <translation>要素の入れ子が%1段を超えています</translation>
+    </message>
+    <message>
+        <source>&lt;robot&gt; with &lt;link&gt; and &lt;joint&gt;</source>
+        <translation>&lt;link&gt;と&lt;joint&gt;を持つ&lt;robot&gt;</translation>
+    </message>
+    <message>
+        <source>a well-formed XML document</source>
+        <translation>整形式のXMLドキュメント</translation>
+    </message>
+    <message>
+        <source>some links hang on themselves</source>
+        <translation>自分自身にぶら下がっているリンクがあります</translation>
+    </message>
+    <message>
+        <source>a tree of links</source>
+        <translation>リンクのツリー</translation>
+    </message>
+    <message>
+        <source>link &apos;%1&apos;: %2</source>
+        <translation>リンク「%1」: %2</translation>
+    </message>
+    <message>
+        <source>joint &apos;%1&apos;: %2</source>
+        <translation>関節「%1」: %2</translation>
+    </message>
+    <message>
+        <source>numbers from -%1 to %1</source>
+        <translation>-%1から%1までの数値</translation>
+    </message>
+    <message>
+        <source>a number of its inertial is out of range</source>
+        <translation>inertialの数値が範囲外です</translation>
+    </message>
+    <message>
+        <source>its mass is negative</source>
+        <translation>質量が負です</translation>
+    </message>
+    <message>
+        <source>0 kg or more</source>
+        <translation>0 kg以上</translation>
+    </message>
+    <message>
+        <source>a number of its visual is out of range</source>
+        <translation>visualの数値が範囲外です</translation>
+    </message>
+    <message>
+        <source>it is floating or planar</source>
+        <translation>floatingまたはplanarです</translation>
+    </message>
+    <message>
+        <source>revolute, continuous, prismatic or fixed</source>
+        <translation>revolute、continuous、prismatic、またはfixed</translation>
+    </message>
+    <message>
+        <source>a number of its origin is out of range</source>
+        <translation>originの数値が範囲外です</translation>
+    </message>
+    <message>
+        <source>its axis has no direction</source>
+        <translation>軸に方向がありません</translation>
+    </message>
+    <message>
+        <source>&lt;axis xyz=&quot;...&quot;&gt; other than 0 0 0</source>
+        <translation>0 0 0以外の&lt;axis xyz=&quot;...&quot;&gt;</translation>
+    </message>
+    <message>
+        <source>it has no limits</source>
+        <translation>限界値がありません</translation>
+    </message>
+    <message>
+        <source>&lt;limit lower= upper= effort= velocity=&gt;</source>
+        <translation>&lt;limit lower= upper= effort= velocity=&gt;</translation>
+    </message>
+    <message>
+        <source>a number of its limits is out of range</source>
+        <translation>限界値の数値が範囲外です</translation>
+    </message>
+    <message>
+        <source>a limit of velocity or effort is negative</source>
+        <translation>速度または力の限界値が負です</translation>
+    </message>
+    <message>
+        <source>0 or more</source>
+        <translation>0以上</translation>
+    </message>
+    <message>
+        <source>its lower limit lies above the upper one</source>
+        <translation>下限が上限より上にあります</translation>
+    </message>
+    <message>
+        <source>lower &lt;= upper</source>
+        <translation>lower &lt;= upper</translation>
+    </message>
+    <message>
+        <source>it mimics itself</source>
+        <translation>自分自身を模倣しています</translation>
+    </message>
+    <message>
+        <source>a mimic of another joint</source>
+        <translation>別の関節の模倣</translation>
+    </message>
+    <message>
+        <source>it mimics &apos;%1&apos;, which does not exist</source>
+        <translation>模倣先の「%1」が存在しません</translation>
+    </message>
+    <message>
+        <source>the name of a joint</source>
+        <translation>関節の名前</translation>
+    </message>
+    <message>
+        <source>a number of its mimic is out of range</source>
+        <translation>mimicの数値が範囲外です</translation>
+    </message>
+    <message>
+        <source>the text has %1 bytes</source>
+        <translation>テキストが%1バイトあります</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>%1以下</translation>
+    </message>
+    <message>
+        <source>this is not a robot</source>
+        <translation>これはロボットではありません</translation>
+    </message>
+    <message>
+        <source>a tree of links and joints, http://wiki.ros.org/urdf/XML</source>
+        <translation>リンクと関節のツリー、http://wiki.ros.org/urdf/XML</translation>
+    </message>
+    <message>
+        <source>the file does not exist</source>
+        <translation>ファイルが存在しません</translation>
+    </message>
+    <message>
+        <source>a URDF file</source>
+        <translation>URDFファイル</translation>
+    </message>
+    <message>
+        <source>this is not a file</source>
+        <translation>これはファイルではありません</translation>
+    </message>
+    <message>
+        <source>the file has %1 bytes</source>
+        <translation>ファイルが%1バイトあります</translation>
     </message>
 </context>
 <context>
@@ -10296,6 +12804,298 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::LevelTaskForm</name>
+    <message>
+        <source>Task with levels</source>
+        <translation>レベルのある課題</translation>
+    </message>
+    <message>
+        <source>yes or no: was it there?</source>
+        <translation>はい・いいえ: それはありましたか?</translation>
+    </message>
+    <message>
+        <source>intervals: in which one was it?</source>
+        <translation>区間: どの区間にありましたか?</translation>
+    </message>
+    <message>
+        <source>same or different</source>
+        <translation>同じか異なるか</translation>
+    </message>
+    <message>
+        <source>compare: which one had more?</source>
+        <translation>比較: どちらのほうが多かったですか?</translation>
+    </message>
+    <message>
+        <source>the usual question of the design</source>
+        <translation>この課題形式の通常の質問</translation>
+    </message>
+    <message>
+        <source>for example rest, or weak 0.3, strong 0.7 with their references</source>
+        <translation>例: rest。基準付きの場合は weak 0.3, strong 0.7</translation>
+    </message>
+    <message>
+        <source>name and tactors, one track per line, for example t1 1; tactors of the reference after /</source>
+        <translation>名前とタクタを1行に1トラック。例: t1 1。基準のタクタは / の後</translation>
+    </message>
+    <message>
+        <source>full path of a pattern file</source>
+        <translation>パターンファイルの絶対パス</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation>強度</translation>
+    </message>
+    <message>
+        <source>time from burst to burst</source>
+        <translation>バーストからバーストまでの時間</translation>
+    </message>
+    <message>
+        <source>length of a burst</source>
+        <translation>バーストの長さ</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>balance of a phantom</source>
+        <translation>ファントムのバランス</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>線形</translation>
+    </message>
+    <message>
+        <source>logarithmic (log10)</source>
+        <translation>対数 (log10)</translation>
+    </message>
+    <message>
+        <source>the highest</source>
+        <translation>最高値</translation>
+    </message>
+    <message>
+        <source>constant stimuli</source>
+        <translation>恒常法</translation>
+    </message>
+    <message>
+        <source>staircase</source>
+        <translation>階段法</translation>
+    </message>
+    <message>
+        <source>Bayesian (QUEST+)</source>
+        <translation>ベイズ法 (QUEST+)</translation>
+    </message>
+    <message>
+        <source>levels with commas between them, for example 0.1, 0.2, 0.4</source>
+        <translation>コンマで区切ったレベル。例: 0.1, 0.2, 0.4</translation>
+    </message>
+    <message>
+        <source>Identifier</source>
+        <translation>識別子</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>課題形式</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>質問</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>区間数</translation>
+    </message>
+    <message>
+        <source>Gap between intervals, s</source>
+        <translation>区間の間隔、s</translation>
+    </message>
+    <message>
+        <source>Share of catch trials</source>
+        <translation>キャッチ試行の割合</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>トラック</translation>
+    </message>
+    <message>
+        <source>Stimulus</source>
+        <translation>刺激</translation>
+    </message>
+    <message>
+        <source>A level sets the</source>
+        <translation>レベルが決めるもの</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>尺度</translation>
+    </message>
+    <message>
+        <source>Lowest level</source>
+        <translation>最低レベル</translation>
+    </message>
+    <message>
+        <source>Highest level</source>
+        <translation>最高レベル</translation>
+    </message>
+    <message>
+        <source>Reference; 0 is nothing</source>
+        <translation>基準 (0は刺激なし)</translation>
+    </message>
+    <message>
+        <source>Level of the practice</source>
+        <translation>練習のレベル</translation>
+    </message>
+    <message>
+        <source>Levels are chosen by</source>
+        <translation>レベルの選び方</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>レベル</translation>
+    </message>
+    <message>
+        <source>Remove this task</source>
+        <translation>この課題を削除</translation>
+    </message>
+    <message>
+        <source>First level</source>
+        <translation>最初のレベル</translation>
+    </message>
+    <message>
+        <source>Right answers for a step down</source>
+        <translation>1段下げるまでの正答数</translation>
+    </message>
+    <message>
+        <source>Step up, in the scale</source>
+        <translation>上げ幅 (尺度上)</translation>
+    </message>
+    <message>
+        <source>Step down, in the scale</source>
+        <translation>下げ幅 (尺度上)</translation>
+    </message>
+    <message>
+        <source>Reversals with larger steps</source>
+        <translation>大きなステップでの反転数</translation>
+    </message>
+    <message>
+        <source>Times larger</source>
+        <translation>その倍率</translation>
+    </message>
+    <message>
+        <source>Reversals at most</source>
+        <translation>反転数の上限</translation>
+    </message>
+    <message>
+        <source>Reversals left out</source>
+        <translation>除外する反転数</translation>
+    </message>
+    <message>
+        <source>Trials at most</source>
+        <translation>試行数の上限</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>関数</translation>
+    </message>
+    <message>
+        <source>Slopes or spreads</source>
+        <translation>傾きまたは広がり</translation>
+    </message>
+    <message>
+        <source>Lapse rates</source>
+        <translation>ラプス率</translation>
+    </message>
+    <message>
+        <source>Rates of yes without a stimulus</source>
+        <translation>刺激なしでの「はい」の割合</translation>
+    </message>
+    <message>
+        <source>Levels of the grid</source>
+        <translation>グリッドのレベル数</translation>
+    </message>
+    <message>
+        <source>Mean of the prior, in the scale</source>
+        <translation>事前分布の平均 (尺度上)</translation>
+    </message>
+    <message>
+        <source>all thresholds are equally likely</source>
+        <translation>すべてのしきい値が同程度に起こりやすい</translation>
+    </message>
+    <message>
+        <source>Its standard deviation</source>
+        <translation>その標準偏差</translation>
+    </message>
+    <message>
+        <source>Trials at least</source>
+        <translation>試行数の下限</translation>
+    </message>
+    <message>
+        <source>Ends with a standard deviation of</source>
+        <translation>終了する標準偏差</translation>
+    </message>
+    <message>
+        <source>only with its trials</source>
+        <translation>試行数に達したときのみ</translation>
+    </message>
+    <message>
+        <source>Pattern file of the stimulus</source>
+        <translation>刺激のパターンファイル</translation>
+    </message>
+    <message>
+        <source>Detection</source>
+        <translation>検出</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a number</source>
+        <comment>a row of the form</comment>
+        <translation>%1: 「%2」は数値ではありません</translation>
+    </message>
+    <message>
+        <source>a number with a point, such as 0.5</source>
+        <translation>0.5のように小数点を使った数値</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>「%1」は数値ではありません</translation>
+    </message>
+    <message>
+        <source>numbers with a point, such as 0.1, 0.2</source>
+        <translation>0.1, 0.2のように小数点を使った数値</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number</source>
+        <translation>「%1」は整数ではありません</translation>
+    </message>
+    <message>
+        <source>a number such as 12</source>
+        <translation>12のような数値</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tactor</source>
+        <translation>「%1」はタクタではありません</translation>
+    </message>
+    <message>
+        <source>a name and numbers of tactors, for example t1 1</source>
+        <translation>名前とタクタの番号。例: t1 1</translation>
+    </message>
+    <message>
+        <source>a condition and its reference, such as weak 0.3</source>
+        <translation>条件とその基準。例: weak 0.3</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LiveProbing</name>
     <message>
         <source>The camera is open but sends no frames.</source>
@@ -10434,6 +13234,25 @@ Run %2 --help for more.
     <message>
         <source>Keep the pairs collected so far</source>
         <translation>これまでに収集した分を残します</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveViewService</name>
+    <message>
+        <source>Li&amp;ve view for Foxglove</source>
+        <translation>Foxglove用のライブビュー(&amp;V)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n viewer(s)</source>
+        <translation>
+            <numerusform>ビューアー%n件</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s) missed</source>
+        <translation>
+            <numerusform>メッセージ%n件の欠落</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10646,6 +13465,22 @@ Run %2 --help for more.
         <source>Re&amp;start</source>
         <translation>再開始(&amp;S)</translation>
     </message>
+    <message>
+        <source>Foxglove can be connected to %1.</source>
+        <translation>Foxgloveを %1 に接続できます。</translation>
+    </message>
+    <message>
+        <source>Open connection &gt; Foxglove WebSocket shows all sources there.</source>
+        <translation>Foxgloveの「Open connection」&gt;「Foxglove WebSocket」で、すべてのソースを表示できます。</translation>
+    </message>
+    <message>
+        <source>The live view has ended.</source>
+        <translation>ライブビューが終了しました。</translation>
+    </message>
+    <message>
+        <source>Choose another port with --foxglove.</source>
+        <translation>--foxgloveで別のポートを選んでください。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -10800,10 +13635,6 @@ Run %2 --help for more.
         <translation>本番: 実際の参加者、データとして扱います</translation>
     </message>
     <message>
-        <source>Determines the order of all trials: the same seed gives the same study</source>
-        <translation>すべての試行の順序はシードで決まります: 同じシードからは同じ実験が得られます</translation>
-    </message>
-    <message>
         <source>New &amp;folder</source>
         <translation>フォルダー (作成されます)(&amp;F)</translation>
     </message>
@@ -10836,6 +13667,10 @@ Run %2 --help for more.
     <message>
         <source>The file is not a usable protocol; the one above stays selected. %1</source>
         <translation>このファイルは使用できるプロトコルではありません。上のプロトコルが選ばれたままです。%1</translation>
+    </message>
+    <message>
+        <source>Determines the order of all trials: the same seed gives the same study. It is drawn at random, shown here and kept with the study.</source>
+        <translation>全試行の順序を決めます: 同じシードからは同じ実験ができます。無作為に選ばれ、ここに表示され、実験とともに保存されます。</translation>
     </message>
 </context>
 <context>
@@ -11466,6 +14301,10 @@ Run %2 --help for more.
             <numerusform>参加者1名あたりテスト%n試行</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add a task with &amp;levels</source>
+        <translation>レベルのある課題を追加(&amp;L)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::QuestionnaireEditor</name>
@@ -11535,10 +14374,6 @@ Run %2 --help for more.
         <translation> 段階</translation>
     </message>
     <message>
-        <source>what 1 means</source>
-        <translation>1の意味</translation>
-    </message>
-    <message>
         <source>what the last point means</source>
         <translation>最後の段階の意味</translation>
     </message>
@@ -11569,6 +14404,42 @@ Run %2 --help for more.
     <message>
         <source>identifier and text, one per line, for example yes I felt it</source>
         <translation>識別子と文を1行に1つ、例: yes I felt it</translation>
+    </message>
+    <message>
+        <source>all questions have to be answered</source>
+        <translation>すべての質問への回答が必要です</translation>
+    </message>
+    <message>
+        <source>of my own</source>
+        <translation>自作のもの</translation>
+    </message>
+    <message>
+        <source>NASA-TLX: six ratings</source>
+        <translation>NASA-TLX: 6つの評定</translation>
+    </message>
+    <message>
+        <source>NASA-TLX: ratings and comparisons</source>
+        <translation>NASA-TLX: 評定と一対比較</translation>
+    </message>
+    <message>
+        <source>System Usability Scale</source>
+        <translation>System Usability Scale</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>質問</translation>
+    </message>
+    <message>
+        <source>scale from 0 to 100</source>
+        <translation>0から100までの尺度</translation>
+    </message>
+    <message>
+        <source>one of two answers</source>
+        <translation>2つの答えから1つ</translation>
+    </message>
+    <message>
+        <source>what the first point means</source>
+        <translation>最初の段階の意味</translation>
     </message>
 </context>
 <context>
@@ -11671,6 +14542,15 @@ Run %2 --help for more.
     <message>
         <source>Close whatever else uses the file. It is tried again with the next change of a mark, and when the program ends.</source>
         <translation>このファイルを使用しているほかのものを閉じてください。次にマークを変更したとき、およびプログラムの終了時に再試行されます。</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <comment>a file</comment>
+        <translation>%1 を書き込みました。</translation>
+    </message>
+    <message>
+        <source>Ex&amp;port recording as MCAP…</source>
+        <translation>記録をMCAPとしてエクスポート(&amp;P)…</translation>
     </message>
 </context>
 <context>
@@ -11821,6 +14701,18 @@ Run %2 --help for more.
     <message>
         <source>another export is running</source>
         <translation>別のエクスポートを実行中です</translation>
+    </message>
+    <message>
+        <source>Export recording as MCAP</source>
+        <translation>記録をMCAPとしてエクスポート</translation>
+    </message>
+    <message>
+        <source>MCAP file</source>
+        <translation>MCAPファイル</translation>
+    </message>
+    <message>
+        <source>MCAP files (*.mcap)</source>
+        <translation>MCAPファイル (*.mcap)</translation>
     </message>
 </context>
 <context>
@@ -12175,6 +15067,29 @@ Run %2 --help for more.
     <message>
         <source>Speed of the simulated participants; can be changed between sessions</source>
         <translation>シミュレーション参加者の速さ。セッションの合間に変更できます</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>計画</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::StudyPlanning</name>
+    <message>
+        <source>What is assumed</source>
+        <translation>仮定するもの</translation>
+    </message>
+    <message>
+        <source>Truth (*.toml)</source>
+        <translation>真値 (*.toml)</translation>
+    </message>
+    <message>
+        <source>There is no number of participants to try: &quot;from&quot; is above &quot;to&quot;.</source>
+        <translation>試す参加者数がありません: 「最小」が「最大」を上回っています。</translation>
+    </message>
+    <message>
+        <source>this study</source>
+        <translation>この実験</translation>
     </message>
 </context>
 <context>
@@ -13176,6 +16091,58 @@ Run %2 --help for more.
         <source>your answer</source>
         <translation>あなたの回答</translation>
     </message>
+    <message>
+        <source>Answer: %1</source>
+        <comment>yes, no, a number ..</comment>
+        <translation>回答: %1</translation>
+    </message>
+    <message>
+        <source>%1. This was right.</source>
+        <translation>%1。これが正解でした。</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <translation>✓ 正解</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::study::ComparisonsView</name>
+    <message>
+        <source>Pairs of levels</source>
+        <translation>水準のペア</translation>
+    </message>
+    <message>
+        <source>Paired t tests. p Holm is corrected over all pairs of an effect; intervals are not corrected.</source>
+        <translation>対応のあるt検定。p Holmは効果の全ペアにわたる補正済みの値です。区間は補正されていません。</translation>
+    </message>
+    <message>
+        <source>Effect sizes, and effects by ranks</source>
+        <translation>効果量、および順位による効果</translation>
+    </message>
+    <message>
+        <source>The same pairs by ranks</source>
+        <translation>同じペアの順位による比較</translation>
+    </message>
+    <message>
+        <source>Model of single answers</source>
+        <translation>個々の回答のモデル</translation>
+    </message>
+    <message>
+        <source>Response times of the conditions</source>
+        <translation>各条件の応答時間</translation>
+    </message>
+    <message>
+        <source>Exclusions</source>
+        <translation>除外</translation>
+    </message>
+    <message>
+        <source>Nothing was deleted: the trials are in the study and in its exports, with the rule that left them out.</source>
+        <translation>何も削除されていません: これらの試行は、除外の理由となった規則とともに実験とそのエクスポートに残っています。</translation>
+    </message>
+    <message>
+        <source>With the rules, and without them</source>
+        <translation>規則を適用した場合と適用しない場合</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::ConfusionView</name>
@@ -13303,6 +16270,110 @@ Run %2 --help for more.
         <source>Take a break. Press Space when you would like to continue.</source>
         <translation>休憩してください。続けるときはスペースキーを押してください。</translation>
     </message>
+    <message>
+        <source>%1 Press R to feel it again.</source>
+        <comment>a question</comment>
+        <translation>%1 もう一度感じるにはRキーを押してください。</translation>
+    </message>
+    <message>
+        <source>There was no answer in time. The marked answer was the right one. Press Space to continue.</source>
+        <translation>時間内に回答がありませんでした。印の付いた答えが正解でした。Spaceキーを押すと続行します。</translation>
+    </message>
+    <message>
+        <source>The answer marked with ✓ was the right one. Press Space to continue.</source>
+        <translation>✓の付いた答えが正解でした。Spaceキーを押すと続行します。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::study::PlanPanel</name>
+    <message>
+        <source>Right answers, %1</source>
+        <comment>condition</comment>
+        <translation>正答、%1</translation>
+    </message>
+    <message>
+        <source>The middle participant has these shares; the spreads are in logits.</source>
+        <translation>中央の参加者がこれらの割合を示します。ばらつきの単位はロジットです。</translation>
+    </message>
+    <message>
+        <source>Assumed: what %1 says.</source>
+        <translation>仮定: %1 の内容。</translation>
+    </message>
+    <message>
+        <source>This protocol has no task in which patterns are told apart.</source>
+        <translation>このプロトコルには、パターンを識別する課題がありません。</translation>
+    </message>
+    <message>
+        <source>&amp;Test</source>
+        <translation>検定(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Spread of &amp;participants</source>
+        <translation>参加者間のばらつき(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Spread under one &amp;condition</source>
+        <translation>1条件内のばらつき(&amp;C)</translation>
+    </message>
+    <message>
+        <source>From a &amp;file…</source>
+        <translation>ファイルから(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>A TOML file with shares of right answers and spreads</source>
+        <translation>正答の割合とばらつきを記したTOMLファイル</translation>
+    </message>
+    <message>
+        <source>From this st&amp;udy</source>
+        <translation>この実験から(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Assumes what the results of this study show; at least 5 participants</source>
+        <translation>この実験の結果が示す値を仮定します。参加者5名以上</translation>
+    </message>
+    <message>
+        <source>From this f&amp;orm</source>
+        <translation>このフォームから(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Part&amp;icipants</source>
+        <translation>参加者数(&amp;I)</translation>
+    </message>
+    <message>
+        <source>from </source>
+        <comment>number of participants</comment>
+        <translation>最小 </translation>
+    </message>
+    <message>
+        <source>to </source>
+        <comment>number of participants</comment>
+        <translation>最大 </translation>
+    </message>
+    <message>
+        <source>step </source>
+        <comment>of the number of participants</comment>
+        <translation>刻み </translation>
+    </message>
+    <message>
+        <source>Target po&amp;wer</source>
+        <translation>目標検定力(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Studies drawn</source>
+        <translation>抽出する実験数(&amp;S)</translation>
+    </message>
+    <message>
+        <source>P&amp;lan</source>
+        <translation>計画(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Power over the number of participants</source>
+        <translation>参加者数に対する検定力</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::QuestionnaireForm</name>
@@ -13427,6 +16498,38 @@ Run %2 --help for more.
     <message>
         <source>Tick the participants to compare with: a second group, side by side</source>
         <translation>比較したい参加者にチェックを入れてください: 第2のグループとして並べて表示します</translation>
+    </message>
+    <message>
+        <source>Comparisons</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>回答</translation>
+    </message>
+    <message>
+        <source>Thresholds</source>
+        <translation>しきい値</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>トラック</translation>
+    </message>
+    <message>
+        <source>d&apos; and c</source>
+        <translation>d&apos;とc</translation>
+    </message>
+    <message>
+        <source>Whose threshold is shown</source>
+        <translation>しきい値を表示する対象</translation>
+    </message>
+    <message>
+        <source>Which track is shown</source>
+        <translation>表示するトラック</translation>
+    </message>
+    <message>
+        <source>Which condition is shown</source>
+        <translation>表示する条件</translation>
     </message>
 </context>
 <context>

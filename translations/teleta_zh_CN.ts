@@ -283,6 +283,83 @@
     </message>
 </context>
 <context>
+    <name>ArmCommand</name>
+    <message>
+        <source>no end</source>
+        <translation>无限位</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>未给出</translation>
+    </message>
+    <message>
+        <source>cannot be moved: the description states no speed</source>
+        <translation>无法移动：描述中没有给出速度</translation>
+    </message>
+    <message>
+        <source>Chain, limits and mass of an arm, and what cannot be moved</source>
+        <translation>机械臂的运动链、限位和质量，以及无法移动的部分</translation>
+    </message>
+    <message>
+        <source>URDF file, or the name of one that comes with the program: %1</source>
+        <translation>URDF 文件，或程序自带 URDF 的名称：%1</translation>
+    </message>
+    <message>
+        <source>Link that stands still; default: the root</source>
+        <translation>静止不动的连杆；默认：根连杆</translation>
+    </message>
+    <message>
+        <source>Link that is moved; default: tool0, flange or ee_link, else the end of the longest chain</source>
+        <translation>被移动的连杆；默认：tool0、flange 或 ee_link，否则为最长运动链的末端</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Effort</source>
+        <translation>力/力矩</translation>
+    </message>
+    <message>
+        <source>shown, not moved</source>
+        <translation>显示但不移动</translation>
+    </message>
+    <message>
+        <source>follows %1</source>
+        <translation>跟随 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n joint(s) from %2 to %3</source>
+        <translation>
+            <numerusform>%1：从 %2 到 %3 共 %n 个关节</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The link &apos;%1&apos; has no mass, so the torque of gravity is not known.</source>
+        <translation>连杆“%1”没有质量，因此重力力矩未知。</translation>
+    </message>
+    <message>
+        <source>%1 kg are moved.</source>
+        <translation>移动的质量为 %1 kg。</translation>
+    </message>
+    <message>
+        <source>Descriptions of robot arms (URDF)</source>
+        <translation>机械臂的描述 (URDF)</translation>
+    </message>
+</context>
+<context>
     <name>BakeText</name>
     <message>
         <source>the pattern has too many corners</source>
@@ -683,6 +760,49 @@
     </message>
 </context>
 <context>
+    <name>ChainText</name>
+    <message>
+        <source>the robot has no link &apos;%1&apos;</source>
+        <translation>机器人没有连杆“%1”</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>%1 之一</translation>
+    </message>
+    <message>
+        <source>the link &apos;%1&apos; does not hang on &apos;%2&apos;</source>
+        <translation>连杆“%1”不连接在“%2”之下</translation>
+    </message>
+    <message>
+        <source>a base from which joints lead to the tip</source>
+        <translation>有关节通向末端的基座</translation>
+    </message>
+    <message>
+        <source>no joint between &apos;%1&apos; and &apos;%2&apos; moves</source>
+        <translation>“%1”与“%2”之间没有可动的关节</translation>
+    </message>
+    <message>
+        <source>at least one revolute, continuous or prismatic joint</source>
+        <translation>至少一个 revolute、continuous 或 prismatic 关节</translation>
+    </message>
+    <message>
+        <source>%1 joints move the tip</source>
+        <translation>有 %1 个关节移动末端</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>a joint that moves &apos;%1&apos; moves the tip as well</source>
+        <translation>移动“%1”的关节也会移动末端</translation>
+    </message>
+    <message>
+        <source>a base that stands still while the tip moves</source>
+        <translation>末端移动时静止不动的基座</translation>
+    </message>
+</context>
+<context>
     <name>ChartText</name>
     <message>
         <source>correct answers</source>
@@ -727,6 +847,470 @@
     <message>
         <source>less bias</source>
         <translation>减去偏差</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonContent</name>
+    <message>
+        <source>Effect</source>
+        <translation>效应</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>图案</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>水平对</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>Difference %</source>
+        <translation>差值 %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>t</source>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>p</translation>
+    </message>
+    <message>
+        <source>p Holm</source>
+        <translation>p Holm</translation>
+    </message>
+    <message>
+        <source>d_z</source>
+        <translation>d_z</translation>
+    </message>
+    <message>
+        <source>d_z 95 %</source>
+        <translation>d_z 95 %</translation>
+    </message>
+    <message>
+        <source>d_av</source>
+        <translation>d_av</translation>
+    </message>
+    <message>
+        <source>g_z</source>
+        <translation>g_z</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>A comparison of the conditions for this pattern alone</source>
+        <translation>仅就此图案比较各条件</translation>
+    </message>
+    <message>
+        <source>The first minus the second</source>
+        <translation>第一个减去第二个</translation>
+    </message>
+    <message>
+        <source>Participants with both values</source>
+        <translation>两个值都有的被试</translation>
+    </message>
+    <message>
+        <source>Of the difference, not corrected</source>
+        <translation>差值的区间，未校正</translation>
+    </message>
+    <message>
+        <source>Paired t test</source>
+        <translation>配对 t 检验</translation>
+    </message>
+    <message>
+        <source>Corrected over all pairs of the effect; over all patterns where the conditions are compared within them</source>
+        <translation>对该效应的所有水平对作校正；在各图案内比较条件时，对所有图案作校正</translation>
+    </message>
+    <message>
+        <source>Difference over the standard deviation of the differences</source>
+        <translation>差值除以差值的标准差</translation>
+    </message>
+    <message>
+        <source>From the noncentral t distribution, not corrected</source>
+        <translation>由非中心 t 分布求得，未校正</translation>
+    </message>
+    <message>
+        <source>Difference over the mean standard deviation of the two</source>
+        <translation>差值除以两者的平均标准差</translation>
+    </message>
+    <message>
+        <source>d_z with Hedges&apos; correction</source>
+        <translation>经 Hedges 校正的 d_z</translation>
+    </message>
+    <message>
+        <source>W+</source>
+        <translation>W+</translation>
+    </message>
+    <message>
+        <source>W−</source>
+        <translation>W−</translation>
+    </message>
+    <message>
+        <source>r</source>
+        <translation>r</translation>
+    </message>
+    <message>
+        <source>Sum of the ranks of positive differences</source>
+        <translation>正差值的秩和</translation>
+    </message>
+    <message>
+        <source>Sum of the ranks of negative differences</source>
+        <translation>负差值的秩和</translation>
+    </message>
+    <message>
+        <source>Wilcoxon&apos;s signed rank test with Pratt&apos;s zeros; exact up to 25 differences</source>
+        <translation>Wilcoxon 符号秩检验，零差值按 Pratt 处理；不超过 25 个差值时为精确检验</translation>
+    </message>
+    <message>
+        <source>Corrected over all pairs of the effect</source>
+        <translation>对该效应的所有水平对作校正</translation>
+    </message>
+    <message>
+        <source>Rank-biserial correlation</source>
+        <translation>秩二列相关</translation>
+    </message>
+    <message>
+        <source>partial eta²</source>
+        <translation>偏 eta²</translation>
+    </message>
+    <message>
+        <source>Friedman χ²</source>
+        <translation>Friedman χ²</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>df</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation>Kendall W</translation>
+    </message>
+    <message>
+        <source>From the noncentral F distribution; only with sphericity, eps GG at least 0.75</source>
+        <translation>由非中心 F 分布求得；仅在满足球形性时给出，即 eps GG 至少为 0.75</translation>
+    </message>
+    <message>
+        <source>By ranks, of three levels and more</source>
+        <translation>按秩计算，用于三个及以上水平</translation>
+    </message>
+    <message>
+        <source>Of Friedman&apos;s test</source>
+        <translation>Friedman 检验的 p 值</translation>
+    </message>
+    <message>
+        <source>Concordance of the participants</source>
+        <translation>被试间的一致性</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>项</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>估计值</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>SE</translation>
+    </message>
+    <message>
+        <source>Odds ratio</source>
+        <translation>优势比</translation>
+    </message>
+    <message>
+        <source>Logit of a right answer</source>
+        <translation>正确回答的 logit</translation>
+    </message>
+    <message>
+        <source>Wald&apos;s interval</source>
+        <translation>Wald 区间</translation>
+    </message>
+    <message>
+        <source>intercept (%1)</source>
+        <translation>截距 (%1)</translation>
+    </message>
+    <message>
+        <source>A model of single answers needs at least 5 participants.</source>
+        <translation>单次回答的模型至少需要 5 名被试。</translation>
+    </message>
+    <message>
+        <source>No model of single answers: under one condition all answers are right, or all wrong, so that its effect has no finite estimate.</source>
+        <translation>没有单次回答的模型：在某一条件下所有回答都正确或都错误，因此其效应没有有限的估计值。</translation>
+    </message>
+    <message>
+        <source>No model of single answers: the search has found no maximum.</source>
+        <translation>没有单次回答的模型：搜索未找到最大值。</translation>
+    </message>
+    <message>
+        <source>Each participant has an own intercept, with a standard deviation of %1.</source>
+        <translation>每名被试有各自的截距，标准差为 %1。</translation>
+    </message>
+    <message>
+        <source>The participants do not differ more than chance makes them.</source>
+        <translation>被试之间的差异不超过随机所致。</translation>
+    </message>
+    <message>
+        <source>Conditions: likelihood ratio χ²(%1) = %2, p %3.</source>
+        <translation>条件：似然比 χ²(%1) = %2，p %3。</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>比值</translation>
+    </message>
+    <message>
+        <source>The first divided by the second</source>
+        <translation>第一个除以第二个</translation>
+    </message>
+    <message>
+        <source>Participants with times under both</source>
+        <translation>两个条件下都有时间的被试</translation>
+    </message>
+    <message>
+        <source>Of the geometric means of the response times of right answers</source>
+        <translation>正确回答反应时间的几何平均值之比</translation>
+    </message>
+    <message>
+        <source>Paired t test of the mean logarithms</source>
+        <translation>对平均对数的配对 t 检验</translation>
+    </message>
+    <message>
+        <source>Right answers given within a time</source>
+        <translation>在某一时间内给出的正确回答</translation>
+    </message>
+    <message>
+        <source>s from the onset</source>
+        <translation>自起始起，s</translation>
+    </message>
+    <message>
+        <source>answered, %</source>
+        <translation>已回答，%</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>规则</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>制定时间</translation>
+    </message>
+    <message>
+        <source>Trials before</source>
+        <translation>之前的试次</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试次</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>场次</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>Before the data, in the protocol, or after them</source>
+        <translation>在数据之前（方案中）或在数据之后</translation>
+    </message>
+    <message>
+        <source>What the rules before have left</source>
+        <translation>前面的规则留下的试次</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>被排除的</translation>
+    </message>
+    <message>
+        <source>Left out as a whole</source>
+        <translation>整体被排除的</translation>
+    </message>
+    <message numerus="yes">
+        <source>no spread of the times in %n case(s): nothing left out</source>
+        <translation>
+            <numerusform>%n 处的时间没有离散：未排除任何数据</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>in the file</source>
+        <translation>文件中</translation>
+    </message>
+    <message>
+        <source>after the data</source>
+        <translation>数据之后</translation>
+    </message>
+    <message>
+        <source>before the data</source>
+        <translation>数据之前</translation>
+    </message>
+    <message>
+        <source>Condition or effect</source>
+        <translation>条件或效应</translation>
+    </message>
+    <message>
+        <source>Right %</source>
+        <translation>正确 %</translation>
+    </message>
+    <message>
+        <source>Right % without rules</source>
+        <translation>无规则时正确 %</translation>
+    </message>
+    <message>
+        <source>p GG</source>
+        <translation>p GG</translation>
+    </message>
+    <message>
+        <source>p GG without rules</source>
+        <translation>无规则时 p GG</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonText</name>
+    <message>
+        <source>Pairs of levels, paired t tests of the shares of correct answers. Holm: corrected over all pairs of the effect. The intervals (95 %) are not corrected</source>
+        <translation>各水平两两比较，对正确回答比例的配对 t 检验。Holm：对该效应的所有水平对作校正。区间 (95 %) 未校正</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>效应</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>水平对</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>Difference, %</source>
+        <translation>差值，%</translation>
+    </message>
+    <message>
+        <source>Interval, %</source>
+        <translation>区间，%</translation>
+    </message>
+    <message>
+        <source>p, Holm</source>
+        <translation>p，Holm</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>The same pairs by ranks: Wilcoxon&apos;s signed rank test with Pratt&apos;s zeros, exact up to 25 differences</source>
+        <translation>对相同的水平对按秩检验：Wilcoxon 符号秩检验，零差值按 Pratt 处理，不超过 25 个差值时为精确检验</translation>
+    </message>
+    <message>
+        <source>Rank-biserial r</source>
+        <translation>秩二列 r</translation>
+    </message>
+    <message>
+        <source>Friedman&apos;s test of effects with three levels and more</source>
+        <translation>对三个及以上水平的效应的 Friedman 检验</translation>
+    </message>
+    <message>
+        <source>df</source>
+        <translation>df</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation>Kendall W</translation>
+    </message>
+    <message>
+        <source>Partial η² with its interval (95 %), where sphericity holds (ε GG at least 0.75)</source>
+        <translation>偏 η² 及其区间 (95 %)，仅在满足球形性时给出（ε GG 至少为 0.75）</translation>
+    </message>
+    <message>
+        <source>Model of single answers</source>
+        <translation>单次回答的模型</translation>
+    </message>
+    <message>
+        <source>There are no numbers: %1.</source>
+        <translation>没有数值：%1。</translation>
+    </message>
+    <message>
+        <source>Logit of a correct answer: an intercept that differs between participants, and the conditions against %1; Wald&apos;s intervals (95 %)</source>
+        <translation>正确回答的 logit：截距因被试而异，各条件与 %1 相比；Wald 区间 (95 %)</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>项</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>估计值</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>SE</translation>
+    </message>
+    <message>
+        <source>Odds ratio</source>
+        <translation>优势比</translation>
+    </message>
+    <message>
+        <source>intercept (%1)</source>
+        <translation>截距 (%1)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the participants: %1.</source>
+        <translation>被试的标准差：%1。</translation>
+    </message>
+    <message>
+        <source>The participants do not differ more than chance makes them.</source>
+        <translation>被试之间的差异不超过随机所致。</translation>
+    </message>
+    <message>
+        <source>Conditions: likelihood ratio χ²(%1) = %2, p %3.</source>
+        <translation>条件：似然比 χ²(%1) = %2，p %3。</translation>
+    </message>
+    <message>
+        <source>Comparisons and effect sizes</source>
+        <translation>比较与效应量</translation>
+    </message>
+    <message>
+        <source>response times, cumulative</source>
+        <translation>反应时间，累积</translation>
+    </message>
+    <message>
+        <source>time from the onset, s</source>
+        <translation>自起始起的时间，s</translation>
+    </message>
+    <message>
+        <source>answered, %</source>
+        <translation>已回答，%</translation>
+    </message>
+    <message>
+        <source>Share of the correct answers of all participants that were given within a time.</source>
+        <translation>全部被试的正确回答中，在某一时间内给出的比例。</translation>
+    </message>
+    <message>
+        <source>Conditions compared by the participants&apos; geometric means: how many times as long the first takes; paired t tests of the logarithms</source>
+        <translation>按各被试的几何平均值比较条件：第一个所用时间是第二个的多少倍；对数的配对 t 检验</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>比值</translation>
     </message>
 </context>
 <context>
@@ -987,6 +1571,22 @@ Examples:
     <message>
         <source>--language %1: expected en, fr, ja or zh_CN</source>
         <translation>--language %1：应为 en、fr、ja 或 zh_CN</translation>
+    </message>
+    <message>
+        <source>Show all sources live to Foxglove on this port (default 8765).</source>
+        <translation>在此端口上向 Foxglove 实时显示所有数据源（默认 8765）。</translation>
+    </message>
+    <message>
+        <source>PORT</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>Address on which the live view listens (default 127.0.0.1: this computer only).</source>
+        <translation>实时视图监听的地址（默认 127.0.0.1：仅限本计算机）。</translation>
+    </message>
+    <message>
+        <source>ADDRESS</source>
+        <translation>地址</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +2273,106 @@ Examples:
     </message>
 </context>
 <context>
+    <name>ExclusionReport</name>
+    <message>
+        <source>%1 (marked in the file)</source>
+        <translation>%1（在文件中标记）</translation>
+    </message>
+    <message>
+        <source>%1 (made after the data)</source>
+        <translation>%1（在数据之后制定）</translation>
+    </message>
+    <message>
+        <source>What was left out, in the order of the rules; nothing was deleted</source>
+        <translation>被排除的内容，按规则的顺序；没有删除任何数据</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>规则</translation>
+    </message>
+    <message>
+        <source>Trials before</source>
+        <translation>之前的试次</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试次</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>场次</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>备注</translation>
+    </message>
+    <message numerus="yes">
+        <source>no spread of the times, so nothing was left out, in %n case(s)</source>
+        <translation>
+            <numerusform>%n 处的时间没有离散，因此未排除任何数据</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The results with the rules, and without them</source>
+        <translation>应用规则与不应用规则的结果</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Condition or effect</source>
+        <translation>条件或效应</translation>
+    </message>
+    <message>
+        <source>Correct, %</source>
+        <translation>正确，%</translation>
+    </message>
+    <message>
+        <source>Correct without rules, %</source>
+        <translation>无规则时正确，%</translation>
+    </message>
+    <message>
+        <source>p GG without rules</source>
+        <translation>无规则时 p GG</translation>
+    </message>
+    <message>
+        <source>Exclusions</source>
+        <translation>排除</translation>
+    </message>
+</context>
+<context>
+    <name>ExclusionRule</name>
+    <message>
+        <source>the rule %1 is about something else</source>
+        <translation>规则 %1 针对的是其他对象</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;</source>
+        <translation>&quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no exclusion rule</source>
+        <translation>“%1”不是排除规则</translation>
+    </message>
+    <message>
+        <source>RULE=VALUE with one of %1</source>
+        <translation>RULE=VALUE，其中 RULE 为 %1 之一</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no usable value</source>
+        <translation>“%1”没有可用的值</translation>
+    </message>
+    <message>
+        <source>%1=VALUE with %2</source>
+        <translation>%1=VALUE，其中 VALUE 为 %2</translation>
+    </message>
+</context>
+<context>
     <name>ExportCommand</name>
     <message numerus="yes">
         <source>%n row(s)</source>
@@ -1695,16 +2395,8 @@ Examples:
         <translation>记录被截断；已写入的内容仍保留。</translation>
     </message>
     <message>
-        <source>Write the streams of a recording as CSV files</source>
-        <translation>将记录的数据流写为 CSV 文件</translation>
-    </message>
-    <message>
         <source>Recording of the console or of teleta simulate</source>
         <translation>控制台或 teleta simulate 的记录</translation>
-    </message>
-    <message>
-        <source>Folder for a CSV file a stream and events.csv</source>
-        <translation>存放各数据流 CSV 文件和 events.csv 的文件夹</translation>
     </message>
     <message>
         <source>Write over files that are there already</source>
@@ -1713,6 +2405,68 @@ Examples:
     <message>
         <source>another folder, or --force</source>
         <translation>另一个文件夹，或 --force</translation>
+    </message>
+    <message>
+        <source>start, units and origin of these files</source>
+        <translation>这些文件的起始时间、单位和来源</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n 条消息</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The camera sees a left-handed frame: y of %1 has changed its sign.</source>
+        <translation>相机采用左手坐标系：%1 的 y 已改变符号。</translation>
+    </message>
+    <message>
+        <source>%1 has no messages in ROS and was left out.</source>
+        <translation>%1 在 ROS 中没有对应的消息，已略去。</translation>
+    </message>
+    <message>
+        <source>Folder for a CSV file a stream, events.csv and recording.json</source>
+        <translation>文件夹，用于存放每个数据流的 CSV 文件、events.csv 和 recording.json</translation>
+    </message>
+    <message>
+        <source>List the streams of the recording: name and kind</source>
+        <translation>列出记录中的数据流：名称和种类</translation>
+    </message>
+    <message>
+        <source>Add a last column utc_s: Unix time in s with nine decimals</source>
+        <translation>在最后添加一列 utc_s：Unix 时间，单位 s，九位小数</translation>
+    </message>
+    <message>
+        <source>MCAP file for Foxglove and ROS 2</source>
+        <translation>用于 Foxglove 和 ROS 2 的 MCAP 文件</translation>
+    </message>
+    <message>
+        <source>Only these streams into the MCAP file</source>
+        <translation>仅将这些数据流写入 MCAP 文件</translation>
+    </message>
+    <message>
+        <source>Compression of the MCAP file</source>
+        <translation>MCAP 文件的压缩方式</translation>
+    </message>
+    <message>
+        <source>Size of a chunk of the MCAP file in MiB</source>
+        <translation>MCAP 文件的数据块大小，单位 MiB</translation>
+    </message>
+    <message>
+        <source>either a folder here or a file after --mcap is needed</source>
+        <translation>需要在此给出文件夹，或在 --mcap 之后给出文件</translation>
+    </message>
+    <message>
+        <source>only with --mcap</source>
+        <translation>仅与 --mcap 一起使用</translation>
+    </message>
+    <message>
+        <source>another name, or --force</source>
+        <translation>另一个名称，或 --force</translation>
+    </message>
+    <message>
+        <source>Write the streams of a recording as CSV or MCAP files</source>
+        <translation>将记录的数据流写为 CSV 或 MCAP 文件</translation>
     </message>
 </context>
 <context>
@@ -2413,6 +3167,69 @@ Examples:
     </message>
 </context>
 <context>
+    <name>ImportCommand</name>
+    <message>
+        <source>left out</source>
+        <translation>已略去</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s)</source>
+        <translation>
+            <numerusform>%n 条消息</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged or of another shape</source>
+        <translation>
+            <numerusform>%n 条已损坏或形状不同</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>The file was cut off: %1 of %2 bytes could be read.</source>
+        <translation>文件被截断：%2 字节中可读取 %1 字节。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged chunk(s) left out</source>
+        <translation>
+            <numerusform>略去 %n 个损坏的数据块</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged record(s) left out</source>
+        <translation>
+            <numerusform>略去 %n 条损坏的数据记录</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The checksum of the file is wrong: it was damaged somewhere.</source>
+        <translation>文件的校验和错误：文件某处已损坏。</translation>
+    </message>
+    <message>
+        <source>MCAP file with messages of ROS 2</source>
+        <translation>含 ROS 2 消息的 MCAP 文件</translation>
+    </message>
+    <message>
+        <source>Recording to be made</source>
+        <translation>要创建的记录</translation>
+    </message>
+    <message>
+        <source>Read a topic as array, camera or joints, where its type leaves a choice</source>
+        <translation>当话题的类型允许选择时，将其读作 array、camera 或 joints</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not /TOPIC=array, /TOPIC=camera or /TOPIC=joints</source>
+        <translation>“%1”不是 /TOPIC=array、/TOPIC=camera 或 /TOPIC=joints</translation>
+    </message>
+    <message>
+        <source>Make a recording of an MCAP file</source>
+        <translation>由 MCAP 文件创建记录</translation>
+    </message>
+</context>
+<context>
     <name>Interruption</name>
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
@@ -2530,6 +3347,266 @@ Examples:
     </message>
 </context>
 <context>
+    <name>LevelContent</name>
+    <message>
+        <source>All participants</source>
+        <translation>全部被试</translation>
+    </message>
+    <message>
+        <source>Thresholds of all participants</source>
+        <translation>全部被试的阈值</translation>
+    </message>
+    <message>
+        <source>Levels of %1 over the trials</source>
+        <translation>%1 的刺激水平随试次的变化</translation>
+    </message>
+    <message>
+        <source>d&apos; and c of all participants, %1</source>
+        <translation>全部被试的 d&apos; 和 c，%1</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试次</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Spread or slope</source>
+        <translation>离散度或斜率</translation>
+    </message>
+    <message>
+        <source>Lapses</source>
+        <translation>失误率</translation>
+    </message>
+    <message>
+        <source>p of fit</source>
+        <translation>拟合 p 值</translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation>JND</translation>
+    </message>
+    <message>
+        <source>Weber</source>
+        <translation>Weber</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>Where the curve is half-way between guessing and its upper end; of a comparison the level that feels equal</source>
+        <translation>曲线处于猜测水平与其上端正中间时的刺激水平；比较任务中为感觉相等的水平</translation>
+    </message>
+    <message>
+        <source>By profile likelihood; of all participants Student&apos;s t of their thresholds. ? stands for an open end</source>
+        <translation>由轮廓似然求得；全部被试的区间由其阈值的学生 t 分布求得。? 表示该端不封闭</translation>
+    </message>
+    <message>
+        <source>s of gauss and logistic, in the unit of the level; the slope b of weibull</source>
+        <translation>gauss 和 logistic 的 s，单位与刺激水平相同；weibull 的斜率 b</translation>
+    </message>
+    <message>
+        <source>Share of mistakes however strong the stimulus is</source>
+        <translation>无论刺激多强都会出现的错误所占的比例</translation>
+    </message>
+    <message>
+        <source>Of the deviance, by data sets that are drawn and fitted again; constant stimuli only</source>
+        <translation>偏差度 (deviance) 的 p 值，由重新抽取并再次拟合的数据集求得；仅用于恒定刺激法</translation>
+    </message>
+    <message>
+        <source>Just noticeable difference: half of the way from 25 to 75 %</source>
+        <translation>最小可觉差：从 25 % 到 75 % 的距离的一半</translation>
+    </message>
+    <message>
+        <source>JND over the reference</source>
+        <translation>JND 除以参考值</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>%1 名被试的平均值</translation>
+    </message>
+    <message>
+        <source>mean of %1; %2 without threshold</source>
+        <translation>%1 名被试的平均值；%2 名无阈值</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Mean of reversals</source>
+        <translation>反转点平均值</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>反转次数</translation>
+    </message>
+    <message>
+        <source>Posterior mean</source>
+        <translation>后验均值</translation>
+    </message>
+    <message>
+        <source>Its sd</source>
+        <translation>其 sd</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>The estimate of a staircase</source>
+        <translation>阶梯法的估计值</translation>
+    </message>
+    <message>
+        <source>The estimate of a Bayesian procedure</source>
+        <translation>贝叶斯法的估计值</translation>
+    </message>
+    <message>
+        <source>On the scale of the levels: in log10 units on a logarithmic one</source>
+        <translation>按刺激水平的刻度；对数刻度时以 log10 为单位</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation>击中</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>虚报</translation>
+    </message>
+    <message>
+        <source>d&apos;</source>
+        <translation>d&apos;</translation>
+    </message>
+    <message>
+        <source>c</source>
+        <translation>c</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Of how many trials with a stimulus; of several intervals right answers</source>
+        <translation>占多少个有刺激的试次；多个时间区间时为正确回答</translation>
+    </message>
+    <message>
+        <source>Of how many trials without</source>
+        <translation>占多少个无刺激的试次</translation>
+    </message>
+    <message>
+        <source>Sensitivity; rates are (count + 1/2) / (trials + 1)</source>
+        <translation>辨别力；比率为 (次数 + 1/2) / (试次数 + 1)</translation>
+    </message>
+    <message>
+        <source>Criterion: above 0 rather no; of two intervals below 0 rather the first</source>
+        <translation>判断标准：大于 0 时倾向于答“否”；两个时间区间时，小于 0 倾向于选第一个</translation>
+    </message>
+</context>
+<context>
+    <name>LevelSourceText</name>
+    <message>
+        <source>these are data of different modes: %1 and %2</source>
+        <translation>这些数据属于不同模式：%1 和 %2</translation>
+    </message>
+    <message>
+        <source>one mode, or the choice of one</source>
+        <translation>同一种模式，或指明采用哪一种</translation>
+    </message>
+    <message>
+        <source>%1 cannot be &quot;%2&quot;</source>
+        <translation>%1 不能为“%2”</translation>
+    </message>
+    <message>
+        <source>nothing says which answers are correct</source>
+        <translation>没有内容说明哪些回答正确</translation>
+    </message>
+    <message>
+        <source>a column correct, or stimulus and response</source>
+        <translation>列 correct，或 stimulus 和 response</translation>
+    </message>
+    <message>
+        <source>practice or test</source>
+        <translation>practice 或 test</translation>
+    </message>
+    <message>
+        <source>run, pilot or simulated</source>
+        <translation>run、pilot 或 simulated</translation>
+    </message>
+    <message>
+        <source>correct, incorrect, timeout, aborted or device_error</source>
+        <translation>correct、incorrect、timeout、aborted 或 device_error</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2, or NA</source>
+        <translation>%1 至 %2 的数字，或 NA</translation>
+    </message>
+    <message>
+        <source>yes_no, interval, same_different or compare, one for a task</source>
+        <translation>yes_no、interval、same_different 或 compare，每个任务只有一种</translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation>0 或 1</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>一个值</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+</context>
+<context>
+    <name>ListText</name>
+    <message>
+        <source>a list of %1, each %2</source>
+        <translation>含 %1 个元素的列表，每个为%2</translation>
+    </message>
+    <message>
+        <source>a list of %1 to %2, each %3</source>
+        <translation>含 %1 至 %2 个元素的列表，每个为%3</translation>
+    </message>
+</context>
+<context>
+    <name>LiveView</name>
+    <message>
+        <source>&quot;%1&quot; is no address</source>
+        <translation>“%1”不是地址</translation>
+    </message>
+    <message>
+        <source>an address such as 127.0.0.1</source>
+        <translation>例如 127.0.0.1 的地址</translation>
+    </message>
+    <message>
+        <source>the live view cannot listen on %1:%2: %3</source>
+        <translation>实时视图无法在 %1:%2 上监听：%3</translation>
+    </message>
+    <message>
+        <source>another port</source>
+        <translation>另一个端口</translation>
+    </message>
+</context>
+<context>
     <name>LocateCommand</name>
     <message>
         <source>Camera file that teleta calibrate has written</source>
@@ -2542,6 +3619,95 @@ Examples:
     <message>
         <source>Points on the tactile cylinder that belong to pixels of its camera</source>
         <translation>相机像素所对应的触觉圆柱上的点</translation>
+    </message>
+</context>
+<context>
+    <name>McapExport</name>
+    <message>
+        <source>there is no stream &quot;%1&quot;</source>
+        <translation>没有数据流“%1”</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>%1 之一</translation>
+    </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>已中断；未写入任何内容</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>已存在同名文件</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>另一个名称</translation>
+    </message>
+</context>
+<context>
+    <name>McapFile</name>
+    <message>
+        <source>there is no such file</source>
+        <translation>没有这样的文件</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>无法打开：%1</translation>
+    </message>
+    <message>
+        <source>this is not an MCAP file</source>
+        <translation>这不是 MCAP 文件</translation>
+    </message>
+    <message>
+        <source>an MCAP file, version 0</source>
+        <translation>MCAP 文件，版本 0</translation>
+    </message>
+    <message>
+        <source>the attachment &quot;%1&quot; is damaged</source>
+        <translation>附件“%1”已损坏</translation>
+    </message>
+</context>
+<context>
+    <name>McapImport</name>
+    <message>
+        <source>%1 is of the type %2 and cannot be read as %3</source>
+        <translation>%1 的类型为 %2，无法作为 %3 读取</translation>
+    </message>
+    <message>
+        <source>there is no topic %1</source>
+        <translation>没有话题 %1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>%1 之一</translation>
+    </message>
+    <message>
+        <source>no topic of this file can be read: %1</source>
+        <translation>此文件中没有可读取的话题：%1</translation>
+    </message>
+    <message>
+        <source>it has none</source>
+        <translation>其中没有话题</translation>
+    </message>
+    <message>
+        <source>messages of ROS 2 in CDR</source>
+        <translation>采用 CDR 的 ROS 2 消息</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>已存在同名文件</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>另一个名称</translation>
+    </message>
+    <message>
+        <source>the file cannot be given its name</source>
+        <translation>无法为文件设定其名称</translation>
     </message>
 </context>
 <context>
@@ -2856,6 +4022,21 @@ Examples:
     </message>
 </context>
 <context>
+    <name>OscTrigger</name>
+    <message>
+        <source>the host for triggers was not found: %1</source>
+        <translation>未找到触发信号的主机：%1</translation>
+    </message>
+    <message>
+        <source>a name or an address</source>
+        <translation>名称或地址</translation>
+    </message>
+    <message>
+        <source>triggers cannot be sent: %1</source>
+        <translation>无法发送触发信号：%1</translation>
+    </message>
+</context>
+<context>
     <name>OutputFileText</name>
     <message>
         <source>cannot write: %1</source>
@@ -3056,6 +4237,154 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>ParticipantReport</name>
+    <message>
+        <source>In this part nothing was tested yet.</source>
+        <translation>此部分尚未进行任何测试。</translation>
+    </message>
+    <message>
+        <source>You answered %1 of %2 trials correctly: %3 %.</source>
+        <comment>numbers</comment>
+        <translation>您在 %2 个试次中答对了 %1 个：%3 %。</translation>
+    </message>
+    <message>
+        <source>There were %1 possible answers. Whoever guesses is right in about %2 % of the trials.</source>
+        <translation>共有 %1 种可能的回答。仅凭猜测大约能答对 %2 % 的试次。</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n trial(s) the time was over before you answered.</source>
+        <translation>
+            <numerusform>有 %n 个试次在您回答之前时间已到。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Half of your correct answers came within %1 seconds.</source>
+        <translation>您的正确回答中有一半在 %1 秒内作出。</translation>
+    </message>
+    <message>
+        <source>You recognised these every time: %1.</source>
+        <translation>以下各项您每次都能识别：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>This part was not finished.</source>
+        <translation>此部分未完成。</translation>
+    </message>
+    <message>
+        <source>Thank you for taking part in the study &quot;%1&quot;.</source>
+        <translation>感谢您参加研究“%1”。</translation>
+    </message>
+    <message>
+        <source>You have not begun yet.</source>
+        <translation>您尚未开始。</translation>
+    </message>
+    <message>
+        <source>This page has your answers alone. They say how well these vibrations can be told apart on this bracelet; they are no test of health.</source>
+        <translation>本页只包含您的回答。它们说明在此手环上这些振动能被区分到什么程度；这不是健康检查。</translation>
+    </message>
+    <message>
+        <source>Completed test trials of each session; the interval is Wilson&apos;s (95 %)</source>
+        <translation>各场次已完成的测试试次；区间为 Wilson 区间 (95 %)</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>场次</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Interval, %</source>
+        <translation>区间，%</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>未回答</translation>
+    </message>
+    <message>
+        <source>Device faults</source>
+        <translation>设备故障</translation>
+    </message>
+    <message>
+        <source>Median time, s</source>
+        <translation>中位时间，s</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Rows: presented; columns: answered. Number of trials.</source>
+        <translation>行：呈现；列：回答。试次数。</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>回答</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>未回答</translation>
+    </message>
+    <message>
+        <source>Questionnaires</source>
+        <translation>问卷</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>the study has no participant &quot;%1&quot;</source>
+        <translation>研究中没有被试“%1”</translation>
+    </message>
+    <message>
+        <source>Your results</source>
+        <translation>您的结果</translation>
+    </message>
+    <message>
+        <source>Study: %1. Participant %2 in the order of enrolment.</source>
+        <translation>研究：%1。按登记顺序的第 %2 名被试。</translation>
+    </message>
+    <message>
+        <source>No session has begun.</source>
+        <translation>尚未开始任何场次。</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <comment>an id</comment>
+        <translation>被试 %1</translation>
+    </message>
+</context>
+<context>
     <name>PatternCommand</name>
     <message>
         <source>shape</source>
@@ -3228,6 +4557,14 @@ x %4，y %5
     <message>
         <source>the ending of %1 is not that of a format; expected one of %2</source>
         <translation>%1 的扩展名不对应任何格式；应为 %2 之一</translation>
+    </message>
+    <message>
+        <source>Ending that chooses the format when OUT is -, for example json</source>
+        <translation>OUT 为 - 时选择格式的扩展名，例如 json</translation>
+    </message>
+    <message>
+        <source>it belongs to OUT as -, where it is needed</source>
+        <translation>它用于 OUT 为 - 的情形，此时必须给出</translation>
     </message>
 </context>
 <context>
@@ -3591,6 +4928,59 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>PlanContent</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>task, test</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>patterns</source>
+        <translation>图案</translation>
+    </message>
+    <message>
+        <source>conditions by patterns</source>
+        <translation>条件与图案的交互</translation>
+    </message>
+    <message>
+        <source>Power: %1</source>
+        <comment>test</comment>
+        <translation>检验效能：%1</translation>
+    </message>
+    <message>
+        <source>participants</source>
+        <translation>被试人数</translation>
+    </message>
+    <message>
+        <source>significant studies, %</source>
+        <translation>显著的研究，%</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Cancelled. The curve has the studies drawn so far.</source>
+        <translation>已取消。曲线包含目前已抽取的研究。</translation>
+    </message>
+    <message>
+        <source>No number up to %1 reaches %2 %.</source>
+        <translation>直到 %1 的人数均达不到 %2 %。</translation>
+    </message>
+    <message>
+        <source>%1 or %2 participants reach %3 %; chance cannot tell which.</source>
+        <translation>%1 或 %2 名被试可达到 %3 %；因偶然性无法判定是哪一个。</translation>
+    </message>
+    <message>
+        <source>%1 participants reach %2 %.</source>
+        <translation>%1 名被试可达到 %2 %。</translation>
+    </message>
+</context>
+<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -3647,6 +5037,14 @@ Run %2 --help for more.
         <translation>teleta: %1
 更多说明见 %2 --help。
 </translation>
+    </message>
+    <message>
+        <source>With --version: print version and commit as JSON</source>
+        <translation>与 --version 一起使用：以 JSON 输出版本和提交</translation>
+    </message>
+    <message>
+        <source>Print how to cite the program, as BibTeX</source>
+        <translation>以 BibTeX 输出本程序的引用方式</translation>
     </message>
 </context>
 <context>
@@ -3786,6 +5184,10 @@ Run %2 --help for more.
     <message>
         <source>a file of this name already exists</source>
         <translation>已存在同名文件</translation>
+    </message>
+    <message>
+        <source>the recording cannot be read</source>
+        <translation>无法读取该记录</translation>
     </message>
 </context>
 <context>
@@ -4070,10 +5472,6 @@ Run %2 --help for more.
         <translation>df</translation>
     </message>
     <message>
-        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants</source>
-        <translation>各图案下被试正确回答的平均值；两个条件按被试内比较</translation>
-    </message>
-    <message>
         <source>Patterns and conditions</source>
         <translation>图案与条件</translation>
     </message>
@@ -4262,6 +5660,22 @@ Run %2 --help for more.
         <source>analysis.R beside this page computes its numbers again from confusion_long.csv, except the response times, which that file does not have: Rscript analysis.R. In the folder of the study it computes the response times too, from the exported trials.</source>
         <translation>本页旁的 analysis.R 可由 confusion_long.csv 重新计算本页的数值（该文件中没有的反应时间除外）：Rscript analysis.R。放在研究的文件夹中时，还会根据导出的试次计算反应时间。</translation>
     </message>
+    <message>
+        <source>all participants have the same share</source>
+        <translation>所有被试的比例相同</translation>
+    </message>
+    <message>
+        <source>the interval is cut off at 0 or 100 %</source>
+        <translation>区间在 0 或 100 % 处被截断</translation>
+    </message>
+    <message>
+        <source>p, Holm</source>
+        <translation>p，Holm</translation>
+    </message>
+    <message>
+        <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants; Holm: corrected over the patterns</source>
+        <translation>各图案的被试正确回答平均值；两个条件在被试内比较；Holm：在各图案上校正</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPicture</name>
@@ -4344,10 +5758,6 @@ Run %2 --help for more.
     <message>
         <source>Each pattern</source>
         <translation>各图案</translation>
-    </message>
-    <message>
-        <source>p %1%2</source>
-        <translation>p %1%2</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -4590,6 +6000,23 @@ Run %2 --help for more.
         <source>Interval or bound of the true transfer, from the jackknife over participants</source>
         <translation>真实传输量的区间或界限，由被试间刀切法得出</translation>
     </message>
+    <message>
+        <source>the t interval is cut off at 0 or 100 %</source>
+        <translation>t 区间在 0 或 100 % 处被截断</translation>
+    </message>
+    <message>
+        <source>all participants have the same share</source>
+        <translation>所有被试的比例相同</translation>
+    </message>
+    <message>
+        <source>p %1</source>
+        <translation>p %1</translation>
+    </message>
+    <message>
+        <source>%1; Holm %2</source>
+        <comment>p of a pattern, corrected p</comment>
+        <translation>%1；Holm %2</translation>
+    </message>
 </context>
 <context>
     <name>RunSheet</name>
@@ -4795,6 +6222,24 @@ Run %2 --help for more.
     <message>
         <source>tasks, letters and conditions whose patterns are built in</source>
         <translation>图案随程序提供的任务、字母和条件</translation>
+    </message>
+</context>
+<context>
+    <name>SerialText</name>
+    <message>
+        <source>the trigger&apos;s serial line cannot be used: %1</source>
+        <translation>无法使用触发信号的串口：%1</translation>
+    </message>
+</context>
+<context>
+    <name>SerialTrigger</name>
+    <message>
+        <source>this is not a serial line</source>
+        <translation>这不是串口</translation>
+    </message>
+    <message>
+        <source>a serial port, such as /dev/ttyUSB0</source>
+        <translation>串口，例如 /dev/ttyUSB0</translation>
     </message>
 </context>
 <context>
@@ -5190,6 +6635,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>SimulatedObserver</name>
+    <message>
+        <source>an observer cannot have &quot;%1&quot;</source>
+        <translation>观察者不能有“%1”</translation>
+    </message>
+    <message>
+        <source>t and slope above 0, lapse from 0 to %1, sd of at least 0, as in t=0.2,slope=3.5,lapse=0.02,sd=0.1</source>
+        <translation>t 和 slope 大于 0，lapse 为 0 至 %1，sd 不小于 0，例如 t=0.2,slope=3.5,lapse=0.02,sd=0.1</translation>
+    </message>
+</context>
+<context>
     <name>SimulatedTube</name>
     <message>
         <source>the lens folds the image over itself: no camera has such a lens</source>
@@ -5265,6 +6721,49 @@ Run %2 --help for more.
     <message>
         <source>trial %1 of session %2 of %3 was already counted</source>
         <translation>%3 的场次 %2 的试次 %1 之前已计入</translation>
+    </message>
+    <message>
+        <source>this text is not UTF-8</source>
+        <translation>此文本不是 UTF-8</translation>
+    </message>
+    <message>
+        <source>a file that was saved as UTF-8</source>
+        <translation>保存为 UTF-8 的文件</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>the columns are separated by semicolons</source>
+        <translation>各列以分号分隔</translation>
+    </message>
+    <message>
+        <source>the columns are separated by tabs</source>
+        <translation>各列以制表符分隔</translation>
+    </message>
+    <message>
+        <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
+        <translation>以逗号分隔，数字用小数点：研究的 data/ 中的试次，或以逗号保存为 CSV 的文件</translation>
+    </message>
+</context>
+<context>
+    <name>StandardStreams</name>
+    <message>
+        <source>- is given, a folder is expected</source>
+        <translation>给出的是 -，应为文件夹</translation>
+    </message>
+    <message>
+        <source>a recording is a database, which is no stream</source>
+        <translation>记录是数据库，不是流</translation>
+    </message>
+    <message>
+        <source>a video cannot be read from standard input</source>
+        <translation>无法从标准输入读取视频</translation>
+    </message>
+    <message>
+        <source>the document and a file would both go to standard output</source>
+        <translation>文档和文件会同时写到标准输出</translation>
     </message>
 </context>
 <context>
@@ -5622,6 +7121,40 @@ Run %2 --help for more.
         <source>the full path of the file</source>
         <translation>文件的完整路径</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; cannot be moved to other tactors</source>
+        <translation>“%1”无法移到其他振子上</translation>
+    </message>
+    <message>
+        <source>a stimulus without rings and strokes, or a track without tactors</source>
+        <translation>不含环绕和笔画的刺激，或不含振子的序列</translation>
+    </message>
+    <message>
+        <source>the stimulus does not use tactor %1</source>
+        <translation>该刺激不使用振子 %1</translation>
+    </message>
+    <message>
+        <source>a stimulus of one tactor, or of as many as the track names</source>
+        <translation>使用一个振子的刺激，或振子数与序列所列相同的刺激</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n object(s) of the stimulus have %1</source>
+        <translation>
+            <numerusform>刺激中有 %n 个对象具有 %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>exactly one</source>
+        <translation>恰好一个</translation>
+    </message>
+    <message>
+        <source>the stimulus takes %1 s at level %2</source>
+        <translation>该刺激在水平 %2 下用时 %1 s</translation>
+    </message>
+    <message>
+        <source>at most stimulus_s, %1 s</source>
+        <translation>至多 stimulus_s，%1 s</translation>
+    </message>
 </context>
 <context>
     <name>StoreText</name>
@@ -5696,6 +7229,25 @@ Run %2 --help for more.
     <message>
         <source>the patterns have changed since this study was created</source>
         <translation>图案不是本研究开始时所用的图案</translation>
+    </message>
+</context>
+<context>
+    <name>StreamText</name>
+    <message>
+        <source>standard input cannot be read</source>
+        <translation>无法读取标准输入</translation>
+    </message>
+    <message>
+        <source>standard input is too large</source>
+        <translation>标准输入过大</translation>
+    </message>
+    <message>
+        <source>standard input can be read only once</source>
+        <translation>标准输入只能读取一次</translation>
+    </message>
+    <message>
+        <source>standard output can be written only once</source>
+        <translation>标准输出只能写入一次</translation>
     </message>
 </context>
 <context>
@@ -5961,6 +7513,34 @@ Run %2 --help for more.
         <source>Start the server or repair the network connection, then try again.</source>
         <translation>启动服务器或修复网络，然后重试。</translation>
     </message>
+    <message>
+        <source>a motor takes %1 s to stop, and the gap between the intervals of %2 is %3 s</source>
+        <translation>电机停止需要 %1 s，而 %2 的区间之间的间隔为 %3 s</translation>
+    </message>
+    <message>
+        <source>Create a study with a longer gap (gap_s).</source>
+        <translation>请创建间隔 (gap_s) 更长的研究。</translation>
+    </message>
+    <message>
+        <source>the line is being opened</source>
+        <translation>正在打开串口</translation>
+    </message>
+    <message>
+        <source>Wait a moment.</source>
+        <translation>请稍候。</translation>
+    </message>
+    <message>
+        <source>the line cannot be used</source>
+        <translation>无法使用该串口</translation>
+    </message>
+    <message>
+        <source>Plug the device in and switch it on; it is tried again every second.</source>
+        <translation>请插入设备并打开其电源；每秒重试一次。</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>触发信号</translation>
+    </message>
 </context>
 <context>
     <name>StudyCommand</name>
@@ -5983,10 +7563,6 @@ Run %2 --help for more.
     <message>
         <source>Run simulated participants through a whole study</source>
         <translation>让模拟被试完成整个研究</translation>
-    </message>
-    <message>
-        <source>Protocol of the study; otherwise the paper&apos;s</source>
-        <translation>研究的方案；默认为论文的方案</translation>
     </message>
     <message>
         <source>Seed of all orders and answers</source>
@@ -6085,10 +7661,6 @@ Run %2 --help for more.
         <translation>图的格式，以逗号分隔</translation>
     </message>
     <message>
-        <source>Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, figures</source>
-        <translation>存放 report.html、confusion_long.csv、summary.csv、group.csv、anova.csv 和图的文件夹</translation>
-    </message>
-    <message>
         <source>Write pink noise that can be played in a loop</source>
         <translation>写出可循环播放的粉红噪声</translation>
     </message>
@@ -6164,6 +7736,75 @@ Run %2 --help for more.
         <source>%1 bit without bias (95 %: at most %2)</source>
         <translation>%1 bit，去除偏差后（95 %：至多 %2）</translation>
     </message>
+    <message>
+        <source>%1 of %2 trials left out</source>
+        <translation>略去 %1 个试次，共 %2 个</translation>
+    </message>
+    <message>
+        <source>%1; rule made after the data</source>
+        <translation>%1；规则在取得数据之后制定</translation>
+    </message>
+    <message>
+        <source>%1; no spread of the times, so nothing was left out, in %2 case(s)</source>
+        <translation>%1；有 %2 种情形的时间没有离散，因此未略去任何试次</translation>
+    </message>
+    <message>
+        <source>%1, Holm over the patterns %2</source>
+        <comment>F and p</comment>
+        <translation>%1，在各图案上的 Holm %2</translation>
+    </message>
+    <message>
+        <source>Thresholds, slopes and d&apos; of tasks with levels, by maximum likelihood</source>
+        <translation>带水平的任务的阈值、斜率和 d&apos;，采用最大似然法</translation>
+    </message>
+    <message>
+        <source>Write one participant&apos;s results as a page</source>
+        <translation>将一名被试的结果写为一个页面</translation>
+    </message>
+    <message>
+        <source>What the columns of all files of studies mean</source>
+        <translation>研究的所有文件中各列的含义</translation>
+    </message>
+    <message>
+        <source>Send one trial&apos;s triggers to another recorder</source>
+        <translation>向另一台记录设备发送一个试次的触发信号</translation>
+    </message>
+    <message>
+        <source>How many participants a test needs: power by simulated studies</source>
+        <translation>检验需要多少被试：通过模拟研究求检验效能</translation>
+    </message>
+    <message>
+        <source>Protocol of the study, or the name of one that comes with the program: tactor-detection, intensity-steps, equal-strength, two-or-one, motion-timing; otherwise the paper&apos;s</source>
+        <translation>研究的方案，或程序自带方案的名称：tactor-detection、intensity-steps、equal-strength、two-or-one、motion-timing；默认为论文的方案</translation>
+    </message>
+    <message>
+        <source>Simulated participants in tasks with levels: threshold t and slope of their psychometric function, lapse rate, and sd of the threshold between them, in the scale of the levels</source>
+        <translation>带水平的任务中的模拟被试：其心理测量函数的阈值 t 和 slope（斜率）、lapse（失误率），以及被试间阈值的 sd（标准差），采用水平的尺度</translation>
+    </message>
+    <message>
+        <source>Rule of what does not count, besides those of the protocol; marked as made after the data, for example response_time_below_s=0.2</source>
+        <translation>除方案中的规则外，哪些数据不计入的规则；会标为在取得数据之后制定，例如 response_time_below_s=0.2</translation>
+    </message>
+    <message>
+        <source>Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, thresholds.csv, levels.csv, sdt.csv, comparisons.csv, ranks.csv, binomial_model.csv, response_times.csv, exclusions.csv, figures</source>
+        <translation>存放 report.html、confusion_long.csv、summary.csv、group.csv、anova.csv、thresholds.csv、levels.csv、sdt.csv、comparisons.csv、ranks.csv、binomial_model.csv、response_times.csv、exclusions.csv 和图的文件夹</translation>
+    </message>
+    <message>
+        <source>the exclusion rules leave no completed trial</source>
+        <translation>应用排除规则后没有剩下已完成的试次</translation>
+    </message>
+    <message>
+        <source>rules that leave some</source>
+        <translation>能留下一些试次的规则</translation>
+    </message>
+    <message>
+        <source>there are no test trials, only practice: the report has no results</source>
+        <translation>没有测试试次，只有练习：报告中没有结果</translation>
+    </message>
+    <message>
+        <source>the answer &quot;%1&quot; counts as wrong: the pattern is &quot;%2&quot;</source>
+        <translation>回答“%1”计为错误：图案为“%2”</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -6185,6 +7826,89 @@ Run %2 --help for more.
     <message>
         <source>SIMULATED</source>
         <translation>模拟</translation>
+    </message>
+</context>
+<context>
+    <name>StudyFitCommand</name>
+    <message>
+        <source>; the curve does not fit: p of the deviance %1</source>
+        <translation>；曲线不符合数据：偏差的 p 值为 %1</translation>
+    </message>
+    <message>
+        <source>Mean of %1</source>
+        <translation>%1 的平均值</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1（%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>no d&apos;: trials of one kind are missing</source>
+        <translation>没有 d&apos;：缺少其中一类试次</translation>
+    </message>
+    <message>
+        <source>d&apos; %1, c %2</source>
+        <translation>d&apos; %1，c %2</translation>
+    </message>
+    <message>
+        <source>d&apos; %1</source>
+        <translation>d&apos; %1</translation>
+    </message>
+    <message>
+        <source>Folder of a study, or a CSV with participant_id,task,condition,phase,track,level,correct</source>
+        <translation>研究的文件夹，或含 participant_id,task,condition,phase,track,level,correct 的 CSV</translation>
+    </message>
+    <message>
+        <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME</source>
+        <translation>存放研究的 PostgreSQL 服务器，postgresql://USER@HOST/DATABASE?study=NAME</translation>
+    </message>
+    <message>
+        <source>Function that is fitted; otherwise weibull for detection on a logarithmic scale, else gauss</source>
+        <translation>要拟合的函数；默认对数尺度上的检测用 weibull，其余用 gauss</translation>
+    </message>
+    <message>
+        <source>Share of right answers without a stimulus; otherwise from the design</source>
+        <translation>没有刺激时正确回答的比例；默认由设计得出</translation>
+    </message>
+    <message>
+        <source>Share of mistakes with any stimulus: fixed, or the range in which it is free; otherwise 0:0.06</source>
+        <translation>无论刺激如何都会出错的比例：固定值，或其自由取值的范围；默认为 0:0.06</translation>
+    </message>
+    <message>
+        <source>How the interval of a threshold is computed</source>
+        <translation>阈值区间的计算方法</translation>
+    </message>
+    <message>
+        <source>Folder for thresholds.csv, levels.csv, sdt.csv, analysis.R and figures</source>
+        <translation>存放 thresholds.csv、levels.csv、sdt.csv、analysis.R 和图的文件夹</translation>
+    </message>
+    <message>
+        <source>--lapse cannot be &quot;%1&quot;</source>
+        <translation>--lapse 不能为“%1”</translation>
+    </message>
+    <message>
+        <source>a share from 0 to 0.4, or two with a colon between them, the lower one first</source>
+        <translation>0 至 0.4 的比例，或以冒号分隔的两个比例，较小者在前</translation>
+    </message>
+    <message>
+        <source>there are no test trials with a level</source>
+        <translation>没有带水平的测试试次</translation>
+    </message>
+    <message>
+        <source>trials of a design with levels, or a column level</source>
+        <translation>带水平的设计的试次，或列 level</translation>
+    </message>
+    <message>
+        <source>nothing says how often guessing is right in task %1</source>
+        <translation>没有说明任务 %1 中猜对的比例</translation>
+    </message>
+    <message>
+        <source>--guess (0.5 for two intervals, 0.02 for yes and no), or a column design or n_alternatives</source>
+        <translation>--guess（两个区间为 0.5，是/否为 0.02），或列 design 或 n_alternatives</translation>
+    </message>
+    <message>
+        <source>Tables and figures</source>
+        <translation>表格和图</translation>
     </message>
 </context>
 <context>
@@ -6249,6 +7973,90 @@ Run %2 --help for more.
         <source>metal</source>
         <translation>金属</translation>
     </message>
+    <message>
+        <source>Tactor detection</source>
+        <translation>振子检测</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>静息</translation>
+    </message>
+    <message>
+        <source>In which interval did you feel a vibration?</source>
+        <translation>您在哪个区间感觉到振动？</translation>
+    </message>
+    <message>
+        <source>Intensity steps</source>
+        <translation>强度差别</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>弱</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>中</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>强</translation>
+    </message>
+    <message>
+        <source>Which interval was stronger?</source>
+        <translation>哪个区间更强？</translation>
+    </message>
+    <message>
+        <source>Equal strength</source>
+        <translation>等强度</translation>
+    </message>
+    <message>
+        <source>Two or one</source>
+        <translation>两个或一个</translation>
+    </message>
+    <message>
+        <source>Did you feel two separate taps?</source>
+        <translation>您是否感觉到两次分开的轻敲？</translation>
+    </message>
+    <message>
+        <source>Motion timing</source>
+        <translation>运动时序</translation>
+    </message>
+    <message>
+        <source>Did you feel one moving point?</source>
+        <translation>您是否感觉到一个移动的点？</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>Was there a vibration?</source>
+        <translation>是否有振动？</translation>
+    </message>
+    <message>
+        <source>Which interval had the vibration?</source>
+        <translation>哪个区间有振动？</translation>
+    </message>
+    <message>
+        <source>Were the two intervals the same?</source>
+        <translation>两个区间是否相同？</translation>
+    </message>
+    <message>
+        <source>Which interval had more?</source>
+        <translation>哪个区间更强？</translation>
+    </message>
 </context>
 <context>
     <name>StudyNoise</name>
@@ -6286,6 +8094,183 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StudyPapers</name>
+    <message>
+        <source>Folder of the study</source>
+        <translation>研究的文件夹</translation>
+    </message>
+    <message>
+        <source>Whose report it is</source>
+        <translation>报告所属的被试</translation>
+    </message>
+    <message>
+        <source>experimenter: everything of this participant; participant: their own answers in plain words</source>
+        <translation>experimenter：此被试的全部内容；participant：用通俗的话写出其本人的回答</translation>
+    </message>
+    <message>
+        <source>The page; otherwise report-ID.html or report-ID-participant.html in the folder of the study</source>
+        <translation>页面；默认为研究文件夹中的 report-ID.html 或 report-ID-participant.html</translation>
+    </message>
+    <message>
+        <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME; the password comes from PGPASSWORD or ~/.pgpass</source>
+        <translation>存放研究的 PostgreSQL 服务器，postgresql://USER@HOST/DATABASE?study=NAME；密码取自 PGPASSWORD 或 ~/.pgpass</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Folder of a study, whose questionnaires are described too</source>
+        <translation>研究的文件夹，其问卷也会一并说明</translation>
+    </message>
+    <message>
+        <source>Where one trial&apos;s events go: a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC by UDP</source>
+        <translation>一个试次的事件发往何处：串口，例如 /dev/ttyUSB0；或 HOST:PORT，以 UDP 发送 OSC</translation>
+    </message>
+    <message>
+        <source>written in %1 ms</source>
+        <translation>写入用时 %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPlan</name>
+    <message>
+        <source>the protocol has no task &quot;%1&quot;</source>
+        <translation>方案中没有任务“%1”</translation>
+    </message>
+    <message>
+        <source>TASK:EFFECT with one of %1</source>
+        <translation>TASK:EFFECT，其中任务为 %1 之一</translation>
+    </message>
+    <message>
+        <source>the task %1 measures levels</source>
+        <translation>任务 %1 测量的是水平</translation>
+    </message>
+    <message>
+        <source>a task in which patterns are told apart</source>
+        <translation>区分图案的任务</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no line of the analysis of %2</source>
+        <translation>“%1”不是 %2 的分析中的行</translation>
+    </message>
+    <message>
+        <source>condition, pattern, condition:pattern, or condition@PATTERN</source>
+        <translation>condition、pattern、condition:pattern 或 condition@PATTERN</translation>
+    </message>
+    <message>
+        <source>pattern</source>
+        <translation>pattern</translation>
+    </message>
+    <message>
+        <source>the protocol has no test trials</source>
+        <translation>方案中没有测试试次</translation>
+    </message>
+    <message>
+        <source>test.repetitions above 0</source>
+        <translation>大于 0 的 test.repetitions</translation>
+    </message>
+    <message>
+        <source>the task %1 has no pattern &quot;%2&quot;</source>
+        <translation>任务 %1 没有图案“%2”</translation>
+    </message>
+    <message>
+        <source>one of its letters</source>
+        <translation>其字母之一</translation>
+    </message>
+    <message>
+        <source>the truth says nothing of the task %1</source>
+        <translation>真值中没有任务 %1</translation>
+    </message>
+    <message>
+        <source>a [[task]] with that id</source>
+        <translation>具有该标识的 [[task]]</translation>
+    </message>
+    <message>
+        <source>the truth says nothing of %1 under %2</source>
+        <translation>真值中没有 %2 下的 %1</translation>
+    </message>
+    <message>
+        <source>a condition with that id</source>
+        <translation>具有该标识的条件</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPlanCommand</name>
+    <message>
+        <source>no number up to %1 reaches %2 %</source>
+        <translation>直到 %1 的人数均达不到 %2 %</translation>
+    </message>
+    <message>
+        <source>%1 or %2 participants; %3 studies cannot tell which</source>
+        <translation>%1 或 %2 名被试；%3 项研究无法判定是哪一个</translation>
+    </message>
+    <message>
+        <source>%1 participants reach %2 %</source>
+        <translation>%1 名被试可达到 %2 %</translation>
+    </message>
+    <message>
+        <source>Protocol of the study</source>
+        <translation>研究的方案</translation>
+    </message>
+    <message>
+        <source>Numbers of participants to try: from, to, step</source>
+        <translation>要尝试的被试人数：起始、终止、步长</translation>
+    </message>
+    <message>
+        <source>What is assumed: a file with shares of right answers and spreads, or the folder of a pilot study</source>
+        <translation>所作的假设：含正确率和离散度的文件，或预试研究的文件夹</translation>
+    </message>
+    <message>
+        <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A</source>
+        <translation>分析中的行：shape:condition、shape:pattern、shape:condition:pattern，或图案 A 内的 shape:condition@A</translation>
+    </message>
+    <message>
+        <source>Studies drawn for each number</source>
+        <translation>每个人数抽取的研究数</translation>
+    </message>
+    <message>
+        <source>Seed of all studies</source>
+        <translation>所有研究的种子</translation>
+    </message>
+    <message>
+        <source>Wanted share of significant studies</source>
+        <translation>期望的显著研究比例</translation>
+    </message>
+    <message>
+        <source>Table of the power, CSV</source>
+        <translation>检验效能表，CSV</translation>
+    </message>
+    <message>
+        <source>%1 is not FROM:TO:STEP with numbers from 1 to %2</source>
+        <translation>%1 不是 FROM:TO:STEP，其中的数应为 1 至 %2</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>检验</translation>
+    </message>
+    <message>
+        <source>%1 % (95 %: %2 to %3, %4 studies)</source>
+        <translation>%1 %（95 %：%2 至 %3，%4 项研究）</translation>
+    </message>
+    <message>
+        <source>%1; no analysis in %2 of them</source>
+        <translation>%1；其中 %2 项无法分析</translation>
+    </message>
+    <message>
+        <source>%1 participants</source>
+        <translation>%1 名被试</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>答案</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表格</translation>
+    </message>
+</context>
+<context>
     <name>StudyProtocol</name>
     <message>
         <source>&quot;%1&quot; means no answer</source>
@@ -6306,6 +8291,114 @@ Run %2 --help for more.
     <message>
         <source>at most %1, one digit each</source>
         <translation>至多 %1 个，各对应一个数字键</translation>
+    </message>
+    <message>
+        <source>%1 is not one more tactor</source>
+        <translation>%1 不是另一个振子</translation>
+    </message>
+    <message>
+        <source>whole numbers from 1 to %1, each once</source>
+        <translation>1 至 %1 的整数，每个一次</translation>
+    </message>
+    <message>
+        <source>there are too many tracks</source>
+        <translation>序列过多</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>%1 is not among the levels</source>
+        <translation>%1 不在水平范围内</translation>
+    </message>
+    <message>
+        <source>from lowest to highest, %1 to %2</source>
+        <translation>从最低到最高，%1 至 %2</translation>
+    </message>
+    <message>
+        <source>the lowest level is not below the highest</source>
+        <translation>最低水平不低于最高水平</translation>
+    </message>
+    <message>
+        <source>a number below %1</source>
+        <translation>小于 %1 的数</translation>
+    </message>
+    <message>
+        <source>0 has no place on a scale of logarithms</source>
+        <translation>对数尺度上没有 0</translation>
+    </message>
+    <message>
+        <source>a number above 0, or the scale linear</source>
+        <translation>大于 0 的数，或将尺度设为 linear</translation>
+    </message>
+    <message>
+        <source>a level of %1 cannot be shown</source>
+        <translation>无法呈现水平 %1</translation>
+    </message>
+    <message>
+        <source>there is nothing to compare with</source>
+        <translation>没有可比较的对象</translation>
+    </message>
+    <message>
+        <source>a reference above 0, here or in each condition</source>
+        <translation>大于 0 的基准，在此处或在每个条件中给出</translation>
+    </message>
+    <message>
+        <source>the levels do not rise</source>
+        <translation>水平没有递增</translation>
+    </message>
+    <message>
+        <source>each level above the one before</source>
+        <translation>每个水平高于前一个</translation>
+    </message>
+    <message>
+        <source>weibull has no place for a level of 0</source>
+        <translation>weibull 不能有为 0 的水平</translation>
+    </message>
+    <message>
+        <source>gauss or logistic, or a lowest level above 0</source>
+        <translation>gauss 或 logistic，或大于 0 的最低水平</translation>
+    </message>
+    <message>
+        <source>a prior needs its mean and its standard deviation</source>
+        <translation>先验需要其均值和标准差</translation>
+    </message>
+    <message>
+        <source>prior_mean and prior_sd</source>
+        <translation>prior_mean 和 prior_sd</translation>
+    </message>
+    <message>
+        <source>too few reversals for an estimate</source>
+        <translation>反转次数过少，无法估计</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>至少 %1</translation>
+    </message>
+    <message>
+        <source>constant stimuli need their levels</source>
+        <translation>恒定刺激需要给出各水平</translation>
+    </message>
+    <message>
+        <source>values in level, 1 to %1 of them</source>
+        <translation>level 中的值，1 至 %1 个</translation>
+    </message>
+    <message>
+        <source>answers to this design count from the end of the last interval</source>
+        <translation>此设计的回答从最后一个时间区间结束时起计时</translation>
+    </message>
+    <message>
+        <source>response_window = &quot;from_end&quot;</source>
+        <translation>response_window = &quot;from_end&quot;</translation>
+    </message>
+    <message>
+        <source>patterns have no reference</source>
+        <translation>图案没有参考</translation>
+    </message>
+    <message>
+        <source>conditions without reference</source>
+        <translation>不带参考的条件</translation>
     </message>
 </context>
 <context>
@@ -6345,6 +8438,18 @@ Run %2 --help for more.
     <message>
         <source>one answer per item, in order</source>
         <translation>每个题目一个回答，按题目顺序</translation>
+    </message>
+    <message>
+        <source>a pair has two choices</source>
+        <translation>一对题须有两个选项</translation>
+    </message>
+    <message>
+        <source>two of them</source>
+        <translation>两个选项</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 100 in steps of 5</source>
+        <translation>0 至 100 的数，步长为 5</translation>
     </message>
 </context>
 <context>
@@ -6674,6 +8779,29 @@ Run %2 --help for more.
         <source>No session is selected</source>
         <translation>未选择场次</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n track(s); %2</source>
+        <comment>task; conditions</comment>
+        <translation>
+            <numerusform>%1：%n 个序列；%2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1. %n trigger(s) could not be written: %2</source>
+        <comment>device; why</comment>
+        <translation>
+            <numerusform>%1。%n 个触发信号未能写出：%2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the line was not open</source>
+        <translation>线路未打开</translation>
+    </message>
+    <message>
+        <source>Track %1, level %2 %3</source>
+        <comment>name, number, unit</comment>
+        <translation>序列 %1，刺激水平 %2 %3</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -6885,6 +9013,21 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StudyTruth</name>
+    <message>
+        <source>cannot open the truth: %1</source>
+        <translation>无法打开真值：%1</translation>
+    </message>
+    <message>
+        <source>the task %1 shows no spread of its participants: %2</source>
+        <translation>任务 %1 未显示其被试的离散度：%2</translation>
+    </message>
+    <message>
+        <source>a pilot with at least 5 participants, or a file with the truth</source>
+        <translation>至少有 5 名被试的预试，或含真值的文件</translation>
+    </message>
+</context>
+<context>
     <name>StudyWatermark</name>
     <message>
         <source>PILOT</source>
@@ -7015,6 +9158,177 @@ Run %2 --help for more.
     <message>
         <source>The frames have %1 values in total.</source>
         <translation>各帧共有 %1 个值。</translation>
+    </message>
+</context>
+<context>
+    <name>ThresholdText</name>
+    <message>
+        <source>PILOT</source>
+        <translation>预试</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>level, s</source>
+        <translation>刺激水平，s</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>刺激水平</translation>
+    </message>
+    <message>
+        <source>level, %1</source>
+        <translation>刺激水平，%1</translation>
+    </message>
+    <message>
+        <source>share of yes</source>
+        <translation>回答“是”的比例</translation>
+    </message>
+    <message>
+        <source>share of different</source>
+        <translation>回答“不同”的比例</translation>
+    </message>
+    <message>
+        <source>share of more</source>
+        <translation>回答“更多”的比例</translation>
+    </message>
+    <message>
+        <source>share of right answers</source>
+        <translation>正确回答的比例</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <comment>end of an interval</comment>
+        <translation>开放</translation>
+    </message>
+    <message>
+        <source> (%1 to %2)</source>
+        <comment>interval behind a number</comment>
+        <translation> (%1 至 %2)</translation>
+    </message>
+    <message>
+        <source>reversal</source>
+        <translation>反转点</translation>
+    </message>
+    <message>
+        <source>mean of reversals</source>
+        <translation>反转点的平均值</translation>
+    </message>
+    <message>
+        <source>threshold, 95 %</source>
+        <translation>阈值，95 %</translation>
+    </message>
+    <message>
+        <source>not fitted: the table does not say what guessing gives</source>
+        <translation>未拟合：表中未说明猜测的正确率</translation>
+    </message>
+    <message>
+        <source>no trials</source>
+        <translation>没有试次</translation>
+    </message>
+    <message>
+        <source>worse with more of it: are levels or answers swapped?</source>
+        <translation>刺激水平越高结果反而越差：水平或回答是否颠倒了？</translation>
+    </message>
+    <message>
+        <source>the answers do not depend on the level</source>
+        <translation>回答不随刺激水平变化</translation>
+    </message>
+    <message>
+        <source>below %1%2, the lowest level</source>
+        <translation>低于 %1%2，即最低刺激水平</translation>
+    </message>
+    <message>
+        <source>above %1%2, the highest level</source>
+        <translation>高于 %1%2，即最高刺激水平</translation>
+    </message>
+    <message>
+        <source>too few levels for a fit; one less is enough with a fixed lapse rate</source>
+        <translation>刺激水平过少，无法拟合；固定失误率时可少一个</translation>
+    </message>
+    <message>
+        <source>no level is above 0</source>
+        <translation>没有大于 0 的刺激水平</translation>
+    </message>
+    <message>
+        <source>equal at %1</source>
+        <translation>在 %1 处相等</translation>
+    </message>
+    <message>
+        <source>threshold %1</source>
+        <translation>阈值 %1</translation>
+    </message>
+    <message>
+        <source>a step between two levels, without a threshold</source>
+        <translation>两个刺激水平之间的阶跃，没有阈值</translation>
+    </message>
+    <message>
+        <source>, just noticeable %1</source>
+        <translation>，最小可觉差 %1</translation>
+    </message>
+    <message>
+        <source>; a step between two levels</source>
+        <translation>；两个刺激水平之间的阶跃</translation>
+    </message>
+    <message>
+        <source>; many lapses, or no upper end</source>
+        <translation>；失误较多，或没有上端</translation>
+    </message>
+    <message>
+        <source>the curve does not fit: p of the deviance %1</source>
+        <translation>曲线不拟合：偏差的 p 为 %1</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>试次</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <comment>answer: yes, different, more</comment>
+        <translation>感觉到</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>not felt</source>
+        <comment>answer: no, same, less</comment>
+        <translation>未感觉到</translation>
+    </message>
+    <message>
+        <source>thresholds</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>participants</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>mean, 95 %</source>
+        <translation>平均值，95 %</translation>
+    </message>
+    <message>
+        <source>d&apos;, c</source>
+        <translation>d&apos;，c</translation>
+    </message>
+    <message>
+        <source>d&apos;, 95 %</source>
+        <translation>d&apos;，95 %</translation>
+    </message>
+    <message>
+        <source>c (above 0: rather no)</source>
+        <translation>c（大于 0：偏向“否”）</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>平均值</translation>
     </message>
 </context>
 <context>
@@ -7243,6 +9557,14 @@ Run %2 --help for more.
     <message>
         <source>&quot;%1&quot; is missing</source>
         <translation>缺少“%1”</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; and &quot;%2&quot; are the same key</source>
+        <translation>“%1”和“%2”是同一个键</translation>
+    </message>
+    <message>
+        <source>one of them</source>
+        <translation>其中之一</translation>
     </message>
 </context>
 <context>
@@ -7618,6 +9940,192 @@ Run %2 --help for more.
     <message>
         <source>device fault, will be repeated</source>
         <translation>设备故障，将重新呈现</translation>
+    </message>
+</context>
+<context>
+    <name>TriggerOpener</name>
+    <message>
+        <source>this is no trigger device</source>
+        <translation>这不是触发设备</translation>
+    </message>
+    <message>
+        <source>a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC</source>
+        <translation>串口，例如 /dev/ttyUSB0，或用于 OSC 的 HOST:PORT</translation>
+    </message>
+</context>
+<context>
+    <name>UrdfText</name>
+    <message>
+        <source>there is a document type declaration</source>
+        <translation>含有文档类型声明</translation>
+    </message>
+    <message>
+        <source>a plain URDF</source>
+        <translation>纯 URDF</translation>
+    </message>
+    <message>
+        <source>this is xacro, not URDF</source>
+        <translation>这是 xacro，不是 URDF</translation>
+    </message>
+    <message>
+        <source>the expanded text: xacro FILE &gt; robot.urdf</source>
+        <translation>展开后的文本：xacro FILE &gt; robot.urdf</translation>
+    </message>
+    <message>
+        <source>the document is &apos;%1&apos;</source>
+        <translation>文档为“%1”</translation>
+    </message>
+    <message>
+        <source>&lt;robot name=&quot;...&quot;&gt;</source>
+        <translation>&lt;robot name=&quot;...&quot;&gt;</translation>
+    </message>
+    <message>
+        <source>elements are nested more than %1 deep</source>
+        <translation>元素嵌套超过 %1 层</translation>
+    </message>
+    <message>
+        <source>&lt;robot&gt; with &lt;link&gt; and &lt;joint&gt;</source>
+        <translation>含 &lt;link&gt; 和 &lt;joint&gt; 的 &lt;robot&gt;</translation>
+    </message>
+    <message>
+        <source>a well-formed XML document</source>
+        <translation>格式正确的 XML 文档</translation>
+    </message>
+    <message>
+        <source>some links hang on themselves</source>
+        <translation>有些连杆连接到自身</translation>
+    </message>
+    <message>
+        <source>a tree of links</source>
+        <translation>连杆构成的树</translation>
+    </message>
+    <message>
+        <source>link &apos;%1&apos;: %2</source>
+        <translation>连杆“%1”：%2</translation>
+    </message>
+    <message>
+        <source>joint &apos;%1&apos;: %2</source>
+        <translation>关节“%1”：%2</translation>
+    </message>
+    <message>
+        <source>numbers from -%1 to %1</source>
+        <translation>-%1 至 %1 的数</translation>
+    </message>
+    <message>
+        <source>a number of its inertial is out of range</source>
+        <translation>其 inertial 中有数值超出范围</translation>
+    </message>
+    <message>
+        <source>its mass is negative</source>
+        <translation>其质量为负</translation>
+    </message>
+    <message>
+        <source>0 kg or more</source>
+        <translation>0 kg 或更大</translation>
+    </message>
+    <message>
+        <source>a number of its visual is out of range</source>
+        <translation>其 visual 中有数值超出范围</translation>
+    </message>
+    <message>
+        <source>it is floating or planar</source>
+        <translation>其类型为 floating 或 planar</translation>
+    </message>
+    <message>
+        <source>revolute, continuous, prismatic or fixed</source>
+        <translation>revolute、continuous、prismatic 或 fixed</translation>
+    </message>
+    <message>
+        <source>a number of its origin is out of range</source>
+        <translation>其 origin 中有数值超出范围</translation>
+    </message>
+    <message>
+        <source>its axis has no direction</source>
+        <translation>其轴没有方向</translation>
+    </message>
+    <message>
+        <source>&lt;axis xyz=&quot;...&quot;&gt; other than 0 0 0</source>
+        <translation>&lt;axis xyz=&quot;...&quot;&gt;，不为 0 0 0</translation>
+    </message>
+    <message>
+        <source>it has no limits</source>
+        <translation>没有极限</translation>
+    </message>
+    <message>
+        <source>&lt;limit lower= upper= effort= velocity=&gt;</source>
+        <translation>&lt;limit lower= upper= effort= velocity=&gt;</translation>
+    </message>
+    <message>
+        <source>a number of its limits is out of range</source>
+        <translation>其极限中有数值超出范围</translation>
+    </message>
+    <message>
+        <source>a limit of velocity or effort is negative</source>
+        <translation>velocity 或 effort 的极限为负</translation>
+    </message>
+    <message>
+        <source>0 or more</source>
+        <translation>0 或更大</translation>
+    </message>
+    <message>
+        <source>its lower limit lies above the upper one</source>
+        <translation>其下限高于上限</translation>
+    </message>
+    <message>
+        <source>lower &lt;= upper</source>
+        <translation>lower &lt;= upper</translation>
+    </message>
+    <message>
+        <source>it mimics itself</source>
+        <translation>它 mimic 自身</translation>
+    </message>
+    <message>
+        <source>a mimic of another joint</source>
+        <translation>对另一个关节的 mimic</translation>
+    </message>
+    <message>
+        <source>it mimics &apos;%1&apos;, which does not exist</source>
+        <translation>它 mimic 的“%1”不存在</translation>
+    </message>
+    <message>
+        <source>the name of a joint</source>
+        <translation>关节的名称</translation>
+    </message>
+    <message>
+        <source>a number of its mimic is out of range</source>
+        <translation>其 mimic 中有数值超出范围</translation>
+    </message>
+    <message>
+        <source>the text has %1 bytes</source>
+        <translation>文本有 %1 字节</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>this is not a robot</source>
+        <translation>这不是机器人</translation>
+    </message>
+    <message>
+        <source>a tree of links and joints, http://wiki.ros.org/urdf/XML</source>
+        <translation>连杆和关节构成的树，http://wiki.ros.org/urdf/XML</translation>
+    </message>
+    <message>
+        <source>the file does not exist</source>
+        <translation>文件不存在</translation>
+    </message>
+    <message>
+        <source>a URDF file</source>
+        <translation>URDF 文件</translation>
+    </message>
+    <message>
+        <source>this is not a file</source>
+        <translation>这不是文件</translation>
+    </message>
+    <message>
+        <source>the file has %1 bytes</source>
+        <translation>文件有 %1 字节</translation>
     </message>
 </context>
 <context>
@@ -10296,6 +12804,298 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::LevelTaskForm</name>
+    <message>
+        <source>Task with levels</source>
+        <translation>带刺激水平的任务</translation>
+    </message>
+    <message>
+        <source>yes or no: was it there?</source>
+        <translation>是或否：是否出现？</translation>
+    </message>
+    <message>
+        <source>intervals: in which one was it?</source>
+        <translation>时间区间：出现在哪个时间区间？</translation>
+    </message>
+    <message>
+        <source>same or different</source>
+        <translation>相同或不同</translation>
+    </message>
+    <message>
+        <source>compare: which one had more?</source>
+        <translation>比较：哪一个更多？</translation>
+    </message>
+    <message>
+        <source>the usual question of the design</source>
+        <translation>该设计的常用问题</translation>
+    </message>
+    <message>
+        <source>for example rest, or weak 0.3, strong 0.7 with their references</source>
+        <translation>例如 rest，或带参考的 weak 0.3, strong 0.7</translation>
+    </message>
+    <message>
+        <source>name and tactors, one track per line, for example t1 1; tactors of the reference after /</source>
+        <translation>名称和振子，每行一个序列，例如 t1 1；参考的振子写在 / 之后</translation>
+    </message>
+    <message>
+        <source>full path of a pattern file</source>
+        <translation>图案文件的完整路径</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>time from burst to burst</source>
+        <translation>相邻短振的间隔时间</translation>
+    </message>
+    <message>
+        <source>length of a burst</source>
+        <translation>短振的时长</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>balance of a phantom</source>
+        <translation>幻象的平衡</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>logarithmic (log10)</source>
+        <translation>对数 (log10)</translation>
+    </message>
+    <message>
+        <source>the highest</source>
+        <translation>最高刺激水平</translation>
+    </message>
+    <message>
+        <source>constant stimuli</source>
+        <translation>恒定刺激法</translation>
+    </message>
+    <message>
+        <source>staircase</source>
+        <translation>阶梯法</translation>
+    </message>
+    <message>
+        <source>Bayesian (QUEST+)</source>
+        <translation>贝叶斯 (QUEST+)</translation>
+    </message>
+    <message>
+        <source>levels with commas between them, for example 0.1, 0.2, 0.4</source>
+        <translation>以逗号分隔的刺激水平，例如 0.1, 0.2, 0.4</translation>
+    </message>
+    <message>
+        <source>Identifier</source>
+        <translation>标识符</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>设计</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>时间区间数</translation>
+    </message>
+    <message>
+        <source>Gap between intervals, s</source>
+        <translation>时间区间之间的间隔，s</translation>
+    </message>
+    <message>
+        <source>Share of catch trials</source>
+        <translation>捕捉试次的比例</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source>Stimulus</source>
+        <translation>刺激</translation>
+    </message>
+    <message>
+        <source>A level sets the</source>
+        <translation>刺激水平所设定的量</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>标度</translation>
+    </message>
+    <message>
+        <source>Lowest level</source>
+        <translation>最低刺激水平</translation>
+    </message>
+    <message>
+        <source>Highest level</source>
+        <translation>最高刺激水平</translation>
+    </message>
+    <message>
+        <source>Reference; 0 is nothing</source>
+        <translation>参考；0 表示无</translation>
+    </message>
+    <message>
+        <source>Level of the practice</source>
+        <translation>练习的刺激水平</translation>
+    </message>
+    <message>
+        <source>Levels are chosen by</source>
+        <translation>刺激水平的选取方式</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>刺激水平</translation>
+    </message>
+    <message>
+        <source>Remove this task</source>
+        <translation>移除此任务</translation>
+    </message>
+    <message>
+        <source>First level</source>
+        <translation>第一个刺激水平</translation>
+    </message>
+    <message>
+        <source>Right answers for a step down</source>
+        <translation>下降一步所需的正确回答数</translation>
+    </message>
+    <message>
+        <source>Step up, in the scale</source>
+        <translation>上升步长（按标度）</translation>
+    </message>
+    <message>
+        <source>Step down, in the scale</source>
+        <translation>下降步长（按标度）</translation>
+    </message>
+    <message>
+        <source>Reversals with larger steps</source>
+        <translation>采用较大步长的反转点数</translation>
+    </message>
+    <message>
+        <source>Times larger</source>
+        <translation>放大倍数</translation>
+    </message>
+    <message>
+        <source>Reversals at most</source>
+        <translation>反转点上限</translation>
+    </message>
+    <message>
+        <source>Reversals left out</source>
+        <translation>略去的反转点数</translation>
+    </message>
+    <message>
+        <source>Trials at most</source>
+        <translation>试次上限</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>函数</translation>
+    </message>
+    <message>
+        <source>Slopes or spreads</source>
+        <translation>斜率或离散度</translation>
+    </message>
+    <message>
+        <source>Lapse rates</source>
+        <translation>失误率</translation>
+    </message>
+    <message>
+        <source>Rates of yes without a stimulus</source>
+        <translation>无刺激时回答“是”的比率</translation>
+    </message>
+    <message>
+        <source>Levels of the grid</source>
+        <translation>网格的刺激水平数</translation>
+    </message>
+    <message>
+        <source>Mean of the prior, in the scale</source>
+        <translation>先验的平均值（按标度）</translation>
+    </message>
+    <message>
+        <source>all thresholds are equally likely</source>
+        <translation>所有阈值的可能性相同</translation>
+    </message>
+    <message>
+        <source>Its standard deviation</source>
+        <translation>其标准差</translation>
+    </message>
+    <message>
+        <source>Trials at least</source>
+        <translation>试次下限</translation>
+    </message>
+    <message>
+        <source>Ends with a standard deviation of</source>
+        <translation>结束时的标准差</translation>
+    </message>
+    <message>
+        <source>only with its trials</source>
+        <translation>仅在试次用完时</translation>
+    </message>
+    <message>
+        <source>Pattern file of the stimulus</source>
+        <translation>刺激的图案文件</translation>
+    </message>
+    <message>
+        <source>Detection</source>
+        <translation>检测</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a number</source>
+        <comment>a row of the form</comment>
+        <translation>%1：“%2”不是数</translation>
+    </message>
+    <message>
+        <source>a number with a point, such as 0.5</source>
+        <translation>带小数点的数，例如 0.5</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>“%1”不是数</translation>
+    </message>
+    <message>
+        <source>numbers with a point, such as 0.1, 0.2</source>
+        <translation>带小数点的数，例如 0.1, 0.2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number</source>
+        <translation>“%1”不是整数</translation>
+    </message>
+    <message>
+        <source>a number such as 12</source>
+        <translation>数，例如 12</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tactor</source>
+        <translation>“%1”不是振子</translation>
+    </message>
+    <message>
+        <source>a name and numbers of tactors, for example t1 1</source>
+        <translation>名称和振子编号，例如 t1 1</translation>
+    </message>
+    <message>
+        <source>a condition and its reference, such as weak 0.3</source>
+        <translation>条件及其参考，例如 weak 0.3</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LiveProbing</name>
     <message>
         <source>The camera is open but sends no frames.</source>
@@ -10434,6 +13234,25 @@ Run %2 --help for more.
     <message>
         <source>Keep the pairs collected so far</source>
         <translation>保留目前采集的内容</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LiveViewService</name>
+    <message>
+        <source>Li&amp;ve view for Foxglove</source>
+        <translation>用于 Foxglove 的实时视图(&amp;V)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n viewer(s)</source>
+        <translation>
+            <numerusform>%n 个查看者</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s) missed</source>
+        <translation>
+            <numerusform>遗漏 %n 条消息</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10646,6 +13465,22 @@ Run %2 --help for more.
         <source>Re&amp;start</source>
         <translation>重新开始(&amp;S)</translation>
     </message>
+    <message>
+        <source>Foxglove can be connected to %1.</source>
+        <translation>Foxglove 可连接到 %1。</translation>
+    </message>
+    <message>
+        <source>Open connection &gt; Foxglove WebSocket shows all sources there.</source>
+        <translation>在其中选择 Open connection &gt; Foxglove WebSocket 即可显示所有数据源。</translation>
+    </message>
+    <message>
+        <source>The live view has ended.</source>
+        <translation>实时视图已结束。</translation>
+    </message>
+    <message>
+        <source>Choose another port with --foxglove.</source>
+        <translation>请用 --foxglove 选择另一个端口。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -10800,10 +13635,6 @@ Run %2 --help for more.
         <translation>正式：真实被试，计为数据</translation>
     </message>
     <message>
-        <source>Determines the order of all trials: the same seed gives the same study</source>
-        <translation>所有试次的顺序由它决定：相同的种子得到相同的研究</translation>
-    </message>
-    <message>
         <source>New &amp;folder</source>
         <translation>要创建的文件夹(&amp;F)</translation>
     </message>
@@ -10836,6 +13667,10 @@ Run %2 --help for more.
     <message>
         <source>The file is not a usable protocol; the one above stays selected. %1</source>
         <translation>该文件不是可用的方案；仍选用上面的方案。%1</translation>
+    </message>
+    <message>
+        <source>Determines the order of all trials: the same seed gives the same study. It is drawn at random, shown here and kept with the study.</source>
+        <translation>决定所有试次的顺序：相同的种子得到相同的研究。它随机抽取，显示在此处，并随研究保存。</translation>
     </message>
 </context>
 <context>
@@ -11466,6 +14301,10 @@ Run %2 --help for more.
             <numerusform>每名被试 %n 个测试试次</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add a task with &amp;levels</source>
+        <translation>添加带刺激水平的任务(&amp;L)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::QuestionnaireEditor</name>
@@ -11535,10 +14374,6 @@ Run %2 --help for more.
         <translation> 级</translation>
     </message>
     <message>
-        <source>what 1 means</source>
-        <translation>1 的含义</translation>
-    </message>
-    <message>
         <source>what the last point means</source>
         <translation>最后一级的含义</translation>
     </message>
@@ -11569,6 +14404,42 @@ Run %2 --help for more.
     <message>
         <source>identifier and text, one per line, for example yes I felt it</source>
         <translation>标识符和文本，每行一个，例如 yes I felt it</translation>
+    </message>
+    <message>
+        <source>all questions have to be answered</source>
+        <translation>所有问题都必须回答</translation>
+    </message>
+    <message>
+        <source>of my own</source>
+        <translation>自定义</translation>
+    </message>
+    <message>
+        <source>NASA-TLX: six ratings</source>
+        <translation>NASA-TLX：六项评分</translation>
+    </message>
+    <message>
+        <source>NASA-TLX: ratings and comparisons</source>
+        <translation>NASA-TLX：评分与两两比较</translation>
+    </message>
+    <message>
+        <source>System Usability Scale</source>
+        <translation>系统可用性量表</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>scale from 0 to 100</source>
+        <translation>0 至 100 的量表</translation>
+    </message>
+    <message>
+        <source>one of two answers</source>
+        <translation>两个答案中选一个</translation>
+    </message>
+    <message>
+        <source>what the first point means</source>
+        <translation>第一级的含义</translation>
     </message>
 </context>
 <context>
@@ -11671,6 +14542,15 @@ Run %2 --help for more.
     <message>
         <source>Close whatever else uses the file. It is tried again with the next change of a mark, and when the program ends.</source>
         <translation>请关闭其他正在使用该文件的程序。下次更改标记时以及程序结束时会重试。</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <comment>a file</comment>
+        <translation>已写出 %1。</translation>
+    </message>
+    <message>
+        <source>Ex&amp;port recording as MCAP…</source>
+        <translation>将记录导出为 MCAP(&amp;P)…</translation>
     </message>
 </context>
 <context>
@@ -11821,6 +14701,18 @@ Run %2 --help for more.
     <message>
         <source>another export is running</source>
         <translation>另一个导出正在进行</translation>
+    </message>
+    <message>
+        <source>Export recording as MCAP</source>
+        <translation>将记录导出为 MCAP</translation>
+    </message>
+    <message>
+        <source>MCAP file</source>
+        <translation>MCAP 文件</translation>
+    </message>
+    <message>
+        <source>MCAP files (*.mcap)</source>
+        <translation>MCAP 文件 (*.mcap)</translation>
     </message>
 </context>
 <context>
@@ -12175,6 +15067,29 @@ Run %2 --help for more.
     <message>
         <source>Speed of the simulated participants; can be changed between sessions</source>
         <translation>模拟被试的速度；可在场次之间更改</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>规划</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::StudyPlanning</name>
+    <message>
+        <source>What is assumed</source>
+        <translation>假定的内容</translation>
+    </message>
+    <message>
+        <source>Truth (*.toml)</source>
+        <translation>真值 (*.toml)</translation>
+    </message>
+    <message>
+        <source>There is no number of participants to try: &quot;from&quot; is above &quot;to&quot;.</source>
+        <translation>没有可尝试的被试人数：“从”大于“到”。</translation>
+    </message>
+    <message>
+        <source>this study</source>
+        <translation>本研究</translation>
     </message>
 </context>
 <context>
@@ -13176,6 +16091,58 @@ Run %2 --help for more.
         <source>your answer</source>
         <translation>您的回答</translation>
     </message>
+    <message>
+        <source>Answer: %1</source>
+        <comment>yes, no, a number ..</comment>
+        <translation>回答：%1</translation>
+    </message>
+    <message>
+        <source>%1. This was right.</source>
+        <translation>%1。这是正确答案。</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <translation>✓ 正确答案</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::study::ComparisonsView</name>
+    <message>
+        <source>Pairs of levels</source>
+        <translation>水平对</translation>
+    </message>
+    <message>
+        <source>Paired t tests. p Holm is corrected over all pairs of an effect; intervals are not corrected.</source>
+        <translation>配对 t 检验。p Holm 已针对同一效应的所有水平对校正；区间未校正。</translation>
+    </message>
+    <message>
+        <source>Effect sizes, and effects by ranks</source>
+        <translation>效应量，以及基于秩的效应</translation>
+    </message>
+    <message>
+        <source>The same pairs by ranks</source>
+        <translation>基于秩的相同水平对</translation>
+    </message>
+    <message>
+        <source>Model of single answers</source>
+        <translation>单次回答的模型</translation>
+    </message>
+    <message>
+        <source>Response times of the conditions</source>
+        <translation>各条件的反应时</translation>
+    </message>
+    <message>
+        <source>Exclusions</source>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>Nothing was deleted: the trials are in the study and in its exports, with the rule that left them out.</source>
+        <translation>没有删除任何内容：试次仍在研究及其导出中，并附有将其略去的规则。</translation>
+    </message>
+    <message>
+        <source>With the rules, and without them</source>
+        <translation>应用规则与不应用规则</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::ConfusionView</name>
@@ -13303,6 +16270,110 @@ Run %2 --help for more.
         <source>Take a break. Press Space when you would like to continue.</source>
         <translation>请休息。想继续时请按空格键。</translation>
     </message>
+    <message>
+        <source>%1 Press R to feel it again.</source>
+        <comment>a question</comment>
+        <translation>%1 按 R 可再感受一次。</translation>
+    </message>
+    <message>
+        <source>There was no answer in time. The marked answer was the right one. Press Space to continue.</source>
+        <translation>未及时回答。标出的回答是正确答案。按空格键继续。</translation>
+    </message>
+    <message>
+        <source>The answer marked with ✓ was the right one. Press Space to continue.</source>
+        <translation>标有 ✓ 的回答是正确答案。按空格键继续。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::study::PlanPanel</name>
+    <message>
+        <source>Right answers, %1</source>
+        <comment>condition</comment>
+        <translation>正确率，%1</translation>
+    </message>
+    <message>
+        <source>The middle participant has these shares; the spreads are in logits.</source>
+        <translation>居中的被试具有这些比例；离散度以 logit 为单位。</translation>
+    </message>
+    <message>
+        <source>Assumed: what %1 says.</source>
+        <translation>假定：按 %1 所述。</translation>
+    </message>
+    <message>
+        <source>This protocol has no task in which patterns are told apart.</source>
+        <translation>此方案没有需要区分图案的任务。</translation>
+    </message>
+    <message>
+        <source>&amp;Test</source>
+        <translation>检验(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Spread of &amp;participants</source>
+        <translation>被试间的离散度(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Spread under one &amp;condition</source>
+        <translation>单个条件下的离散度(&amp;C)</translation>
+    </message>
+    <message>
+        <source>From a &amp;file…</source>
+        <translation>来自文件(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>A TOML file with shares of right answers and spreads</source>
+        <translation>含正确回答比例和离散度的 TOML 文件</translation>
+    </message>
+    <message>
+        <source>From this st&amp;udy</source>
+        <translation>来自此研究(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Assumes what the results of this study show; at least 5 participants</source>
+        <translation>假定此研究的结果所显示的内容；至少 5 名被试</translation>
+    </message>
+    <message>
+        <source>From this f&amp;orm</source>
+        <translation>来自此表单(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Part&amp;icipants</source>
+        <translation>被试(&amp;I)</translation>
+    </message>
+    <message>
+        <source>from </source>
+        <comment>number of participants</comment>
+        <translation>从 </translation>
+    </message>
+    <message>
+        <source>to </source>
+        <comment>number of participants</comment>
+        <translation>到 </translation>
+    </message>
+    <message>
+        <source>step </source>
+        <comment>of the number of participants</comment>
+        <translation>步长 </translation>
+    </message>
+    <message>
+        <source>Target po&amp;wer</source>
+        <translation>目标检验力(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Studies drawn</source>
+        <translation>抽取的研究数(&amp;S)</translation>
+    </message>
+    <message>
+        <source>P&amp;lan</source>
+        <translation>规划(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Power over the number of participants</source>
+        <translation>检验力随被试人数的变化</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::QuestionnaireForm</name>
@@ -13427,6 +16498,38 @@ Run %2 --help for more.
     <message>
         <source>Tick the participants to compare with: a second group, side by side</source>
         <translation>勾选要对比的被试：第二组并排显示</translation>
+    </message>
+    <message>
+        <source>Comparisons</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>回答</translation>
+    </message>
+    <message>
+        <source>Thresholds</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source>d&apos; and c</source>
+        <translation>d&apos; 与 c</translation>
+    </message>
+    <message>
+        <source>Whose threshold is shown</source>
+        <translation>显示谁的阈值</translation>
+    </message>
+    <message>
+        <source>Which track is shown</source>
+        <translation>显示哪个序列</translation>
+    </message>
+    <message>
+        <source>Which condition is shown</source>
+        <translation>显示哪个条件</translation>
     </message>
 </context>
 <context>
