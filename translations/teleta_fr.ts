@@ -294,7 +294,7 @@
     </message>
     <message>
         <source>cannot be moved: the description states no speed</source>
-        <translation>ne peut pas être bougé : la description n’indique pas de vitesse</translation>
+        <translation>ne peut pas être bougé&#xa0;: la description n’indique pas de vitesse</translation>
     </message>
     <message>
         <source>Chain, limits and mass of an arm, and what cannot be moved</source>
@@ -302,15 +302,15 @@
     </message>
     <message>
         <source>URDF file, or the name of one that comes with the program: %1</source>
-        <translation>Fichier URDF, ou nom de l’un de ceux fournis avec le programme : %1</translation>
+        <translation>Fichier URDF, ou nom de l’un de ceux fournis avec le programme&#xa0;: %1</translation>
     </message>
     <message>
         <source>Link that stands still; default: the root</source>
-        <translation>Segment immobile ; par défaut : la racine</translation>
+        <translation>Segment immobile&#xa0;; par défaut&#xa0;: la racine</translation>
     </message>
     <message>
         <source>Link that is moved; default: tool0, flange or ee_link, else the end of the longest chain</source>
-        <translation>Segment qui est bougé ; par défaut : tool0, flange ou ee_link, sinon le bout de la chaîne la plus longue</translation>
+        <translation>Segment qui est bougé&#xa0;; par défaut&#xa0;: tool0, flange ou ee_link, sinon le bout de la chaîne la plus longue</translation>
     </message>
     <message>
         <source>Joint</source>
@@ -343,13 +343,13 @@
     <message numerus="yes">
         <source>%1: %n joint(s) from %2 to %3</source>
         <translation>
-            <numerusform>%1 : %n articulation de %2 à %3</numerusform>
-            <numerusform>%1 : %n articulations de %2 à %3</numerusform>
+            <numerusform>%1&#xa0;: %n articulation de %2 à %3</numerusform>
+            <numerusform>%1&#xa0;: %n articulations de %2 à %3</numerusform>
         </translation>
     </message>
     <message>
         <source>The link &apos;%1&apos; has no mass, so the torque of gravity is not known.</source>
-        <translation>Le segment « %1 » n’a pas de masse : le couple de pesanteur est donc inconnu.</translation>
+        <translation>Le segment «&#xa0;%1&#xa0;» n’a pas de masse&#xa0;: le couple de pesanteur est donc inconnu.</translation>
     </message>
     <message>
         <source>%1 kg are moved.</source>
@@ -764,7 +764,7 @@
     <name>ChainText</name>
     <message>
         <source>the robot has no link &apos;%1&apos;</source>
-        <translation>le robot n’a pas de segment « %1 »</translation>
+        <translation>le robot n’a pas de segment «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>one of %1</source>
@@ -772,7 +772,7 @@
     </message>
     <message>
         <source>the link &apos;%1&apos; does not hang on &apos;%2&apos;</source>
-        <translation>le segment « %1 » n’est pas rattaché à « %2 »</translation>
+        <translation>le segment «&#xa0;%1&#xa0;» n’est pas rattaché à «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>a base from which joints lead to the tip</source>
@@ -780,7 +780,7 @@
     </message>
     <message>
         <source>no joint between &apos;%1&apos; and &apos;%2&apos; moves</source>
-        <translation>aucune articulation entre « %1 » et « %2 » ne bouge</translation>
+        <translation>aucune articulation entre «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» ne bouge</translation>
     </message>
     <message>
         <source>at least one revolute, continuous or prismatic joint</source>
@@ -796,7 +796,7 @@
     </message>
     <message>
         <source>a joint that moves &apos;%1&apos; moves the tip as well</source>
-        <translation>une articulation qui bouge « %1 » bouge aussi le bout</translation>
+        <translation>une articulation qui bouge «&#xa0;%1&#xa0;» bouge aussi le bout</translation>
     </message>
     <message>
         <source>a base that stands still while the tip moves</source>
@@ -870,11 +870,11 @@
     </message>
     <message>
         <source>Difference %</source>
-        <translation>Différence %</translation>
+        <translation>Différence&#xa0;%</translation>
     </message>
     <message>
         <source>95 %</source>
-        <translation>95 %</translation>
+        <translation>95&#xa0;%</translation>
     </message>
     <message>
         <source>t</source>
@@ -894,7 +894,7 @@
     </message>
     <message>
         <source>d_z 95 %</source>
-        <translation>d_z 95 %</translation>
+        <translation>d_z 95&#xa0;%</translation>
     </message>
     <message>
         <source>d_av</source>
@@ -930,7 +930,7 @@
     </message>
     <message>
         <source>Corrected over all pairs of the effect; over all patterns where the conditions are compared within them</source>
-        <translation>Corrigé sur toutes les paires de l’effet ; sur tous les motifs là où les conditions sont comparées au sein de chacun</translation>
+        <translation>Corrigé sur toutes les paires de l’effet&#xa0;; sur tous les motifs là où les conditions sont comparées au sein de chacun</translation>
     </message>
     <message>
         <source>Difference over the standard deviation of the differences</source>
@@ -970,7 +970,7 @@
     </message>
     <message>
         <source>Wilcoxon&apos;s signed rank test with Pratt&apos;s zeros; exact up to 25 differences</source>
-        <translation>Test des rangs signés de Wilcoxon avec les zéros selon Pratt ; exact jusqu’à 25 différences</translation>
+        <translation>Test des rangs signés de Wilcoxon avec les zéros selon Pratt&#xa0;; exact jusqu’à 25 différences</translation>
     </message>
     <message>
         <source>Corrected over all pairs of the effect</source>
@@ -998,7 +998,7 @@
     </message>
     <message>
         <source>From the noncentral F distribution; only with sphericity, eps GG at least 0.75</source>
-        <translation>D’après la loi F non centrée ; seulement avec sphéricité, eps GG d’au moins 0.75</translation>
+        <translation>D’après la loi F non centrée&#xa0;; seulement avec sphéricité, eps GG d’au moins 0.75</translation>
     </message>
     <message>
         <source>By ranks, of three levels and more</source>
@@ -1046,11 +1046,11 @@
     </message>
     <message>
         <source>No model of single answers: under one condition all answers are right, or all wrong, so that its effect has no finite estimate.</source>
-        <translation>Pas de modèle des réponses individuelles : dans une condition, toutes les réponses sont correctes, ou toutes fausses, si bien que son effet n’a pas d’estimation finie.</translation>
+        <translation>Pas de modèle des réponses individuelles&#xa0;: dans une condition, toutes les réponses sont correctes, ou toutes fausses, si bien que son effet n’a pas d’estimation finie.</translation>
     </message>
     <message>
         <source>No model of single answers: the search has found no maximum.</source>
-        <translation>Pas de modèle des réponses individuelles : la recherche n’a pas trouvé de maximum.</translation>
+        <translation>Pas de modèle des réponses individuelles&#xa0;: la recherche n’a pas trouvé de maximum.</translation>
     </message>
     <message>
         <source>Each participant has an own intercept, with a standard deviation of %1.</source>
@@ -1062,7 +1062,7 @@
     </message>
     <message>
         <source>Conditions: likelihood ratio χ²(%1) = %2, p %3.</source>
-        <translation>Conditions : rapport de vraisemblance χ²(%1) = %2, p %3.</translation>
+        <translation>Conditions&#xa0;: rapport de vraisemblance χ²(%1) = %2, p %3.</translation>
     </message>
     <message>
         <source>Ratio</source>
@@ -1094,7 +1094,7 @@
     </message>
     <message>
         <source>answered, %</source>
-        <translation>réponses données, %</translation>
+        <translation>réponses données,&#xa0;%</translation>
     </message>
     <message>
         <source>Rule</source>
@@ -1143,8 +1143,8 @@
     <message numerus="yes">
         <source>no spread of the times in %n case(s): nothing left out</source>
         <translation>
-            <numerusform>pas de dispersion des temps dans %n cas : rien n’est écarté</numerusform>
-            <numerusform>pas de dispersion des temps dans %n cas : rien n’est écarté</numerusform>
+            <numerusform>pas de dispersion des temps dans %n cas&#xa0;: rien n’est écarté</numerusform>
+            <numerusform>pas de dispersion des temps dans %n cas&#xa0;: rien n’est écarté</numerusform>
         </translation>
     </message>
     <message>
@@ -1165,11 +1165,11 @@
     </message>
     <message>
         <source>Right %</source>
-        <translation>Correctes %</translation>
+        <translation>Correctes&#xa0;%</translation>
     </message>
     <message>
         <source>Right % without rules</source>
-        <translation>Correctes % sans règles</translation>
+        <translation>Correctes&#xa0;% sans règles</translation>
     </message>
     <message>
         <source>p GG</source>
@@ -1184,7 +1184,7 @@
     <name>ComparisonText</name>
     <message>
         <source>Pairs of levels, paired t tests of the shares of correct answers. Holm: corrected over all pairs of the effect. The intervals (95 %) are not corrected</source>
-        <translation>Paires de niveaux, tests t appariés des parts de réponses correctes. Holm : corrigé sur toutes les paires de l’effet. Les intervalles (95 %) ne sont pas corrigés</translation>
+        <translation>Paires de niveaux, tests t appariés des parts de réponses correctes. Holm&#xa0;: corrigé sur toutes les paires de l’effet. Les intervalles (95&#xa0;%) ne sont pas corrigés</translation>
     </message>
     <message>
         <source>Effect</source>
@@ -1200,11 +1200,11 @@
     </message>
     <message>
         <source>Difference, %</source>
-        <translation>Différence, %</translation>
+        <translation>Différence,&#xa0;%</translation>
     </message>
     <message>
         <source>Interval, %</source>
-        <translation>Intervalle, %</translation>
+        <translation>Intervalle,&#xa0;%</translation>
     </message>
     <message>
         <source>p, Holm</source>
@@ -1220,7 +1220,7 @@
     </message>
     <message>
         <source>The same pairs by ranks: Wilcoxon&apos;s signed rank test with Pratt&apos;s zeros, exact up to 25 differences</source>
-        <translation>Les mêmes paires par les rangs : test des rangs signés de Wilcoxon avec les zéros selon Pratt, exact jusqu’à 25 différences</translation>
+        <translation>Les mêmes paires par les rangs&#xa0;: test des rangs signés de Wilcoxon avec les zéros selon Pratt, exact jusqu’à 25 différences</translation>
     </message>
     <message>
         <source>Rank-biserial r</source>
@@ -1240,7 +1240,7 @@
     </message>
     <message>
         <source>Partial η² with its interval (95 %), where sphericity holds (ε GG at least 0.75)</source>
-        <translation>η² partiel avec son intervalle (95 %), là où la sphéricité est respectée (ε GG d’au moins 0.75)</translation>
+        <translation>η² partiel avec son intervalle (95&#xa0;%), là où la sphéricité est respectée (ε GG d’au moins 0.75)</translation>
     </message>
     <message>
         <source>Model of single answers</source>
@@ -1248,11 +1248,11 @@
     </message>
     <message>
         <source>There are no numbers: %1.</source>
-        <translation>Il n’y a pas de nombres : %1.</translation>
+        <translation>Il n’y a pas de nombres&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Logit of a correct answer: an intercept that differs between participants, and the conditions against %1; Wald&apos;s intervals (95 %)</source>
-        <translation>Logit d’une réponse correcte : une ordonnée à l’origine propre à chaque participant, et les conditions par rapport à %1 ; intervalles de Wald (95 %)</translation>
+        <translation>Logit d’une réponse correcte&#xa0;: une ordonnée à l’origine propre à chaque participant, et les conditions par rapport à %1&#xa0;; intervalles de Wald (95&#xa0;%)</translation>
     </message>
     <message>
         <source>Term</source>
@@ -1276,7 +1276,7 @@
     </message>
     <message>
         <source>Standard deviation of the participants: %1.</source>
-        <translation>Écart-type des participants : %1.</translation>
+        <translation>Écart-type des participants&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The participants do not differ more than chance makes them.</source>
@@ -1284,7 +1284,7 @@
     </message>
     <message>
         <source>Conditions: likelihood ratio χ²(%1) = %2, p %3.</source>
-        <translation>Conditions : rapport de vraisemblance χ²(%1) = %2, p %3.</translation>
+        <translation>Conditions&#xa0;: rapport de vraisemblance χ²(%1) = %2, p %3.</translation>
     </message>
     <message>
         <source>Comparisons and effect sizes</source>
@@ -1300,7 +1300,7 @@
     </message>
     <message>
         <source>answered, %</source>
-        <translation>réponses données, %</translation>
+        <translation>réponses données,&#xa0;%</translation>
     </message>
     <message>
         <source>Share of the correct answers of all participants that were given within a time.</source>
@@ -1308,7 +1308,7 @@
     </message>
     <message>
         <source>Conditions compared by the participants&apos; geometric means: how many times as long the first takes; paired t tests of the logarithms</source>
-        <translation>Conditions comparées par les moyennes géométriques des participants : combien de fois plus de temps prend la première ; tests t appariés des logarithmes</translation>
+        <translation>Conditions comparées par les moyennes géométriques des participants&#xa0;: combien de fois plus de temps prend la première&#xa0;; tests t appariés des logarithmes</translation>
     </message>
     <message>
         <source>Ratio</source>
@@ -1584,7 +1584,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>Address on which the live view listens (default 127.0.0.1: this computer only).</source>
-        <translation>Adresse sur laquelle la vue en direct écoute (par défaut 127.0.0.1 : cet ordinateur seulement).</translation>
+        <translation>Adresse sur laquelle la vue en direct écoute (par défaut 127.0.0.1&#xa0;: cet ordinateur seulement).</translation>
     </message>
     <message>
         <source>ADDRESS</source>
@@ -2287,7 +2287,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>What was left out, in the order of the rules; nothing was deleted</source>
-        <translation>Ce qui a été écarté, dans l’ordre des règles ; rien n’a été supprimé</translation>
+        <translation>Ce qui a été écarté, dans l’ordre des règles&#xa0;; rien n’a été supprimé</translation>
     </message>
     <message>
         <source>Rule</source>
@@ -2334,11 +2334,11 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>Correct, %</source>
-        <translation>Correctes, %</translation>
+        <translation>Correctes,&#xa0;%</translation>
     </message>
     <message>
         <source>Correct without rules, %</source>
-        <translation>Correctes sans règles, %</translation>
+        <translation>Correctes sans règles,&#xa0;%</translation>
     </message>
     <message>
         <source>p GG without rules</source>
@@ -2357,11 +2357,11 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>&quot;%1&quot;</source>
-        <translation>« %1 »</translation>
+        <translation>«&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no exclusion rule</source>
-        <translation>« %1 » n’est pas une règle d’exclusion</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une règle d’exclusion</translation>
     </message>
     <message>
         <source>RULE=VALUE with one of %1</source>
@@ -2369,7 +2369,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>&quot;%1&quot; has no usable value</source>
-        <translation>« %1 » n’a pas de valeur utilisable</translation>
+        <translation>«&#xa0;%1&#xa0;» n’a pas de valeur utilisable</translation>
     </message>
     <message>
         <source>%1=VALUE with %2</source>
@@ -2425,7 +2425,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>The camera sees a left-handed frame: y of %1 has changed its sign.</source>
-        <translation>La caméra voit un repère indirect : y de %1 a changé de signe.</translation>
+        <translation>La caméra voit un repère indirect&#xa0;: y de %1 a changé de signe.</translation>
     </message>
     <message>
         <source>%1 has no messages in ROS and was left out.</source>
@@ -2437,11 +2437,11 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>List the streams of the recording: name and kind</source>
-        <translation>Lister les flux de l’enregistrement : nom et type</translation>
+        <translation>Lister les flux de l’enregistrement&#xa0;: nom et type</translation>
     </message>
     <message>
         <source>Add a last column utc_s: Unix time in s with nine decimals</source>
-        <translation>Ajouter une dernière colonne utc_s : temps Unix en s avec neuf décimales</translation>
+        <translation>Ajouter une dernière colonne utc_s&#xa0;: temps Unix en s avec neuf décimales</translation>
     </message>
     <message>
         <source>MCAP file for Foxglove and ROS 2</source>
@@ -3200,7 +3200,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>The file was cut off: %1 of %2 bytes could be read.</source>
-        <translation>Le fichier a été coupé : %1 octets sur %2 ont pu être lus.</translation>
+        <translation>Le fichier a été coupé&#xa0;: %1 octets sur %2 ont pu être lus.</translation>
     </message>
     <message numerus="yes">
         <source>%n damaged chunk(s) left out</source>
@@ -3218,7 +3218,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>The checksum of the file is wrong: it was damaged somewhere.</source>
-        <translation>La somme de contrôle du fichier est fausse : il a été endommagé quelque part.</translation>
+        <translation>La somme de contrôle du fichier est fausse&#xa0;: il a été endommagé quelque part.</translation>
     </message>
     <message>
         <source>MCAP file with messages of ROS 2</source>
@@ -3234,7 +3234,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>&apos;%1&apos; is not /TOPIC=array, /TOPIC=camera or /TOPIC=joints</source>
-        <translation>« %1 » n’est pas /TOPIC=array, /TOPIC=camera ni /TOPIC=joints</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas /TOPIC=array, /TOPIC=camera ni /TOPIC=joints</translation>
     </message>
     <message>
         <source>Make a recording of an MCAP file</source>
@@ -3348,6 +3348,17 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>KeyListText</name>
+    <message>
+        <source>a list of %1, each %2</source>
+        <translation>une liste de %1 éléments, chacun %2</translation>
+    </message>
+    <message>
+        <source>a list of %1 to %2, each %3</source>
+        <translation>une liste de %1 à %2 éléments, chacun %3</translation>
+    </message>
+</context>
+<context>
     <name>LanguageMenu</name>
     <message>
         <source>Lan&amp;guage</source>
@@ -3398,7 +3409,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>95 %</source>
-        <translation>95 %</translation>
+        <translation>95&#xa0;%</translation>
     </message>
     <message>
         <source>Spread or slope</source>
@@ -3426,15 +3437,15 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>Where the curve is half-way between guessing and its upper end; of a comparison the level that feels equal</source>
-        <translation>Là où la courbe est à mi-chemin entre la réponse au hasard et son extrémité supérieure ; pour une comparaison, le niveau ressenti comme égal</translation>
+        <translation>Là où la courbe est à mi-chemin entre la réponse au hasard et son extrémité supérieure&#xa0;; pour une comparaison, le niveau ressenti comme égal</translation>
     </message>
     <message>
         <source>By profile likelihood; of all participants Student&apos;s t of their thresholds. ? stands for an open end</source>
-        <translation>Par vraisemblance profilée ; pour tous les participants, t de Student de leurs seuils. ? signale une extrémité ouverte</translation>
+        <translation>Par vraisemblance profilée&#xa0;; pour tous les participants, t de Student de leurs seuils. ? signale une extrémité ouverte</translation>
     </message>
     <message>
         <source>s of gauss and logistic, in the unit of the level; the slope b of weibull</source>
-        <translation>s de gauss et de logistic, dans l’unité du niveau ; la pente b de weibull</translation>
+        <translation>s de gauss et de logistic, dans l’unité du niveau&#xa0;; la pente b de weibull</translation>
     </message>
     <message>
         <source>Share of mistakes however strong the stimulus is</source>
@@ -3442,11 +3453,11 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>Of the deviance, by data sets that are drawn and fitted again; constant stimuli only</source>
-        <translation>De la déviance, par des jeux de données tirés puis ajustés à nouveau ; stimuli constants seulement</translation>
+        <translation>De la déviance, par des jeux de données tirés puis ajustés à nouveau&#xa0;; stimuli constants seulement</translation>
     </message>
     <message>
         <source>Just noticeable difference: half of the way from 25 to 75 %</source>
-        <translation>Différence juste perceptible : la moitié de l’écart de 25 à 75 %</translation>
+        <translation>Différence juste perceptible&#xa0;: la moitié de l’écart de 25 à 75&#xa0;%</translation>
     </message>
     <message>
         <source>JND over the reference</source>
@@ -3458,7 +3469,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>mean of %1; %2 without threshold</source>
-        <translation>moyenne de %1 ; %2 sans seuil</translation>
+        <translation>moyenne de %1&#xa0;; %2 sans seuil</translation>
     </message>
     <message>
         <source>All</source>
@@ -3494,7 +3505,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>On the scale of the levels: in log10 units on a logarithmic one</source>
-        <translation>À l’échelle des niveaux : en unités log10 si elle est logarithmique</translation>
+        <translation>À l’échelle des niveaux&#xa0;: en unités log10 si elle est logarithmique</translation>
     </message>
     <message>
         <source>Hits</source>
@@ -3518,7 +3529,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>Of how many trials with a stimulus; of several intervals right answers</source>
-        <translation>Sur combien d’essais avec stimulus ; à plusieurs intervalles, réponses correctes</translation>
+        <translation>Sur combien d’essais avec stimulus&#xa0;; à plusieurs intervalles, réponses correctes</translation>
     </message>
     <message>
         <source>Of how many trials without</source>
@@ -3526,18 +3537,18 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>Sensitivity; rates are (count + 1/2) / (trials + 1)</source>
-        <translation>Sensibilité ; les taux sont (nombre + 1/2) / (essais + 1)</translation>
+        <translation>Sensibilité&#xa0;; les taux sont (nombre + 1/2) / (essais + 1)</translation>
     </message>
     <message>
         <source>Criterion: above 0 rather no; of two intervals below 0 rather the first</source>
-        <translation>Critère : au-dessus de 0, plutôt non ; à deux intervalles, au-dessous de 0, plutôt le premier</translation>
+        <translation>Critère&#xa0;: au-dessus de 0, plutôt non&#xa0;; à deux intervalles, au-dessous de 0, plutôt le premier</translation>
     </message>
 </context>
 <context>
     <name>LevelSourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
-        <translation>ces données sont de modes différents : %1 et %2</translation>
+        <translation>ces données sont de modes différents&#xa0;: %1 et %2</translation>
     </message>
     <message>
         <source>one mode, or the choice of one</source>
@@ -3545,7 +3556,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>%1 cannot be &quot;%2&quot;</source>
-        <translation>%1 ne peut pas être « %2 »</translation>
+        <translation>%1 ne peut pas être «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>nothing says which answers are correct</source>
@@ -3589,21 +3600,10 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
-    <name>ListText</name>
-    <message>
-        <source>a list of %1, each %2</source>
-        <translation>une liste de %1 éléments, chacun %2</translation>
-    </message>
-    <message>
-        <source>a list of %1 to %2, each %3</source>
-        <translation>une liste de %1 à %2 éléments, chacun %3</translation>
-    </message>
-</context>
-<context>
     <name>LiveView</name>
     <message>
         <source>&quot;%1&quot; is no address</source>
-        <translation>« %1 » n’est pas une adresse</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une adresse</translation>
     </message>
     <message>
         <source>an address such as 127.0.0.1</source>
@@ -3611,7 +3611,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>the live view cannot listen on %1:%2: %3</source>
-        <translation>la vue en direct ne peut pas écouter sur %1:%2 : %3</translation>
+        <translation>la vue en direct ne peut pas écouter sur %1:%2&#xa0;: %3</translation>
     </message>
     <message>
         <source>another port</source>
@@ -3637,7 +3637,7 @@ Exemples&#xa0;:
     <name>McapExport</name>
     <message>
         <source>there is no stream &quot;%1&quot;</source>
-        <translation>il n’y a pas de flux « %1 »</translation>
+        <translation>il n’y a pas de flux «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>one of %1</source>
@@ -3645,7 +3645,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>interrupted; nothing was written</source>
-        <translation>interrompu ; rien n’a été écrit</translation>
+        <translation>interrompu&#xa0;; rien n’a été écrit</translation>
     </message>
     <message>
         <source>a file of this name already exists</source>
@@ -3664,7 +3664,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>cannot be opened: %1</source>
-        <translation>ouverture impossible : %1</translation>
+        <translation>ouverture impossible&#xa0;: %1</translation>
     </message>
     <message>
         <source>this is not an MCAP file</source>
@@ -3676,7 +3676,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>the attachment &quot;%1&quot; is damaged</source>
-        <translation>la pièce jointe « %1 » est endommagée</translation>
+        <translation>la pièce jointe «&#xa0;%1&#xa0;» est endommagée</translation>
     </message>
 </context>
 <context>
@@ -3695,7 +3695,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>no topic of this file can be read: %1</source>
-        <translation>aucun topic de ce fichier ne peut être lu : %1</translation>
+        <translation>aucun topic de ce fichier ne peut être lu&#xa0;: %1</translation>
     </message>
     <message>
         <source>it has none</source>
@@ -4037,7 +4037,7 @@ Exemples&#xa0;:
     <name>OscTrigger</name>
     <message>
         <source>the host for triggers was not found: %1</source>
-        <translation>l’hôte des déclencheurs est introuvable : %1</translation>
+        <translation>l’hôte des déclencheurs est introuvable&#xa0;: %1</translation>
     </message>
     <message>
         <source>a name or an address</source>
@@ -4045,7 +4045,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>triggers cannot be sent: %1</source>
-        <translation>les déclencheurs ne peuvent pas être envoyés : %1</translation>
+        <translation>les déclencheurs ne peuvent pas être envoyés&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -4257,11 +4257,11 @@ Aire %6</translation>
     <message>
         <source>You answered %1 of %2 trials correctly: %3 %.</source>
         <comment>numbers</comment>
-        <translation>Vous avez répondu correctement à %1 essais sur %2 : %3 %.</translation>
+        <translation>Vous avez répondu correctement à %1 essais sur %2&#xa0;: %3&#xa0;%.</translation>
     </message>
     <message>
         <source>There were %1 possible answers. Whoever guesses is right in about %2 % of the trials.</source>
-        <translation>Il y avait %1 réponses possibles. Qui devine a raison dans environ %2 % des essais.</translation>
+        <translation>Il y avait %1 réponses possibles. Qui devine a raison dans environ %2&#xa0;% des essais.</translation>
     </message>
     <message numerus="yes">
         <source>In %n trial(s) the time was over before you answered.</source>
@@ -4276,7 +4276,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>You recognised these every time: %1.</source>
-        <translation>Vous avez reconnu ceux-ci à chaque fois : %1.</translation>
+        <translation>Vous avez reconnu ceux-ci à chaque fois&#xa0;: %1.</translation>
     </message>
     <message>
         <source>, </source>
@@ -4289,7 +4289,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Thank you for taking part in the study &quot;%1&quot;.</source>
-        <translation>Merci d’avoir participé à l’étude « %1 ».</translation>
+        <translation>Merci d’avoir participé à l’étude «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>You have not begun yet.</source>
@@ -4297,11 +4297,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>This page has your answers alone. They say how well these vibrations can be told apart on this bracelet; they are no test of health.</source>
-        <translation>Cette page contient vos réponses seules. Elles indiquent à quel point ces vibrations peuvent être distinguées sur ce bracelet ; ce n’est pas un test de santé.</translation>
+        <translation>Cette page contient vos réponses seules. Elles indiquent à quel point ces vibrations peuvent être distinguées sur ce bracelet&#xa0;; ce n’est pas un test de santé.</translation>
     </message>
     <message>
         <source>Completed test trials of each session; the interval is Wilson&apos;s (95 %)</source>
-        <translation>Essais de test achevés de chaque session ; l’intervalle est celui de Wilson (95 %)</translation>
+        <translation>Essais de test achevés de chaque session&#xa0;; l’intervalle est celui de Wilson (95&#xa0;%)</translation>
     </message>
     <message>
         <source>Session</source>
@@ -4329,7 +4329,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Interval, %</source>
-        <translation>Intervalle, %</translation>
+        <translation>Intervalle,&#xa0;%</translation>
     </message>
     <message>
         <source>No answer</source>
@@ -4353,7 +4353,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Rows: presented; columns: answered. Number of trials.</source>
-        <translation>Lignes : présenté ; colonnes : répondu. Nombre d’essais.</translation>
+        <translation>Lignes&#xa0;: présenté&#xa0;; colonnes&#xa0;: répondu. Nombre d’essais.</translation>
     </message>
     <message>
         <source>Question</source>
@@ -4377,7 +4377,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>the study has no participant &quot;%1&quot;</source>
-        <translation>l’étude n’a pas de participant « %1 »</translation>
+        <translation>l’étude n’a pas de participant «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Your results</source>
@@ -4385,7 +4385,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>Study: %1. Participant %2 in the order of enrolment.</source>
-        <translation>Étude : %1. Participant %2 dans l’ordre d’inscription.</translation>
+        <translation>Étude&#xa0;: %1. Participant %2 dans l’ordre d’inscription.</translation>
     </message>
     <message>
         <source>No session has begun.</source>
@@ -4945,7 +4945,7 @@ Aire %6</translation>
     <message>
         <source>%1: %2</source>
         <comment>task, test</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>conditions</source>
@@ -4962,7 +4962,7 @@ Aire %6</translation>
     <message>
         <source>Power: %1</source>
         <comment>test</comment>
-        <translation>Puissance : %1</translation>
+        <translation>Puissance&#xa0;: %1</translation>
     </message>
     <message>
         <source>participants</source>
@@ -4970,7 +4970,7 @@ Aire %6</translation>
     </message>
     <message>
         <source>significant studies, %</source>
-        <translation>études significatives, %</translation>
+        <translation>études significatives,&#xa0;%</translation>
     </message>
     <message>
         <source>target</source>
@@ -4982,15 +4982,15 @@ Aire %6</translation>
     </message>
     <message>
         <source>No number up to %1 reaches %2 %.</source>
-        <translation>Aucun nombre jusqu’à %1 n’atteint %2 %.</translation>
+        <translation>Aucun nombre jusqu’à %1 n’atteint %2&#xa0;%.</translation>
     </message>
     <message>
         <source>%1 or %2 participants reach %3 %; chance cannot tell which.</source>
-        <translation>%1 ou %2 participants atteignent %3 % ; le hasard ne permet pas de dire lequel.</translation>
+        <translation>%1 ou %2 participants atteignent %3&#xa0;%&#xa0;; le hasard ne permet pas de dire lequel.</translation>
     </message>
     <message>
         <source>%1 participants reach %2 %.</source>
-        <translation>%1 participants atteignent %2 %.</translation>
+        <translation>%1 participants atteignent %2&#xa0;%.</translation>
     </message>
 </context>
 <context>
@@ -5053,7 +5053,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>With --version: print version and commit as JSON</source>
-        <translation>Avec --version : afficher la version et le commit en JSON</translation>
+        <translation>Avec --version&#xa0;: afficher la version et le commit en JSON</translation>
     </message>
     <message>
         <source>Print how to cite the program, as BibTeX</source>
@@ -5684,7 +5684,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>the interval is cut off at 0 or 100 %</source>
-        <translation>l’intervalle est coupé à 0 ou à 100 %</translation>
+        <translation>l’intervalle est coupé à 0 ou à 100&#xa0;%</translation>
     </message>
     <message>
         <source>p, Holm</source>
@@ -5692,7 +5692,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Mean of the participants&apos; correct answers for each pattern; two conditions are compared within participants; Holm: corrected over the patterns</source>
-        <translation>Moyenne des réponses correctes des participants pour chaque motif ; deux conditions sont comparées au sein des participants ; Holm : corrigé sur les motifs</translation>
+        <translation>Moyenne des réponses correctes des participants pour chaque motif&#xa0;; deux conditions sont comparées au sein des participants&#xa0;; Holm&#xa0;: corrigé sur les motifs</translation>
     </message>
 </context>
 <context>
@@ -6020,7 +6020,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>the t interval is cut off at 0 or 100 %</source>
-        <translation>l’intervalle t est coupé à 0 ou à 100 %</translation>
+        <translation>l’intervalle t est coupé à 0 ou à 100&#xa0;%</translation>
     </message>
     <message>
         <source>all participants have the same share</source>
@@ -6033,7 +6033,7 @@ Run %2 --help for more.
     <message>
         <source>%1; Holm %2</source>
         <comment>p of a pattern, corrected p</comment>
-        <translation>%1 ; Holm %2</translation>
+        <translation>%1&#xa0;; Holm %2</translation>
     </message>
 </context>
 <context>
@@ -6243,13 +6243,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>SerialText</name>
-    <message>
-        <source>the trigger&apos;s serial line cannot be used: %1</source>
-        <translation>la ligne série du déclencheur ne peut pas être utilisée : %1</translation>
-    </message>
-</context>
-<context>
     <name>SerialTrigger</name>
     <message>
         <source>this is not a serial line</source>
@@ -6258,6 +6251,13 @@ Run %2 --help for more.
     <message>
         <source>a serial port, such as /dev/ttyUSB0</source>
         <translation>un port série, comme /dev/ttyUSB0</translation>
+    </message>
+</context>
+<context>
+    <name>SerialTriggerText</name>
+    <message>
+        <source>the trigger&apos;s serial line cannot be used: %1</source>
+        <translation>la ligne série du déclencheur ne peut pas être utilisée : %1</translation>
     </message>
 </context>
 <context>
@@ -6656,7 +6656,7 @@ Run %2 --help for more.
     <name>SimulatedObserver</name>
     <message>
         <source>an observer cannot have &quot;%1&quot;</source>
-        <translation>un observateur ne peut pas avoir « %1 »</translation>
+        <translation>un observateur ne peut pas avoir «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>t and slope above 0, lapse from 0 to %1, sd of at least 0, as in t=0.2,slope=3.5,lapse=0.02,sd=0.1</source>
@@ -6762,7 +6762,26 @@ Run %2 --help for more.
     </message>
     <message>
         <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
-        <translation>des virgules, et un point dans les nombres : les essais qui sont dans data/ de l’étude, ou le fichier enregistré en CSV avec des virgules</translation>
+        <translation>des virgules, et un point dans les nombres&#xa0;: les essais qui sont dans data/ de l’étude, ou le fichier enregistré en CSV avec des virgules</translation>
+    </message>
+</context>
+<context>
+    <name>StandardStreamText</name>
+    <message>
+        <source>standard input cannot be read</source>
+        <translation>l’entrée standard ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>standard input is too large</source>
+        <translation>l’entrée standard est trop volumineuse</translation>
+    </message>
+    <message>
+        <source>standard input can be read only once</source>
+        <translation>l’entrée standard ne peut être lue qu’une fois</translation>
+    </message>
+    <message>
+        <source>standard output can be written only once</source>
+        <translation>la sortie standard ne peut être écrite qu’une fois</translation>
     </message>
 </context>
 <context>
@@ -7141,7 +7160,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>&quot;%1&quot; cannot be moved to other tactors</source>
-        <translation>« %1 » ne peut pas être déplacé vers d’autres tacteurs</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas être déplacé vers d’autres tacteurs</translation>
     </message>
     <message>
         <source>a stimulus without rings and strokes, or a track without tactors</source>
@@ -7248,25 +7267,6 @@ Run %2 --help for more.
     <message>
         <source>the patterns have changed since this study was created</source>
         <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
-    </message>
-</context>
-<context>
-    <name>StreamText</name>
-    <message>
-        <source>standard input cannot be read</source>
-        <translation>l’entrée standard ne peut pas être lue</translation>
-    </message>
-    <message>
-        <source>standard input is too large</source>
-        <translation>l’entrée standard est trop volumineuse</translation>
-    </message>
-    <message>
-        <source>standard input can be read only once</source>
-        <translation>l’entrée standard ne peut être lue qu’une fois</translation>
-    </message>
-    <message>
-        <source>standard output can be written only once</source>
-        <translation>la sortie standard ne peut être écrite qu’une fois</translation>
     </message>
 </context>
 <context>
@@ -7554,7 +7554,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Plug the device in and switch it on; it is tried again every second.</source>
-        <translation>Branchez l’appareil et allumez-le ; une nouvelle tentative est faite chaque seconde.</translation>
+        <translation>Branchez l’appareil et allumez-le&#xa0;; une nouvelle tentative est faite chaque seconde.</translation>
     </message>
     <message>
         <source>Trigger</source>
@@ -7761,11 +7761,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>%1; rule made after the data</source>
-        <translation>%1 ; règle établie après les données</translation>
+        <translation>%1&#xa0;; règle établie après les données</translation>
     </message>
     <message>
         <source>%1; no spread of the times, so nothing was left out, in %2 case(s)</source>
-        <translation>%1 ; temps sans dispersion, donc rien n’a été écarté, dans %2 cas</translation>
+        <translation>%1&#xa0;; temps sans dispersion, donc rien n’a été écarté, dans %2 cas</translation>
     </message>
     <message>
         <source>%1, Holm over the patterns %2</source>
@@ -7790,19 +7790,19 @@ Run %2 --help for more.
     </message>
     <message>
         <source>How many participants a test needs: power by simulated studies</source>
-        <translation>Combien de participants demande un test : puissance par des études simulées</translation>
+        <translation>Combien de participants demande un test&#xa0;: puissance par des études simulées</translation>
     </message>
     <message>
         <source>Protocol of the study, or the name of one that comes with the program: tactor-detection, intensity-steps, equal-strength, two-or-one, motion-timing; otherwise the paper&apos;s</source>
-        <translation>Protocole de l’étude, ou nom de l’un de ceux fournis avec le programme : tactor-detection, intensity-steps, equal-strength, two-or-one, motion-timing ; sinon celui de l’article</translation>
+        <translation>Protocole de l’étude, ou nom de l’un de ceux fournis avec le programme&#xa0;: tactor-detection, intensity-steps, equal-strength, two-or-one, motion-timing&#xa0;; sinon celui de l’article</translation>
     </message>
     <message>
         <source>Simulated participants in tasks with levels: threshold t and slope of their psychometric function, lapse rate, and sd of the threshold between them, in the scale of the levels</source>
-        <translation>Participants simulés dans les tâches à niveaux : seuil t et pente de leur fonction psychométrique, taux d’inattention, et écart-type sd du seuil entre eux, dans l’échelle des niveaux</translation>
+        <translation>Participants simulés dans les tâches à niveaux&#xa0;: seuil t et pente de leur fonction psychométrique, taux d’inattention, et écart-type sd du seuil entre eux, dans l’échelle des niveaux</translation>
     </message>
     <message>
         <source>Rule of what does not count, besides those of the protocol; marked as made after the data, for example response_time_below_s=0.2</source>
-        <translation>Règle de ce qui ne compte pas, en plus de celles du protocole ; marquée comme établie après les données, par exemple response_time_below_s=0.2</translation>
+        <translation>Règle de ce qui ne compte pas, en plus de celles du protocole&#xa0;; marquée comme établie après les données, par exemple response_time_below_s=0.2</translation>
     </message>
     <message>
         <source>Folder for report.html, confusion_long.csv, summary.csv, group.csv, anova.csv, thresholds.csv, levels.csv, sdt.csv, comparisons.csv, ranks.csv, binomial_model.csv, response_times.csv, exclusions.csv, figures</source>
@@ -7818,11 +7818,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>there are no test trials, only practice: the report has no results</source>
-        <translation>il n’y a pas d’essais de test, seulement de l’entraînement : le rapport n’a pas de résultats</translation>
+        <translation>il n’y a pas d’essais de test, seulement de l’entraînement&#xa0;: le rapport n’a pas de résultats</translation>
     </message>
     <message>
         <source>the answer &quot;%1&quot; counts as wrong: the pattern is &quot;%2&quot;</source>
-        <translation>la réponse « %1 » compte comme fausse : le motif est « %2 »</translation>
+        <translation>la réponse «&#xa0;%1&#xa0;» compte comme fausse&#xa0;: le motif est «&#xa0;%2&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -7851,7 +7851,7 @@ Run %2 --help for more.
     <name>StudyFitCommand</name>
     <message>
         <source>; the curve does not fit: p of the deviance %1</source>
-        <translation> ; la courbe n’est pas ajustée aux données : p de la déviance %1</translation>
+        <translation>&#xa0;; la courbe n’est pas ajustée aux données&#xa0;: p de la déviance %1</translation>
     </message>
     <message>
         <source>Mean of %1</source>
@@ -7863,7 +7863,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>no d&apos;: trials of one kind are missing</source>
-        <translation>pas de d&apos; : il manque les essais d’une des deux sortes</translation>
+        <translation>pas de d&apos;&#xa0;: il manque les essais d’une des deux sortes</translation>
     </message>
     <message>
         <source>d&apos; %1, c %2</source>
@@ -7883,15 +7883,15 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Function that is fitted; otherwise weibull for detection on a logarithmic scale, else gauss</source>
-        <translation>Fonction ajustée ; sinon weibull pour la détection sur une échelle logarithmique, et gauss dans les autres cas</translation>
+        <translation>Fonction ajustée&#xa0;; sinon weibull pour la détection sur une échelle logarithmique, et gauss dans les autres cas</translation>
     </message>
     <message>
         <source>Share of right answers without a stimulus; otherwise from the design</source>
-        <translation>Part de réponses correctes sans stimulus ; sinon d’après le plan d’expérience</translation>
+        <translation>Part de réponses correctes sans stimulus&#xa0;; sinon d’après le plan d’expérience</translation>
     </message>
     <message>
         <source>Share of mistakes with any stimulus: fixed, or the range in which it is free; otherwise 0:0.06</source>
-        <translation>Part d’erreurs avec n’importe quel stimulus : fixe, ou la plage dans laquelle elle est libre ; sinon 0:0.06</translation>
+        <translation>Part d’erreurs avec n’importe quel stimulus&#xa0;: fixe, ou la plage dans laquelle elle est libre&#xa0;; sinon 0:0.06</translation>
     </message>
     <message>
         <source>How the interval of a threshold is computed</source>
@@ -7903,7 +7903,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>--lapse cannot be &quot;%1&quot;</source>
-        <translation>--lapse ne peut pas être « %1 »</translation>
+        <translation>--lapse ne peut pas être «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>a share from 0 to 0.4, or two with a colon between them, the lower one first</source>
@@ -8002,7 +8002,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>In which interval did you feel a vibration?</source>
-        <translation>Dans quel intervalle avez-vous senti une vibration ?</translation>
+        <translation>Dans quel intervalle avez-vous senti une vibration&#xa0;?</translation>
     </message>
     <message>
         <source>Intensity steps</source>
@@ -8022,7 +8022,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Which interval was stronger?</source>
-        <translation>Quel intervalle était le plus fort ?</translation>
+        <translation>Quel intervalle était le plus fort&#xa0;?</translation>
     </message>
     <message>
         <source>Equal strength</source>
@@ -8034,7 +8034,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Did you feel two separate taps?</source>
-        <translation>Avez-vous senti deux tapotements distincts ?</translation>
+        <translation>Avez-vous senti deux tapotements distincts&#xa0;?</translation>
     </message>
     <message>
         <source>Motion timing</source>
@@ -8042,7 +8042,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Did you feel one moving point?</source>
-        <translation>Avez-vous senti un seul point en mouvement ?</translation>
+        <translation>Avez-vous senti un seul point en mouvement&#xa0;?</translation>
     </message>
     <message>
         <source>yes</source>
@@ -8062,19 +8062,19 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Was there a vibration?</source>
-        <translation>Y avait-il une vibration ?</translation>
+        <translation>Y avait-il une vibration&#xa0;?</translation>
     </message>
     <message>
         <source>Which interval had the vibration?</source>
-        <translation>Quel intervalle contenait la vibration ?</translation>
+        <translation>Quel intervalle contenait la vibration&#xa0;?</translation>
     </message>
     <message>
         <source>Were the two intervals the same?</source>
-        <translation>Les deux intervalles étaient-ils identiques ?</translation>
+        <translation>Les deux intervalles étaient-ils identiques&#xa0;?</translation>
     </message>
     <message>
         <source>Which interval had more?</source>
-        <translation>Quel intervalle en avait le plus ?</translation>
+        <translation>Quel intervalle en avait le plus&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -8124,15 +8124,15 @@ Run %2 --help for more.
     </message>
     <message>
         <source>experimenter: everything of this participant; participant: their own answers in plain words</source>
-        <translation>experimenter : tout sur ce participant ; participant : ses propres réponses, en mots simples</translation>
+        <translation>experimenter&#xa0;: tout sur ce participant&#xa0;; participant&#xa0;: ses propres réponses, en mots simples</translation>
     </message>
     <message>
         <source>The page; otherwise report-ID.html or report-ID-participant.html in the folder of the study</source>
-        <translation>La page ; sinon report-ID.html ou report-ID-participant.html dans le dossier de l’étude</translation>
+        <translation>La page&#xa0;; sinon report-ID.html ou report-ID-participant.html dans le dossier de l’étude</translation>
     </message>
     <message>
         <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME; the password comes from PGPASSWORD or ~/.pgpass</source>
-        <translation>Serveur PostgreSQL qui contient l’étude, postgresql://USER@HOST/DATABASE?study=NAME ; le mot de passe vient de PGPASSWORD ou de ~/.pgpass</translation>
+        <translation>Serveur PostgreSQL qui contient l’étude, postgresql://USER@HOST/DATABASE?study=NAME&#xa0;; le mot de passe vient de PGPASSWORD ou de ~/.pgpass</translation>
     </message>
     <message>
         <source>Report</source>
@@ -8144,7 +8144,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Where one trial&apos;s events go: a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC by UDP</source>
-        <translation>Où vont les événements d’un essai : un port série tel que /dev/ttyUSB0, ou HOST:PORT pour OSC par UDP</translation>
+        <translation>Où vont les événements d’un essai&#xa0;: un port série tel que /dev/ttyUSB0, ou HOST:PORT pour OSC par UDP</translation>
     </message>
     <message>
         <source>written in %1 ms</source>
@@ -8155,7 +8155,7 @@ Run %2 --help for more.
     <name>StudyPlan</name>
     <message>
         <source>the protocol has no task &quot;%1&quot;</source>
-        <translation>le protocole n’a pas de tâche « %1 »</translation>
+        <translation>le protocole n’a pas de tâche «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>TASK:EFFECT with one of %1</source>
@@ -8171,7 +8171,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>&quot;%1&quot; is no line of the analysis of %2</source>
-        <translation>« %1 » n’est pas une ligne de l’analyse de %2</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une ligne de l’analyse de %2</translation>
     </message>
     <message>
         <source>condition, pattern, condition:pattern, or condition@PATTERN</source>
@@ -8191,7 +8191,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>the task %1 has no pattern &quot;%2&quot;</source>
-        <translation>la tâche %1 n’a pas de motif « %2 »</translation>
+        <translation>la tâche %1 n’a pas de motif «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>one of its letters</source>
@@ -8218,15 +8218,15 @@ Run %2 --help for more.
     <name>StudyPlanCommand</name>
     <message>
         <source>no number up to %1 reaches %2 %</source>
-        <translation>aucun nombre jusqu’à %1 n’atteint %2 %</translation>
+        <translation>aucun nombre jusqu’à %1 n’atteint %2&#xa0;%</translation>
     </message>
     <message>
         <source>%1 or %2 participants; %3 studies cannot tell which</source>
-        <translation>%1 ou %2 participants ; %3 études ne permettent pas de trancher</translation>
+        <translation>%1 ou %2 participants&#xa0;; %3 études ne permettent pas de trancher</translation>
     </message>
     <message>
         <source>%1 participants reach %2 %</source>
-        <translation>%1 participants atteignent %2 %</translation>
+        <translation>%1 participants atteignent %2&#xa0;%</translation>
     </message>
     <message>
         <source>Protocol of the study</source>
@@ -8234,15 +8234,15 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Numbers of participants to try: from, to, step</source>
-        <translation>Nombres de participants à essayer : de, à, pas</translation>
+        <translation>Nombres de participants à essayer&#xa0;: de, à, pas</translation>
     </message>
     <message>
         <source>What is assumed: a file with shares of right answers and spreads, or the folder of a pilot study</source>
-        <translation>Ce qui est supposé : un fichier avec des parts de réponses correctes et des dispersions, ou le dossier d’une étude pilote</translation>
+        <translation>Ce qui est supposé&#xa0;: un fichier avec des parts de réponses correctes et des dispersions, ou le dossier d’une étude pilote</translation>
     </message>
     <message>
         <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A</source>
-        <translation>Ligne de l’analyse : shape:condition, shape:pattern, shape:condition:pattern, ou shape:condition@A pour le seul motif A</translation>
+        <translation>Ligne de l’analyse&#xa0;: shape:condition, shape:pattern, shape:condition:pattern, ou shape:condition@A pour le seul motif A</translation>
     </message>
     <message>
         <source>Studies drawn for each number</source>
@@ -8270,11 +8270,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>%1 % (95 %: %2 to %3, %4 studies)</source>
-        <translation>%1 % (95 % : %2 à %3, %4 études)</translation>
+        <translation>%1&#xa0;% (95&#xa0;%&#xa0;: %2 à %3, %4 études)</translation>
     </message>
     <message>
         <source>%1; no analysis in %2 of them</source>
-        <translation>%1 ; pas d’analyse dans %2 d’entre elles</translation>
+        <translation>%1&#xa0;; pas d’analyse dans %2 d’entre elles</translation>
     </message>
     <message>
         <source>%1 participants</source>
@@ -8803,16 +8803,16 @@ Run %2 --help for more.
         <source>%1: %n track(s); %2</source>
         <comment>task; conditions</comment>
         <translation>
-            <numerusform>%1 : %n série ; %2</numerusform>
-            <numerusform>%1 : %n séries ; %2</numerusform>
+            <numerusform>%1&#xa0;: %n série&#xa0;; %2</numerusform>
+            <numerusform>%1&#xa0;: %n séries&#xa0;; %2</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1. %n trigger(s) could not be written: %2</source>
         <comment>device; why</comment>
         <translation>
-            <numerusform>%1. %n déclencheur n’a pas pu être écrit : %2</numerusform>
-            <numerusform>%1. %n déclencheurs n’ont pas pu être écrits : %2</numerusform>
+            <numerusform>%1. %n déclencheur n’a pas pu être écrit&#xa0;: %2</numerusform>
+            <numerusform>%1. %n déclencheurs n’ont pas pu être écrits&#xa0;: %2</numerusform>
         </translation>
     </message>
     <message>
@@ -9038,11 +9038,11 @@ Run %2 --help for more.
     <name>StudyTruth</name>
     <message>
         <source>cannot open the truth: %1</source>
-        <translation>impossible d’ouvrir la vérité : %1</translation>
+        <translation>impossible d’ouvrir la vérité&#xa0;: %1</translation>
     </message>
     <message>
         <source>the task %1 shows no spread of its participants: %2</source>
-        <translation>la tâche %1 ne montre pas de dispersion de ses participants : %2</translation>
+        <translation>la tâche %1 ne montre pas de dispersion de ses participants&#xa0;: %2</translation>
     </message>
     <message>
         <source>a pilot with at least 5 participants, or a file with the truth</source>
@@ -9210,11 +9210,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>share of different</source>
-        <translation>part de « différents »</translation>
+        <translation>part de «&#xa0;différents&#xa0;»</translation>
     </message>
     <message>
         <source>share of more</source>
-        <translation>part de « plus »</translation>
+        <translation>part de «&#xa0;plus&#xa0;»</translation>
     </message>
     <message>
         <source>share of right answers</source>
@@ -9240,11 +9240,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>threshold, 95 %</source>
-        <translation>seuil, 95 %</translation>
+        <translation>seuil, 95&#xa0;%</translation>
     </message>
     <message>
         <source>not fitted: the table does not say what guessing gives</source>
-        <translation>sans ajustement : la table ne dit pas ce que donne le hasard</translation>
+        <translation>sans ajustement&#xa0;: la table ne dit pas ce que donne le hasard</translation>
     </message>
     <message>
         <source>no trials</source>
@@ -9252,7 +9252,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>worse with more of it: are levels or answers swapped?</source>
-        <translation>moins bon quand il y en a plus : niveaux ou réponses sont-ils intervertis ?</translation>
+        <translation>moins bon quand il y en a plus&#xa0;: niveaux ou réponses sont-ils intervertis&#xa0;?</translation>
     </message>
     <message>
         <source>the answers do not depend on the level</source>
@@ -9268,7 +9268,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>too few levels for a fit; one less is enough with a fixed lapse rate</source>
-        <translation>trop peu de niveaux pour un ajustement ; un de moins suffit avec un taux d’inattention fixe</translation>
+        <translation>trop peu de niveaux pour un ajustement&#xa0;; un de moins suffit avec un taux d’inattention fixe</translation>
     </message>
     <message>
         <source>no level is above 0</source>
@@ -9292,15 +9292,15 @@ Run %2 --help for more.
     </message>
     <message>
         <source>; a step between two levels</source>
-        <translation> ; un saut entre deux niveaux</translation>
+        <translation>&#xa0;; un saut entre deux niveaux</translation>
     </message>
     <message>
         <source>; many lapses, or no upper end</source>
-        <translation> ; beaucoup d’inattention, ou pas de palier supérieur</translation>
+        <translation>&#xa0;; beaucoup d’inattention, ou pas de palier supérieur</translation>
     </message>
     <message>
         <source>the curve does not fit: p of the deviance %1</source>
-        <translation>la courbe n’est pas ajustée aux données : p de la déviance %1</translation>
+        <translation>la courbe n’est pas ajustée aux données&#xa0;: p de la déviance %1</translation>
     </message>
     <message>
         <source>trial</source>
@@ -9334,7 +9334,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>mean, 95 %</source>
-        <translation>moyenne, 95 %</translation>
+        <translation>moyenne, 95&#xa0;%</translation>
     </message>
     <message>
         <source>d&apos;, c</source>
@@ -9342,11 +9342,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>d&apos;, 95 %</source>
-        <translation>d&apos;, 95 %</translation>
+        <translation>d&apos;, 95&#xa0;%</translation>
     </message>
     <message>
         <source>c (above 0: rather no)</source>
-        <translation>c (supérieur à 0 : plutôt non)</translation>
+        <translation>c (supérieur à 0&#xa0;: plutôt non)</translation>
     </message>
     <message>
         <source>mean</source>
@@ -9582,7 +9582,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>&quot;%1&quot; and &quot;%2&quot; are the same key</source>
-        <translation>« %1 » et « %2 » sont la même clé</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» sont la même clé</translation>
     </message>
     <message>
         <source>one of them</source>
@@ -9992,11 +9992,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>the expanded text: xacro FILE &gt; robot.urdf</source>
-        <translation>le texte développé : xacro FILE &gt; robot.urdf</translation>
+        <translation>le texte développé&#xa0;: xacro FILE &gt; robot.urdf</translation>
     </message>
     <message>
         <source>the document is &apos;%1&apos;</source>
-        <translation>le document est « %1 »</translation>
+        <translation>le document est «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>&lt;robot name=&quot;...&quot;&gt;</source>
@@ -10024,11 +10024,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>link &apos;%1&apos;: %2</source>
-        <translation>segment « %1 » : %2</translation>
+        <translation>segment «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
     </message>
     <message>
         <source>joint &apos;%1&apos;: %2</source>
-        <translation>articulation « %1 » : %2</translation>
+        <translation>articulation «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
     </message>
     <message>
         <source>numbers from -%1 to %1</source>
@@ -10108,7 +10108,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>it mimics &apos;%1&apos;, which does not exist</source>
-        <translation>elle imite « %1 », qui n’existe pas</translation>
+        <translation>elle imite «&#xa0;%1&#xa0;», qui n’existe pas</translation>
     </message>
     <message>
         <source>the name of a joint</source>
@@ -12848,11 +12848,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>yes or no: was it there?</source>
-        <translation>oui ou non : était-il là ?</translation>
+        <translation>oui ou non&#xa0;: était-il là&#xa0;?</translation>
     </message>
     <message>
         <source>intervals: in which one was it?</source>
-        <translation>intervalles : dans lequel était-il ?</translation>
+        <translation>intervalles&#xa0;: dans lequel était-il&#xa0;?</translation>
     </message>
     <message>
         <source>same or different</source>
@@ -12860,7 +12860,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>compare: which one had more?</source>
-        <translation>comparer : lequel en avait le plus ?</translation>
+        <translation>comparer&#xa0;: lequel en avait le plus&#xa0;?</translation>
     </message>
     <message>
         <source>the usual question of the design</source>
@@ -12872,7 +12872,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>name and tactors, one track per line, for example t1 1; tactors of the reference after /</source>
-        <translation>nom et tacteurs, une série par ligne, par exemple t1 1 ; tacteurs de la référence après /</translation>
+        <translation>nom et tacteurs, une série par ligne, par exemple t1 1&#xa0;; tacteurs de la référence après /</translation>
     </message>
     <message>
         <source>full path of a pattern file</source>
@@ -12988,7 +12988,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Reference; 0 is nothing</source>
-        <translation>Référence ; 0 : rien</translation>
+        <translation>Référence&#xa0;; 0&#xa0;: rien</translation>
     </message>
     <message>
         <source>Level of the practice</source>
@@ -13097,7 +13097,7 @@ Run %2 --help for more.
     <message>
         <source>%1: &quot;%2&quot; is not a number</source>
         <comment>a row of the form</comment>
-        <translation>%1 : « %2 » n’est pas un nombre</translation>
+        <translation>%1&#xa0;: «&#xa0;%2&#xa0;» n’est pas un nombre</translation>
     </message>
     <message>
         <source>a number with a point, such as 0.5</source>
@@ -13105,7 +13105,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>&quot;%1&quot; is not a number</source>
-        <translation>« %1 » n’est pas un nombre</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre</translation>
     </message>
     <message>
         <source>numbers with a point, such as 0.1, 0.2</source>
@@ -13113,7 +13113,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>&quot;%1&quot; is not a whole number</source>
-        <translation>« %1 » n’est pas un nombre entier</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre entier</translation>
     </message>
     <message>
         <source>a number such as 12</source>
@@ -13121,7 +13121,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>&quot;%1&quot; is no tactor</source>
-        <translation>« %1 » n’est pas un tacteur</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un tacteur</translation>
     </message>
     <message>
         <source>a name and numbers of tactors, for example t1 1</source>
@@ -13710,7 +13710,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Determines the order of all trials: the same seed gives the same study. It is drawn at random, shown here and kept with the study.</source>
-        <translation>Détermine l’ordre de tous les essais : la même graine donne la même étude. Elle est tirée au hasard, affichée ici et conservée avec l’étude.</translation>
+        <translation>Détermine l’ordre de tous les essais&#xa0;: la même graine donne la même étude. Elle est tirée au hasard, affichée ici et conservée avec l’étude.</translation>
     </message>
 </context>
 <context>
@@ -14457,11 +14457,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>NASA-TLX: six ratings</source>
-        <translation>NASA-TLX : six évaluations</translation>
+        <translation>NASA-TLX&#xa0;: six évaluations</translation>
     </message>
     <message>
         <source>NASA-TLX: ratings and comparisons</source>
-        <translation>NASA-TLX : évaluations et comparaisons</translation>
+        <translation>NASA-TLX&#xa0;: évaluations et comparaisons</translation>
     </message>
     <message>
         <source>System Usability Scale</source>
@@ -15130,7 +15130,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>There is no number of participants to try: &quot;from&quot; is above &quot;to&quot;.</source>
-        <translation>Il n’y a aucun nombre de participants à essayer : « de » est supérieur à « à ».</translation>
+        <translation>Il n’y a aucun nombre de participants à essayer&#xa0;: «&#xa0;de&#xa0;» est supérieur à «&#xa0;à&#xa0;».</translation>
     </message>
     <message>
         <source>this study</source>
@@ -16139,7 +16139,7 @@ Run %2 --help for more.
     <message>
         <source>Answer: %1</source>
         <comment>yes, no, a number ..</comment>
-        <translation>Réponse : %1</translation>
+        <translation>Réponse&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1. This was right.</source>
@@ -16158,7 +16158,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Paired t tests. p Holm is corrected over all pairs of an effect; intervals are not corrected.</source>
-        <translation>Tests t appariés. p Holm est corrigé sur toutes les paires d’un effet ; les intervalles ne sont pas corrigés.</translation>
+        <translation>Tests t appariés. p Holm est corrigé sur toutes les paires d’un effet&#xa0;; les intervalles ne sont pas corrigés.</translation>
     </message>
     <message>
         <source>Effect sizes, and effects by ranks</source>
@@ -16182,7 +16182,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Nothing was deleted: the trials are in the study and in its exports, with the rule that left them out.</source>
-        <translation>Rien n’a été supprimé : les essais sont dans l’étude et dans ses exports, avec la règle qui les a écartés.</translation>
+        <translation>Rien n’a été supprimé&#xa0;: les essais sont dans l’étude et dans ses exports, avec la règle qui les a écartés.</translation>
     </message>
     <message>
         <source>With the rules, and without them</source>
@@ -16339,11 +16339,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>The middle participant has these shares; the spreads are in logits.</source>
-        <translation>Le participant médian a ces parts ; les dispersions sont en logits.</translation>
+        <translation>Le participant médian a ces parts&#xa0;; les dispersions sont en logits.</translation>
     </message>
     <message>
         <source>Assumed: what %1 says.</source>
-        <translation>Supposé : ce que dit %1.</translation>
+        <translation>Supposé&#xa0;: ce que dit %1.</translation>
     </message>
     <message>
         <source>This protocol has no task in which patterns are told apart.</source>
@@ -16375,7 +16375,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Assumes what the results of this study show; at least 5 participants</source>
-        <translation>Suppose ce que montrent les résultats de cette étude ; au moins 5 participants</translation>
+        <translation>Suppose ce que montrent les résultats de cette étude&#xa0;; au moins 5 participants</translation>
     </message>
     <message>
         <source>From this f&amp;orm</source>

@@ -3336,6 +3336,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>KeyListText</name>
+    <message>
+        <source>a list of %1, each %2</source>
+        <translation>%1個の要素からなるリスト。各要素は%2</translation>
+    </message>
+    <message>
+        <source>a list of %1 to %2, each %3</source>
+        <translation>%1～%2個の要素からなるリスト。各要素は%3</translation>
+    </message>
+</context>
+<context>
     <name>LanguageMenu</name>
     <message>
         <source>Lan&amp;guage</source>
@@ -3574,17 +3585,6 @@ Examples:
     <message>
         <source>interrupted</source>
         <translation>中断されました</translation>
-    </message>
-</context>
-<context>
-    <name>ListText</name>
-    <message>
-        <source>a list of %1, each %2</source>
-        <translation>%1個の要素からなるリスト。各要素は%2</translation>
-    </message>
-    <message>
-        <source>a list of %1 to %2, each %3</source>
-        <translation>%1～%2個の要素からなるリスト。各要素は%3</translation>
     </message>
 </context>
 <context>
@@ -6225,13 +6225,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>SerialText</name>
-    <message>
-        <source>the trigger&apos;s serial line cannot be used: %1</source>
-        <translation>トリガーのシリアル回線を使用できません: %1</translation>
-    </message>
-</context>
-<context>
     <name>SerialTrigger</name>
     <message>
         <source>this is not a serial line</source>
@@ -6240,6 +6233,13 @@ Run %2 --help for more.
     <message>
         <source>a serial port, such as /dev/ttyUSB0</source>
         <translation>シリアルポート。例: /dev/ttyUSB0</translation>
+    </message>
+</context>
+<context>
+    <name>SerialTriggerText</name>
+    <message>
+        <source>the trigger&apos;s serial line cannot be used: %1</source>
+        <translation>トリガーのシリアル回線を使用できません: %1</translation>
     </message>
 </context>
 <context>
@@ -6748,6 +6748,25 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StandardStreamText</name>
+    <message>
+        <source>standard input cannot be read</source>
+        <translation>標準入力を読み込めません</translation>
+    </message>
+    <message>
+        <source>standard input is too large</source>
+        <translation>標準入力が大きすぎます</translation>
+    </message>
+    <message>
+        <source>standard input can be read only once</source>
+        <translation>標準入力は一度しか読み込めません</translation>
+    </message>
+    <message>
+        <source>standard output can be written only once</source>
+        <translation>標準出力には一度しか書き込めません</translation>
+    </message>
+</context>
+<context>
     <name>StandardStreams</name>
     <message>
         <source>- is given, a folder is expected</source>
@@ -7229,25 +7248,6 @@ Run %2 --help for more.
     <message>
         <source>the patterns have changed since this study was created</source>
         <translation>パターンが、このスタディを始めたときのものと異なります</translation>
-    </message>
-</context>
-<context>
-    <name>StreamText</name>
-    <message>
-        <source>standard input cannot be read</source>
-        <translation>標準入力を読み込めません</translation>
-    </message>
-    <message>
-        <source>standard input is too large</source>
-        <translation>標準入力が大きすぎます</translation>
-    </message>
-    <message>
-        <source>standard input can be read only once</source>
-        <translation>標準入力は一度しか読み込めません</translation>
-    </message>
-    <message>
-        <source>standard output can be written only once</source>
-        <translation>標準出力には一度しか書き込めません</translation>
     </message>
 </context>
 <context>

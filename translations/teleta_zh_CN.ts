@@ -3336,6 +3336,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>KeyListText</name>
+    <message>
+        <source>a list of %1, each %2</source>
+        <translation>含 %1 个元素的列表，每个为%2</translation>
+    </message>
+    <message>
+        <source>a list of %1 to %2, each %3</source>
+        <translation>含 %1 至 %2 个元素的列表，每个为%3</translation>
+    </message>
+</context>
+<context>
     <name>LanguageMenu</name>
     <message>
         <source>Lan&amp;guage</source>
@@ -3574,17 +3585,6 @@ Examples:
     <message>
         <source>interrupted</source>
         <translation>已中断</translation>
-    </message>
-</context>
-<context>
-    <name>ListText</name>
-    <message>
-        <source>a list of %1, each %2</source>
-        <translation>含 %1 个元素的列表，每个为%2</translation>
-    </message>
-    <message>
-        <source>a list of %1 to %2, each %3</source>
-        <translation>含 %1 至 %2 个元素的列表，每个为%3</translation>
     </message>
 </context>
 <context>
@@ -6225,13 +6225,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>SerialText</name>
-    <message>
-        <source>the trigger&apos;s serial line cannot be used: %1</source>
-        <translation>无法使用触发信号的串口：%1</translation>
-    </message>
-</context>
-<context>
     <name>SerialTrigger</name>
     <message>
         <source>this is not a serial line</source>
@@ -6240,6 +6233,13 @@ Run %2 --help for more.
     <message>
         <source>a serial port, such as /dev/ttyUSB0</source>
         <translation>串口，例如 /dev/ttyUSB0</translation>
+    </message>
+</context>
+<context>
+    <name>SerialTriggerText</name>
+    <message>
+        <source>the trigger&apos;s serial line cannot be used: %1</source>
+        <translation>无法使用触发信号的串口：%1</translation>
     </message>
 </context>
 <context>
@@ -6748,6 +6748,25 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StandardStreamText</name>
+    <message>
+        <source>standard input cannot be read</source>
+        <translation>无法读取标准输入</translation>
+    </message>
+    <message>
+        <source>standard input is too large</source>
+        <translation>标准输入过大</translation>
+    </message>
+    <message>
+        <source>standard input can be read only once</source>
+        <translation>标准输入只能读取一次</translation>
+    </message>
+    <message>
+        <source>standard output can be written only once</source>
+        <translation>标准输出只能写入一次</translation>
+    </message>
+</context>
+<context>
     <name>StandardStreams</name>
     <message>
         <source>- is given, a folder is expected</source>
@@ -7229,25 +7248,6 @@ Run %2 --help for more.
     <message>
         <source>the patterns have changed since this study was created</source>
         <translation>图案不是本研究开始时所用的图案</translation>
-    </message>
-</context>
-<context>
-    <name>StreamText</name>
-    <message>
-        <source>standard input cannot be read</source>
-        <translation>无法读取标准输入</translation>
-    </message>
-    <message>
-        <source>standard input is too large</source>
-        <translation>标准输入过大</translation>
-    </message>
-    <message>
-        <source>standard input can be read only once</source>
-        <translation>标准输入只能读取一次</translation>
-    </message>
-    <message>
-        <source>standard output can be written only once</source>
-        <translation>标准输出只能写入一次</translation>
     </message>
 </context>
 <context>

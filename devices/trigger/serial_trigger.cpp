@@ -20,13 +20,13 @@ namespace teleta::trigger {
 
 namespace {
 
-struct SerialText {
+struct SerialTriggerText {
     Q_DECLARE_TR_FUNCTIONS(SerialTrigger)
 };
 
 core::Unexpected problem(core::ErrorKind kind, const std::string& device, int code) {
     return core::failed(kind,
-                        SerialText::tr("the trigger's serial line cannot be used: %1")
+                        SerialTriggerText::tr("the trigger's serial line cannot be used: %1")
                             .arg(QString::fromLocal8Bit(std::strerror(code))),
                         {}, {device});
 }
@@ -49,8 +49,8 @@ core::Expected<std::unique_ptr<core::TriggerPort>> SerialTrigger::open(const std
                        device, errno);
     termios settings{};
     if (::tcgetattr(line.get(), &settings) != 0)
-        return core::failed(core::ErrorKind::refused, SerialText::tr("this is not a serial line"),
-                            SerialText::tr("a serial port, such as /dev/ttyUSB0"), {device});
+        return core::failed(core::ErrorKind::refused, SerialTriggerText::tr("this is not a serial line"),
+                            SerialTriggerText::tr("a serial port, such as /dev/ttyUSB0"), {device});
     if (::flock(line.get(), LOCK_EX | LOCK_NB) != 0)
         return errno == EWOULDBLOCK ? core::usedByAnother(device)
                                     : problem(core::ErrorKind::ioFailed, device, errno);

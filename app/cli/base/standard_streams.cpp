@@ -17,7 +17,7 @@ namespace teleta::cli {
 
 namespace {
 
-struct StreamText {
+struct StandardStreamText {
     Q_DECLARE_TR_FUNCTIONS(StandardStreams)
 };
 
@@ -64,7 +64,7 @@ std::string copyInput(std::string& path, std::string_view ending) {
     QFile file(copy);
     constexpr qint64 kMost = 256 << 20;
     if (!input.open(stdin, QIODevice::ReadOnly) || !file.open(QIODevice::WriteOnly))
-        return error(StreamText::tr("standard input cannot be read"));
+        return error(StandardStreamText::tr("standard input cannot be read"));
     qint64 copied = 0;
     while (true) {
         const QByteArray piece = input.read(1 << 16);
@@ -72,7 +72,7 @@ std::string copyInput(std::string& path, std::string_view ending) {
             break;
         copied += piece.size();
         if (copied > kMost || file.write(piece) != piece.size())
-            return error(StreamText::tr("standard input is too large"));
+            return error(StandardStreamText::tr("standard input is too large"));
     }
     path = copy.toStdString();
     return {};
@@ -80,7 +80,7 @@ std::string copyInput(std::string& path, std::string_view ending) {
 
 std::string takeInput(std::string& path, std::optional<std::string_view> wholeEnding) {
     if (std::exchange(taken().input, true))
-        return error(StreamText::tr("standard input can be read only once"));
+        return error(StandardStreamText::tr("standard input can be read only once"));
     if (wholeEnding)
         return copyInput(path, *wholeEnding);
     path = "/dev/stdin";
@@ -89,7 +89,7 @@ std::string takeInput(std::string& path, std::optional<std::string_view> wholeEn
 
 std::string takeOutput(std::string& path) {
     if (std::exchange(taken().output, true))
-        return error(StreamText::tr("standard output can be written only once"));
+        return error(StandardStreamText::tr("standard output can be written only once"));
     path = kStandardOutput;
     return {};
 }
@@ -101,11 +101,11 @@ void acceptDash(CLI::Option& option, std::string_view name, std::string_view typ
         if (path != "-")
             return std::string();
         if (type == "DIR")
-            return error(StreamText::tr("- is given, a folder is expected"));
+            return error(StandardStreamText::tr("- is given, a folder is expected"));
         if (name == "RECORDING" || name == "--mcap" || type.find(".teleta") != std::string::npos)
-            return error(StreamText::tr("a recording is a database, which is no stream"));
+            return error(StandardStreamText::tr("a recording is a database, which is no stream"));
         if (name == "video")
-            return error(StreamText::tr("a video cannot be read from standard input"));
+            return error(StandardStreamText::tr("a video cannot be read from standard input"));
         if (isOutput(name))
             return takeOutput(path);
         const auto whole =
@@ -124,7 +124,7 @@ void refuseTwoOutputs(const CLI::App& command) {
     if (taken().output && json != nullptr && json->count() > 0)
         throw CLI::ValidationError(
             "--json",
-            StreamText::tr("the document and a file would both go to standard output").toStdString());
+            StandardStreamText::tr("the document and a file would both go to standard output").toStdString());
 }
 
 bool standardOutputIsFile() {

@@ -8,7 +8,7 @@ namespace teleta::core {
 
 namespace {
 
-struct ListText {
+struct KeyListText {
     Q_DECLARE_TR_FUNCTIONS(TomlReader)
 };
 
@@ -22,8 +22,8 @@ void describeList(Keys& keys, std::string_view key, std::vector<double>& values,
 std::string listText(const NumberRange& range, const WholeRange& count) {
     const QString each = QString::fromStdString(range.text());
     return (count.low == count.high
-                ? ListText::tr("a list of %1, each %2").arg(count.low).arg(each)
-                : ListText::tr("a list of %1 to %2, each %3").arg(count.low).arg(count.high).arg(each))
+                ? KeyListText::tr("a list of %1, each %2").arg(count.low).arg(each)
+                : KeyListText::tr("a list of %1 to %2, each %3").arg(count.low).arg(count.high).arg(each))
         .toStdString();
 }
 

@@ -56,7 +56,8 @@ std::string itemLevels(const QuestionnaireItem& item) {
 const std::vector<CodebookEntry>& codebook() {
     static const std::vector<CodebookEntry> kEntries = [] {
         std::vector<CodebookEntry> entries;
-        for (const std::span<const CodebookFile> files : {codebookOfExports(), codebookOfResults()}) {
+        for (const std::span<const CodebookFile> files :
+             {codebookOfExports(), codebookOfResults(), codebookOfMethods()}) {
             for (const CodebookFile& file : files) {
                 for (const CodebookRow& row : file.rows)
                     entries.push_back(

@@ -70,5 +70,6 @@ struct CodebookFile {
 };
 [[nodiscard]] std::span<const CodebookFile> codebookOfExports();
 [[nodiscard]] std::span<const CodebookFile> codebookOfResults();
+[[nodiscard]] std::span<const CodebookFile> codebookOfMethods();
 
 } // namespace teleta::study

@@ -125,7 +125,8 @@ TEST(StudyFigures, areOneOfEachKindAndWellFormed) {
     const std::vector<std::string> expected = {"confusion_shape_dynamic", "confusion_counts_shape_dynamic",
                                                "confusion_shape_static",  "confusion_counts_shape_static",
                                                "accuracy_shape",          "patterns_shape",
-                                               "response_time_shape",     "transfer_shape"};
+                                               "response_time_shape",     "cumulative_time_shape",
+                                               "transfer_shape"};
     EXPECT_EQ(names, expected);
 }
 
@@ -173,7 +174,7 @@ TEST(StudyFigures, haveFilesOfTheirOwnWhateverTheLettersOfTheirTasks) {
             std::string::npos)
             << figure.name;
     }
-    EXPECT_EQ(figures.size(), 5U * 8U + 6U);
+    EXPECT_EQ(figures.size(), 5U * 9U + 7U);
 }
 
 } // namespace teleta::study
