@@ -100,7 +100,13 @@ constexpr auto kWithoutUnit = std::to_array<std::string_view>({
     "excluded", "recording", "function", "threshold", "lo", "hi", "interval", "unit", "spread", "guess",
     "lapse", "lapse_lo", "lapse_hi", "deviance", "p_deviance", "jnd", "weber", "pse", "stair_estimate",
     "stair_reversals", "bayes_mean", "bayes_sd", "scale", "n_positive", "positive", "counts", "hits",
-    "n_signal", "false_alarms", "n_noise", "dprime", "c", "category", "series", "low", "high", "singles"});
+    "n_signal", "false_alarms", "n_noise", "dprime", "c", "category", "series", "low", "high", "singles",
+    "file", "description", "levels", "missing", "study_id", "enrolment", "acq_time", "x", "y",
+    // Comparisons, ranks, models and exclusions of studies.
+    "test", "first", "second", "difference", "p_holm", "family", "dz", "dz_lo", "dz_hi", "dav", "hedges_j",
+    "gz", "partial_eta2_lo", "partial_eta2_hi", "zeros", "w_plus", "w_minus", "chi", "exact", "rank_biserial",
+    "kendall_w", "term", "estimate", "se", "sd_participants", "log_likelihood", "lr_chi", "lr_df", "lr_p",
+    "trials", "against", "ratio", "rule", "of", "origin", "trials_before", "sessions"});
 
 constexpr char lowered(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
