@@ -52,14 +52,13 @@ void writePairs(const TaskResults& task, core::CsvWriter& csv) {
     for (const LevelPair& pair : comparisons.pairs) {
         const auto& test = pair.comparison.test;
         const auto value = [&](double PairedTest::*member) { return test ? Number((*test).*member) : none; };
-        const std::optional<Interval> ends = test ? std::optional(test->interval) : std::nullopt;
-        const std::optional<Interval> dz = test ? test->dzInterval : std::nullopt;
         csv.row(task.task, pair.effect, word(pair.stimulus), pair.first, pair.second,
-                pair.comparison.participants, pair.comparison.difference, lowOf(ends), highOf(ends),
+                pair.comparison.participants, pair.comparison.difference,
+                test ? Number(test->interval.low) : none, test ? Number(test->interval.high) : none,
                 value(&PairedTest::t), value(&PairedTest::df), value(&PairedTest::p), pair.pHolm,
-                whole(pair.family), value(&PairedTest::dz), lowOf(dz), highOf(dz), test ? test->dav : none,
-                test ? test->hedges : none, test ? test->gz() : none, none, none, none,
-                test ? Word() : Word(toString(test.error())));
+                whole(pair.family), value(&PairedTest::dz), test ? lowOf(test->dzInterval) : none,
+                test ? highOf(test->dzInterval) : none, test ? test->dav : none, test ? test->hedges : none,
+                test ? test->gz() : none, none, none, none, test ? Word() : Word(toString(test.error())));
     }
 }
 
