@@ -6243,7 +6243,11 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>SerialTrigger</name>
+    <name>SerialTriggerText</name>
+    <message>
+        <source>the trigger&apos;s serial line cannot be used: %1</source>
+        <translation>la ligne série du déclencheur ne peut pas être utilisée&#xa0;: %1</translation>
+    </message>
     <message>
         <source>this is not a serial line</source>
         <translation>ce n’est pas une ligne série</translation>
@@ -6251,13 +6255,6 @@ Run %2 --help for more.
     <message>
         <source>a serial port, such as /dev/ttyUSB0</source>
         <translation>un port série, comme /dev/ttyUSB0</translation>
-    </message>
-</context>
-<context>
-    <name>SerialTriggerText</name>
-    <message>
-        <source>the trigger&apos;s serial line cannot be used: %1</source>
-        <translation>la ligne série du déclencheur ne peut pas être utilisée : %1</translation>
     </message>
 </context>
 <context>
@@ -6783,9 +6780,6 @@ Run %2 --help for more.
         <source>standard output can be written only once</source>
         <translation>la sortie standard ne peut être écrite qu’une fois</translation>
     </message>
-</context>
-<context>
-    <name>StandardStreams</name>
     <message>
         <source>- is given, a folder is expected</source>
         <translation>- est donné, un dossier est attendu</translation>

@@ -6225,7 +6225,11 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>SerialTrigger</name>
+    <name>SerialTriggerText</name>
+    <message>
+        <source>the trigger&apos;s serial line cannot be used: %1</source>
+        <translation>トリガーのシリアル回線を使用できません: %1</translation>
+    </message>
     <message>
         <source>this is not a serial line</source>
         <translation>シリアル回線ではありません</translation>
@@ -6233,13 +6237,6 @@ Run %2 --help for more.
     <message>
         <source>a serial port, such as /dev/ttyUSB0</source>
         <translation>シリアルポート。例: /dev/ttyUSB0</translation>
-    </message>
-</context>
-<context>
-    <name>SerialTriggerText</name>
-    <message>
-        <source>the trigger&apos;s serial line cannot be used: %1</source>
-        <translation>トリガーのシリアル回線を使用できません: %1</translation>
     </message>
 </context>
 <context>
@@ -6765,9 +6762,6 @@ Run %2 --help for more.
         <source>standard output can be written only once</source>
         <translation>標準出力には一度しか書き込めません</translation>
     </message>
-</context>
-<context>
-    <name>StandardStreams</name>
     <message>
         <source>- is given, a folder is expected</source>
         <translation>-が指定されましたが、必要なのはフォルダーです</translation>

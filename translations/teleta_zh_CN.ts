@@ -6225,7 +6225,11 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>SerialTrigger</name>
+    <name>SerialTriggerText</name>
+    <message>
+        <source>the trigger&apos;s serial line cannot be used: %1</source>
+        <translation>无法使用触发信号的串口：%1</translation>
+    </message>
     <message>
         <source>this is not a serial line</source>
         <translation>这不是串口</translation>
@@ -6233,13 +6237,6 @@ Run %2 --help for more.
     <message>
         <source>a serial port, such as /dev/ttyUSB0</source>
         <translation>串口，例如 /dev/ttyUSB0</translation>
-    </message>
-</context>
-<context>
-    <name>SerialTriggerText</name>
-    <message>
-        <source>the trigger&apos;s serial line cannot be used: %1</source>
-        <translation>无法使用触发信号的串口：%1</translation>
     </message>
 </context>
 <context>
@@ -6765,9 +6762,6 @@ Run %2 --help for more.
         <source>standard output can be written only once</source>
         <translation>标准输出只能写入一次</translation>
     </message>
-</context>
-<context>
-    <name>StandardStreams</name>
     <message>
         <source>- is given, a folder is expected</source>
         <translation>给出的是 -，应为文件夹</translation>

@@ -21,7 +21,7 @@ namespace teleta::trigger {
 namespace {
 
 struct SerialTriggerText {
-    Q_DECLARE_TR_FUNCTIONS(SerialTrigger)
+    Q_DECLARE_TR_FUNCTIONS(SerialTriggerText)
 };
 
 core::Unexpected problem(core::ErrorKind kind, const std::string& device, int code) {

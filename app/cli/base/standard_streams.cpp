@@ -18,7 +18,7 @@ namespace teleta::cli {
 namespace {
 
 struct StandardStreamText {
-    Q_DECLARE_TR_FUNCTIONS(StandardStreams)
+    Q_DECLARE_TR_FUNCTIONS(StandardStreamText)
 };
 
 /// What "-" has been taken for so far; there is one of each stream.

@@ -9,7 +9,7 @@ namespace teleta::core {
 namespace {
 
 struct KeyListText {
-    Q_DECLARE_TR_FUNCTIONS(TomlReader)
+    Q_DECLARE_TR_FUNCTIONS(KeyListText)
 };
 
 } // namespace
