@@ -13,7 +13,7 @@ import teleta
 @pytest.fixture(scope="module")
 def calibrated(tmp_path_factory):
     folder = tmp_path_factory.mktemp("calibration")
-    run_program("simulate", "vtacarm-calibration", "--duration", 60, "--out", folder)
+    run_program("simulate", "vtacarm-calibration", "--duration", 200, "--out", folder)
     pairs = {name: np.array(column, dtype=float) for name, column in read_csv(folder / "pairs.csv").items()}
     pixels_px = np.column_stack([pairs["u_px"], pairs["v_px"]])
     points_m = np.column_stack([pairs["x_m"], pairs["y_m"], pairs["z_m"]])
@@ -25,7 +25,7 @@ def pictures(tmp_path_factory):
     folder = tmp_path_factory.mktemp("pictures")
     run_program("simulate", "vtacarm-multicontact", "--duration", 3, "--out", folder)
     with teleta.open(folder / "recording.teleta") as recording:
-        (name,) = [name for name, stream in recording.streams.items() if stream.kind == "camera"]
+        name = "camera"
         data = recording.read(name)
         details = recording.streams[name].details
     return data, details, folder

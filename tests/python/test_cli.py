@@ -237,7 +237,8 @@ def test_export(program, indenter, tmp_path):
     program("export", indenter / "recording.teleta", "--csv", tmp_path / "program")
     with teleta.open(indenter / "recording.teleta") as recording:
         paths = recording.to_csv(tmp_path / "own")
-        assert sorted(paths) == sorted(str(path) for path in (tmp_path / "own").glob("*.csv"))
+        assert sorted(paths) == sorted(str(path) for path in (tmp_path / "own").iterdir())
+        assert (tmp_path / "own" / "recording.json").exists()
         with pytest.raises(teleta.RefusedError):
             recording.to_csv(tmp_path / "own")
         recording.to_csv(tmp_path / "own", overwrite=True)
