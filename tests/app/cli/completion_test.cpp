@@ -61,7 +61,7 @@ Words offered(const Words& words) {
 TEST(Completion, offersTheCommandsThatBeginSo) {
     EXPECT_EQ(offered({"teleta", "sti"}), Words{"stiffness"});
     EXPECT_EQ(offered({"teleta", "pattern", "con"}), Words{"convert"});
-    EXPECT_EQ(offered({"teleta", "study", "re"}), (Words{"rehearse", "resume"}));
+    EXPECT_EQ(offered({"teleta", "study", "re"}), (Words{"rehearse", "resume", "report"}));
 }
 
 TEST(Completion, offersTheOptionsOfTheCommandAndTheValuesOfAnOption) {
