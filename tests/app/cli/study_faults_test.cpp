@@ -202,7 +202,15 @@ item = [{ id = "remarks", kind = "text", question = "Anything else?" }]
     EXPECT_EQ(rows[2][4], "NA");
     for (const char* format : {"bids", "excel"})
         EXPECT_EQ(run({"study", "export", study, "--format", format}).exitCode, 0);
-    EXPECT_TRUE(std::filesystem::exists(study + "/bids/phenotype/questionnaire_P01.tsv"));
+    // A file for each questionnaire and place in the plan, with a row for each participant.
+    std::size_t tables = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(study + "/bids/phenotype")) {
+        if (entry.path().extension() != ".tsv")
+            continue;
+        ++tables;
+        EXPECT_NE(readAll(entry.path().string()).find("sub-P01"), std::string::npos) << entry.path();
+    }
+    EXPECT_GE(tables, 1U);
     EXPECT_TRUE(std::filesystem::exists(study + "/excel/P01_questionnaire.csv"));
 }
 
