@@ -62,8 +62,8 @@ struct HeatmapContent {
 /// files.
 [[nodiscard]] QString taxelText(const HeatmapContent& content, const Taxel& taxel);
 
-/// The frame as CSV: row,column,x_m,y_m,load_<unit in lower case>,dead,contact_id; one row per taxel, C locale. contact_id
-/// is 0 outside contacts.
+/// The frame as CSV: row,column,x_m,y_m,load_<unit in lower case>,dead,contact_id; one row per taxel, C
+/// locale. contact_id is 0 outside contacts.
 [[nodiscard]] QString frameCsv(const HeatmapContent& content);
 
 } // namespace teleta::tactile

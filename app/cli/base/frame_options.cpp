@@ -73,7 +73,8 @@ core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning() const
 void refuseToReplace(const std::string& output, std::span<const std::string> inputs, const char* option) {
     for (const std::string& input : inputs) {
         std::error_code missing;
-        if (!output.empty() && output != kStandardOutput && std::filesystem::equivalent(input, output, missing))
+        if (!output.empty() && output != kStandardOutput &&
+            std::filesystem::equivalent(input, output, missing))
             refuse(option, FrameOptionText::tr("the output would replace the input"));
     }
 }

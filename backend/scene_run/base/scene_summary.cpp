@@ -39,12 +39,10 @@ ordered_json SceneSummary::toJson() const {
             entries.push_back({{"name", each.name}, {"time_s", each.time_s}});
         return entries;
     };
-    ordered_json document{{"scene", scene},
-                          {"app_version", QCoreApplication::applicationVersion().toStdString()},
-                          {"seed", seed},
-                          {"simulated_s", simulated_s},
-                          {"wall_s", wall_s},
-                          {"effects", times(effects)}};
+    ordered_json document{
+        {"scene", scene},   {"app_version", QCoreApplication::applicationVersion().toStdString()},
+        {"seed", seed},     {"simulated_s", simulated_s},
+        {"wall_s", wall_s}, {"effects", times(effects)}};
     if (!parts.empty())
         document["parts"] = times(parts);
     if (verdict)
