@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arm of tests/data/urdf/seven_joints.urdf in MuJoCo, which reads URDF by itself.
+// The arm of tests/data/urdf/crooked_arm.urdf in MuJoCo, which reads URDF by itself.
 #include "backend/arm_model/serial_chain.h"
 #include "backend/arm_model/urdf_reader.h"
 
@@ -15,7 +15,7 @@ using namespace teleta;
 
 namespace {
 
-const std::string kFile = TELETA_SOURCE_DIR "/tests/data/urdf/seven_joints.urdf";
+const std::string kFile = TELETA_SOURCE_DIR "/tests/data/urdf/crooked_arm.urdf";
 
 struct Simulation {
     Simulation() {

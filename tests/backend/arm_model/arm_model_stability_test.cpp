@@ -38,7 +38,7 @@ TEST(ArmModelStability, ratesAreContinuousThroughAStretchedArm) {
 }
 
 TEST(ArmModelStability, extremeTwistsGiveFiniteRates) {
-    const auto arm = chain("seven_joints.urdf", "hand");
+    const auto arm = chain("crooked_arm.urdf", "hand");
     const core::JointVector zeros = core::JointVector::zeros(arm->joints());
     for (const double size : {1e-300, 1e-20, 1.0, 1e20, 1e100}) {
         const TipRates rates = tipRates(*arm, zeros, {{size, -size, size}, {0.0, size, 0.0}});

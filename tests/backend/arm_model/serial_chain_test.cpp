@@ -81,7 +81,7 @@ TEST(SerialChain, aMimicOnTheWayMovesWithTheJointThatItFollows) {
 }
 
 TEST(SerialChain, jacobianIsTheDerivativeOfThePose) {
-    const SerialChain arm = chain("seven_joints.urdf", "base_link", "hand");
+    const SerialChain arm = chain("crooked_arm.urdf", "base_link", "hand");
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> angle(-2.0, 2.0);
     const Eigen::Vector3d point(0.03, -0.02, 0.07);
@@ -109,8 +109,8 @@ TEST(SerialChain, jacobianIsTheDerivativeOfThePose) {
 
 TEST(SerialChain, poseAndDerivativeDoNotDependOnTheBaseOfTheDescription) {
     // From the third link on it is an arm of its own.
-    const SerialChain whole = chain("seven_joints.urdf", "base_link", "hand");
-    const SerialChain part = chain("seven_joints.urdf", "l3", "hand");
+    const SerialChain whole = chain("crooked_arm.urdf", "base_link", "hand");
+    const SerialChain part = chain("crooked_arm.urdf", "l3", "hand");
     ASSERT_EQ(part.joints(), 4U);
     const core::JointVector q{0.3, -0.4, 0.5, -1.2, 0.05, 0.7, -0.8};
     const auto poses = whole.linkPoses(q);

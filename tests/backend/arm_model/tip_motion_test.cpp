@@ -32,7 +32,7 @@ Eigen::VectorXd asVector(const core::JointVector& q) {
 } // namespace
 
 TEST(TipMotion, awayFromSingularitiesTheTipDoesWhatIsAsked) {
-    const SerialChain arm = chain("seven_joints.urdf", "base_link", "hand");
+    const SerialChain arm = chain("crooked_arm.urdf", "base_link", "hand");
     const arm_model::TipTwist twist{{0.05, -0.02, 0.03}, {0.1, 0.2, -0.3}};
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> any(-2.0, 2.0);
@@ -66,7 +66,7 @@ TEST(TipMotion, anArmOfTwoJointsDoesTheNearestThatItCan) {
 TEST(TipMotion, ratesStayBoundedThroughASingularity) {
     // Stretched, the arm cannot move along itself. Only the velocity counts here: the turn of the tip is free
     // of charge for a planar arm, so the bound is looked at for random twists.
-    const SerialChain arm = chain("seven_joints.urdf", "base_link", "hand");
+    const SerialChain arm = chain("crooked_arm.urdf", "base_link", "hand");
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     for (int round = 0; round < 2000; ++round) {

@@ -32,7 +32,7 @@ core::Error errorOf(const std::string& text) {
 } // namespace
 
 TEST(UrdfReader, readsJointsWithTheirLimits) {
-    const core::Expected<ArmModel> model = arm_model::readUrdf(kFolder + "seven_joints.urdf");
+    const core::Expected<ArmModel> model = arm_model::readUrdf(kFolder + "crooked_arm.urdf");
     ASSERT_TRUE(model) << core::describe(model.error());
     EXPECT_EQ(model->name, "seven");
     EXPECT_EQ(model->links.size(), 9U);
