@@ -79,13 +79,11 @@ void ParticipantPlacement::show() {
     m_window.activateWindow();
 }
 
-/// A window manager keeps a window above the one to which it is transient: a click on the console does not
-/// hide it.
+/// A click on the console does not hide the window. It is no transient window of the console: dialogs of the
+/// experimenter would block the participant.
 void ParticipantPlacement::stayAbove(bool above) {
-    // Both need a window of the system.
-    (void)m_window.winId();
-    (void)m_console.window()->winId();
-    m_window.windowHandle()->setTransientParent(above ? m_console.window()->windowHandle() : nullptr);
+    (void)m_window.winId(); // a window of the system
+    m_window.windowHandle()->setFlag(Qt::WindowStaysOnTopHint, above);
 }
 
 void ParticipantPlacement::showBeside() {
