@@ -89,6 +89,12 @@ core::Expected<StudyTruth> readTruth(const std::string& path) {
 }
 
 core::Expected<StudyTruth> truthOf(const std::vector<TaskResults>& pilot, const std::string& source) {
+    if (pilot.empty())
+        return core::failed(core::ErrorKind::refused,
+                            TruthText::tr("the task %1 shows no spread of its participants: %2")
+                                .arg(QStringLiteral("-"), QLatin1String("no data")),
+                            TruthText::tr("a pilot with at least 5 participants, or a file with the truth"),
+                            {source});
     StudyTruth truth;
     for (const TaskResults& task : pilot) {
         const auto model = accuracyModel(task);
