@@ -49,6 +49,7 @@ const std::map<std::string, Target> kTargets{
     {"touch_csv", teleta::fuzz::touchCsv},
     {"trial_csv", teleta::fuzz::trialCsv},
     {"trial_journal", teleta::fuzz::trialJournal},
+    {"urdf", teleta::fuzz::urdf},
     {"wts_frames", teleta::fuzz::wtsFrames},
 };
 

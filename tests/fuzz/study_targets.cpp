@@ -51,6 +51,8 @@ bool levelCsv(Bytes bytes) {
         requireExplained(added.error(), file.path());
         return false;
     }
+    if (trials.tracks().empty())
+        return false; // a table without levels
     constexpr std::size_t kMostTracks = 4; // the rest are fitted like these
     if (trials.tracks().size() > kMostTracks)
         return true;

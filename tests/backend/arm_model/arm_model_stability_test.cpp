@@ -27,10 +27,11 @@ std::shared_ptr<const SerialChain> chain(const std::string& name, const std::str
 
 TEST(ArmModelStability, ratesAreContinuousThroughAStretchedArm) {
     const auto arm = chain("gripper.urdf", "tool0");
-    // Sum over the way from bent through stretched to bent the other way: no jump between neighbours.
-    TipRates before = tipRates(*arm, {0.3, -0.05}, {{0.05, 0.0, 0.02}, {}});
+    const TipTwist twist{.velocity_mPerS = {0.05, 0.0, 0.02}};
+    // On the way from bent through stretched to bent the other way: no jump between neighbours.
+    TipRates before = tipRates(*arm, {0.3, -0.05}, twist);
     for (double elbow = -0.05; elbow <= 0.05; elbow += 1e-5) {
-        const TipRates now = tipRates(*arm, {0.3, elbow}, {{0.05, 0.0, 0.02}, {}});
+        const TipRates now = tipRates(*arm, {0.3, elbow}, twist);
         for (std::size_t i = 0; i < 2; ++i)
             EXPECT_NEAR(now.rate[i], before.rate[i], 0.01) << elbow;
         before = now;

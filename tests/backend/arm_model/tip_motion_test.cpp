@@ -58,7 +58,7 @@ TEST(TipMotion, awayFromSingularitiesTheTipDoesWhatIsAsked) {
 TEST(TipMotion, anArmOfTwoJointsDoesTheNearestThatItCan) {
     const SerialChain arm = chain("gripper.urdf", "base_link", "tool0");
     // Sideways, the planar arm cannot move at all.
-    const TipRates sideways = arm_model::tipRates(arm, {0.4, -1.1}, {{0.0, 0.05, 0.0}, {}});
+    const TipRates sideways = arm_model::tipRates(arm, {0.4, -1.1}, {{0.0, 0.05, 0.0}});
     EXPECT_LT(asVector(sideways.rate).norm(), 1e-12);
     EXPECT_LT(sideways.followed, 1e-12);
 }
@@ -87,8 +87,8 @@ TEST(TipMotion, ratesStayBoundedThroughASingularity) {
 TEST(TipMotion, whatIsNotFiniteMovesNothing) {
     const SerialChain arm = chain("gripper.urdf", "base_link", "tool0");
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(arm_model::tipRates(arm, {0.4, kNan}, {{0.1, 0.0, 0.0}, {}}).rate, core::JointVector::zeros(2));
-    EXPECT_EQ(arm_model::tipRates(arm, {0.4, 0.1}, {{kNan, 0.0, 0.0}, {}}).rate, core::JointVector::zeros(2));
+    EXPECT_EQ(arm_model::tipRates(arm, {0.4, kNan}, {{0.1, 0.0, 0.0}}).rate, core::JointVector::zeros(2));
+    EXPECT_EQ(arm_model::tipRates(arm, {0.4, 0.1}, {{kNan, 0.0, 0.0}}).rate, core::JointVector::zeros(2));
     EXPECT_EQ(arm_model::tipRates(arm, {0.4, 0.1}, {}).rate, core::JointVector::zeros(2));
 }
 

@@ -22,6 +22,12 @@ constexpr char kEnd[] = "study.end";
 
 } // namespace
 
+void SessionMarks::setRecording(SessionRecording* recording) {
+    if (std::exchange(m_isRecorded, false))
+        m_recording->stop();
+    m_recording = recording;
+}
+
 void SessionMarks::setTrigger(const core::TriggerSettings& settings) {
     if (settings == m_settings)
         return;
@@ -68,9 +74,8 @@ void SessionMarks::end(bool fault, std::int64_t now_ns) {
     if (fault)
         post(event(Kind::fault, now_ns));
     post(event(Kind::sessionEnd, now_ns));
-    if (m_isRecorded)
+    if (std::exchange(m_isRecorded, false))
         m_recording->stop();
-    m_isRecorded = false;
     m_session.reset();
 }
 

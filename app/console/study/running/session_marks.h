@@ -24,7 +24,8 @@ public:
     explicit SessionMarks(SessionRecording* recording = nullptr)
         : m_recording(recording) {}
 
-    void setRecording(SessionRecording* recording) { m_recording = recording; }
+    /// Null: none. What is being recorded ends.
+    void setRecording(SessionRecording* recording);
     /// Opens the line, so that a check knows of it before a session; the same settings change nothing.
     void setTrigger(const core::TriggerSettings& settings);
     /// Empty: no triggers.
