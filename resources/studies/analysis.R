@@ -810,7 +810,7 @@ model_of <- function(part) {
     shares <- sapply(conditions, function(name) sum(rows$correct[rows$condition == name]) / sum(rows$count[rows$condition == name]))
     if (length(unique(rows$participant_id)) < 5 || any(shares == 0) || any(shares == 1))
         return(NULL)
-    x <- cbind(1, sapply(conditions[-1], function(name) as.numeric(rows$condition == name)))
+    x <- cbind(1, vapply(conditions[-1], function(name) as.numeric(rows$condition == name), numeric(nrow(rows))))
     whole <- model_fit_of(x, rows)
     ratio <- if (length(conditions) > 1) 2 * (whole$value - model_fit_of(x[, 1, drop = FALSE], rows)$value) else NA
     row <- function(...) data.frame(task = part$task[1], ...)

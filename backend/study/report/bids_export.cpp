@@ -154,7 +154,7 @@ core::Expected<void> writePerson(const StudyStore& store, const Person& person, 
         // The id begins with the UTC of its begin, 20261103T142233.
         const std::string& id = record.id;
         const std::string time = id.substr(0, 4) + '-' + id.substr(4, 2) + '-' + id.substr(6, 5) + ':' +
-                                 id.substr(11, 2) + ':' + id.substr(13, 2);
+                                 id.substr(11, 2) + ':' + id.substr(13, 2) + 'Z';
         rows.push_back({wordCell("ses-" + labels.of(person.plans.at(record.planIndex))), wordCell(time)});
     }
     return writeTsv(folder + "/sub-" + person.label + "_sessions.tsv", rows, kSessionColumns);

@@ -128,7 +128,7 @@ TEST_F(StudyExportTest, bidsHasTabsAndItsOwnWordForMissing) {
     EXPECT_EQ(read("bids/participants.tsv"),
               "participant_id\tstudy_id\tenrolment\tmode\nsub-P07\tP07\t1\trun\n");
     EXPECT_EQ(read("bids/sub-P07/sub-P07_sessions.tsv"),
-              "session_id\tacq_time\nses-shapestatic\t2026-11-03T14:22:33\n");
+              "session_id\tacq_time\nses-shapestatic\t2026-11-03T14:22:33Z\n");
 }
 
 TEST_F(StudyExportTest, sessionsInBidsHaveNamesOfTheirOwnWhateverTheIds) {

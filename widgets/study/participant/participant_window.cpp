@@ -311,8 +311,8 @@ void ParticipantWindow::keyReleaseEvent(QKeyEvent* event) {
         QWidget::keyReleaseEvent(event);
         return;
     }
-    m_down.erase({key->device(), key->code()});
-    emit released(key->device(), key->code());
+    if (m_down.erase({key->device(), key->code()}) > 0)
+        emit released(key->device(), key->code());
 }
 
 void ParticipantWindow::mousePressEvent(QMouseEvent* event) {
