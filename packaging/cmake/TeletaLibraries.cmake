@@ -23,6 +23,10 @@ pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(LIBZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(RSVG REQUIRED IMPORTED_TARGET librsvg-2.0 cairo cairo-pdf cairo-png)
 pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
+# librsvg asks for -pthread, which glibc 2.34 no longer needs, and with which no precompiled headers of others fit.
+get_target_property(rsvg_options PkgConfig::RSVG INTERFACE_COMPILE_OPTIONS)
+list(REMOVE_ITEM rsvg_options -pthread)
+set_target_properties(PkgConfig::RSVG PROPERTIES INTERFACE_COMPILE_OPTIONS "${rsvg_options}")
 
 # Debian's Python, never another one that comes first in PATH and may lack numpy or the headers.
 if(NOT DEFINED TELETA_PYTHON OR TELETA_PYTHON)
