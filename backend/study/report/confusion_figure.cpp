@@ -28,7 +28,7 @@ QString percentText(const std::optional<double>& percent) {
     return *percent == 0.0 ? QStringLiteral("0") : QString::number(*percent, 'f', 1);
 }
 
-QString heading(ConfusionValues values) {
+QString headingOf(ConfusionValues values) {
     switch (values) {
     case ConfusionValues::percent:
         return FigureText::tr("Subject response, %");
@@ -80,7 +80,7 @@ figure::SvgCanvas confusionFigure(const ConfusionMatrix& matrix, const std::vect
     const QString bold = QStringLiteral("ink middle bold");
     figure::SvgCanvas canvas(width, height, name);
     canvas.text(width / 2.0, 24.0, name, bold);
-    canvas.text(kLeft + tableWidth / 2.0, 52.0, heading(values), bold);
+    canvas.text(kLeft + tableWidth / 2.0, 52.0, headingOf(values), bold);
     const double rowsMiddle = kTop + (height - kTop - kMargin) / 2.0;
     canvas.text(20.0, rowsMiddle, FigureText::tr("Actual pattern"), bold,
                 QStringLiteral("transform=\"rotate(-90 20 %1)\"").arg(figure::svgNumber(rowsMiddle)));
