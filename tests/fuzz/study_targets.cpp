@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/analysis/study_results.h"
-#include "backend/study/analysis/trial_source.h"
+#include "backend/study/analysis/trials/trial_source.h"
 #include "backend/study/methods/results/detection_results.h"
 #include "backend/study/methods/results/level_trial_source.h"
 #include "backend/study/methods/results/threshold_results.h"
@@ -52,7 +52,7 @@ bool levelCsv(Bytes bytes) {
         return false;
     }
     if (trials.tracks().empty())
-        return false; // a table without levels
+        return false;                      // a table without levels
     constexpr std::size_t kMostTracks = 4; // the rest are fitted like these
     if (trials.tracks().size() > kMostTracks)
         return true;

@@ -2,7 +2,7 @@
 #include "app/console/study/study_controller.h"
 
 #include "app/console/study/study_writing.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/study_export.h"
 #include "widgets/base/background.h"
 
 #include <QCoreApplication>

@@ -2,12 +2,12 @@
 #include "app/console/study/study_writing.h"
 
 #include "backend/figure/figure_file.h"
-#include "backend/study/analysis/trial_source.h"
+#include "backend/study/analysis/trials/trial_source.h"
 #include "backend/study/methods/figures/threshold_figures.h"
 #include "backend/study/methods/results/level_trial_store.h"
 #include "backend/study/methods/results/threshold_files.h"
 #include "backend/study/report/exclusion_report.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/study_export.h"
 #include "backend/study/report/study_figures.h"
 #include "backend/study/report/study_report.h"
 

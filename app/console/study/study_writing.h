@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/analysis/exclusion_results.h"
 #include "backend/study/analysis/study_results.h"
+#include "backend/study/analysis/trials/exclusion_results.h"
 #include "backend/study/model/task_supplement.h"
 #include "backend/study/store/study_store.h"
 #include "widgets/study/results/level_content.h"

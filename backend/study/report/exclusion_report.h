@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
-#include "backend/study/analysis/exclusion_results.h"
+#include "backend/study/analysis/trials/exclusion_results.h"
 
 #include <QString>
 

@@ -6,7 +6,7 @@
 #include "backend/study/analysis/proportion.h"
 #include "backend/study/protocol/standard_questionnaire.h"
 #include "backend/study/report/confusion_figure.h"
-#include "backend/study/report/export_parts.h"
+#include "backend/study/report/exports/export_parts.h"
 #include "backend/study/report/report_html.h"
 #include "backend/study/report/report_page.h"
 

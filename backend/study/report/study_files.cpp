@@ -2,9 +2,9 @@
 #include "backend/core/data/csv_writer.h"
 #include "backend/study/analysis/study_results.h"
 #include "backend/study/analysis/study_rows.h"
-#include "backend/study/report/codebook.h"
 #include "backend/study/report/comparison_files.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/codebook.h"
+#include "backend/study/report/exports/study_export.h"
 
 #include <array>
 #include <string_view>

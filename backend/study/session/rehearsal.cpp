@@ -4,7 +4,7 @@
 #include "backend/core/failure.h"
 #include "backend/study/protocol/stimulus_set.h"
 #include "backend/study/protocol/trial_pattern.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/study_export.h"
 #include "backend/study/session/due_questionnaires.h"
 #include "backend/study/session/session_flow.h"
 #include "backend/study/session/simulated_observer.h"

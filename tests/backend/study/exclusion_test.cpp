@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/analysis/exclusion.h"
-#include "backend/study/analysis/exclusion_book.h"
-#include "backend/study/analysis/exclusion_results.h"
+#include "backend/study/analysis/trials/exclusion.h"
+#include "backend/study/analysis/trials/exclusion_book.h"
+#include "backend/study/analysis/trials/exclusion_results.h"
 #include "backend/study/protocol/protocol.h"
 
 #include <gtest/gtest.h>

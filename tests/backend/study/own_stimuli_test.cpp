@@ -3,7 +3,7 @@
 #include "backend/pattern/files/pattern_json.h"
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/study/protocol/protocol.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/study_export.h"
 #include "backend/study/session/rehearsal.h"
 #include "backend/study/store/study_store.h"
 #include "tests/backend/core/temporary_folder.h"

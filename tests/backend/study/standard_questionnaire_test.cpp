@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/protocol/standard_questionnaire.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/study_export.h"
 #include "backend/study/session/due_questionnaires.h"
 #include "backend/study/session/rehearsal.h"
 #include "tests/backend/core/temporary_folder.h"

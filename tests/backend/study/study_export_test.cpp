@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/analysis/trial_source.h"
+#include "backend/study/analysis/trials/trial_source.h"
 #include "backend/study/protocol/stimulus_set.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/study_export.h"
 #include "backend/study/session/rehearsal.h"
 #include "backend/study/store/trial_table.h"
 #include "tests/backend/core/temporary_folder.h"

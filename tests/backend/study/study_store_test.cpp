@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/analysis/trial_source.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/analysis/trials/trial_source.h"
+#include "backend/study/report/exports/study_export.h"
 #include "backend/study/store/file_claim.h"
 #include "backend/study/store/study_store.h"
 #include "tests/backend/core/temporary_folder.h"

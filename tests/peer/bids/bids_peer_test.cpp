@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/study_export.h"
 #include "backend/study/session/rehearsal.h"
 #include "tests/backend/core/temporary_folder.h"
 #include "tests/backend/study/small_protocol.h"

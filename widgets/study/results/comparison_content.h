@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/analysis/exclusion_results.h"
+#include "backend/study/analysis/trials/exclusion_results.h"
 #include "backend/study/model/task_supplement.h"
 #include "widgets/study/results/curve_picture.h"
 #include "widgets/study/results/results_content.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/analysis/exclusion_results.h"
+#include "backend/study/analysis/trials/exclusion_results.h"
 #include "backend/study/model/task_supplement.h"
 #include "backend/study/protocol/trial.h"
 #include "widgets/base/compose.h"

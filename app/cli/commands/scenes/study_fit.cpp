@@ -12,7 +12,7 @@
 #include "backend/study/methods/results/level_trial_source.h"
 #include "backend/study/methods/results/level_trial_store.h"
 #include "backend/study/methods/results/threshold_files.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/study_export.h"
 #include "backend/study/store/study_store.h"
 
 #include <QCoreApplication>

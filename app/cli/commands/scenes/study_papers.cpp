@@ -7,9 +7,9 @@
 #include "backend/core/device/trigger_port.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
-#include "backend/study/report/codebook.h"
+#include "backend/study/report/exports/codebook.h"
+#include "backend/study/report/exports/study_export.h"
 #include "backend/study/report/participant_report.h"
-#include "backend/study/report/study_export.h"
 #include "backend/study/store/study_store.h"
 #include "devices/trigger/trigger_opener.h"
 

@@ -6,7 +6,7 @@
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
 #include "backend/core/failure.h"
-#include "backend/study/analysis/trial_source.h"
+#include "backend/study/analysis/trials/trial_source.h"
 #include "backend/study/planning/identification_plan.h"
 #include "backend/study/planning/plan_file.h"
 #include "backend/study/planning/power.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
-#include "backend/study/analysis/trial_source.h"
+#include "backend/study/analysis/trials/trial_source.h"
 #include "backend/study/methods/results/level_trials.h"
 #include "backend/study/store/study_store.h"
 

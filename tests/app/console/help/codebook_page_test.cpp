@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The handbook's page "Codebook" is made from the table of columns. This test fails when a page that is kept
 // in resources/handbook differs from it; run with TELETA_WRITE_PAGES=1, it writes the pages anew.
-#include "backend/study/report/codebook.h"
+#include "backend/study/report/exports/codebook.h"
 
 #include <QFile>
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/analysis/study_results.h"
-#include "backend/study/analysis/trial_source.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/analysis/trials/trial_source.h"
+#include "backend/study/report/exports/study_export.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <QCoreApplication>

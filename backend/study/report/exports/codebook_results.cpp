@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/report/codebook.h"
+#include "backend/study/report/exports/codebook.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/report/export_parts.h"
+#include "backend/study/report/exports/export_parts.h"
 
 #include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"

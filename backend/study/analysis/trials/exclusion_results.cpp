@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/analysis/exclusion_results.h"
+#include "backend/study/analysis/trials/exclusion_results.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/report/codebook.h"
+#include "backend/study/report/exports/codebook.h"
 
 #include "backend/study/protocol/standard_questionnaire.h"
-#include "backend/study/report/export_parts.h"
+#include "backend/study/report/exports/export_parts.h"
 
 #include <algorithm>
 #include <array>

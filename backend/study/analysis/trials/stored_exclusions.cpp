@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/analysis/stored_exclusions.h"
+#include "backend/study/analysis/trials/stored_exclusions.h"
 
 #include <vector>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/study_export.h"
 
 #include "backend/core/data/json_document.h"
 #include "backend/core/failure.h"
-#include "backend/study/analysis/stored_exclusions.h"
-#include "backend/study/report/bids_export.h"
-#include "backend/study/report/codebook.h"
-#include "backend/study/report/export_parts.h"
+#include "backend/study/analysis/trials/stored_exclusions.h"
+#include "backend/study/report/exports/bids_export.h"
+#include "backend/study/report/exports/codebook.h"
+#include "backend/study/report/exports/export_parts.h"
 #include "backend/study/store/trial_table.h"
 
 #include <QCoreApplication>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/analysis/trial_source.h"
+#include "backend/study/analysis/trials/trial_source.h"
 
 #include "backend/core/data/csv_reader.h"
 #include "backend/core/failure.h"
-#include "backend/study/analysis/stored_exclusions.h"
+#include "backend/study/analysis/trials/stored_exclusions.h"
 
 #include <QByteArrayView>
 #include <QCoreApplication>

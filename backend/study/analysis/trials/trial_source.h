@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/core/error.h"
-#include "backend/study/analysis/exclusion_book.h"
 #include "backend/study/analysis/trial_tally.h"
+#include "backend/study/analysis/trials/exclusion_book.h"
 #include "backend/study/store/study_store.h"
 
 #include <functional>

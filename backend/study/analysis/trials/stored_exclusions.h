@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
-#include "backend/study/analysis/exclusion.h"
+#include "backend/study/analysis/trials/exclusion.h"
 #include "backend/study/store/study_store.h"
 
 #include <map>

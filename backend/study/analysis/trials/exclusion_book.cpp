@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/analysis/exclusion_book.h"
+#include "backend/study/analysis/trials/exclusion_book.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/report/bids_export.h"
+#include "backend/study/report/exports/bids_export.h"
 
 #include "backend/core/data/json_document.h"
 #include "backend/study/protocol/standard_questionnaire.h"
-#include "backend/study/report/codebook.h"
-#include "backend/study/report/export_parts.h"
-#include "backend/study/report/study_export.h"
+#include "backend/study/report/exports/codebook.h"
+#include "backend/study/report/exports/export_parts.h"
+#include "backend/study/report/exports/study_export.h"
 #include "backend/study/store/trial_table.h"
 
 #include <nlohmann/json.hpp>

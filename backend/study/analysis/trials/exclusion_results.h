@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/analysis/exclusion_book.h"
 #include "backend/study/analysis/study_results.h"
+#include "backend/study/analysis/trials/exclusion_book.h"
 
 #include <optional>
 #include <string>

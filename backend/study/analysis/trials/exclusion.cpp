@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/study/analysis/exclusion.h"
+#include "backend/study/analysis/trials/exclusion.h"
 
 #include "backend/study/analysis/proportion.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/analysis/exclusion.h"
 #include "backend/study/analysis/trial_tally.h"
+#include "backend/study/analysis/trials/exclusion.h"
 
 #include <cstddef>
 #include <map>
