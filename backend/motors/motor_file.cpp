@@ -2,9 +2,9 @@
 #include "backend/motors/motor_file.h"
 
 #include "backend/core/data/output_file.h"
-#include "backend/core/data/toml_string.h"
-#include "backend/core/data/toml_table.h"
 #include "backend/core/failure.h"
+#include "backend/core/keys/toml_string.h"
+#include "backend/core/keys/toml_table.h"
 #include "backend/core/number_text.h"
 
 #include <QCoreApplication>

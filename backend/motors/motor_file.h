@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/toml_table.h"
 #include "backend/core/error.h"
+#include "backend/core/keys/toml_table.h"
 #include "backend/pattern/motors/motor_model.h"
 
 #include <array>

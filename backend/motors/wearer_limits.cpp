@@ -2,8 +2,8 @@
 #include "backend/motors/wearer_limits.h"
 
 #include "backend/core/data/output_file.h"
-#include "backend/core/data/toml_string.h"
 #include "backend/core/failure.h"
+#include "backend/core/keys/toml_string.h"
 #include "backend/core/number_text.h"
 #include "backend/motors/motor_file.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/scene.h"
 
-#include "backend/core/data/key_check.h"
 #include "backend/core/failure.h"
+#include "backend/core/keys/key_check.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/scene_reader.h"
 
-#include "backend/core/data/toml_keys.h"
+#include "backend/core/keys/toml_keys.h"
 
 namespace teleta::scene {
 

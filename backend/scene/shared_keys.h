@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/core/data/array_layout.h"
-#include "backend/core/data/keys.h"
+#include "backend/core/keys/keys.h"
 
 #include <cstddef>
 #include <string>

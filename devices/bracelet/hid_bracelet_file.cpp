@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/bracelet/hid_bracelet_file.h"
 
-#include "backend/core/data/toml_keys.h"
+#include "backend/core/keys/toml_keys.h"
 
 namespace teleta::bracelet {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/described/described_bracelet.h"
 
-#include "backend/core/data/toml_table.h"
+#include "backend/core/keys/toml_table.h"
 #include "devices/bracelet/hid_bracelet.h"
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/modbus/modbus_bracelet.h"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "backend/core/bracelet/tactors.h"
-#include "backend/core/data/keys.h"
 #include "backend/core/device/arm_device.h"
 #include "backend/core/error.h"
+#include "backend/core/keys/keys.h"
 #include "devices/modbus/register_value.h"
 
 #include <array>

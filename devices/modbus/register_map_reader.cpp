@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/toml_keys.h"
 #include "backend/core/failure.h"
+#include "backend/core/keys/toml_keys.h"
 #include "devices/modbus/register_map.h"
 
 #include <QCoreApplication>

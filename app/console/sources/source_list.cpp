@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/source_list.h"
 
-#include "backend/core/data/toml_keys.h"
+#include "backend/core/keys/toml_keys.h"
 #include "devices/camera/camera_device.h"
 
 #include <QCoreApplication>

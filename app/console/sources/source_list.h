@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/console/base/source_request.h"
-#include "backend/core/data/keys.h"
 #include "backend/core/error.h"
+#include "backend/core/keys/keys.h"
 
 #include <string>
 #include <vector>

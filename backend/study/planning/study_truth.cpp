@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/planning/study_truth.h"
 
-#include "backend/core/data/toml_keys.h"
 #include "backend/core/failure.h"
+#include "backend/core/keys/toml_keys.h"
 #include "backend/study/model/accuracy_model.h"
 
 #include <QCoreApplication>

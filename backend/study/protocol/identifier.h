@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/keys.h"
+#include "backend/core/keys/keys.h"
 
 #include <set>
 #include <string>

@@ -2,7 +2,7 @@
 #include "backend/study/protocol/level_task_keys.h"
 
 #include "backend/core/bracelet/tactors.h"
-#include "backend/core/data/key_lists.h"
+#include "backend/core/keys/key_lists.h"
 #include "backend/study/methods/adaptive/track.h"
 #include "backend/study/protocol/identifier.h"
 

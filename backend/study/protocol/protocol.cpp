@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/protocol/protocol.h"
 
-#include "backend/core/data/toml_keys.h"
 #include "backend/core/failure.h"
+#include "backend/core/keys/toml_keys.h"
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/study/protocol/identifier.h"
 #include "backend/study/protocol/level_sequence.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/toml_string.h"
+#include "backend/core/keys/toml_string.h"
 #include "backend/core/number_text.h"
 #include "backend/study/protocol/protocol.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/keys.h"
 #include "backend/core/error.h"
+#include "backend/core/keys/keys.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/key_check.h"
-#include "backend/core/data/key_reference.h"
-#include "backend/core/data/toml_keys.h"
+#include "backend/core/keys/key_check.h"
+#include "backend/core/keys/key_reference.h"
+#include "backend/core/keys/toml_keys.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/toml_table.h"
+#include "backend/core/keys/toml_table.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // pages anew.
 #include "app/cli/commands/devices/device_files.h"
 #include "app/console/sources/source_list.h"
-#include "backend/core/data/key_reference.h"
+#include "backend/core/keys/key_reference.h"
 #include "backend/scene/scene.h"
 #include "backend/study/protocol/protocol.h"
 #include "backend/study/session/study_scene.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/key_lists.h"
-#include "backend/core/data/keys.h"
 #include "backend/core/error.h"
+#include "backend/core/keys/key_lists.h"
+#include "backend/core/keys/keys.h"
 
 namespace teleta::core {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/keys.h"
+#include "backend/core/keys/keys.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/toml_keys.h"
+#include "backend/core/keys/toml_keys.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/key_lists.h"
-#include "backend/core/data/keys.h"
-#include "backend/core/data/toml_table.h"
+#include "backend/core/keys/key_lists.h"
+#include "backend/core/keys/keys.h"
+#include "backend/core/keys/toml_table.h"
 
 namespace teleta::core {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/key_check.h"
+#include "backend/core/keys/key_check.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/key_lists.h"
+#include "backend/core/keys/key_lists.h"
 
 #include <QCoreApplication>
 #include <QString>

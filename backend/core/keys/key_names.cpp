@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/key_names.h"
+#include "backend/core/keys/key_names.h"
 
 #include "backend/core/unit_names.h"
 

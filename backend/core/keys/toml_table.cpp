@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/core/data/toml_table.h"
+#include "backend/core/keys/toml_table.h"
 
-#include "backend/core/data/key_lists.h"
-#include "backend/core/data/key_names.h"
 #include "backend/core/failure.h"
+#include "backend/core/keys/key_lists.h"
+#include "backend/core/keys/key_names.h"
 #include "backend/core/unit_names.h"
 
 #include <QCoreApplication>
