@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import sqlite3
 import threading
+import warnings
 
 import numpy as np
 import pytest
@@ -71,9 +73,15 @@ def test_blocks_are_the_whole_in_pieces(indenter):
         np.testing.assert_array_equal(np.concatenate([block.values for block in blocks]), whole.values)
 
 
-def test_pictures_are_bytes(tmp_path):
-    run_program("simulate", "vtacarm-bump", "--duration", 1.5, "--out", tmp_path)
-    with teleta.open(tmp_path / "recording.teleta") as recording:
+@pytest.fixture(scope="module")
+def pictures(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("pictures")
+    run_program("simulate", "vtacarm-bump", "--duration", 1.5, "--out", folder)
+    return folder / "recording.teleta"
+
+
+def test_pictures_are_bytes(pictures):
+    with teleta.open(pictures) as recording:
         name = "camera"
         data = recording.read(name, step=5)
     assert data.values.dtype == np.uint8 and data.values.ndim == 3
@@ -153,3 +161,90 @@ def test_what_is_no_recording_is_refused(tmp_path):
     sqlite3.connect(path.with_suffix(".db")).execute("CREATE TABLE a (b)").connection.commit()
     with pytest.raises(teleta.BadInputError):
         teleta.open(path.with_suffix(".db"))
+
+
+def test_mcap_is_that_of_the_program(arm, tmp_path):
+    run_program("export", arm / "recording.teleta", "--mcap", tmp_path / "wanted.mcap")
+    run_program("export", arm / "recording.teleta", "--mcap", tmp_path / "part.mcap", "--stream", "joints",
+                "--compression", "lz4", "--chunk-mb", 0.5)
+    with teleta.open(arm / "recording.teleta") as recording:
+        whole = recording.to_mcap(tmp_path / "whole.mcap")
+        part = recording.to_mcap(tmp_path / "lz4.mcap", streams=["joints"], compression="lz4", chunk_mb=0.5)
+        joints = recording.read("joints")
+    assert (tmp_path / "whole.mcap").read_bytes() == (tmp_path / "wanted.mcap").read_bytes()
+    assert (tmp_path / "lz4.mcap").read_bytes() == (tmp_path / "part.mcap").read_bytes()
+    assert whole.path == str(tmp_path / "whole.mcap")
+    assert whole.bytes == (tmp_path / "whole.mcap").stat().st_size
+    assert (whole.damaged_blocks, whole.left_out, whole.y_turned) == (0, (), ())
+    messages = dict(zip(part.topics["topic"], part.topics["messages"]))
+    assert messages["/joints/joint_states"] == len(joints.time_s)
+    assert dict(zip(whole.topics["topic"], whole.topics["type"]))["/events"] == "foxglove_msgs/msg/Log"
+
+
+def test_an_imported_mcap_has_every_value_and_time(arm, tmp_path):
+    with teleta.open(arm / "recording.teleta") as recording:
+        recording.to_mcap(tmp_path / "out.mcap")
+        run_program("import", tmp_path / "out.mcap", "--out", tmp_path / "back.teleta")
+        with teleta.open(tmp_path / "back.teleta") as back:
+            assert list(back.streams) == list(recording.streams)
+            for name in recording.streams:
+                before, after = recording.read(name), back.read(name)
+                np.testing.assert_array_equal(after.values, before.values, err_msg=name)
+                utc = [np.asarray(each.utc(data.time_ns)).astype(np.int64)
+                       for each, data in ((recording, before), (back, after))]
+                assert np.abs(utc[1] - utc[0]).max(initial=0) <= 1
+
+
+def test_mcap_of_what_is_not_there_is_refused(arm, tmp_path):
+    path = tmp_path / "there.mcap"
+    path.write_text("old")
+    with teleta.open(arm / "recording.teleta") as recording:
+        with pytest.raises(teleta.RefusedError, match="already exists"):
+            recording.to_mcap(path)
+        with pytest.raises(KeyError, match="joints"):
+            recording.to_mcap(tmp_path / "no.mcap", streams=["joint"])
+        with pytest.raises(ValueError, match="compression: expected 'zstd', 'lz4' or 'none', got 'xz'"):
+            recording.to_mcap(tmp_path / "no.mcap", compression="xz")
+        with pytest.raises(ValueError, match="chunk_mb: expected 0.01 to 64, got 100"):
+            recording.to_mcap(tmp_path / "no.mcap", chunk_mb=100.0)
+        with pytest.raises(ValueError, match="streams: expected one or more names"):
+            recording.to_mcap(tmp_path / "no.mcap", streams=[])
+        with pytest.raises(TypeError, match="streams"):
+            recording.to_mcap(tmp_path / "no.mcap", streams="joints")
+        assert path.read_text() == "old"
+        recording.to_mcap(path, overwrite=True)
+    assert path.read_bytes().startswith(b"\x89MCAP0\r\n")
+    assert not (tmp_path / "no.mcap").exists()
+
+
+def test_long_mcap_tells_its_progress_and_ends_when_it_is_to(pictures, tmp_path):
+    told = []
+
+    def ends_at_the_second(done: float, whole: float) -> None:
+        told.append((done, whole))
+        if len(told) == 2:
+            raise LookupError("enough")
+
+    with teleta.open(pictures) as recording:
+        frames = sum(len(recording.read(name).time_s) for name in recording.streams)
+        with pytest.raises(LookupError, match="enough"):
+            recording.to_mcap(tmp_path / "no.mcap", progress=ends_at_the_second)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            written = recording.to_mcap(tmp_path / "pictures.mcap", streams=["camera"])
+    assert len(told) == 2 and 0 < told[0][0] < told[1][0] < frames
+    assert {whole for _, whole in told} == {frames}
+    assert [path.name for path in tmp_path.iterdir()] == ["pictures.mcap"]
+    assert "/camera/image/compressed" in written.topics["topic"]
+
+
+def test_files_carry_the_version_and_the_commit(indenter, tmp_path):
+    wanted = json.loads((indenter / "summary.json").read_text())["app_version"]
+    assert wanted.startswith(teleta.__version__)
+    assert teleta.simulate("tactile-indenter", duration_s=0.2, out=tmp_path / "run")["app_version"] == wanted
+    with teleta.open(tmp_path / "run" / "recording.teleta") as recording:
+        recording.to_csv(tmp_path / "csv")
+        recording.to_mcap(tmp_path / "run.mcap", compression="none")
+    described = json.loads((tmp_path / "csv" / "recording.json").read_text())
+    assert (described["app_version"], described["exported_by"]) == (wanted, wanted)
+    assert f"teleta {wanted}".encode() in (tmp_path / "run.mcap").read_bytes()

@@ -3,6 +3,8 @@
 #include "app/python/base/array_output.h"
 #include "app/python/base/long_work.h"
 #include "app/python/core/core_bindings.h"
+#include "backend/mcap/chunk_compression.h"
+#include "backend/mcap/recorded/mcap_export.h"
 #include "backend/recording/csv_export.h"
 #include "backend/recording/recording.h"
 
@@ -324,6 +326,51 @@ public:
         return paths;
     }
 
+    /// The fields of teleta.McapFile.
+    [[nodiscard]] py::dict toMcap(const py::object& path, const std::vector<std::string>& streams,
+                                  const std::string& compression, double chunk_MB, bool overwrite,
+                                  const py::object& progress) const {
+        const Recording& recording = opened();
+        LongWork work(progress);
+        mcap::McapExportOptions options;
+        options.streams = streams;
+        const auto known = mcap::compressionOf(compression == "none" ? "" : compression);
+        if (!known || compression.empty())
+            throw wrongValue("compression", "'zstd', 'lz4' or 'none'", "'" + compression + "'");
+        options.compression = *known;
+        if (!(chunk_MB >= 0.01 && chunk_MB <= 64.0))
+            throw wrongValue("chunk_mb", "0.01 to 64", py::str(py::float_(chunk_MB)));
+        options.chunkBytes = static_cast<std::size_t>(chunk_MB * (1U << 20U));
+        options.overwrite = overwrite;
+        options.goOn = [&work](double done, double all) { return work.goOn(done, all); };
+        const std::string file = pathOf(path);
+        core::Expected<mcap::McapExport> exported;
+        {
+            const py::gil_scoped_release released;
+            exported = mcap::exportMcap(recording, file, options);
+        }
+        const mcap::McapExport written = work.valueOf(std::move(exported));
+        warnOfDamage(written.damagedBlocks, recording.path());
+        std::vector<std::int64_t> messages;
+        py::list topics;
+        py::list types;
+        for (const mcap::McapExport::Topic& topic : written.topics) {
+            topics.append(topic.name);
+            types.append(topic.type);
+            messages.push_back(static_cast<std::int64_t>(topic.messages));
+        }
+        py::dict all;
+        all["path"] = written.path;
+        all["bytes"] = written.bytes;
+        all["damaged_blocks"] = written.damagedBlocks;
+        all["topic"] = topics;
+        all["type"] = types;
+        all["messages"] = arrayOf(std::move(messages));
+        all["left_out"] = py::tuple(py::cast(written.leftOut));
+        all["y_turned"] = py::tuple(py::cast(written.turned));
+        return all;
+    }
+
 private:
     static py::dict describeStream(const StreamInfo& stream) {
         py::dict all;
@@ -408,7 +455,8 @@ void bindRecordings(py::module_& module) {
         .def("describe", &RecordingFile::describe)
         .def("read", &RecordingFile::read)
         .def("blocks", &RecordingFile::blocks)
-        .def("to_csv", &RecordingFile::toCsv);
+        .def("to_csv", &RecordingFile::toCsv)
+        .def("to_mcap", &RecordingFile::toMcap);
     module.def("is_recording", [](const py::object& path) { return Recording::looksLikeOne(pathOf(path)); });
 }
 

@@ -23,7 +23,7 @@ from ._errors import (
     UnavailableError,
 )
 from ._pattern import Pattern, Violation, pattern, patterns
-from ._recording import Data, Recording, Stream, open, read_frames
+from ._recording import Data, McapFile, Recording, Stream, open, read_frames
 from ._touch import Circle, Contour, Interval95, StandardLinearSolid, Stiffness, contour, stiffness
 
 if TYPE_CHECKING:
@@ -43,6 +43,7 @@ __all__ = [
     "Gains",
     "Interval95",
     "IoFailedError",
+    "McapFile",
     "NotFoundError",
     "Pattern",
     "Processor",

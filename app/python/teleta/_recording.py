@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Iterator
+from typing import TYPE_CHECKING, Any, Iterator, Literal, Sequence
 
 import numpy as np
 
@@ -85,6 +85,34 @@ class Data:
     unit: str
     columns: tuple[str, ...]
     damaged: int
+
+
+@dataclass(frozen=True)
+class McapFile:
+    """What `Recording.to_mcap` wrote.
+
+    Attributes
+    ----------
+    path : str
+        The file.
+    bytes : int
+        Its size.
+    damaged_blocks : int
+        Damaged blocks of the recording that were left out.
+    topics : dict of str to ndarray
+        Table of `topic`, `type` (str) and `messages` (int64).
+    left_out : tuple of str
+        Streams that have no messages in ROS.
+    y_turned : tuple of str
+        Streams of the camera in the soft tube, whose frame is left-handed: their y has changed its sign.
+    """
+
+    path: str
+    bytes: int
+    damaged_blocks: int
+    topics: Table
+    left_out: tuple[str, ...]
+    y_turned: tuple[str, ...]
 
 
 class Recording:
@@ -287,6 +315,69 @@ class Recording:
             A file cannot be written.
         """
         return self._file.to_csv(folder, overwrite, progress)
+
+    def to_mcap(
+        self,
+        path: Path,
+        *,
+        streams: Sequence[str] | None = None,
+        compression: Literal["zstd", "lz4", "none"] = "zstd",
+        chunk_mb: float = 4.0,
+        overwrite: bool = False,
+        progress: Progress = None,
+    ) -> McapFile:
+        """Write streams and events as an MCAP file, for Foxglove and ROS 2.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file; it appears when it is complete.
+        streams : sequence of str, optional
+            Names of the streams. None: all.
+        compression : {'zstd', 'lz4', 'none'}
+            Of the chunks.
+        chunk_mb : float
+            Size of a chunk before compression, MiB, 0.01 to 64.
+        overwrite : bool
+            Write over a file that is there already.
+        progress : callable, optional
+            Called with the frames done and all frames, at most ten times a second.
+
+        Returns
+        -------
+        McapFile
+            The topics, and the streams that were left out or turned.
+
+        Raises
+        ------
+        KeyError
+            There is no such stream; the text has the names that exist.
+        RefusedError
+            The file is there already.
+        IoFailedError
+            The file cannot be written.
+        ValueError
+            `compression` or `chunk_mb` is none of these.
+
+        Warns
+        -----
+        DamagedDataWarning
+            Damaged blocks were left out.
+        """
+        if isinstance(streams, str):
+            raise TypeError("streams: expected a sequence of names, got a str")
+        names = [] if streams is None else list(streams)
+        for name in names:
+            self._index(name)
+        if streams is not None and not names:
+            raise ValueError("streams: expected one or more names, got none")
+        written = self._file.to_mcap(path, names, compression, chunk_mb, overwrite, progress)
+        topics = {
+            "topic": np.array(written.pop("topic"), dtype=str),
+            "type": np.array(written.pop("type"), dtype=str),
+            "messages": written.pop("messages"),
+        }
+        return McapFile(topics=topics, **written)
 
     def _index(self, stream: str) -> int:
         if stream not in self._names:
