@@ -103,6 +103,8 @@ LevelTaskForm::LevelTaskForm(const study::StudyTask& task, QWidget* parent)
     m_vary->addItems({tr("intensity"), tr("time from burst to burst"), tr("length of a burst"), tr("length"),
                       tr("balance of a phantom")});
     m_vary->setCurrentIndex(static_cast<int>(levels.vary));
+    m_unit = base::named<QLabel>("levelUnit", this);
+    m_unit->setWordWrap(true);
     m_scale = base::named<QComboBox>("scale", this);
     m_scale->addItems({tr("linear"), tr("logarithmic (log10)")});
     m_scale->setCurrentIndex(static_cast<int>(levels.range.scale));
@@ -134,6 +136,7 @@ LevelTaskForm::LevelTaskForm(const study::StudyTask& task, QWidget* parent)
     fileLine->addWidget(m_choose);
     addRow(tr("Stimulus"), file);
     addRow(tr("A level sets the"), m_vary);
+    addRow(QString(), m_unit);
     addRow(tr("Scale"), m_scale);
     addRow(tr("Lowest level"), m_lowest);
     addRow(tr("Highest level"), m_highest);
@@ -150,6 +153,8 @@ LevelTaskForm::LevelTaskForm(const study::StudyTask& task, QWidget* parent)
     m_form->addRow(remove);
     connect(remove, &QPushButton::clicked, this, &LevelTaskForm::removeRequested);
     connect(m_choose, &QPushButton::clicked, this, &LevelTaskForm::askForFile);
+    for (QLineEdit* edit : {m_staircase.down, m_staircase.stepUp, m_staircase.stepDown})
+        connect(edit, &QLineEdit::textChanged, this, &LevelTaskForm::showConsequences);
     connect(m_tracks, &QPlainTextEdit::textChanged, this, &LevelTaskForm::changed);
     connect(m_intervals, &QSpinBox::valueChanged, this, &LevelTaskForm::changed);
     for (QComboBox* box : findChildren<QComboBox*>())
@@ -181,14 +186,16 @@ void LevelTaskForm::addStaircase(const study::StaircaseSettings& settings) {
     const auto whole = [](std::size_t value) { return QString::number(value); };
     m_staircase.first = add(tr("First level"), "first", asText(settings.first));
     m_staircase.down = add(tr("Right answers for a step down"), "down", whole(settings.down));
-    m_staircase.stepUp = add(tr("Step up, in the scale"), "stepUp", asText(settings.stepUp));
-    m_staircase.stepDown = add(tr("Step down, in the scale"), "stepDown", asText(settings.stepDown));
+    m_staircase.stepUp = add(tr("Step up, log10 units on a log scale"), "stepUp", asText(settings.stepUp));
+    m_staircase.stepDown = add(tr("Step down, likewise"), "stepDown", asText(settings.stepDown));
     m_staircase.fastReversals =
         add(tr("Reversals with larger steps"), "fastReversals", whole(settings.fastReversals));
-    m_staircase.fastFactor = add(tr("Times larger"), "fastFactor", asText(settings.fastFactor));
+    m_staircase.fastFactor = add(tr("These steps are larger by"), "fastFactor", asText(settings.fastFactor));
     m_staircase.reversals = add(tr("Reversals at most"), "reversals", whole(settings.reversals));
-    m_staircase.skip = add(tr("Reversals left out"), "skipReversals", whole(settings.skipReversals));
+    m_staircase.skip = add(tr("First reversals left out"), "skipReversals", whole(settings.skipReversals));
     m_staircase.most = add(tr("Trials at most"), "staircaseTrials", whole(settings.mostTrials));
+    m_target = base::named<QLabel>("targetShare", this);
+    addRow(tr("It stays at"), m_target, {}, {kStaircase});
 }
 
 void LevelTaskForm::addBayes(const study::BayesSettings& settings) {
@@ -226,6 +233,37 @@ void LevelTaskForm::showRows() {
     };
     for (const Row& row : m_rows)
         m_form->setRowVisible(row.field, has(row.designs, design) && has(row.procedures, procedure));
+    showConsequences();
+}
+
+void LevelTaskForm::showConsequences() {
+    switch (static_cast<study::Vary>(m_vary->currentIndex())) {
+    case study::Vary::intensity:
+        m_unit->setText(tr("Levels are shares of the intensity in the file, 0 to 1."));
+        break;
+    case study::Vary::balance:
+        m_unit->setText(tr("Levels are balances, from 0 (the first tactor alone) to 1 (the second alone)."));
+        break;
+    case study::Vary::onset:
+    case study::Vary::burst:
+    case study::Vary::duration:
+        m_unit->setText(tr("Levels are times in seconds."));
+        break;
+    }
+    const auto down = count(m_staircase.down);
+    const auto up = number(m_staircase.stepUp);
+    const auto below = number(m_staircase.stepDown);
+    const bool isKnown = down && up && below && *down > 0 && *up > 0.0 && *below > 0.0;
+    if (!isKnown) {
+        m_target->setText(QStringLiteral("\u2013"));
+        return;
+    }
+    study::StaircaseSettings settings;
+    settings.down = *down;
+    settings.stepUp = *up;
+    settings.stepDown = *below;
+    m_target->setText(
+        tr("%1 % right answers").arg(QLocale().toString(100.0 * study::targetShare(settings), 'f', 1)));
 }
 
 void LevelTaskForm::askForFile() {

@@ -10,6 +10,7 @@
 
 class QComboBox;
 class QFormLayout;
+class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
@@ -51,6 +52,8 @@ private:
     void addStaircase(const study::StaircaseSettings& settings);
     void addBayes(const study::BayesSettings& settings);
     void showRows();
+    /// The unit of levels, and where the staircase stays.
+    void showConsequences();
     void askForFile();
     [[nodiscard]] core::Expected<double> number(const QLineEdit* edit) const;
     [[nodiscard]] core::Expected<std::optional<double>> wish(const QLineEdit* edit) const;
@@ -74,6 +77,7 @@ private:
     QLineEdit* m_file;
     QPushButton* m_choose;
     QComboBox* m_vary;
+    QLabel* m_unit;
     QComboBox* m_scale;
     QLineEdit* m_lowest;
     QLineEdit* m_highest;
@@ -81,6 +85,7 @@ private:
     QLineEdit* m_practice;
     QComboBox* m_procedure;
     QLineEdit* m_values;
+    QLabel* m_target; ///< of the staircase
     struct {
         QLineEdit *first, *down, *stepUp, *stepDown, *fastReversals, *fastFactor, *reversals, *skip, *most;
     } m_staircase;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/forms/protocol_dialog.h"
 
+#include "app/console/study/forms/exclusion_editor.h"
 #include "app/console/study/forms/form_text.h"
 #include "app/console/study/forms/level_task_form.h"
 #include "app/console/study/forms/questionnaire_editor.h"
@@ -92,6 +93,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     , m_level_dBA(makeNumber(protocol.noise_dBA, 0.0, kLoudest_dBA, 1, QStringLiteral(" dBA")))
     , m_taskRows(new QVBoxLayout)
     , m_questionnaireRows(new QVBoxLayout)
+    , m_exclusions(new ExclusionEditor(protocol.exclusions, m_content))
     , m_verdict(base::named<QLabel>("verdict", this)) {
     setWindowTitle(tr("Protocol"));
     setObjectName(QStringLiteral("protocolDialog"));
@@ -158,6 +160,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
         check();
     });
     column->addWidget(askButton, 0, Qt::AlignLeft);
+    column->addWidget(m_exclusions);
     column->addStretch(1);
     auto* area = new QScrollArea(this);
     area->setWidgetResizable(true);
@@ -196,6 +199,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     for (QComboBox* box : {m_noise, m_window})
         connect(box, &QComboBox::currentIndexChanged, this, &ProtocolDialog::check);
     connect(m_stimulus_s.box, &QDoubleSpinBox::valueChanged, this, &ProtocolDialog::check);
+    connect(m_exclusions, &ExclusionEditor::changed, this, &ProtocolDialog::check);
     for (const study::StudyTask& task : protocol.tasks)
         addTask(task);
     for (const study::Questionnaire& questionnaire : protocol.questionnaires)
@@ -407,6 +411,7 @@ core::Expected<study::Protocol> ProtocolDialog::protocol() const {
         TELETA_TRY(study::StudyTask task, taskOf(row));
         protocol.tasks.push_back(std::move(task));
     }
+    TELETA_TRY(protocol.exclusions, m_exclusions->rules());
     return study::parseProtocol(study::protocolText(protocol), tr("this form").toStdString());
 }
 

@@ -23,6 +23,7 @@ class QVBoxLayout;
 
 namespace teleta::console {
 
+class ExclusionEditor;
 class LevelTaskForm;
 class QuestionnaireEditor;
 
@@ -113,6 +114,7 @@ private:
     std::vector<TaskRow> m_tasks;
     QVBoxLayout* m_questionnaireRows;
     std::vector<QuestionnaireEditor*> m_questionnaires;
+    ExclusionEditor* m_exclusions;
     QLabel* m_verdict;
     QPushButton* m_save;
     QPushButton* m_make;

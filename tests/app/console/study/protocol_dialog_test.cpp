@@ -80,6 +80,13 @@ private slots:
         QCOMPARE(procedure->currentIndex(), 1);
         QVERIFY(!line("slope")->isVisibleTo(&dialog) && line("first")->isVisibleTo(&dialog));
         enter("first", "0.25");
+        enter("stepUp", "0.05");
+        enter("stepDown", "0.05");
+        // Levitt: 2 down and equal steps stay at the square root of one half.
+        QVERIFY2(dialog.findChild<QLabel*>("targetShare")->text().contains("70.7"),
+                 qPrintable(dialog.findChild<QLabel*>("targetShare")->text()));
+        enter("stepUp", "loud");
+        QVERIFY(!dialog.findChild<QLabel*>("targetShare")->text().contains('%'));
         enter("stepUp", "0.0911");
         design->setFocus();
         QTest::keyClick(design, Qt::Key_Up);
@@ -138,6 +145,41 @@ private slots:
         QVERIFY(dialog.isChanged());
         QTest::mouseClick(dialog.findChildren<QPushButton*>("removeQuestionnaire").last(), Qt::LeftButton);
         QTRY_VERIFY(!dialog.isChanged()); // it goes with the next turn of the event loop
+    }
+
+    void rulesOfExclusionStayAndCanBeEntered() {
+        study::Protocol strict = paper();
+        strict.exclusions = {{"late", study::ExclusionKind::responseTimeAbove_s, 8.5},
+                             {"guesses", study::ExclusionKind::accuracyNotAboveChance, 0.05}};
+        ProtocolDialog dialog(strict);
+        dialog.show();
+        QVERIFY(!dialog.isChanged());
+        QCOMPARE(dialog.protocol()->exclusions, strict.exclusions);
+
+        QTest::mouseClick(dialog.findChild<QPushButton*>("addExclusion"), Qt::LeftButton);
+        QVERIFY(dialog.isChanged());
+        const auto newest = [&](const char* name) { return dialog.findChildren<QLineEdit*>(name).last(); };
+        QTRY_COMPARE(QApplication::focusWidget(), newest("exclusionId"));
+        newest("exclusionId")->selectAll();
+        QTest::keyClicks(newest("exclusionId"), "unusual");
+        auto* kind = dialog.findChildren<QComboBox*>("exclusionKind").last();
+        kind->setFocus();
+        QTest::keyClick(kind, Qt::Key_Down);
+        QTest::keyClick(kind, Qt::Key_Down);
+        newest("exclusionValue")->selectAll();
+        QTest::keyClicks(newest("exclusionValue"), "3");
+        const auto entered = dialog.protocol();
+        QVERIFY2(entered.has_value(), entered ? "" : core::describe(entered.error()).c_str());
+        QCOMPARE(entered->exclusions.size(), std::size_t(3));
+        QCOMPARE(entered->exclusions.back(),
+                 (study::ExclusionRule{"unusual", study::ExclusionKind::responseTimeMad, 3.0}));
+
+        newest("exclusionValue")->setText("many");
+        QVERIFY(!dialog.protocol());
+        QVERIFY(dialog.findChild<QLabel*>("verdict")->text().contains("many"));
+        QTest::mouseClick(dialog.findChildren<QPushButton*>("removeExclusion").last(), Qt::LeftButton);
+        QVERIFY(!dialog.isChanged());
+        QCOMPARE(dialog.protocol()->exclusions, strict.exclusions);
     }
 
     void aPublishedQuestionnaireIsChosenByItsName() {
