@@ -69,7 +69,7 @@ void ExclusionEditor::add(const study::ExclusionRule& rule) {
     row.kind->setCurrentIndex(static_cast<int>(rule.kind));
     row.id->setFixedWidth(base::em(this, kIdWidth_em));
     row.id->setAccessibleName(tr("Name of the rule"));
-    row.id->setToolTip(tr("The name of the rule in the column \u201cexcluded\u201d and in results"));
+    row.id->setToolTip(tr("The name of the rule in the column “excluded” and in results"));
     row.kind->setAccessibleName(tr("What the rule leaves out"));
     row.value->setFixedWidth(base::em(this, kValueWidth_em));
     row.value->setAccessibleName(tr("Number of the rule"));
