@@ -8,7 +8,8 @@
 
 namespace teleta::console {
 
-/// A page of the handbook, Markdown as QTextDocument reads it. Links lead to NAME.md.
+/// A page of the handbook, Markdown as QTextDocument reads it. Links lead to NAME.md, pictures are
+/// ../pictures/NAME.png.
 struct HandbookPage {
     QString name;
     QString title; ///< its first heading

@@ -11,6 +11,7 @@
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QImage>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSignalBlocker>
@@ -75,6 +76,9 @@ protected:
             dress();
     }
     QVariant loadResource(int type, const QUrl& url) override {
+        // The same in each language.
+        if (type == QTextDocument::ImageResource)
+            return QImage(QStringLiteral(":/handbook/pictures/") + QFileInfo(url.path()).fileName());
         const auto page = handbookPage(QFileInfo(url.path()).completeBaseName(),
                                        app::installedLocale(*QCoreApplication::instance()).name());
         return page ? QVariant(page->text) : QTextBrowser::loadResource(type, url);

@@ -24,10 +24,14 @@ off_m = np.linalg.norm(located_m - points_m, axis=1)
 
 with pictures.figure("calibration") as figure:
     left, right = figure.subplots(1, 2)
-    left.quiver(pixels_px[:, 0], pixels_px[:, 1], found.residual_px[:, 0], -found.residual_px[:, 1])
+    kept, residual_px = found.kept, found.residual_px
+    left.quiver(pixels_px[kept, 0], pixels_px[kept, 1], residual_px[kept, 0], -residual_px[kept, 1], width=0.004)
+    left.plot(pixels_px[~kept, 0], pixels_px[~kept, 1], "x", color="tab:red", label="left out")
+    left.legend(loc="center")
+    left.set_aspect("equal")
     left.invert_yaxis()
-    left.set_title("residuals, px")
-    right.hist(1e3 * off_m[np.isfinite(off_m)], bins=30)
+    left.set_title("residuals of the kept pairs")
+    right.hist(1e3 * off_m[kept & np.isfinite(off_m)], bins=30)
     right.set_xlabel("located point off by, mm")
 
 print(f"{found.kept.sum()} of {len(found.kept)} pairs kept, {found.rms_px:.2f} px rms")

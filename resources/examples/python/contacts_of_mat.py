@@ -30,7 +30,7 @@ with pictures.figure("contacts", 480, 520) as figure:
         axes.plot(table["x_m"][own], table["y_m"][own], ".", markersize=3, label=f"contact {identity}")
     axes.set_xlabel("x, m")
     axes.set_ylabel("y, m")
-    axes.legend(loc="upper right")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0))
 
 heaviest = table["contact_id"][np.argmax(table["force_n"])]
 print(f"{len(long_ones)} contacts were seen for more than a second")

@@ -4,12 +4,15 @@
 #include "app/console/help/handbook.h"
 #include "app/console/help/handbook_window.h"
 
+#include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QRegularExpression>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTextDocument>
 
 using namespace teleta::console;
 
@@ -79,8 +82,32 @@ private slots:
 
     void linksLeadToPages() {
         for (const QString& name : handbookPages())
-            for (const QString& link : matches(handbookPage(name, "en")->text, "\\]\\(([^)]*)\\)"))
+            for (const QString& link :
+                 matches(handbookPage(name, "en")->text, "(?<!!)\\[[^\\]]*\\]\\(([^)]*)\\)"))
                 QVERIFY2(link.endsWith(".md") && handbookPages().contains(link.chopped(3)), qPrintable(link));
+    }
+
+    void showsItsPictures() {
+        int shown = 0;
+        HandbookWindow window(nullptr);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QTextDocument* const document = window.findChild<QTextBrowser*>()->document();
+        for (const QString& name : handbookPages()) {
+            const QStringList pictures =
+                matches(handbookPage(name, "en")->text, "!\\[[^\\]]+\\]\\(([^)]*)\\)");
+            if (pictures.isEmpty())
+                continue;
+            window.showPage(name);
+            for (const QString& picture : pictures) {
+                const auto image =
+                    document->resource(QTextDocument::ImageResource, QUrl(picture)).value<QImage>();
+                QVERIFY2(image.width() > 100, qPrintable(picture));
+                ++shown;
+            }
+        }
+        QCOMPARE(shown, static_cast<int>(QDir(":/handbook/pictures").entryList(QDir::Files).size()));
+        QVERIFY(shown > 0);
     }
 
     void anUnknownLanguageIsEnglishAndAnUnknownPageIsNone() {
