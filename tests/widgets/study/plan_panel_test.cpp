@@ -4,6 +4,10 @@
 #include "widgets/study/planning/plan_panel.h"
 #include "widgets/study/results/curve_view.h"
 
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -51,6 +55,31 @@ private slots:
         for (study::StudyTask& task : levels.tasks)
             task.design = study::Design::yesNo;
         QVERIFY(PlanContent::tests(levels).empty());
+    }
+
+    void saysWhatIsMissingWhileThereIsNoPlan() {
+        PlanPanel panel;
+        auto* curve = panel.findChild<study::CurveView*>("planCurve");
+        auto* spread = panel.findChild<QDoubleSpinBox*>("planParticipantSd");
+        study::Protocol levels = protocol();
+        for (study::StudyTask& task : levels.tasks)
+            task.design = study::Design::yesNo;
+        panel.setProtocol(levels);
+        QVERIFY(!spread->isEnabled());
+        QVERIFY(!panel.findChild<QLabel*>("planAnswer")->text().isEmpty());
+        QVERIFY(!curve->content().nothing.isEmpty());
+        panel.setProtocol(protocol());
+        QVERIFY(spread->isEnabled());
+        QVERIFY(panel.findChild<QLabel*>("planAnswer")->text().isEmpty());
+        QVERIFY(curve->content().nothing.contains("power"));
+        panel.setPlan(planOf(8), panel.request()->settings);
+        QVERIFY(!curve->content().series[0].points.empty());
+        // Another language does not take it away, another protocol does.
+        QEvent language(QEvent::LanguageChange);
+        QCoreApplication::sendEvent(&panel, &language);
+        QVERIFY(!curve->content().series.empty());
+        panel.setProtocol(levels);
+        QVERIFY(curve->content().series.empty());
     }
 
     void theRequestIsWhatTheFormSays() {

@@ -117,6 +117,8 @@ void PlanPanel::setProtocol(const Protocol& protocol) {
         return;
     m_protocol = protocol;
     setTruth({}, {});
+    m_answer->clear();
+    m_isPlanned = false;
     retranslate();
 }
 
@@ -184,12 +186,13 @@ void PlanPanel::showConditions() {
 
 void PlanPanel::showSource() {
     const bool isOwn = !m_truth;
+    m_sourceLabel->setVisible(task() != nullptr);
     m_sourceLabel->setText(isOwn ? tr("The middle participant has these shares; the spreads are in logits.")
                                  : tr("Assumed: what %1 says.").arg(m_source));
     for (QDoubleSpinBox* share : m_share_percent)
         share->setEnabled(isOwn && !m_running);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_participantSd, m_conditionSd})
-        widget->setEnabled(isOwn && !m_running);
+        widget->setEnabled(isOwn && !m_running && task() != nullptr);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_test, m_file, m_pilot, m_from, m_to, m_step,
                                                            m_target_percent, m_studies})
         widget->setEnabled(!m_running && task() != nullptr);
@@ -199,7 +202,21 @@ void PlanPanel::showSource() {
     m_cancel->setEnabled(m_running);
     m_progress->setVisible(m_running);
     if (task() == nullptr)
-        m_answer->setText(tr("This protocol has no task in which patterns are told apart."));
+        m_answer->setText(tr("This protocol has no task in which patterns are told apart. The number of "
+                             "participants is planned for comparisons of such tasks."));
+}
+
+/// What will be where the curve is.
+void PlanPanel::showNoPlan() {
+    CurveContent content;
+    if (task() != nullptr)
+        content.nothing = tr("The power over the number of participants will be shown here.\nEnter what you "
+                             "assume on the left, and choose Plan.");
+    else
+        content.nothing = tr("There is nothing to plan.");
+    m_curve->setContent(std::move(content));
+    m_curve->setAccessibleName(tr("Power over the number of participants"));
+    m_isPlanned = false;
 }
 
 void PlanPanel::setRunning(double done) {
@@ -215,6 +232,7 @@ void PlanPanel::setPlan(const PowerPlan& plan, const PlanSettings& settings) {
     m_running = false;
     showSource();
     m_curve->setContent(PlanContent::curve(plan, settings, m_test->currentText()));
+    m_isPlanned = true;
     m_answer->setText(PlanContent::answer(plan, settings));
 }
 
@@ -253,6 +271,8 @@ void PlanPanel::retranslate() {
     m_cancel->setText(tr("Cancel"));
     m_curve->setAccessibleName(tr("Power over the number of participants"));
     showConditions();
+    if (!m_isPlanned)
+        showNoPlan();
 }
 
 } // namespace teleta::study

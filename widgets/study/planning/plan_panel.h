@@ -61,12 +61,14 @@ private:
     void retranslate();
     void showConditions();
     void showSource();
+    void showNoPlan();
     [[nodiscard]] const StudyTask* task() const;
 
     Protocol m_protocol;
     std::optional<StudyTruth> m_truth; ///< of a file or a pilot
     QString m_source;
     bool m_running = false;
+    bool m_isPlanned = false; ///< the curve shows a plan of this protocol
 
     QFormLayout* m_form = new QFormLayout;
     QLabel* m_testLabel = new QLabel(this);

@@ -33,6 +33,14 @@ public:
         , m_small(base::sized(painter.font(), base::kSmallText)) {}
 
     void paint() {
+        const bool isEmpty = std::ranges::all_of(
+            m_content.series, [](const CurveSeries& series) { return series.points.empty(); });
+        if (isEmpty && !m_content.nothing.isEmpty()) {
+            m_painter.setPen(ink(0.7));
+            m_painter.drawText(m_rect.adjusted(2.0 * m_em, m_em, -2.0 * m_em, -m_em),
+                               Qt::AlignCenter | Qt::TextWordWrap, m_content.nothing);
+            return;
+        }
         paintTitle();
         paintAxes();
         for (std::size_t s = 0; s < m_content.series.size(); ++s)

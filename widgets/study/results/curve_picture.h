@@ -40,6 +40,7 @@ struct CurveContent {
     std::vector<CurveSeries> series;
     std::optional<double> reference; ///< a line across
     QString referenceName;
+    QString nothing = {}; ///< what is said while there are no points; empty: the axes stand alone
     Mode mode = Mode::run;
 };
 
