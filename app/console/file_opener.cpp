@@ -56,7 +56,7 @@ void FileOpener::read(Work work, Done done) {
 }
 
 void FileOpener::openFile(const QString& path) {
-    if (isRecordingName(path) || path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+    if (isPlayable(path)) {
         openRecording(path);
         return;
     }
@@ -75,6 +75,13 @@ void FileOpener::openRecording(const QString& path) {
     m_recordings.open(path);
 }
 
+void FileOpener::reopenRecording(const QString& path) {
+    if (isRecordingName(path))
+        openRecording(path);
+    else
+        m_recordings.reopen(path);
+}
+
 void FileOpener::openAs(const RecordingArguments& recording) {
     m_awaited.append(recording.path);
     m_recordings.openAs(recording);
@@ -89,7 +96,7 @@ void FileOpener::openList(const QString& path) {
              }
              emit listOpened(path);
              for (const SourceRequest& request : *list)
-                 m_sources.open(request);
+                 m_lists.insert(m_sources.open(request), path);
          });
 }
 
@@ -122,6 +129,8 @@ void FileOpener::openScenes(const QStringList& scenes, const QString& study, boo
                  const std::optional<study::StudyScene>& scene = studies[static_cast<std::size_t>(i)];
                  if (!scene) {
                      m_sources.open(SceneRequest{scenes[i].toStdString(), m_seed});
+                     if (QFileInfo(scenes[i]).isFile() && !scenes[i].startsWith(QLatin1Char(':')))
+                         emit sceneOpened(scenes[i]);
                      continue;
                  }
                  emit studyShown();

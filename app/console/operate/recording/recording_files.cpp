@@ -4,7 +4,9 @@
 #include "app/console/sources/recording_dialog.h"
 #include "widgets/base/background.h"
 
+#include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 #include <vector>
 
@@ -32,10 +34,17 @@ void RecordingFiles::open(const QString& path) {
         });
 }
 
+void RecordingFiles::reopen(const QString& path) {
+    if (const auto known = m_settings.recording(path))
+        m_sources.open(*known);
+    else
+        open(path);
+}
+
 QString RecordingFiles::folder(const QString& otherwise) const {
     QString folder = otherwise;
     for (const QString& path : m_settings.recentFiles()) {
-        if (isRecordingName(path) || path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        if (isPlayable(path)) {
             folder = QFileInfo(path).absolutePath();
             break;
         }
@@ -44,6 +53,11 @@ QString RecordingFiles::folder(const QString& otherwise) const {
     while (!QFileInfo(folder).isDir() && folder != QFileInfo(folder).absolutePath())
         folder = QFileInfo(folder).absolutePath();
     return folder;
+}
+
+QString RecordingFiles::usualFolder() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+        .filePath(QStringLiteral("TeleTA"));
 }
 
 void RecordingFiles::openAs(const RecordingArguments& recording) {

@@ -21,11 +21,16 @@ public:
     RecordingFiles(SourceManager& sources, ConsoleSettings& settings, QWidget* window);
 
     void open(const QString& path);
+    /// Frames in CSV as they were opened the last time; asks when that is not known.
+    void reopen(const QString& path);
     /// Opens without asking; what the command line omits is guessed.
     void openAs(const RecordingArguments& recording);
     /// Folder of the recording that was opened last, or else the given one; for a missing folder, where it
     /// would be.
     [[nodiscard]] QString folder(const QString& otherwise) const;
+
+    /// Where recordings go when no folder was chosen.
+    [[nodiscard]] static QString usualFolder();
 
 signals:
     void opened(const QString& path);
