@@ -27,6 +27,13 @@ FileOpener::FileOpener(SourceManager& sources, RecordingFiles& recordings, Study
     , m_seed(seed) {
     connect(&m_recordings, &RecordingFiles::opened, this,
             [this](const QString& path) { m_awaited.removeOne(path); });
+    connect(&m_recordings, &RecordingFiles::imported, this,
+            [this](const QString& file, const QString& recording) {
+                m_awaited.removeOne(file);
+                m_awaited.append(recording);
+            });
+    connect(&m_recordings, &RecordingFiles::cancelled, this,
+            [this](const QString& file) { m_awaited.removeOne(file); });
     // It tells the name alone.
     connect(&m_recordings, &RecordingFiles::failed, this, [this](const QString& name) {
         const auto awaited = std::find_if(m_awaited.begin(), m_awaited.end(), [&](const QString& path) {
@@ -70,13 +77,13 @@ void FileOpener::openFile(const QString& path) {
 }
 
 void FileOpener::openRecording(const QString& path) {
-    if (isRecordingName(path))
+    if (isRecordingName(path) || isMcapName(path))
         m_awaited.append(path);
     m_recordings.open(path);
 }
 
 void FileOpener::reopenRecording(const QString& path) {
-    if (isRecordingName(path))
+    if (isRecordingName(path) || isMcapName(path))
         openRecording(path);
     else
         m_recordings.reopen(path);

@@ -157,6 +157,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                                     tr("Choose another port with --foxglove."), why});
     });
     connect(m_recordings, &RecordingFiles::opened, this, &MainWindow::addRecent);
+    connect(m_recordings, &RecordingFiles::imported, this, &MainWindow::onImported);
     connect(m_opener, &FileOpener::failed, this, &MainWindow::onFailed);
     connect(m_opener, &FileOpener::listOpened, this, &MainWindow::addRecent);
     connect(m_opener, &FileOpener::sceneOpened, this, &MainWindow::addRecent);
@@ -182,7 +183,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_operate.get(), &OperatePage::demoRequested, this, &MainWindow::openDemo);
     connect(m_operate.get(), &OperatePage::firstStepsRequested, m_help, &HelpMenu::openFirstSteps);
     connect(m_operate.get(), &OperatePage::openRecordingRequested, this, [this] {
-        askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv)"), &FileOpener::openRecording,
+        askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv *.mcap)"), &FileOpener::openRecording,
                    m_recordings->folder(m_recording->folder()));
     });
     connect(m_operate.get(), &OperatePage::openListRequested, this, [this] {
@@ -328,6 +329,14 @@ void MainWindow::openCamera() {
 void MainWindow::addRecent(const QString& path) {
     m_settings.addRecentFile(path);
     showRecent();
+}
+
+void MainWindow::onImported(const QString& file, const QString& recording, const QString& missing) {
+    m_operate->messages().post(
+        {missing.isEmpty() ? chrome::Message::Severity::information : chrome::Message::Severity::warning,
+         tr("%1 was made of %2.", "two files")
+             .arg(QFileInfo(recording).fileName(), QFileInfo(file).fileName()),
+         missing, recording});
 }
 
 void MainWindow::keepScreen() {
@@ -506,7 +515,7 @@ void MainWindow::retranslate() {
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     for (const QUrl& url : event->mimeData()->urls()) {
         const QString suffix = QFileInfo(url.toLocalFile()).suffix().toLower();
-        if (QStringList{"csv", "teleta", "toml"}.contains(suffix)) {
+        if (QStringList{"csv", "mcap", "teleta", "toml"}.contains(suffix)) {
             event->acceptProposedAction();
             return;
         }

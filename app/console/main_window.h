@@ -111,6 +111,7 @@ private:
     [[nodiscard]] QStringList session();
     void addRecentMenu(QMenu& file);
     void showRecent();
+    void onImported(const QString& file, const QString& recording, const QString& missing);
     void editPreferences();
     /// Lets the desktop keep the screen on while something runs.
     void keepScreen();

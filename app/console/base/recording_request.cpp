@@ -59,8 +59,13 @@ bool isRecordingName(const QString& path) {
     return path.endsWith(QLatin1String(".teleta"), Qt::CaseInsensitive);
 }
 
+bool isMcapName(const QString& path) {
+    return path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
+}
+
 bool isPlayable(const QString& path) {
-    return isRecordingName(path) || path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
+    return isRecordingName(path) || isMcapName(path) ||
+           path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
 }
 
 core::Expected<std::vector<RecordingRequest>> recordingRequestsOf(const std::string& path) {

@@ -142,6 +142,19 @@ private slots:
         QVERIFY(m_window->sources().items().empty());
     }
 
+    void anMcapFileIsImportedAndOneThatIsNoneIsTold() {
+        const QString path = m_folder.filePath("text.mcap");
+        QFile text(path);
+        QVERIFY(text.open(QIODevice::WriteOnly));
+        text.write("time_s,t0\n");
+        text.close();
+        ConsoleOptions options;
+        options.files = {path};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->anyFailure(), kPatience_ms);
+        QVERIFY(!QFile::exists(m_folder.filePath("text.teleta")));
+    }
+
     void preferencesAreAskedForByKeyAndKept() {
         openWindow();
         QTest::keyClick(m_window.get(), Qt::Key_Comma, Qt::ControlModifier);
