@@ -1555,10 +1555,6 @@ Exemples&#xa0;:
   teleta-console --sources both-arrays.toml --theme dark</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv), scenes and source lists (.toml) to open.</source>
-        <translation>Enregistrements (.teleta, .csv), scènes et listes de sources (.toml) à ouvrir.</translation>
-    </message>
-    <message>
         <source>Play back a recording of this program, or recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
         <translation>Lire un enregistrement de ce programme, ou des trames enregistrées, CSV time_s,t0,t1,... (répétable&#xa0;; les options ci-dessous s’appliquent aux enregistrements dans leur ordre).</translation>
     </message>
@@ -1589,6 +1585,10 @@ Exemples&#xa0;:
     <message>
         <source>ADDRESS</source>
         <translation>ADRESSE</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv, .mcap), scenes and source lists (.toml) to open.</source>
+        <translation>Enregistrements (.teleta, .csv, .mcap), scènes et listes de sources (.toml) à ouvrir.</translation>
     </message>
 </context>
 <context>
@@ -3367,6 +3367,13 @@ Exemples&#xa0;:
     <message>
         <source>As the &amp;desktop</source>
         <translation>Comme le &amp;bureau</translation>
+    </message>
+</context>
+<context>
+    <name>LastSession</name>
+    <message>
+        <source>camera</source>
+        <translation>caméra</translation>
     </message>
 </context>
 <context>
@@ -7553,6 +7560,22 @@ Run %2 --help for more.
     <message>
         <source>Trigger</source>
         <translation>Déclencheur</translation>
+    </message>
+    <message>
+        <source>the desktop keeps it on</source>
+        <translation>le bureau le garde allumé</translation>
+    </message>
+    <message>
+        <source>the desktop may turn it off during the session</source>
+        <translation>le bureau peut l’éteindre pendant la session</translation>
+    </message>
+    <message>
+        <source>Turn off the screen saver and energy saving of the desktop for the session.</source>
+        <translation>Désactivez l’économiseur d’écran et les économies d’énergie du bureau pour la session.</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Écran</translation>
     </message>
 </context>
 <context>
@@ -11876,6 +11899,22 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::RecentList</name>
+    <message>
+        <source>Recent:</source>
+        <translation>Récents :</translation>
+    </message>
+    <message>
+        <source>Reopen %1</source>
+        <comment>what was open</comment>
+        <translation>Rouvrir %1</translation>
+    </message>
+    <message>
+        <source>What was open when the console was closed</source>
+        <translation>Ce qui était ouvert à la fermeture de la console</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::RecordingIndicator</name>
     <message numerus="yes">
         <source>Recording %1 · %2 · %n lost</source>
@@ -12615,6 +12654,98 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::ExclusionEditor</name>
+    <message>
+        <source>What does not count</source>
+        <translation>Ce qui ne compte pas</translation>
+    </message>
+    <message>
+        <source>No rules: every completed trial counts.</source>
+        <translation>Pas de règles : chaque essai terminé compte.</translation>
+    </message>
+    <message>
+        <source>Add a r&amp;ule</source>
+        <translation>Ajouter une &amp;règle</translation>
+    </message>
+    <message>
+        <source>Rules apply from top to bottom, each to what is left. Nothing is deleted: results are shown with the rules, and without them</source>
+        <translation>Les règles s’appliquent de haut en bas, chacune à ce qui reste. Rien n’est supprimé : les résultats sont montrés avec les règles, et sans elles</translation>
+    </message>
+    <message>
+        <source>a trial answered earlier than, s</source>
+        <translation>un essai avec une réponse plus tôt que, s</translation>
+    </message>
+    <message>
+        <source>a trial answered later than, s</source>
+        <translation>un essai avec une réponse plus tard que, s</translation>
+    </message>
+    <message>
+        <source>a trial whose time is unusual, MADs from the median</source>
+        <translation>un essai au temps inhabituel, en MAD depuis la médiane</translation>
+    </message>
+    <message>
+        <source>a trial with more device faults than</source>
+        <translation>un essai avec plus de défauts d’appareil que</translation>
+    </message>
+    <message>
+        <source>a trial with more missed frames than</source>
+        <translation>un essai avec plus de trames manquées que</translation>
+    </message>
+    <message>
+        <source>a session with a share without answer above</source>
+        <translation>une session avec une part sans réponse supérieure à</translation>
+    </message>
+    <message>
+        <source>a session with a share of yes in catch trials above</source>
+        <translation>une session avec une part de oui aux essais pièges supérieure à</translation>
+    </message>
+    <message>
+        <source>a session with a share of one answer above</source>
+        <translation>une session avec une part d’une même réponse supérieure à</translation>
+    </message>
+    <message>
+        <source>a participant with a share right in practice below</source>
+        <translation>un participant avec une part de réponses correctes à l’entraînement inférieure à</translation>
+    </message>
+    <message>
+        <source>a participant not above chance, p above</source>
+        <translation>un participant qui ne dépasse pas le hasard, p supérieur à</translation>
+    </message>
+    <message>
+        <source>Name of the rule</source>
+        <translation>Nom de la règle</translation>
+    </message>
+    <message>
+        <source>The name of the rule in the column “excluded” and in results</source>
+        <translation>Le nom de la règle dans la colonne « excluded » et dans les résultats</translation>
+    </message>
+    <message>
+        <source>What the rule leaves out</source>
+        <translation>Ce que la règle écarte</translation>
+    </message>
+    <message>
+        <source>Number of the rule</source>
+        <translation>Nombre de la règle</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Remove this rule</source>
+        <translation>Supprimer cette règle</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a number</source>
+        <comment>a rule</comment>
+        <translation>%1 : « %2 » n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a number with a point, such as 0.2</source>
+        <translation>un nombre avec un point, tel que 0.2</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::ExportDialog</name>
     <message>
         <source>Export pattern</source>
@@ -12835,6 +12966,37 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::LayoutsMenu</name>
+    <message>
+        <source>Ma&amp;ximise the view</source>
+        <translation>Agra&amp;ndir la vue</translation>
+    </message>
+    <message>
+        <source>Show the view with the focus alone, or all again; a double click on a title does the same</source>
+        <translation>Afficher seule la vue qui a le focus, ou de nouveau toutes ; un double clic sur un titre fait de même</translation>
+    </message>
+    <message>
+        <source>La&amp;youts</source>
+        <translation>&amp;Dispositions</translation>
+    </message>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>&amp;Enregistrer la disposition…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>Enregistrer la disposition</translation>
+    </message>
+    <message>
+        <source>Name; one that is there already is replaced:</source>
+        <translation>Nom ; une disposition qui existe déjà est remplacée :</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LevelTaskForm</name>
     <message>
         <source>Task with levels</source>
@@ -13009,28 +13171,12 @@ Run %2 --help for more.
         <translation>Réponses correctes pour un pas vers le bas</translation>
     </message>
     <message>
-        <source>Step up, in the scale</source>
-        <translation>Pas vers le haut, dans l’échelle</translation>
-    </message>
-    <message>
-        <source>Step down, in the scale</source>
-        <translation>Pas vers le bas, dans l’échelle</translation>
-    </message>
-    <message>
         <source>Reversals with larger steps</source>
         <translation>Inversions à pas plus grands</translation>
     </message>
     <message>
-        <source>Times larger</source>
-        <translation>Fois plus grands</translation>
-    </message>
-    <message>
         <source>Reversals at most</source>
         <translation>Inversions au plus</translation>
-    </message>
-    <message>
-        <source>Reversals left out</source>
-        <translation>Inversions écartées</translation>
     </message>
     <message>
         <source>Trials at most</source>
@@ -13124,6 +13270,42 @@ Run %2 --help for more.
     <message>
         <source>a condition and its reference, such as weak 0.3</source>
         <translation>une condition et sa référence, telles que weak 0.3</translation>
+    </message>
+    <message>
+        <source>Step up, log10 units on a log scale</source>
+        <translation>Pas vers le haut, en unités log10 sur une échelle logarithmique</translation>
+    </message>
+    <message>
+        <source>Step down, likewise</source>
+        <translation>Pas vers le bas, de même</translation>
+    </message>
+    <message>
+        <source>These steps are larger by</source>
+        <translation>Facteur d’agrandissement de ces pas</translation>
+    </message>
+    <message>
+        <source>First reversals left out</source>
+        <translation>Premières inversions écartées</translation>
+    </message>
+    <message>
+        <source>It stays at</source>
+        <translation>Reste à</translation>
+    </message>
+    <message>
+        <source>Levels are shares of the intensity in the file, 0 to 1.</source>
+        <translation>Les niveaux sont des parts de l’intensité du fichier, de 0 à 1.</translation>
+    </message>
+    <message>
+        <source>Levels are balances, from 0 (the first tactor alone) to 1 (the second alone).</source>
+        <translation>Les niveaux sont des équilibres, de 0 (le premier tacteur seul) à 1 (le second seul).</translation>
+    </message>
+    <message>
+        <source>Levels are times in seconds.</source>
+        <translation>Les niveaux sont des temps en secondes.</translation>
+    </message>
+    <message>
+        <source>%1 % right answers</source>
+        <translation>%1 % de réponses correctes</translation>
     </message>
 </context>
 <context>
@@ -13483,10 +13665,6 @@ Run %2 --help for more.
         <translation>Comme le b&amp;ureau</translation>
     </message>
     <message>
-        <source>Recordings (*.teleta *.csv)</source>
-        <translation>Enregistrements (*.teleta *.csv)</translation>
-    </message>
-    <message>
         <source>&amp;Recording</source>
         <translation>&amp;Enregistrement</translation>
     </message>
@@ -13513,6 +13691,59 @@ Run %2 --help for more.
     <message>
         <source>Choose another port with --foxglove.</source>
         <translation>Choisissez un autre port avec --foxglove.</translation>
+    </message>
+    <message>
+        <source>The layout %1 cannot be restored; the default one is shown.</source>
+        <translation>La disposition %1 ne peut pas être rétablie ; celle par défaut est affichée.</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>Elle a été enregistrée par une autre version du programme.</translation>
+    </message>
+    <message>
+        <source>The desktop may turn the screen off while something runs: %1</source>
+        <translation>Le bureau peut éteindre l’écran pendant que quelque chose est en cours : %1</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv *.mcap)</source>
+        <translation>Enregistrements (*.teleta *.csv *.mcap)</translation>
+    </message>
+    <message>
+        <source>%1 was made of %2.</source>
+        <comment>two files</comment>
+        <translation>%1 a été créé d’après %2.</translation>
+    </message>
+    <message>
+        <source>A robot arm, a recording or a session is running</source>
+        <translation>Un bras robotisé, un enregistrement ou une session est en cours</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Préférences…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Ouvrir un élément &amp;récent</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Enregistrements</translation>
+    </message>
+    <message>
+        <source>Scenes and source lists</source>
+        <translation>Scènes et listes de sources</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Études</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>&amp;Vider la liste</translation>
+    </message>
+    <message>
+        <source>Reopen the &amp;last session</source>
+        <translation>Rouvrir la &amp;dernière session</translation>
     </message>
 </context>
 <context>
@@ -14069,6 +14300,77 @@ Run %2 --help for more.
         <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
         <comment>a pattern, a time</comment>
         <translation>Le programme s’est terminé sans enregistrer %1 (modification&#xa0;: %2). Le fichier sur le disque est resté tel quel.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PreferencesDialog</name>
+    <message>
+        <source>&amp;Keep the screen on while something runs</source>
+        <translation>&amp;Garder l’écran allumé tant que quelque chose est en cours</translation>
+    </message>
+    <message>
+        <source>Add the &amp;Unix time to exported CSV files</source>
+        <translation>Ajouter le temps &amp;Unix aux fichiers CSV exportés</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>While a session runs, something is recorded, or an arm may move</source>
+        <translation>Pendant une session, un enregistrement, ou quand un bras peut bouger</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Comme le bureau</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Offer what was open the last time</source>
+        <translation>Proposer ce qui était ouvert la dernière fois</translation>
+    </message>
+    <message>
+        <source>Open what was open the last time</source>
+        <translation>Ouvrir ce qui était ouvert la dernière fois</translation>
+    </message>
+    <message>
+        <source>Open nothing</source>
+        <translation>Ne rien ouvrir</translation>
+    </message>
+    <message>
+        <source>A last column, utc_s, in seconds since 1970</source>
+        <translation>Une dernière colonne, utc_s, en secondes depuis 1970</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Choisir…</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage:</source>
+        <translation>&amp;Langue :</translation>
+    </message>
+    <message>
+        <source>&amp;Theme:</source>
+        <translation>&amp;Thème :</translation>
+    </message>
+    <message>
+        <source>At the &amp;start:</source>
+        <translation>Au &amp;démarrage :</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of recordings:</source>
+        <translation>Dossier des &amp;enregistrements :</translation>
     </message>
 </context>
 <context>
@@ -14755,6 +15057,77 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingFiles</name>
+    <message>
+        <source>Open MCAP file</source>
+        <translation>Ouvrir un fichier MCAP</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <comment>a file</comment>
+        <translation>%1 existe déjà.</translation>
+    </message>
+    <message>
+        <source>It may have been made of %1 before. To import the file again makes %2.</source>
+        <comment>two files</comment>
+        <translation>Il a peut-être été créé auparavant d’après %1. Importer de nouveau le fichier crée %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Open the recording</source>
+        <translation>&amp;Ouvrir l’enregistrement</translation>
+    </message>
+    <message>
+        <source>&amp;Import again</source>
+        <translation>&amp;Importer de nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingImport</name>
+    <message>
+        <source>a recording of this name is being made</source>
+        <translation>un enregistrement de ce nom est en cours de création</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <comment>a file</comment>
+        <translation>Importation de %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>le dossier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>Topics that cannot be read were left out: %1.</source>
+        <translation>Des topics illisibles ont été laissés de côté : %1.</translation>
+    </message>
+    <message>
+        <source>The file was cut off; what could be read is there.</source>
+        <translation>Le fichier a été coupé ; ce qui a pu être lu est là.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged chunk(s) left out.</source>
+        <translation>
+            <numerusform>%n bloc (chunk) endommagé ignoré.</numerusform>
+            <numerusform>%n blocs (chunks) endommagés ignorés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged message(s) left out.</source>
+        <translation>
+            <numerusform>%n message endommagé ignoré.</numerusform>
+            <numerusform>%n messages endommagés ignorés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The checksum of the file is wrong: it was damaged somewhere.</source>
+        <translation>La somme de contrôle du fichier est fausse : il a été endommagé quelque part.</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::RecordingMarks</name>
     <message>
         <source>mark</source>
@@ -14778,6 +15151,21 @@ Run %2 --help for more.
     <message>
         <source>a folder that can be written to</source>
         <translation>un dossier où l’on peut écrire</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::ScreenKeeper</name>
+    <message>
+        <source>the service has ended</source>
+        <translation>le service s’est terminé</translation>
+    </message>
+    <message>
+        <source>there is no session bus</source>
+        <translation>il n’y a pas de bus de session</translation>
+    </message>
+    <message>
+        <source>the answer is not understood</source>
+        <translation>la réponse n’est pas comprise</translation>
     </message>
 </context>
 <context>
@@ -16340,10 +16728,6 @@ Run %2 --help for more.
         <translation>Supposé&#xa0;: ce que dit %1.</translation>
     </message>
     <message>
-        <source>This protocol has no task in which patterns are told apart.</source>
-        <translation>Ce protocole n’a pas de tâche où des motifs sont distingués.</translation>
-    </message>
-    <message>
         <source>&amp;Test</source>
         <translation>&amp;Test</translation>
     </message>
@@ -16413,6 +16797,20 @@ Run %2 --help for more.
     <message>
         <source>Power over the number of participants</source>
         <translation>Puissance selon le nombre de participants</translation>
+    </message>
+    <message>
+        <source>This protocol has no task in which patterns are told apart. The number of participants is planned for comparisons of such tasks.</source>
+        <translation>Ce protocole n’a aucune tâche où l’on distingue des motifs. Le nombre de participants se planifie pour des comparaisons de telles tâches.</translation>
+    </message>
+    <message>
+        <source>The power over the number of participants will be shown here.
+Enter what you assume on the left, and choose Plan.</source>
+        <translation>La puissance selon le nombre de participants sera affichée ici.
+Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
+    </message>
+    <message>
+        <source>There is nothing to plan.</source>
+        <translation>Il n’y a rien à planifier.</translation>
     </message>
 </context>
 <context>

@@ -1553,10 +1553,6 @@ Examples:
   teleta-console --sources both-arrays.toml --theme dark</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv), scenes and source lists (.toml) to open.</source>
-        <translation>開く記録 (.teleta、.csv)、シーン、ソースリスト (.toml)。</translation>
-    </message>
-    <message>
         <source>Play back a recording of this program, or recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
         <translation>このプログラムの記録、または記録したフレーム (CSV time_s,t0,t1,...) を再生します (繰り返し指定可。以下のオプションは記録の順に対応します)。</translation>
     </message>
@@ -1587,6 +1583,10 @@ Examples:
     <message>
         <source>ADDRESS</source>
         <translation>ADDRESS</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv, .mcap), scenes and source lists (.toml) to open.</source>
+        <translation>開く記録 (.teleta、.csv、.mcap)、シーン、ソースリスト (.toml)。</translation>
     </message>
 </context>
 <context>
@@ -3355,6 +3355,13 @@ Examples:
     <message>
         <source>As the &amp;desktop</source>
         <translation>デスクトップに合わせる(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>LastSession</name>
+    <message>
+        <source>camera</source>
+        <translation>カメラ</translation>
     </message>
 </context>
 <context>
@@ -7534,6 +7541,22 @@ Run %2 --help for more.
     <message>
         <source>Trigger</source>
         <translation>トリガー</translation>
+    </message>
+    <message>
+        <source>the desktop keeps it on</source>
+        <translation>デスクトップは画面をオンに保ちます</translation>
+    </message>
+    <message>
+        <source>the desktop may turn it off during the session</source>
+        <translation>デスクトップがセッション中に画面をオフにする可能性があります</translation>
+    </message>
+    <message>
+        <source>Turn off the screen saver and energy saving of the desktop for the session.</source>
+        <translation>セッションの間は、デスクトップのスクリーンセーバーと省電力機能をオフにしてください。</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>画面</translation>
     </message>
 </context>
 <context>
@@ -11844,6 +11867,22 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::RecentList</name>
+    <message>
+        <source>Recent:</source>
+        <translation>最近使ったファイル:</translation>
+    </message>
+    <message>
+        <source>Reopen %1</source>
+        <comment>what was open</comment>
+        <translation>%1を再び開く</translation>
+    </message>
+    <message>
+        <source>What was open when the console was closed</source>
+        <translation>コンソールを閉じたときに開いていたもの</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::RecordingIndicator</name>
     <message numerus="yes">
         <source>Recording %1 · %2 · %n lost</source>
@@ -12578,6 +12617,98 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::ExclusionEditor</name>
+    <message>
+        <source>What does not count</source>
+        <translation>集計対象から外すもの</translation>
+    </message>
+    <message>
+        <source>No rules: every completed trial counts.</source>
+        <translation>規則なし: 完了したすべての試行を集計対象とします。</translation>
+    </message>
+    <message>
+        <source>Add a r&amp;ule</source>
+        <translation>規則を追加(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Rules apply from top to bottom, each to what is left. Nothing is deleted: results are shown with the rules, and without them</source>
+        <translation>規則は上から順に、それまでに残ったものへ適用されます。何も削除しません。結果は規則を適用した場合と、適用しない場合を示します</translation>
+    </message>
+    <message>
+        <source>a trial answered earlier than, s</source>
+        <translation>回答が次の時間より早い試行、s</translation>
+    </message>
+    <message>
+        <source>a trial answered later than, s</source>
+        <translation>回答が次の時間より遅い試行、s</translation>
+    </message>
+    <message>
+        <source>a trial whose time is unusual, MADs from the median</source>
+        <translation>時間が通常から外れた試行、中央値からの隔たり (MAD単位)</translation>
+    </message>
+    <message>
+        <source>a trial with more device faults than</source>
+        <translation>デバイス障害が次の数より多い試行</translation>
+    </message>
+    <message>
+        <source>a trial with more missed frames than</source>
+        <translation>欠けたフレームが次の数より多い試行</translation>
+    </message>
+    <message>
+        <source>a session with a share without answer above</source>
+        <translation>無回答の割合が次の値を超えるセッション</translation>
+    </message>
+    <message>
+        <source>a session with a share of yes in catch trials above</source>
+        <translation>キャッチ試行での「はい」の割合が次の値を超えるセッション</translation>
+    </message>
+    <message>
+        <source>a session with a share of one answer above</source>
+        <translation>1つの答えの割合が次の値を超えるセッション</translation>
+    </message>
+    <message>
+        <source>a participant with a share right in practice below</source>
+        <translation>練習の正答の割合が次の値を下回る参加者</translation>
+    </message>
+    <message>
+        <source>a participant not above chance, p above</source>
+        <translation>偶然の水準を上回らない参加者、pが次の値を超える場合</translation>
+    </message>
+    <message>
+        <source>Name of the rule</source>
+        <translation>規則の名前</translation>
+    </message>
+    <message>
+        <source>The name of the rule in the column “excluded” and in results</source>
+        <translation>列「excluded」と結果に表示される規則の名前</translation>
+    </message>
+    <message>
+        <source>What the rule leaves out</source>
+        <translation>規則が除外するもの</translation>
+    </message>
+    <message>
+        <source>Number of the rule</source>
+        <translation>規則の値</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Remove this rule</source>
+        <translation>この規則を削除</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a number</source>
+        <comment>a rule</comment>
+        <translation>%1: 「%2」は数値ではありません</translation>
+    </message>
+    <message>
+        <source>a number with a point, such as 0.2</source>
+        <translation>0.2のように小数点を使った数値</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::ExportDialog</name>
     <message>
         <source>Export pattern</source>
@@ -12798,6 +12929,37 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::LayoutsMenu</name>
+    <message>
+        <source>Ma&amp;ximise the view</source>
+        <translation>ビューを最大化(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Show the view with the focus alone, or all again; a double click on a title does the same</source>
+        <translation>フォーカスのあるビューだけを表示、または再びすべて表示します。タイトルのダブルクリックでも同じです</translation>
+    </message>
+    <message>
+        <source>La&amp;youts</source>
+        <translation>レイアウト(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>レイアウトを保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>削除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>レイアウトを保存</translation>
+    </message>
+    <message>
+        <source>Name; one that is there already is replaced:</source>
+        <translation>名前 (既にある場合は置き換えられます):</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LevelTaskForm</name>
     <message>
         <source>Task with levels</source>
@@ -12972,28 +13134,12 @@ Run %2 --help for more.
         <translation>1段下げるまでの正答数</translation>
     </message>
     <message>
-        <source>Step up, in the scale</source>
-        <translation>上げ幅 (尺度上)</translation>
-    </message>
-    <message>
-        <source>Step down, in the scale</source>
-        <translation>下げ幅 (尺度上)</translation>
-    </message>
-    <message>
         <source>Reversals with larger steps</source>
         <translation>大きなステップでの反転数</translation>
     </message>
     <message>
-        <source>Times larger</source>
-        <translation>その倍率</translation>
-    </message>
-    <message>
         <source>Reversals at most</source>
         <translation>反転数の上限</translation>
-    </message>
-    <message>
-        <source>Reversals left out</source>
-        <translation>除外する反転数</translation>
     </message>
     <message>
         <source>Trials at most</source>
@@ -13087,6 +13233,42 @@ Run %2 --help for more.
     <message>
         <source>a condition and its reference, such as weak 0.3</source>
         <translation>条件とその基準。例: weak 0.3</translation>
+    </message>
+    <message>
+        <source>Step up, log10 units on a log scale</source>
+        <translation>上げ幅、対数尺度ではlog10の単位</translation>
+    </message>
+    <message>
+        <source>Step down, likewise</source>
+        <translation>下げ幅、同様</translation>
+    </message>
+    <message>
+        <source>These steps are larger by</source>
+        <translation>大きなステップの倍率</translation>
+    </message>
+    <message>
+        <source>First reversals left out</source>
+        <translation>除外する最初の反転数</translation>
+    </message>
+    <message>
+        <source>It stays at</source>
+        <translation>収束先</translation>
+    </message>
+    <message>
+        <source>Levels are shares of the intensity in the file, 0 to 1.</source>
+        <translation>レベルはファイル内の強度に対する割合で、0から1までです。</translation>
+    </message>
+    <message>
+        <source>Levels are balances, from 0 (the first tactor alone) to 1 (the second alone).</source>
+        <translation>レベルはバランスで、0 (1つ目のタクタのみ) から1 (2つ目のみ) までです。</translation>
+    </message>
+    <message>
+        <source>Levels are times in seconds.</source>
+        <translation>レベルは時間 (秒) です。</translation>
+    </message>
+    <message>
+        <source>%1 % right answers</source>
+        <translation>正答 %1 %</translation>
     </message>
 </context>
 <context>
@@ -13444,10 +13626,6 @@ Run %2 --help for more.
         <translation>デスクトップに合わせる(&amp;S)</translation>
     </message>
     <message>
-        <source>Recordings (*.teleta *.csv)</source>
-        <translation>記録 (*.teleta *.csv)</translation>
-    </message>
-    <message>
         <source>&amp;Recording</source>
         <translation>記録(&amp;R)</translation>
     </message>
@@ -13474,6 +13652,59 @@ Run %2 --help for more.
     <message>
         <source>Choose another port with --foxglove.</source>
         <translation>--foxgloveで別のポートを選んでください。</translation>
+    </message>
+    <message>
+        <source>The layout %1 cannot be restored; the default one is shown.</source>
+        <translation>レイアウト%1を復元できません。既定のレイアウトを表示しています。</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>プログラムの別のバージョンで保存されたものです。</translation>
+    </message>
+    <message>
+        <source>The desktop may turn the screen off while something runs: %1</source>
+        <translation>動作中にデスクトップが画面をオフにする可能性があります: %1</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv *.mcap)</source>
+        <translation>記録 (*.teleta *.csv *.mcap)</translation>
+    </message>
+    <message>
+        <source>%1 was made of %2.</source>
+        <comment>two files</comment>
+        <translation>%2から%1を作成しました。</translation>
+    </message>
+    <message>
+        <source>A robot arm, a recording or a session is running</source>
+        <translation>ロボットアーム、記録、またはセッションが動作中です</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>環境設定(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近使ったファイルを開く(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Scenes and source lists</source>
+        <translation>シーンとソースリスト</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>実験</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>一覧を消去(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Reopen the &amp;last session</source>
+        <translation>前回のセッションを再び開く(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -14028,6 +14259,77 @@ Run %2 --help for more.
         <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
         <comment>a pattern, a time</comment>
         <translation>プログラムは %1 (編集 %2) を保存せずに終了しました。ディスク上のファイルは元のままです。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PreferencesDialog</name>
+    <message>
+        <source>&amp;Keep the screen on while something runs</source>
+        <translation>動作中は画面をオンに保つ(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Add the &amp;Unix time to exported CSV files</source>
+        <translation>エクスポートするCSVファイルにUnix時刻を追加(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>環境設定</translation>
+    </message>
+    <message>
+        <source>While a session runs, something is recorded, or an arm may move</source>
+        <translation>セッションの進行中、記録中、またはアームが動く可能性がある間</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>デスクトップに合わせる</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>ダーク</translation>
+    </message>
+    <message>
+        <source>Offer what was open the last time</source>
+        <translation>前回開いていたものを候補として表示</translation>
+    </message>
+    <message>
+        <source>Open what was open the last time</source>
+        <translation>前回開いていたものを開く</translation>
+    </message>
+    <message>
+        <source>Open nothing</source>
+        <translation>何も開かない</translation>
+    </message>
+    <message>
+        <source>A last column, utc_s, in seconds since 1970</source>
+        <translation>最後の列utc_s、1970年からの秒数</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>選択(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>記録のフォルダー</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage:</source>
+        <translation>言語(&amp;G):</translation>
+    </message>
+    <message>
+        <source>&amp;Theme:</source>
+        <translation>テーマ(&amp;T):</translation>
+    </message>
+    <message>
+        <source>At the &amp;start:</source>
+        <translation>起動時(&amp;S):</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of recordings:</source>
+        <translation>記録のフォルダー(&amp;F):</translation>
     </message>
 </context>
 <context>
@@ -14710,6 +15012,75 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingFiles</name>
+    <message>
+        <source>Open MCAP file</source>
+        <translation>MCAPファイルを開く</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <comment>a file</comment>
+        <translation>%1は既にあります。</translation>
+    </message>
+    <message>
+        <source>It may have been made of %1 before. To import the file again makes %2.</source>
+        <comment>two files</comment>
+        <translation>以前に%1から作成されたものかもしれません。ファイルをもう一度インポートすると%2が作成されます。</translation>
+    </message>
+    <message>
+        <source>&amp;Open the recording</source>
+        <translation>記録を開く(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Import again</source>
+        <translation>もう一度インポート(&amp;I)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingImport</name>
+    <message>
+        <source>a recording of this name is being made</source>
+        <translation>この名前の記録を作成中です</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <comment>a file</comment>
+        <translation>%1をインポート中…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>フォルダーを作成できません</translation>
+    </message>
+    <message>
+        <source>Topics that cannot be read were left out: %1.</source>
+        <translation>読み込めないトピックを除外しました: %1。</translation>
+    </message>
+    <message>
+        <source>The file was cut off; what could be read is there.</source>
+        <translation>ファイルが途中で切れています。読み取れた分は残っています。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged chunk(s) left out.</source>
+        <translation>
+            <numerusform>破損した%nチャンクを除外しました。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged message(s) left out.</source>
+        <translation>
+            <numerusform>破損したメッセージ%n件を除外しました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The checksum of the file is wrong: it was damaged somewhere.</source>
+        <translation>ファイルのチェックサムが誤っています: どこかが破損しています。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::RecordingMarks</name>
     <message>
         <source>mark</source>
@@ -14733,6 +15104,21 @@ Run %2 --help for more.
     <message>
         <source>a folder that can be written to</source>
         <translation>書き込み可能なフォルダー</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::ScreenKeeper</name>
+    <message>
+        <source>the service has ended</source>
+        <translation>サービスが終了しました</translation>
+    </message>
+    <message>
+        <source>there is no session bus</source>
+        <translation>セッションバスがありません</translation>
+    </message>
+    <message>
+        <source>the answer is not understood</source>
+        <translation>応答を解釈できません</translation>
     </message>
 </context>
 <context>
@@ -16294,10 +16680,6 @@ Run %2 --help for more.
         <translation>仮定: %1 の内容。</translation>
     </message>
     <message>
-        <source>This protocol has no task in which patterns are told apart.</source>
-        <translation>このプロトコルには、パターンを識別する課題がありません。</translation>
-    </message>
-    <message>
         <source>&amp;Test</source>
         <translation>検定(&amp;T)</translation>
     </message>
@@ -16367,6 +16749,20 @@ Run %2 --help for more.
     <message>
         <source>Power over the number of participants</source>
         <translation>参加者数に対する検定力</translation>
+    </message>
+    <message>
+        <source>This protocol has no task in which patterns are told apart. The number of participants is planned for comparisons of such tasks.</source>
+        <translation>このプロトコルには、パターンを区別する課題がありません。参加者数は、そのような課題の比較のために計画します。</translation>
+    </message>
+    <message>
+        <source>The power over the number of participants will be shown here.
+Enter what you assume on the left, and choose Plan.</source>
+        <translation>参加者数に対する検出力がここに表示されます。
+左に仮定を入力し、「計画」を選んでください。</translation>
+    </message>
+    <message>
+        <source>There is nothing to plan.</source>
+        <translation>計画するものがありません。</translation>
     </message>
 </context>
 <context>
