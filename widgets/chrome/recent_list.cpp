@@ -17,7 +17,7 @@ namespace teleta::chrome {
 
 namespace {
 
-constexpr double kWidth_em = 12.0; ///< of a text, at most: four fit into a small window
+constexpr double kListWidth_em = 12.0; ///< of a text, at most: four fit into a small window
 
 } // namespace
 
@@ -58,7 +58,7 @@ void RecentList::rebuild() {
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setIcon(base::themeIcon(icon));
         button->setFocusPolicy(Qt::StrongFocus);
-        const QString shown = fontMetrics().elidedText(text, Qt::ElideMiddle, base::em(this, kWidth_em));
+        const QString shown = fontMetrics().elidedText(text, Qt::ElideMiddle, base::em(this, kListWidth_em));
         button->setText(QString(shown).replace(QLatin1Char('&'), QLatin1String("&&")));
         button->setAccessibleName(text);
         button->setAccessibleDescription(about);
