@@ -245,6 +245,75 @@ group_threshold_of <- function(lines, scales) {
     group
 }
 
+# The fit of all participants at once: Psi = g + (1 - g - l) Phi(b1 (x - t) + s z), z of each participant from N(0, 1).
+# NULL: fewer than five, or no rise with a finite slope.
+together_of <- function(part) {
+    log_scale <- part$scale[1] == "log10"
+    part <- part[!log_scale | part$level > 0, ]
+    people <- unique(part$participant_id)
+    x <- if (log_scale) log10(part$level) else part$level
+    span <- diff(range(x))
+    if (length(people) < 5 || !(span > 0))
+        return(NULL)
+    x <- (x - min(x)) / span
+    lapse <- if (part$lapse_hi[1] > part$lapse_lo[1]) 0.02 else part$lapse_lo[1]
+    guesses <- part$guess[match(people, part$participant_id)]
+    guess <- mean(ifelse(is.na(guesses), lapse, guesses))
+    # The integral over z by the trapezoidal rule, which is exact enough for so smooth a curve that ends in zeros.
+    z <- seq(-7, 7, 0.05)
+    person <- factor(part$participant_id)
+    minus <- function(t, slope, s) {
+        eta <- outer(slope * (x - t), s * z, "+")
+        right <- guess + (1 - guess - lapse) * pnorm(eta)
+        wrong <- lapse + (1 - guess - lapse) * pnorm(eta, lower.tail = FALSE)
+        rows <- part$n_positive * log(pmax(right, 1e-300)) + (part$n - part$n_positive) * log(pmax(wrong, 1e-300))
+        heights <- sweep(rowsum(rows, person), 2, z^2 / 2)
+        most <- apply(heights, 1, max)
+        -sum(most + log(rowSums(exp(heights - most)) * 0.05 / sqrt(2 * pi)))
+    }
+    search <- function(start, t = NULL) {
+        open <- function(at) if (is.null(t)) minus(at[1], exp(at[2]), at[3]) else minus(t, exp(at[1]), at[2])
+        low <- c(if (is.null(t)) -1, log(1e-3), 0)
+        high <- c(if (is.null(t)) 2, log(60), 30)
+        nlminb(start, open, lower = low, upper = high, control = list(rel.tol = 1e-12, iter.max = 300))
+    }
+    grid <- as.matrix(expand.grid(c(0.2, 0.5, 0.8), log(c(2, 6, 20)), c(0.3, 1.5)))
+    first <- which.min(apply(grid, 1, function(at) minus(at[1], exp(at[2]), at[3])))
+    best <- search(grid[first, ])
+    slope <- exp(best$par[2])
+    if (slope > 59.9 || slope < 2e-3)
+        return(NULL)
+    excess <- function(t) 2 * (search(best$par[2:3], t)$objective - best$objective) - qchisq(0.95, 1)
+    end_of <- function(limit) {
+        if (excess(limit) <= 0)
+            return(NA)
+        uniroot(excess, sort(c(best$par[1], limit)), tol = 1e-8)$root
+    }
+    shown <- if (log_scale) log10(part$level) else part$level
+    back <- function(t) if (log_scale) 10^(min(shown) + span * t) else min(shown) + span * t
+    list(threshold = back(best$par[1]), lo = back(end_of(-1)), hi = back(end_of(2)), sd = span * best$par[3] / slope,
+         n = length(people), guess = guess, lapse = lapse)
+}
+
+group_together_of <- function(part, lines) {
+    fit <- together_of(part)
+    if (is.null(fit))
+        return(NULL)
+    row <- lines[1, ]
+    row[] <- NA
+    same <- c("task", "condition", "track", "design", "unit")
+    row[same] <- lines[1, same]
+    row$participant_id <- "GROUP"
+    row[["function"]] <- "gauss"
+    row$interval <- "profile"
+    numbers <- c("n", "threshold", "lo", "hi", "guess", "lapse")
+    row[numbers] <- fit[numbers]
+    if (lines$design[1] %in% "compare")
+        row$pse <- fit$threshold
+    row$note <- sprintf("hierarchical; sd of participants %s", format(fit$sd, digits = 15))
+    row
+}
+
 # Counts of each track for signal detection.
 detection_counts_of <- function(part) {
     design <- part$design[1]
@@ -329,7 +398,8 @@ write_levels <- function(level_trials) {
     scales <- sapply(parts, function(part) part$scale[1])
     together <- lines[c("task", "condition", "track")]
     groups <- lapply(split(seq_len(nrow(lines)), together, drop = TRUE),
-                     function(rows) group_threshold_of(lines[rows, ], scales[rows[1]]))
+                     function(rows) rbind(group_threshold_of(lines[rows, ], scales[rows[1]]),
+                                          group_together_of(do.call(rbind, parts[rows]), lines[rows, ])))
     write_table(rbind(lines, do.call(rbind, groups)), "thresholds_r.csv")
     if (is.null(detection) || nrow(detection) == 0)
         return()

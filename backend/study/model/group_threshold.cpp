@@ -14,14 +14,14 @@ constexpr double kProfileDrop = 3.841458820694124;
 /// Of levels from 0 to 1: a rise within a sixtieth of their range.
 constexpr double kLargestSlope = 60.0;
 
-BinomialModel modelOf(const std::vector<LevelTrials>& trials, double guess, double lapse,
+BinomialModel modelOf(const std::vector<PersonLevel>& trials, double guess, double lapse,
                       std::optional<double> threshold) {
     BinomialModel model;
     model.link = Link::probit;
     model.guess = guess;
     model.lapse = lapse;
     model.largestCoefficient = kLargestSlope;
-    for (const LevelTrials& one : trials) {
+    for (const PersonLevel& one : trials) {
         // With the threshold given, b0 = -b1 t: one coefficient is left.
         std::vector<double> x = threshold ? std::vector{one.level - *threshold} : std::vector{1.0, one.level};
         model.rows.push_back({one.participant, std::move(x), one.correct, one.trials});
@@ -31,18 +31,18 @@ BinomialModel modelOf(const std::vector<LevelTrials>& trials, double guess, doub
 
 } // namespace
 
-tl::expected<GroupThreshold, ModelRefusal> groupThreshold(const std::vector<LevelTrials>& trials,
+tl::expected<GroupThreshold, ModelRefusal> groupThreshold(const std::vector<PersonLevel>& trials,
                                                           double guess, double lapse) {
     if (trials.empty())
         return tl::unexpected(ModelRefusal::noData);
-    const auto [least, most] = std::ranges::minmax_element(trials, {}, &LevelTrials::level);
+    const auto [least, most] = std::ranges::minmax_element(trials, {}, &PersonLevel::level);
     const double lowest = least->level;
     const double range = most->level - lowest;
     if (!(range > 0.0))
         return tl::unexpected(ModelRefusal::noData);
     // Fitted to levels from 0 to 1, so that the limit of a coefficient does not depend on the unit.
-    std::vector<LevelTrials> scaled = trials;
-    for (LevelTrials& one : scaled)
+    std::vector<PersonLevel> scaled = trials;
+    for (PersonLevel& one : scaled)
         one.level = (one.level - lowest) / range;
     tl::expected<BinomialFit, ModelRefusal> fit = fitBinomial(modelOf(scaled, guess, lapse, {}));
     if (!fit)

@@ -11,7 +11,7 @@
 namespace teleta::study {
 
 /// Trials of one participant at one level.
-struct LevelTrials {
+struct PersonLevel {
     std::size_t participant = 0;
     double level = 0.0; ///< in the scale of the fit: log10 of the level where the scale is logarithmic
     std::int64_t correct = 0;
@@ -32,6 +32,6 @@ struct GroupThreshold {
 /// open. Refusal: as fitBinomial(); noData with fewer than two levels; falls. Thread: any. Source:
 /// Moscatelli, Mezzetti and Lacquaniti 2012, doi:10.1167/12.11.26.
 [[nodiscard]] tl::expected<GroupThreshold, ModelRefusal>
-groupThreshold(const std::vector<LevelTrials>& trials, double guess, double lapse = 0.02);
+groupThreshold(const std::vector<PersonLevel>& trials, double guess, double lapse = 0.02);
 
 } // namespace teleta::study

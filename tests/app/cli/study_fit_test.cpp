@@ -112,6 +112,34 @@ TEST_F(StudyFit, refusesWhatItCannotFit) {
     EXPECT_NE(broken.err.find("trials.csv:2:"), std::string::npos) << broken.err;
 }
 
+// Rules of the command line reach fits and d', and what they leave out is not counted there.
+TEST_F(StudyFit, analyzeLeavesOutWhatARuleExcludes) {
+    std::string rows = "participant_id,task,condition,phase,level,stimulus,response,response_time_s,design,"
+                       "n_alternatives,session_id\n";
+    const char* levels[] = {"0.02", "0.04", "0.06", "0.08", "0.12", "0.16"};
+    for (int i = 0; i < 6; ++i) {
+        for (int trial = 0; trial < 40; ++trial)
+            rows += std::string("P01,detect,rest,test,") + levels[i] + ",1," +
+                    (trial < kP1[static_cast<std::size_t>(i)] ? "1" : "2") + ",0.9,interval,2,s1\n";
+        for (int hasty = 0; hasty < 10; ++hasty)
+            rows += std::string("P01,detect,rest,test,") + levels[i] + ",1,2,0.05,interval,2,s1\n";
+    }
+    const std::string out = m_folder.path("results");
+    const std::string path = m_folder.write("hasty.csv", rows);
+    const ProgramResult result =
+        run({"study", "analyze", path, "--exclude", "response_time_below_s=0.2", "--out", out});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto lines = splitCsv(readAll(out + "/thresholds.csv"));
+    ASSERT_GE(lines.size(), 2U);
+    EXPECT_EQ(lines[1][6], "240") << "n";
+    EXPECT_NEAR(std::stod(lines[1][7]), .06182085, 1e-7);
+    EXPECT_EQ(splitCsv(readAll(out + "/sdt.csv"))[1][5], "240");
+    const ProgramResult refused = run({"study", "analyze", table("P01,d,r,test,t,0.1,1\n"), "--exclude",
+                                       "response_time_below_s=0.2", "--out", out});
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_NE(refused.err.find("--exclude"), std::string::npos) << refused.err;
+}
+
 // A table with levels alone has no patterns to tell apart.
 TEST_F(StudyFit, analyzeWritesThresholdsOfSuchATable) {
     const std::string out = m_folder.path("results");

@@ -201,21 +201,31 @@ TEST(StudyR, fitsTheSameThresholdsInR) {
     const std::string trials = folder.write(data, table);
     const auto analysed = run({"study", "analyze", trials, "--out", results});
     ASSERT_EQ(analysed.exitCode, 0) << analysed.err;
-    const Table ours = tableOf(results + "/thresholds.csv", 4);
+    // Design and function tell the mean of a group from the fit of all.
+    const Table ours = tableOf(results + "/thresholds.csv", 6);
     const Table detection = tableOf(results + "/sdt.csv", 4);
-    EXPECT_EQ(ours.size(), 8U + 3U);
+    EXPECT_EQ(ours.size(), 8U + 3U + 1U);
     for (const std::string& from : {folder.path("study"), results}) {
         const std::string out = folder.path("out");
         ASSERT_EQ(std::system(("Rscript --vanilla '" + results + "/analysis.R' '" + from + "' '" + out +
                                "' > /dev/null")
                                   .c_str()),
                   0);
-        const Table theirs = tableOf(out + "/thresholds_r.csv", 4);
+        const Table theirs = tableOf(out + "/thresholds_r.csv", 6);
         EXPECT_EQ(theirs.size(), ours.size());
         for (const auto& [key, row] : theirs) {
             ASSERT_TRUE(ours.contains(key)) << key;
-            for (const char* column : {"design", "function", "n", "interval", "unit", "note"})
+            for (const char* column : {"n", "interval", "unit"})
                 EXPECT_EQ(ours.at(key).at(column), row.at(column)) << key << ' ' << column;
+            const std::string note = ours.at(key).at("note");
+            const std::string hierarchical = "hierarchical; sd of participants ";
+            if (note.starts_with(hierarchical)) {
+                ASSERT_TRUE(row.at("note").starts_with(hierarchical)) << row.at("note");
+                const double sd = std::stod(row.at("note").substr(hierarchical.size()));
+                EXPECT_NEAR(std::stod(note.substr(hierarchical.size())), sd, 1e-3 * sd);
+            } else {
+                EXPECT_EQ(note, row.at("note")) << key;
+            }
             for (const char* column :
                  {"threshold", "lo", "hi", "spread", "guess", "lapse", "deviance", "jnd", "weber", "pse"}) {
                 const std::string& value = ours.at(key).at(column);

@@ -39,8 +39,8 @@ TaskResults twoConditions(const std::vector<std::int64_t>& first, const std::vec
 constexpr std::array kLevels{.2, .5, .8, 1.2, 1.6};
 
 /// Right answers of 20 at the levels by six participants, two intervals.
-std::vector<LevelTrials> sixCurves() {
-    std::vector<LevelTrials> trials;
+std::vector<PersonLevel> sixCurves() {
+    std::vector<PersonLevel> trials;
     const std::array<std::array<int, 5>, 6> counts{{{11, 13, 16, 19, 20},
                                                     {10, 11, 13, 16, 19},
                                                     {12, 16, 18, 20, 20},
@@ -137,8 +137,8 @@ TEST(GroupThreshold, agreesWithLme4) {
 // A threshold in another unit is the same threshold.
 TEST(GroupThreshold, doesNotDependOnTheUnit) {
     const auto group = groupThreshold(sixCurves(), 0.5, 0.0);
-    std::vector<LevelTrials> trials = sixCurves();
-    for (LevelTrials& one : trials)
+    std::vector<PersonLevel> trials = sixCurves();
+    for (PersonLevel& one : trials)
         one.level = 1000.0 * one.level - 7.0;
     const auto moved = groupThreshold(trials, 0.5, 0.0);
     ASSERT_TRUE(group && moved);
@@ -149,22 +149,22 @@ TEST(GroupThreshold, doesNotDependOnTheUnit) {
 }
 
 TEST(GroupThreshold, refusesWhatDoesNotRise) {
-    std::vector<LevelTrials> trials = sixCurves();
-    for (LevelTrials& one : trials)
+    std::vector<PersonLevel> trials = sixCurves();
+    for (PersonLevel& one : trials)
         one.level = -one.level;
     EXPECT_EQ(groupThreshold(trials, 0.5, 0.0).error(), ModelRefusal::falls);
-    for (LevelTrials& one : trials)
+    for (PersonLevel& one : trials)
         one.level = 1.0;
     EXPECT_EQ(groupThreshold(trials, 0.5).error(), ModelRefusal::noData);
     EXPECT_EQ(groupThreshold({}, 0.5).error(), ModelRefusal::noData);
-    std::vector<LevelTrials> few = sixCurves();
-    std::erase_if(few, [](const LevelTrials& one) { return one.participant > 3; });
+    std::vector<PersonLevel> few = sixCurves();
+    std::erase_if(few, [](const PersonLevel& one) { return one.participant > 3; });
     EXPECT_EQ(groupThreshold(few, 0.5).error(), ModelRefusal::tooFewParticipants);
 }
 
 // A step between two levels that is the same for everybody has no finite slope.
 TEST(GroupThreshold, aStepIsSeparable) {
-    std::vector<LevelTrials> trials;
+    std::vector<PersonLevel> trials;
     for (std::size_t i = 0; i < 6; ++i) {
         for (const double level : {1.0, 2.0, 3.0, 4.0})
             trials.push_back({i, level, level > 2.5 ? 20 : 0, 20});

@@ -92,8 +92,11 @@ protected:
     /// A rehearsed study that stops after some trials.
     StudyStore rehearsed(const std::string& protocol, std::size_t participants,
                          std::size_t most = 1'000'000) {
+        return rehearsed(parseProtocol(protocol, "mine.toml").value(), participants, most);
+    }
+    StudyStore rehearsed(const Protocol& protocol, std::size_t participants, std::size_t most = 1'000'000) {
         StudyHead head;
-        head.protocol = parseProtocol(protocol, "mine.toml").value();
+        head.protocol = protocol;
         head.seed = 5;
         head.mode = Mode::simulated;
         head.plannedParticipants = participants;
@@ -153,6 +156,17 @@ TEST_F(BidsPeerTest, findsNothingInAStudyOfOneParticipant) {
 
 TEST_F(BidsPeerTest, findsNothingInAStudyWithoutQuestionnaires) {
     const StudyStore store = rehearsed(protocol(""), 2);
+    ASSERT_TRUE(exportStudy(store, ExportFormat::bids));
+    const Verdict verdict = validate();
+    EXPECT_TRUE(verdict.errors.empty() && verdict.warnings.empty()) << verdict.text;
+}
+
+// Six tracks of one tactor each, with levels, targets and the reference in every row.
+TEST_F(BidsPeerTest, findsNothingInAStudyWithTracks) {
+    Protocol tracks = readProtocol(":/studies/tactor-detection.toml").value();
+    tracks.authors = {"A. Writer", "B. Writer"};
+    tracks = parseProtocol(protocolText(tracks), ":/studies/tactor-detection.toml").value(); // a store keeps text
+    const StudyStore store = rehearsed(tracks, 2);
     ASSERT_TRUE(exportStudy(store, ExportFormat::bids));
     const Verdict verdict = validate();
     EXPECT_TRUE(verdict.errors.empty() && verdict.warnings.empty()) << verdict.text;

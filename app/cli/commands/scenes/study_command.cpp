@@ -392,6 +392,10 @@ private:
             if (info.isFile()) { // a pipe is read only once
                 TELETA_TRY(const bool hasNoPatterns, study::hasOnlyLevels(input));
                 onlyLevels = onlyLevels || hasNoPatterns;
+                if (hasNoPatterns && !m_exclude.empty())
+                    return core::failed(core::ErrorKind::badInput,
+                                        StudyText::tr("--exclude cannot be applied to this file"),
+                                        StudyText::tr("the columns stimulus and response"), {input});
                 if (hasNoPatterns)
                     continue;
             }
@@ -429,7 +433,8 @@ private:
     [[nodiscard]] core::Expected<void> writeAll(const std::vector<study::TaskResults>& results,
                                                 const study::ModeFilter& modes,
                                                 const study::TrialTally::Frames& frames,
-                                                const study::ExclusionReport& exclusions) const {
+                                                const study::ExclusionReport& exclusions,
+                                                const study::ExclusionBook& book) const {
         study::ReportHeading heading;
         heading.frames = frames;
         heading.exclusions = exclusions;
@@ -451,12 +456,13 @@ private:
         return study::writeResults(results, m_outFolder)
             .and_then([&] { return study::writeExclusions(exclusions.lines, m_outFolder); })
             .and_then([&] { return study::writeFigures(results, m_outFolder, heading.mode, formats); })
-            .and_then([&] { return writeLevelResults(modes); })
+            .and_then([&] { return writeLevelResults(modes, book); })
             .and_then([&] { return study::writeReport(results, heading, m_outFolder); });
     }
 
     /// Thresholds and sensitivity, where the inputs have tasks with levels.
-    [[nodiscard]] core::Expected<void> writeLevelResults(const study::ModeFilter& modes) const {
+    [[nodiscard]] core::Expected<void> writeLevelResults(const study::ModeFilter& modes,
+                                                         const study::ExclusionBook& exclusions) const {
         study::ModeFilter same{modes.wanted, {}};
         std::optional<study::StoreLocation> server;
         if (!m_server.empty())
@@ -467,7 +473,7 @@ private:
             if (info.isDir() || info.isFile())
                 again.push_back(input);
         }
-        TELETA_TRY(const LevelAnalysis levels, analyzeLevels(server, again, same, {}));
+        TELETA_TRY(const LevelAnalysis levels, analyzeLevels(server, again, same, {}, exclusions));
         return writeLevels(levels, m_outFolder, same.wanted ? same.wanted : same.seen, m_figures);
     }
 
@@ -489,7 +495,7 @@ private:
         TELETA_CHECK(tallyInputs(tally, modes, exclusions));
         const std::vector<study::TaskResults> results = study::studyResults(tally);
         const study::ExclusionReport excluded = study::exclusionReport(exclusions);
-        TELETA_CHECK(writeAll(results, modes, tally.frames(), excluded));
+        TELETA_CHECK(writeAll(results, modes, tally.frames(), excluded, exclusions));
         const QString report =
             QDir(QString::fromStdString(m_outFolder)).filePath(QStringLiteral("report.html"));
         if (m_json) {

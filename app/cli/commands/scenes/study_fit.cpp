@@ -9,6 +9,7 @@
 #include "backend/core/failure.h"
 #include "backend/figure/figure_file.h"
 #include "backend/study/methods/figures/threshold_figures.h"
+#include "backend/study/methods/results/bracelet_results.h"
 #include "backend/study/methods/results/level_trial_source.h"
 #include "backend/study/methods/results/level_trial_store.h"
 #include "backend/study/methods/results/threshold_files.h"
@@ -81,7 +82,15 @@ nlohmann::ordered_json levelsJson(const LevelAnalysis& analysis) {
     for (const study::ThresholdLine& line : analysis.thresholds.lines)
         lines.push_back(levelsJson(line));
     nlohmann::ordered_json groups = nlohmann::ordered_json::array();
-    for (const study::ThresholdGroup& group : analysis.thresholds.groups)
+    for (const study::ThresholdGroup& group : analysis.thresholds.groups) {
+        nlohmann::ordered_json together = nullptr;
+        if (const auto& all = group.hierarchical)
+            together = {{"participants", all->participants},
+                        {"threshold", all->threshold},
+                        {"threshold_interval", endsOf(all->interval)},
+                        {"participant_sd", all->participantSd},
+                        {"guess", all->guess},
+                        {"lapse", all->lapse}};
         groups.push_back({{"task", group.task},
                           {"condition", group.condition},
                           {"track", group.track},
@@ -90,7 +99,29 @@ nlohmann::ordered_json levelsJson(const LevelAnalysis& analysis) {
                           {"threshold_interval", endsOf(group.interval)},
                           {"jnd", numberOrNull(group.justNoticeable)},
                           {"weber", numberOrNull(group.weber)},
+                          {"hierarchical", std::move(together)},
+                          {"no_hierarchical", wordOrNull(group.withoutHierarchical)},
                           {"note", wordOrNull(group.note())}});
+    }
+    nlohmann::ordered_json steps = nlohmann::ordered_json::array();
+    for (const study::StepsLine& line : study::intensityStepsOf(analysis.thresholds))
+        steps.push_back({{"participant", line.participant},
+                         {"task", line.task},
+                         {"track", line.track},
+                         {"references", line.references},
+                         {"steps", line.steps ? nlohmann::ordered_json(*line.steps) : nullptr}});
+    nlohmann::ordered_json onsets = nlohmann::ordered_json::array();
+    for (const study::OnsetLine& line : study::bestOnsetsOf(analysis.thresholds)) {
+        const bool isKnown = line.best.doubt == study::OnsetDoubt::none;
+        onsets.push_back(
+            {{"participant", line.participant},
+             {"task", line.task},
+             {"condition", line.condition},
+             {"track", line.track},
+             {"onset_s", isKnown ? nlohmann::ordered_json(line.best.onset_s) : nullptr},
+             {"onset_interval_s", isKnown ? endsOf(study::Interval{line.best.low_s, line.best.high_s})
+                                          : nlohmann::ordered_json(nullptr)}});
+    }
     nlohmann::ordered_json detection = nlohmann::ordered_json::array();
     for (const study::DetectionLine& line : analysis.detection.lines)
         detection.push_back(
@@ -102,12 +133,18 @@ nlohmann::ordered_json levelsJson(const LevelAnalysis& analysis) {
              {"dprime_interval", line.detection ? endsOf(line.detection->interval) : nullptr},
              {"c", line.detection ? numberOrNull(line.detection->criterion) : nullptr},
              {"method", line.method}});
-    return {{"thresholds", std::move(lines)}, {"groups", std::move(groups)}, {"sdt", std::move(detection)}};
+    return {{"thresholds", std::move(lines)},
+            {"groups", std::move(groups)},
+            {"intensity_steps", std::move(steps)},
+            {"best_onsets", std::move(onsets)},
+            {"sdt", std::move(detection)}};
 }
 
 QString placeText(const std::string& participant, const std::string& task, const std::string& condition,
                   const std::string& track) {
-    QString text = QString::fromStdString(participant + ", " + task + ", " + condition);
+    QString text = QString::fromStdString(participant + ", " + task);
+    if (!condition.empty())
+        text += QStringLiteral(", ") + QString::fromStdString(condition);
     if (track != "all")
         text += QStringLiteral(", ") + QString::fromStdString(track);
     return text;
@@ -132,6 +169,23 @@ Fields levelFields(const LevelAnalysis& analysis) {
                                       .arg(forPeople(*group.threshold), forPeople(group.interval->low),
                                            forPeople(group.interval->high))
                                 : forPeople(*group.threshold));
+        if (const auto& all = group.hierarchical)
+            fields.emplace_back(placeText(FitText::tr("One fit of %1").arg(all->participants).toStdString(),
+                                          group.task, group.condition, group.track),
+                                FitText::tr("%1, sd of the participants %2")
+                                    .arg(forPeople(all->threshold), forPeople(all->participantSd)));
+    }
+    for (const study::StepsLine& line : study::intensityStepsOf(analysis.thresholds)) {
+        if (line.steps)
+            fields.emplace_back(placeText(line.participant, line.task, {}, line.track),
+                                FitText::tr("%1 steps of intensity from start to full").arg(*line.steps));
+    }
+    for (const study::OnsetLine& line : study::bestOnsetsOf(analysis.thresholds)) {
+        if (line.best.doubt == study::OnsetDoubt::none)
+            fields.emplace_back(placeText(line.participant, line.task, line.condition, line.track),
+                                FitText::tr("most yes at %1 s (%2 to %3)")
+                                    .arg(forPeople(line.best.onset_s), forPeople(line.best.low_s),
+                                         forPeople(line.best.high_s)));
     }
     for (const study::DetectionLine& line : analysis.detection.lines) {
         QString text = FitText::tr("no d': trials of one kind are missing");
@@ -155,11 +209,12 @@ std::optional<double> shareOf(std::string_view text) {
 
 core::Expected<LevelAnalysis> analyzeLevels(const std::optional<study::StoreLocation>& server,
                                             const std::vector<std::string>& inputs, study::ModeFilter& modes,
-                                            const study::FitChoices& choices) {
+                                            const study::FitChoices& choices,
+                                            const study::ExclusionBook& exclusions) {
     study::LevelTrials trials;
     const auto addStudy = [&](const study::StoreLocation& location) -> core::Expected<void> {
         TELETA_TRY(const study::StudyStore store, study::StudyStore::openForReading(location));
-        return study::addLevelTrials(store, modes, trials);
+        return study::addLevelTrials(store, modes, trials, exclusions.after());
     };
     if (server)
         TELETA_CHECK(addStudy(*server));
@@ -170,11 +225,13 @@ core::Expected<LevelAnalysis> analyzeLevels(const std::optional<study::StoreLoca
             continue;
         }
         ProgressBar progress(ProgressBar::Unit::bytes, false);
-        const core::Expected<void> read =
-            study::addLevelTrials(input, modes, trials, [&](std::uint64_t bytes) {
+        const core::Expected<void> read = study::addLevelTrials(
+            input, modes, trials,
+            [&](std::uint64_t bytes) {
                 progress.update(static_cast<double>(bytes), static_cast<double>(info.size()));
                 return !interrupted();
-            });
+            },
+            [&](long long row) { return exclusions.hasLeftOut(input, row); });
         if (!read)
             return core::Unexpected(interrupted() ? interruption() : read.error());
     }
@@ -268,7 +325,8 @@ core::Expected<void> StudyFit::run() const {
         inputs.push_back(m_input);
     else
         server = {m_input, m_server};
-    TELETA_TRY(const LevelAnalysis analysis, analyzeLevels(server, inputs, modes, chosen));
+    TELETA_TRY(const LevelAnalysis analysis,
+               analyzeLevels(server, inputs, modes, chosen, study::ExclusionBook()));
     if (analysis.thresholds.empty())
         return core::failed(core::ErrorKind::badInput, FitText::tr("there are no test trials with a level"),
                             FitText::tr("trials of a design with levels, or a column level"), {m_input});

@@ -41,11 +41,13 @@ struct LevelAnalysis {
 };
 
 /// Reads a study on a server, folders of studies and CSVs, and fits their tasks with levels; empty results
-/// where there are none. Error: what addLevelTrials() reports; cancelled when interrupted.
+/// where there are none. exclusions: a finished book. Error: what addLevelTrials() reports; cancelled when
+/// interrupted.
 [[nodiscard]] core::Expected<LevelAnalysis> analyzeLevels(const std::optional<study::StoreLocation>& server,
                                                           const std::vector<std::string>& inputs,
                                                           study::ModeFilter& modes,
-                                                          const study::FitChoices& choices);
+                                                          const study::FitChoices& choices,
+                                                          const study::ExclusionBook& exclusions);
 
 /// Writes thresholds.csv, levels.csv, sdt.csv and their figures, in these formats of figures.
 [[nodiscard]] core::Expected<void> writeLevels(const LevelAnalysis& analysis, const std::string& folder,

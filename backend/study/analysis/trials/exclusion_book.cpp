@@ -51,13 +51,18 @@ bool ExclusionBook::hold(const Trial& trial, const std::vector<ExclusionRule>& o
     Trial held = trial;
     TalliedTrial& texts = held.trial;
     for (std::string_view* text : {&texts.participant, &texts.task, &texts.condition, &texts.stimulus,
-                                   &texts.response, &held.session, &held.excluded})
+                                   &texts.response, &held.session, &held.excluded, &held.file})
         *text = own(*text);
     person.trials.push_back(held);
     m_names.expectPattern({}, texts.stimulus);
     if (!texts.response.empty())
         m_names.expectPattern({}, texts.response);
     return m_names.names().size() <= TrialTally::kMostNames;
+}
+
+bool ExclusionBook::hasLeftOut(std::string_view file, long long row) const {
+    const auto found = m_leftOut.find(file);
+    return found != m_leftOut.end() && found->second.contains(row);
 }
 
 ExclusionLine& ExclusionBook::line(const ExclusionRule& rule, bool isMarked) {
@@ -137,6 +142,8 @@ bool ExclusionBook::finish(TrialTally& tally) {
         for (std::size_t i = 0; i < left.size(); ++i) {
             if (!exclusions.rule[i])
                 (void)tally.add(origin[i]->trial);
+            else if (!origin[i]->file.empty())
+                m_leftOut[std::string(origin[i]->file)].insert(origin[i]->row);
         }
     }
     m_lines.insert(m_lines.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));

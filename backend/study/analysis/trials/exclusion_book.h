@@ -5,6 +5,7 @@
 #include "backend/study/analysis/trials/exclusion.h"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -44,6 +45,8 @@ public:
         std::size_t framesMissed = 0;
         bool isScored = true;      ///< there is a right answer
         std::string_view excluded; ///< rule that has left it out already; empty: none
+        std::string_view file{};   ///< it comes from; empty: a store
+        long long row = 0;         ///< of the file, from 0 below its header
     };
 
     /// Rules of a study, in their order; none: only those of the command line.
@@ -59,6 +62,10 @@ public:
 
     /// Rules applied, or rows were marked; after finish().
     [[nodiscard]] bool isUsed() const { return !m_lines.empty(); }
+    /// Rules of the command line.
+    [[nodiscard]] const std::vector<ExclusionRule>& after() const { return m_after; }
+    /// A rule has left out that row; after finish().
+    [[nodiscard]] bool hasLeftOut(std::string_view file, long long row) const;
     /// All trials, excluded ones too; only if isUsed().
     [[nodiscard]] const TrialTally& withoutRules() const { return m_all; }
     /// Each rule: all participants, then those who lost something.
@@ -75,7 +82,8 @@ private:
     std::vector<ExclusionRule> m_after;
     std::set<std::string, std::less<>> m_texts;
     std::map<std::string_view, Person> m_people;
-    TrialTally m_names; ///< counts the pattern names alone
+    std::map<std::string, std::set<long long>, std::less<>> m_leftOut; ///< rows, by file
+    TrialTally m_names;                                                ///< counts the pattern names alone
     TrialTally m_all;
     std::vector<ExclusionLine> m_lines;
 };

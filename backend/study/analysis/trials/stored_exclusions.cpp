@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/analysis/trials/stored_exclusions.h"
 
-#include <vector>
-
 namespace teleta::study {
 
 StoredExclusions::Key StoredExclusions::keyOf(const SessionRecord& session, const TrialResult& trial) {
@@ -33,10 +31,13 @@ ExcludableTrial excludableTrial(const StudyTask& task, const PlannedSession& pla
     return known;
 }
 
-core::Expected<StoredExclusions> storedExclusions(const StudyStore& store, const Participant& participant) {
+core::Expected<StoredExclusions> storedExclusions(const StudyStore& store, const Participant& participant,
+                                                  const std::vector<ExclusionRule>& after) {
     StoredExclusions exclusions;
     const StudyHead& head = store.head();
-    if (head.protocol.exclusions.empty())
+    std::vector<ExclusionRule> rules = head.protocol.exclusions;
+    rules.insert(rules.end(), after.begin(), after.end());
+    if (rules.empty())
         return exclusions;
     const std::vector<PlannedSession> plan = planSessions(head.protocol, head.seed, participant.enrolment);
     TELETA_TRY(const std::vector<SessionRecord> sessions, store.sessions(participant));
@@ -53,10 +54,10 @@ core::Expected<StoredExclusions> storedExclusions(const StudyStore& store, const
             keys.push_back(StoredExclusions::keyOf(session, one.result));
         }
     }
-    const Exclusions applied = applyExclusions(head.protocol.exclusions, trials);
+    const Exclusions applied = applyExclusions(rules, trials);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         if (applied.rule[i])
-            exclusions.m_rules[keys[i]] = head.protocol.exclusions[*applied.rule[i]].id;
+            exclusions.m_rules[keys[i]] = rules[*applied.rule[i]].id;
     }
     return exclusions;
 }

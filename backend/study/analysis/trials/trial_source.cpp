@@ -293,7 +293,9 @@ core::Expected<void> tallyCsv(const std::string& path, ModeFilter& modes, TrialT
         TELETA_CHECK(reader.take(fields, trial, tally.origins()));
         TELETA_TRY(const std::size_t alternatives, reader.alternatives(fields));
         tally.expectCount(trial.task, alternatives);
-        TELETA_TRY(const ExclusionBook::Trial known, reader.excludable(fields, trial));
+        TELETA_TRY(ExclusionBook::Trial known, reader.excludable(fields, trial));
+        known.file = path;
+        known.row = row;
         const bool isHeld = !known.excluded.empty() || exclusions.hasRules({});
         if (isHeld ? !exclusions.hold(known, {}) : !tally.add(trial))
             return tooManyPatterns(csv.place(needed[4]));

@@ -61,19 +61,22 @@ DetectionResults detectionResults(const LevelTrials& trials) {
         const LevelTaskFacts& facts = trials.factsOf(key.task);
         if (!facts.design || *facts.design == Design::compare || *facts.design == Design::identification)
             continue;
+        const std::vector<LevelTrial> left = track.left();
+        if (left.empty())
+            continue;
         DetectionLine line{key.participant, key.task, key.condition, key.track, 0, 0, {}, {}, {}, {}};
         if (*facts.design == Design::interval) {
-            detectIntervals(line, facts, track.trials);
+            detectIntervals(line, facts, left);
         } else if (*facts.design == Design::yesNo) {
-            const DetectionCounts counts = countsOf(track.trials, 0);
+            const DetectionCounts counts = countsOf(left, 0);
             setCounts(line, counts);
             line.method = "yes/no";
             line.detection = yesNoDetection(counts);
         } else {
-            const DetectionCounts counts = countsOf(track.trials, 1);
+            const DetectionCounts counts = countsOf(left, 1);
             setCounts(line, counts);
             const SameDifferentRule rule =
-                isOfOneLevel(track.trials) ? SameDifferentRule::independent : SameDifferentRule::differencing;
+                isOfOneLevel(left) ? SameDifferentRule::independent : SameDifferentRule::differencing;
             line.method = rule == SameDifferentRule::independent ? "independent" : "differencing";
             line.detection = sameDifferentDetection(counts, rule);
         }

@@ -262,7 +262,8 @@ core::Expected<void> LevelRows::take(const std::vector<std::string_view>& fields
 } // namespace
 
 core::Expected<void> addLevelTrials(const std::string& path, ModeFilter& modes, LevelTrials& trials,
-                                    const std::function<bool(std::uint64_t)>& goOn) {
+                                    const std::function<bool(std::uint64_t)>& goOn,
+                                    const std::function<bool(long long)>& isLeftOut) {
     TELETA_TRY(core::CsvReader csv, core::CsvReader::open(path));
     LevelRows rows(csv);
     TELETA_TRY(const bool hasLevels, rows.find());
@@ -275,7 +276,8 @@ core::Expected<void> addLevelTrials(const std::string& path, ModeFilter& modes, 
             return {};
         if (row % kLevelRowsBetweenQuestions == 0 && !goOn(csv.bytesRead()))
             return core::failed(core::ErrorKind::cancelled, LevelSourceText::tr("interrupted"), {}, {path});
-        TELETA_CHECK(rows.take(fields, modes, trials));
+        if (!isLeftOut || !isLeftOut(row))
+            TELETA_CHECK(rows.take(fields, modes, trials));
     }
 }
 

@@ -2,13 +2,13 @@
 #include "backend/study/methods/results/level_trial_store.h"
 
 #include "backend/core/failure.h"
+#include "backend/study/analysis/trials/stored_exclusions.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
-#include <vector>
 
 namespace teleta::study {
 
@@ -18,7 +18,9 @@ struct LevelStoreText {
     Q_DECLARE_TR_FUNCTIONS(LevelSourceText)
 };
 
-LevelTaskFacts factsOf(const Protocol& protocol, const StudyTask& task) {
+} // namespace
+
+LevelTaskFacts levelTaskFacts(const Protocol& protocol, const StudyTask& task) {
     LevelTaskFacts facts;
     facts.design = task.design;
     facts.intervals = task.patterns.size(); // the answers
@@ -31,9 +33,8 @@ LevelTaskFacts factsOf(const Protocol& protocol, const StudyTask& task) {
     return facts;
 }
 
-} // namespace
-
-core::Expected<void> addLevelTrials(const StudyStore& store, ModeFilter& modes, LevelTrials& trials) {
+core::Expected<void> addLevelTrials(const StudyStore& store, ModeFilter& modes, LevelTrials& trials,
+                                    const std::vector<ExclusionRule>& after) {
     const StudyHead& head = store.head();
     if (modes.wanted && *modes.wanted != head.mode)
         return {};
@@ -51,6 +52,7 @@ core::Expected<void> addLevelTrials(const StudyStore& store, ModeFilter& modes, 
         const std::vector<PlannedSession> plan =
             planSessions(head.protocol, head.seed, participant.enrolment);
         TELETA_TRY(const std::vector<SessionRecord> sessions, store.sessions(participant));
+        TELETA_TRY(const StoredExclusions exclusions, storedExclusions(store, participant, after));
         for (const SessionRecord& session : sessions) {
             const PlannedSession& planned = plan.at(session.planIndex);
             const StudyTask& task = head.protocol.tasks[planned.task];
@@ -60,7 +62,7 @@ core::Expected<void> addLevelTrials(const StudyStore& store, ModeFilter& modes, 
             const std::string& condition = task.conditions[planned.condition];
             const double reference = task.referenceOf(condition);
             LevelTaskFacts& facts = trials.factsOf(std::string_view(task.id));
-            facts = factsOf(head.protocol, task);
+            facts = levelTaskFacts(head.protocol, task);
             for (const StoredTrial& one : stored) {
                 const TrialResult& result = one.result;
                 if (!result.isComplete() || result.planned.phase != Phase::test || !result.planned.level)
@@ -69,6 +71,7 @@ core::Expected<void> addLevelTrials(const StudyStore& store, ModeFilter& modes, 
                                                                result.planned.stimulus, result.response);
                 if (!trial)
                     continue;
+                trial->isExcluded = !exclusions.ruleOf(session, result).empty();
                 trial->run = facts.procedure == "constant" ? 1 : result.planned.repetition;
                 LevelTrials::Track& track =
                     trials.trackOf({task.id, condition, result.planned.track, participant.id});

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/methods/results/level_trials.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace teleta::study {
 
@@ -55,6 +57,12 @@ LevelTrial levelTrialOf(std::optional<Design> design, double level, double refer
         trial.kept.correct = correct == (level >= reference || !trial.scored);
     }
     return trial;
+}
+
+std::vector<LevelTrial> LevelTrials::Track::left() const {
+    std::vector<LevelTrial> counted;
+    std::ranges::remove_copy_if(trials, std::back_inserter(counted), &LevelTrial::isExcluded);
+    return counted;
 }
 
 LevelTaskFacts& LevelTrials::factsOf(std::string_view task) {

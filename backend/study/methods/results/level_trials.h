@@ -22,6 +22,7 @@ struct LevelTrial {
     std::optional<std::size_t> answer; ///< empty: none in time, or unknown
     std::size_t run = 1;               ///< of an adaptive track that is repeated
     bool scored = true;                ///< false: of an equal pair no answer is right
+    bool isExcluded = false;           ///< by a rule: it was shown, but says nothing
 };
 
 /// What a trial of a design says. right, answer: indices of answersOf(); empty answer: none in time. Empty
@@ -58,7 +59,10 @@ public:
     };
     struct Track {
         double reference = 0.0;
-        std::vector<LevelTrial> trials; ///< in their order
+        std::vector<LevelTrial> trials; ///< in their order, excluded ones too
+
+        /// Those that count.
+        [[nodiscard]] std::vector<LevelTrial> left() const;
     };
 
     [[nodiscard]] LevelTaskFacts& factsOf(std::string_view task);

@@ -2,6 +2,7 @@
 #include "backend/study/methods/results/threshold_files.h"
 
 #include "backend/core/data/csv_writer.h"
+#include "backend/core/number_text.h"
 
 #include <optional>
 #include <string_view>
@@ -50,12 +51,28 @@ void writeGroup(const ThresholdGroup& group, core::CsvWriter& csv) {
             kNoNumber, kNoNumber, kNoNumber, orMissing(group.note()));
 }
 
+/// The fit of all participants at once, below the mean of their thresholds.
+void writeHierarchical(const ThresholdGroup& group, core::CsvWriter& csv) {
+    if (!group.hierarchical)
+        return;
+    const HierarchicalThreshold& fit = *group.hierarchical;
+    csv.row("GROUP", group.task, group.condition, group.track, designWord(group.facts),
+            toString(RiseShape::gauss), fit.participants, fit.threshold, fit.interval.low, fit.interval.high,
+            toString(FitInterval::profile), orMissing(group.facts.unit), kNoNumber, fit.guess, fit.lapse,
+            kNoNumber, kNoNumber, kNoNumber, kNoNumber,
+            group.isComparison() ? std::optional(fit.threshold) : kNoNumber, kNoNumber, kNoNumber, kNoNumber,
+            kNoNumber,
+            "hierarchical; sd of participants " + std::string(core::NumberText(fit.participantSd).view()));
+}
+
 core::Expected<void> writeThresholdTable(const ThresholdResults& results, const std::string& path) {
     TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(path, kThresholdHeader));
     for (const ThresholdLine& line : results.lines)
         writeLine(line, csv);
-    for (const ThresholdGroup& group : results.groups)
+    for (const ThresholdGroup& group : results.groups) {
         writeGroup(group, csv);
+        writeHierarchical(group, csv);
+    }
     return csv.finish();
 }
 

@@ -3,6 +3,7 @@
 
 #include "backend/core/number_text.h"
 #include "backend/study/methods/adaptive/staircase.h"
+#include "backend/study/model/group_threshold.h"
 
 #include <algorithm>
 #include <atomic>
@@ -15,6 +16,8 @@ namespace teleta::study {
 namespace {
 
 constexpr double kUsualGuessOfYes = 0.02;
+/// Of the fit of all participants, in which it is fixed.
+constexpr double kUsualLapse = 0.02;
 
 std::vector<KeptTrial> keptOf(const std::vector<LevelTrial>& trials) {
     std::vector<KeptTrial> kept;
@@ -29,7 +32,7 @@ std::optional<double> guessOf(const LevelTaskFacts& facts, const LevelTrials::Tr
     std::int64_t falseAlarms = 0;
     std::int64_t trials = 0;
     for (const LevelTrial& trial : track.trials) {
-        if (trial.kept.counts)
+        if (trial.kept.counts || trial.isExcluded)
             continue;
         ++trials;
         falseAlarms += trial.kept.correct ? 1 : 0;
@@ -116,7 +119,7 @@ void estimateBayes(const BayesSettings& settings, const LevelRange& range,
         BayesTrack track(grid);
         ThresholdBelief belief = track.belief();
         for (std::size_t i = 0; i < run.kept.size(); ++i) {
-            if (run.kept[i].counts) {
+            if (run.kept[i].counts && !trials[run.places[i]].isExcluded) {
                 track.add(run.kept[i].level, run.kept[i].correct);
                 belief = track.belief();
             }
@@ -149,7 +152,7 @@ double lowestLevelOf(const LevelTrials::Track& track) {
     double lowest = 0.0;
     bool any = false;
     for (const LevelTrial& trial : track.trials) {
-        if (trial.kept.counts && (!any || trial.kept.level < lowest)) {
+        if (trial.kept.counts && !trial.isExcluded && (!any || trial.kept.level < lowest)) {
             lowest = trial.kept.level;
             any = true;
         }
@@ -159,7 +162,7 @@ double lowestLevelOf(const LevelTrials::Track& track) {
 
 void fitLine(ThresholdLine& line, const LevelTrials::Track& track, const FitChoices& choices) {
     line.procedure = estimateOf(line.facts, track.trials);
-    line.counts = levelCounts(keptOf(track.trials));
+    line.counts = levelCounts(keptOf(track.left()));
     const std::optional<FitModel> model = fitModelOf(line.facts, track, choices);
     line.guessIsKnown = model.has_value();
     if (!model)
@@ -169,21 +172,50 @@ void fitLine(ThresholdLine& line, const LevelTrials::Track& track, const FitChoi
                                              choices.resamples, choices.seed});
 }
 
+/// The fit of all participants at once, beside the mean of their thresholds.
+void fitTogether(ThresholdGroup& group, const std::vector<const ThresholdLine*>& lines) {
+    HierarchicalThreshold fitted;
+    const FitModel& model = lines.front()->model;
+    fitted.lapse = model.lapseLow == model.lapseHigh ? model.lapseLow : kUsualLapse;
+    std::vector<PersonLevel> rows;
+    for (const ThresholdLine* line : lines) {
+        if (!line->guessIsKnown) {
+            group.withoutHierarchical = "guessUnknown";
+            return;
+        }
+        fitted.guess += line->model.guess.value_or(fitted.lapse) / static_cast<double>(lines.size());
+        for (const LevelCount& count : line->counts) {
+            if (group.scale == LevelScale::linear || count.level > 0.0)
+                rows.push_back(
+                    {fitted.participants, onScale(group.scale, count.level), count.correct, count.trials});
+        }
+        ++fitted.participants;
+    }
+    const tl::expected<GroupThreshold, ModelRefusal> fit = groupThreshold(rows, fitted.guess, fitted.lapse);
+    if (!fit) {
+        group.withoutHierarchical = toString(fit.error());
+        return;
+    }
+    fitted.threshold = fromScale(group.scale, fit->threshold);
+    if (fit->low)
+        fitted.interval.low = fromScale(group.scale, *fit->low);
+    if (fit->high)
+        fitted.interval.high = fromScale(group.scale, *fit->high);
+    fitted.participantSd = fit->participantSd;
+    group.hierarchical = fitted;
+}
+
 ThresholdGroup groupOf(const std::vector<const ThresholdLine*>& lines) {
     const ThresholdLine& first = *lines.front();
-    ThresholdGroup group{first.task,
-                         first.condition,
-                         first.track,
-                         first.facts,
-                         first.reference,
-                         first.model.shape,
-                         first.model.scale,
-                         0,
-                         0,
-                         {},
-                         {},
-                         {},
-                         {}};
+    ThresholdGroup group;
+    group.task = first.task;
+    group.condition = first.condition;
+    group.track = first.track;
+    group.facts = first.facts;
+    group.reference = first.reference;
+    group.function = first.model.shape;
+    group.scale = first.model.scale;
+    fitTogether(group, lines);
     std::vector<double> places;
     std::vector<double> differences;
     std::vector<double> fractions;
@@ -199,6 +231,7 @@ ThresholdGroup groupOf(const std::vector<const ThresholdLine*>& lines) {
     group.without = lines.size() - places.size();
     if (const std::optional<GroupMean> mean = groupMean(places)) {
         group.threshold = fromScale(group.scale, mean->mean);
+        group.standardDeviation = mean->standardDeviation;
         if (mean->interval)
             group.interval = Interval{fromScale(group.scale, mean->interval->low),
                                       fromScale(group.scale, mean->interval->high)};
@@ -276,6 +309,8 @@ ThresholdResults thresholdResults(const LevelTrials& trials, const FitChoices& c
     ThresholdResults results;
     std::vector<const LevelTrials::Track*> tracks;
     for (const auto& [key, track] : trials.tracks()) {
+        if (std::ranges::all_of(track.trials, &LevelTrial::isExcluded))
+            continue;
         ThresholdLine line;
         line.participant = key.participant;
         line.task = key.task;

@@ -50,7 +50,7 @@ struct ThresholdLine {
     bool guessIsKnown = true; ///< false: the table has no design, and no guess rate was chosen; no fit
     PsychometricFit fit;
     std::vector<LevelCount> counts;
-    std::vector<LevelTrial> trials;
+    std::vector<LevelTrial> trials; ///< excluded ones too
     ProcedureEstimate procedure;
 
     [[nodiscard]] bool isComparison() const { return facts.design == Design::compare; }
@@ -62,6 +62,17 @@ struct ThresholdLine {
     [[nodiscard]] std::string note() const;
 };
 
+/// All participants in one fit, in which each has a threshold of their own; its function is gauss on the
+/// scale, see groupThreshold().
+struct HierarchicalThreshold {
+    std::size_t participants = 0; ///< also those without a threshold of their own
+    double threshold = 0.0;       ///< of the middle participant, unit of the level
+    OpenInterval interval;        ///< profile, 95 %
+    double participantSd = 0.0;   ///< of the thresholds, in the scale: log10 units where it is log10
+    double guess = 0.0;           ///< 1/m of intervals, l of comparisons, else the participants' mean
+    double lapse = 0.0;           ///< 0.02, or the fixed one that was chosen
+};
+
 /// All participants in one condition and track. Thresholds are averaged on the scale.
 struct ThresholdGroup {
     std::string task;
@@ -71,12 +82,15 @@ struct ThresholdGroup {
     double reference = 0.0;
     RiseShape function = RiseShape::weibull;
     LevelScale scale = LevelScale::log10;
-    std::size_t participants = 0;         ///< with a threshold
-    std::size_t without = 0;              ///< without one, left out
-    std::optional<double> threshold;      ///< unit of the level
-    std::optional<Interval> interval;     ///< of Student's t, unit of the level
-    std::optional<double> justNoticeable; ///< mean
-    std::optional<double> weber;          ///< mean
+    std::size_t participants = 0;            ///< with a threshold
+    std::size_t without = 0;                 ///< without one, left out
+    std::optional<double> threshold;         ///< unit of the level
+    std::optional<double> standardDeviation; ///< of the thresholds, on the scale
+    std::optional<Interval> interval;        ///< of Student's t, unit of the level
+    std::optional<double> justNoticeable;    ///< mean
+    std::optional<double> weber;             ///< mean
+    std::optional<HierarchicalThreshold> hierarchical;
+    std::string withoutHierarchical; ///< why there is none: "tooFewParticipants", ..
 
     [[nodiscard]] bool isComparison() const { return facts.design == Design::compare; }
     [[nodiscard]] std::string note() const;
@@ -97,9 +111,10 @@ struct ThresholdResults {
                                                  const FitChoices& choices);
 
 /// Fits every participant, condition and track, on as many threads as there are processors. Trials of several
-/// participants are never taken together. p of the deviance for constant stimuli only; where a table does not
-/// name the procedure, for levels that were shown equally often. goOn: called between fits with how many of
-/// how many are done; false stops and what is done is dropped. Thread: any.
+/// participants are never taken together; excluded ones are left out, but a staircase is the run as it was. p
+/// of the deviance for constant stimuli only; where a table does not name the procedure, for levels that were
+/// shown equally often. goOn: called between fits with how many of how many are done; false stops and what is
+/// done is dropped. Thread: any.
 [[nodiscard]] ThresholdResults
 thresholdResults(const LevelTrials& trials, const FitChoices& choices = {},
                  const std::function<bool(std::size_t done, std::size_t all)>& goOn = {});

@@ -163,7 +163,10 @@ constexpr std::array kThresholdRows{
     CodebookRow{"bayes_mean", "Posterior mean of the threshold", "", "", "no Bayesian procedure"},
     CodebookRow{"bayes_sd", "Posterior standard deviation, in the scale of the levels", "", "",
                 "no Bayesian procedure"},
-    CodebookRow{"note", "What the answers say instead of numbers, or about them", "", "", "nothing"},
+    CodebookRow{"note",
+                "What the answers say instead of numbers, or about them; hierarchical: this row is one fit "
+                "of all participants, each with a threshold of their own",
+                "", "", "nothing"},
 };
 
 constexpr std::array kLevelsRows{
@@ -201,10 +204,14 @@ constexpr std::array kDetectionRows{
 };
 
 constexpr std::array kMethodTables{
-    CodebookFile{"comparisons.csv", kComparisonsRows}, CodebookFile{"ranks.csv", kRanksRows},
-    CodebookFile{"binomial_model.csv", kModelRows},    CodebookFile{"response_times.csv", kTimesRows},
-    CodebookFile{"exclusions.csv", kExclusionsRows},   CodebookFile{"thresholds.csv", kThresholdRows},
-    CodebookFile{"levels.csv", kLevelsRows},           CodebookFile{"sdt.csv", kDetectionRows},
+    CodebookFile{"comparisons.csv", kComparisonsRows},
+    CodebookFile{"ranks.csv", kRanksRows},
+    CodebookFile{"binomial_model.csv", kModelRows},
+    CodebookFile{"response_times.csv", kTimesRows},
+    CodebookFile{"exclusions.csv", kExclusionsRows},
+    CodebookFile{"thresholds.csv", kThresholdRows},
+    CodebookFile{"levels.csv", kLevelsRows},
+    CodebookFile{"sdt.csv", kDetectionRows},
 };
 
 } // namespace

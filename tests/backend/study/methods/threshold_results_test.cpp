@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/random_stream.h"
 #include "backend/study/methods/figures/threshold_figures.h"
+#include "backend/study/methods/results/bracelet_results.h"
 #include "backend/study/methods/results/detection_results.h"
 #include "backend/study/methods/results/level_trial_source.h"
 #include "backend/study/methods/results/threshold_files.h"
@@ -308,6 +309,140 @@ TEST_F(ThresholdResultsTest, leaveOutWhatDoesNotCount) {
     ASSERT_TRUE(trials) << messageOf(trials);
     EXPECT_EQ(trials->tracks().begin()->second.trials.size(), 1U);
     EXPECT_EQ(trials->tracks().begin()->first.track, "all");
+}
+
+// Answers that a rule leaves out would move threshold, guess rate and d' if they counted.
+TEST_F(ThresholdResultsTest, areThoseWithoutTheExcludedTrials) {
+    const std::string header =
+        "participant_id,task,condition,phase,track,level,stimulus,response,design,n_alternatives\n";
+    std::string rows;
+    const auto add = [&](const std::string& who, const std::string& level, const char* right,
+                         const char* answer, int times) {
+        for (int i = 0; i < times; ++i)
+            rows += who + ",detect,rest,test,t1," + level + ',' + right + ',' + answer + ",yes_no,2\n";
+    };
+    for (const LevelCount& count : dataP1()) {
+        add("P01", std::to_string(count.level), "yes", "yes", static_cast<int>(count.correct));
+        add("P01", std::to_string(count.level), "yes", "no", static_cast<int>(count.trials - count.correct));
+    }
+    add("P01", "0", "no", "yes", 3);
+    add("P01", "0", "no", "no", 17);
+    const auto clean = read(header + rows);
+    ASSERT_TRUE(clean) << messageOf(clean);
+    add("P01", "0.16", "yes", "no", 30);
+    add("P01", "0", "no", "yes", 30);
+    add("P02", "0.16", "yes", "no", 5);
+    auto marked = read(header + rows);
+    ASSERT_TRUE(marked) << messageOf(marked);
+    LevelTrials::Track& track = marked->trackOf({"detect", "rest", "t1", "P01"});
+    for (std::size_t i = 260; i < track.trials.size(); ++i)
+        track.trials[i].isExcluded = true;
+    for (LevelTrial& trial : marked->trackOf({"detect", "rest", "t1", "P02"}).trials)
+        trial.isExcluded = true;
+    const ThresholdResults expected = thresholdResults(*clean);
+    const ThresholdResults results = thresholdResults(*marked);
+    ASSERT_EQ(results.lines.size(), 1U) << "nothing is left of P02";
+    EXPECT_EQ(results.lines[0].fit.trials, 240);
+    EXPECT_EQ(results.lines[0].model.guess, 3.5 / 21.0);
+    EXPECT_EQ(results.lines[0].fit.threshold, expected.lines[0].fit.threshold);
+    EXPECT_EQ(results.lines[0].trials.size(), 320U) << "a picture of the track has all";
+    const DetectionResults detection = detectionResults(*marked);
+    ASSERT_EQ(detection.lines.size(), 1U);
+    EXPECT_EQ(detection.lines[0].falseAlarms, 3);
+    EXPECT_EQ(detection.lines[0].noiseTrials, 20);
+}
+
+TEST_F(ThresholdResultsTest, leaveOutTheRowsThatRulesName) {
+    const std::string path =
+        write(kHandMade + "P01,detect,rest,test,t1,0.1,1\nP01,detect,rest,test,t1,0.2,0\n");
+    LevelTrials trials;
+    ModeFilter modes;
+    ASSERT_TRUE(addLevelTrials(
+        path, modes, trials, [](std::uint64_t) { return true; }, [](long long row) { return row == 0; }));
+    const auto& left = trials.tracks().begin()->second.trials;
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_EQ(left[0].kept.level, 0.2);
+}
+
+// Six people of 2AFC, levels in s: lme4 (glmer, nAGQ 25) with the link of psyphy.
+TEST_F(ThresholdResultsTest, haveAFitOfAllBesideTheMean) {
+    const std::string header =
+        "participant_id,task,condition,phase,track,level,correct,design,n_alternatives,level_unit\n";
+    const int right[6][5] = {{11, 13, 16, 19, 20}, {10, 11, 13, 16, 19}, {12, 16, 18, 20, 20},
+                             {9, 12, 14, 18, 19},  {11, 12, 17, 19, 20}, {10, 14, 15, 17, 20}};
+    std::string rows;
+    const auto add = [&](int person) {
+        std::vector<LevelCount> counts = countsOf({.2, .5, .8, 1.2, 1.6}, {0, 0, 0, 0, 0}, 20);
+        for (std::size_t i = 0; i < 5; ++i)
+            counts[i].correct = right[person][i];
+        rows += rowsOf("P" + std::to_string(person), counts, ",interval,2,s");
+    };
+    for (int person = 0; person < 4; ++person)
+        add(person);
+    FitChoices choices;
+    choices.lapse = {0.0, 0.0};
+    const auto few = read(header + rows);
+    ASSERT_TRUE(few) << messageOf(few);
+    const ThresholdGroup four = thresholdResults(*few, choices).groups.at(0);
+    EXPECT_FALSE(four.hierarchical);
+    EXPECT_EQ(four.withoutHierarchical, "tooFewParticipants");
+    add(4);
+    add(5);
+    const auto trials = read(header + rows);
+    const ThresholdResults results = thresholdResults(*trials, choices);
+    const ThresholdGroup& group = results.groups.at(0);
+    ASSERT_TRUE(group.hierarchical);
+    EXPECT_EQ(group.hierarchical->participants, 6U);
+    EXPECT_NEAR(group.hierarchical->threshold, .7702117, 1e-4 * .7702117);
+    EXPECT_NEAR(group.hierarchical->participantSd, .1694535, 1e-4 * .1694535);
+    EXPECT_LT(*group.hierarchical->interval.low, group.hierarchical->threshold);
+    EXPECT_DOUBLE_EQ(group.hierarchical->guess, 0.5);
+    ASSERT_TRUE(writeThresholds(results, {}, m_folder.string()));
+    EXPECT_NE(contentOf("thresholds.csv").find("\nGROUP,detect,rest,t1,interval,gauss,6,0.7702"),
+              std::string::npos)
+        << contentOf("thresholds.csv");
+    EXPECT_NE(contentOf("thresholds.csv").find(",hierarchical; sd of participants 0.1694"),
+              std::string::npos);
+}
+
+// The counts of R's glm in the test of bestOnset, and steps of 0.1 from 0 to 1.
+TEST_F(ThresholdResultsTest, haveStepsAndBestTimesWhereTheyAreAsked) {
+    std::string rows = "participant_id,task,condition,phase,track,level,stimulus,response,design,reference,"
+                       "level_unit,procedure\n";
+    const int yes[] = {3, 9, 17, 20, 15, 6};
+    const char* onsets[] = {"0.02", "0.05", "0.08", "0.11", "0.14", "0.2"};
+    for (int i = 0; i < 6; ++i) {
+        for (int trial = 0; trial < 24; ++trial)
+            rows += std::string("P01,motion,rest,test,all,") + onsets[i] + ",yes," +
+                    (trial < yes[i] ? "yes" : "no") + ",yes_no,0,s,constant\n";
+    }
+    const auto trials = read(rows);
+    ASSERT_TRUE(trials) << messageOf(trials);
+    const std::vector<OnsetLine> best = bestOnsetsOf(thresholdResults(*trials));
+    ASSERT_EQ(best.size(), 1U);
+    EXPECT_NEAR(best[0].best.onset_s, .1160469, 1e-6);
+
+    ThresholdResults compared;
+    for (const double reference : {0.3, 0.5, 0.7}) {
+        ThresholdLine& line = compared.lines.emplace_back();
+        line.participant = "P01";
+        line.task = "steps";
+        line.track = "all";
+        line.facts.design = Design::compare;
+        line.facts.unit = "drive";
+        line.reference = reference;
+        line.model.shape = RiseShape::gauss;
+        line.fit.threshold = reference;
+        line.fit.spread = 0.1 / 0.6744897501960817; // of which the JND is 0.1
+        line.fit.guess = 0.0;
+        line.fit.lapse = 0.0;
+    }
+    const std::vector<StepsLine> steps = intensityStepsOf(compared);
+    ASSERT_EQ(steps.size(), 1U);
+    EXPECT_EQ(steps[0].references, 3U);
+    EXPECT_EQ(steps[0].steps, 10U);
+    compared.lines.resize(1);
+    EXPECT_TRUE(intensityStepsOf(compared).empty()) << "one reference says nothing of the others";
 }
 
 TEST_F(ThresholdResultsTest, refuseRowsThatCannotBe) {
