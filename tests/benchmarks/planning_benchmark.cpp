@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time of 10 000 planned studies of the paper's design, both tasks, at one number of participants, on all
 // cores, compared with drawing the answers of the same participants one by one as a rehearsal does
-// (SimulatedParticipant), without its store and session, on one core.
+// (SimulatedParticipant), without its store and session, on one core. And of 1000 planned studies of a
+// threshold, compared with finding each level of the same tracks anew.
 #include "backend/study/planning/identification_plan.h"
+#include "backend/study/planning/threshold_plan.h"
 #include "backend/study/session/simulated_participant.h"
 
 #include <QCoreApplication>
@@ -12,6 +14,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -94,8 +97,65 @@ void answerOneByOne(benchmark::State& state) {
         benchmark::Counter::kIsRate);
 }
 
+/// A track of tactor-detection, 40 trials, in 1000 studies.
+constexpr std::size_t kThresholdStudies = 1000;
+constexpr std::size_t kTrackTrials = 40;
+
+study::Protocol detection() {
+    auto protocol = study::readNamedProtocol("tactor-detection");
+    if (!protocol)
+        std::abort();
+    return *protocol;
+}
+
+void planThreshold(benchmark::State& state) {
+    study::StudyTruth truth;
+    truth.tasks.push_back({"detection", 0.0, 0.0, {}, study::ThresholdTruth{0.1, 3.5, 0.02, 0.02, 0.15}});
+    const auto plan = study::ThresholdPlan::make(detection(), truth, "detection:threshold", {});
+    if (!plan)
+        std::abort();
+    const auto participants = static_cast<std::size_t>(state.range(0));
+    study::PlanSettings settings{{participants}, kThresholdStudies};
+    settings.mostStudies = kThresholdStudies;
+    double power = 0.0;
+    for (auto _ : state)
+        power = study::planPower(*plan, settings).points[0].power();
+    benchmark::DoNotOptimize(power);
+    const auto trials = static_cast<double>(kThresholdStudies * participants * kTrackTrials);
+    state.counters["trials"] = trials;
+    state.counters["trials_per_s"] =
+        benchmark::Counter(trials * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+/// The same tracks with each level found anew from the trials before it, as a session that goes on does.
+void tracksAnew(benchmark::State& state) {
+    const study::Protocol protocol = detection();
+    const study::StudyTask& task = protocol.tasks[0];
+    const study::Procedure procedure = study::procedureOf(task.design, task.levels, 1, false);
+    constexpr std::size_t kTracks = 12;
+    const study::PsychometricFunction observer{study::RiseShape::weibull, 0.1, 3.5, 0.5, 0.02};
+    std::size_t right = 0;
+    for (auto _ : state) {
+        for (std::size_t track = 0; track < kTracks; ++track) {
+            core::RandomStream random(track);
+            std::vector<study::KeptTrial> kept;
+            for (std::size_t trial = 0; trial < kTrackTrials; ++trial) {
+                const auto step = study::nextStep(procedure, task.levels.range, track, kept);
+                const double level = std::get<study::NextLevel>(step).level;
+                kept.push_back({level, 0, random.uniform() < observer.shareAt(level), true});
+                right += kept.back().correct ? 1 : 0;
+            }
+        }
+    }
+    benchmark::DoNotOptimize(right);
+    state.counters["trials_per_s"] = benchmark::Counter(
+        static_cast<double>(kTracks * kTrackTrials * state.iterations()), benchmark::Counter::kIsRate);
+}
+
 BENCHMARK(answerOneByOne)->Arg(6)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
 BENCHMARK(planPaper)->Arg(6)->Arg(24)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
+BENCHMARK(tracksAnew)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
+BENCHMARK(planThreshold)->Arg(6)->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
 
 } // namespace
 

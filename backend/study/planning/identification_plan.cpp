@@ -87,7 +87,7 @@ core::Expected<IdentificationPlan> IdentificationPlan::make(const Protocol& prot
         plan.m_pattern = static_cast<std::size_t>(pattern - task->patterns.begin());
     }
     const TaskTruth* own = truth.find(task->id);
-    if (own == nullptr)
+    if (own == nullptr || own->conditions.empty())
         return wrongTest(PlanText::tr("the truth says nothing of the task %1").arg(quoted(task->id)),
                          PlanText::tr("a [[task]] with that id"));
     plan.m_participantSd = own->participantSd;

@@ -174,7 +174,8 @@ PowerPlan planPower(const PossibleStudy& study, const PlanSettings& settings,
             if (!isHigh && found + 1 != plan.points.end())
                 plan.orParticipants = (found + 1)->participants;
         }
-        std::erase_if(doubtful, [](const PowerPoint* point) { return point->studies >= kMostStudies; });
+        std::erase_if(doubtful,
+                      [&](const PowerPoint* point) { return point->studies >= settings.mostStudies; });
         if (doubtful.empty())
             break;
         // Both have to have the same studies so far.
@@ -182,7 +183,7 @@ PowerPlan planPower(const PossibleStudy& study, const PlanSettings& settings,
             std::ranges::min(doubtful, {}, [](const PowerPoint* point) { return point->studies; })->studies;
         std::erase_if(doubtful, [&](const PowerPoint* point) { return point->studies != least; });
         plan.cancelled =
-            !Round(study, settings, doubtful, std::min(kMostStudies, kMoreStudies * least)).run(goOn);
+            !Round(study, settings, doubtful, std::min(settings.mostStudies, kMoreStudies * least)).run(goOn);
     }
     return plan;
 }

@@ -40,17 +40,18 @@ struct PowerPoint {
     [[nodiscard]] Interval interval() const;
 };
 
+/// The most studies that are usually drawn to decide between two numbers of participants.
+inline constexpr std::size_t kMostStudies = 160'000;
+
 struct PlanSettings {
     std::vector<std::size_t> participants; ///< rising, at least one, each at least 1
     std::size_t studies = 10'000;
     std::uint64_t seed = 1;
     double alpha = 0.05;
-    double target = 0.9;     ///< power that is wanted
-    std::size_t threads = 0; ///< 0: as many as the machine has
+    double target = 0.9;                    ///< power that is wanted
+    std::size_t mostStudies = kMostStudies; ///< drawn to decide between two numbers of participants
+    std::size_t threads = 0;                ///< 0: as many as the machine has
 };
-
-/// The most studies that are drawn to decide between two numbers of participants.
-inline constexpr std::size_t kMostStudies = 160'000;
 
 struct PowerPlan {
     std::vector<PowerPoint> points;          ///< one per number of participants
@@ -63,7 +64,7 @@ struct PowerPlan {
 /// Draws studies and counts how often the test is significant. Participant i of study s has the stream
 /// derivedSeed(derivedSeed(seed, s), i): the numbers do not depend on the threads, and a larger study has the
 /// participants of the smaller one. Where the interval of the power holds the target, more studies are drawn,
-/// up to kMostStudies. goOn: called now and then with the share that is done, on the calling thread; false
+/// up to mostStudies. goOn: called now and then with the share that is done, on the calling thread; false
 /// cancels. Thread: any; makes its own.
 [[nodiscard]] PowerPlan planPower(const PossibleStudy& study, const PlanSettings& settings,
                                   const std::function<bool(double done)>& goOn = {});

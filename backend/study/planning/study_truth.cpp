@@ -3,6 +3,7 @@
 
 #include "backend/core/failure.h"
 #include "backend/core/keys/toml_keys.h"
+#include "backend/core/quantile.h"
 #include "backend/study/model/accuracy_model.h"
 
 #include <QCoreApplication>
@@ -33,9 +34,62 @@ void describeCondition(core::Keys& keys, ConditionTruth& condition) {
                 });
 }
 
+void describeThreshold(core::Keys& keys, ThresholdTruth& truth) {
+    keys.number("t", truth.threshold, core::NumberRange::notNegative(),
+                "Threshold of the middle participant, in the unit of the level");
+    keys.number("slope", truth.slope, core::NumberRange::positive(),
+                "Slope b of weibull, or spread of gauss, in the unit of the level");
+    keys.number("lapse", truth.lapse, core::NumberRange::between(0.0, 0.4),
+                "Share of mistakes however strong the stimulus is", core::Need::optional);
+    keys.number("guess", truth.guess, core::NumberRange::between(0.0, 0.9),
+                "Share of yes or different without a stimulus, where the design does not say it",
+                core::Need::optional);
+    keys.number("sd", truth.sd, core::NumberRange::between(0.0, kMostSpread),
+                "Standard deviation of the participants' thresholds, on the scale of the levels",
+                core::Need::optional);
+}
+
 double varianceOf(const TaskResults& task) {
     const auto model = accuracyModel(task);
     return model ? model->fit.s * model->fit.s : 0.0;
+}
+
+/// What a pilot says of its tasks with levels; those without a threshold are left out.
+void addThresholds(StudyTruth& truth, const ThresholdResults& thresholds) {
+    for (std::size_t i = 0; i < thresholds.groups.size();) {
+        const std::string& id = thresholds.groups[i].task;
+        const LevelScale scale = thresholds.groups[i].scale;
+        std::vector<double> means;
+        std::vector<double> spreads;
+        for (; i < thresholds.groups.size() && thresholds.groups[i].task == id; ++i) {
+            const ThresholdGroup& group = thresholds.groups[i];
+            if (!group.threshold)
+                continue;
+            means.push_back(onScale(scale, *group.threshold));
+            if (group.hierarchical)
+                spreads.push_back(group.hierarchical->participantSd);
+            else if (group.standardDeviation)
+                spreads.push_back(*group.standardDeviation);
+        }
+        std::vector<double> slopes;
+        for (const ThresholdLine& line : thresholds.lines) {
+            if (line.task == id && line.fit.spread)
+                slopes.push_back(*line.fit.spread);
+        }
+        const std::optional<GroupMean> mean = groupMean(means);
+        const std::optional<GroupMean> spread = groupMean(spreads);
+        if (!mean || !spread || slopes.empty())
+            continue;
+        std::ranges::sort(slopes);
+        TaskTruth& own = truth.tasks.emplace_back();
+        own.id = id;
+        own.threshold = ThresholdTruth{fromScale(scale, mean->mean), core::quantileOf(slopes, 0.5)};
+        own.threshold->sd = spread->mean;
+    }
+}
+
+bool hasLevels(const ThresholdResults& thresholds, const std::string& task) {
+    return std::ranges::find(thresholds.groups, task, &ThresholdGroup::task) != thresholds.groups.end();
 }
 
 /// The same task with one condition alone.
@@ -65,7 +119,9 @@ void StudyTruth::describeKeys(core::Keys& keys) {
                     table.number("participant_condition_sd", task.participantConditionSd, spread,
                                  "Standard deviation of participants under one condition, in logits",
                                  core::Need::optional);
-                    table.tables("condition", task.conditions, 1, "What is assumed under each condition",
+                    table.table("threshold", task.threshold, "What is assumed where levels are measured",
+                                describeThreshold);
+                    table.tables("condition", task.conditions, 0, "What is assumed under each condition",
                                  [](core::Keys& entry, std::vector<ConditionTruth>& conditions,
                                     std::size_t c) { describeCondition(entry, conditions[c]); });
                 });
@@ -77,7 +133,15 @@ const TaskTruth* StudyTruth::find(const std::string& task) const {
 }
 
 core::Expected<StudyTruth> parseTruth(std::string_view text, const std::string& file) {
-    return core::TomlDocument::parse(text, file).and_then(core::readKeys<StudyTruth>);
+    TELETA_TRY(StudyTruth truth, core::TomlDocument::parse(text, file).and_then(core::readKeys<StudyTruth>));
+    for (const TaskTruth& task : truth.tasks) {
+        if (task.conditions.empty() && !task.threshold)
+            return core::failed(
+                core::ErrorKind::badInput,
+                TruthText::tr("nothing is assumed of the task %1").arg(QString::fromStdString(task.id)),
+                TruthText::tr("condition or threshold"), {file});
+    }
+    return truth;
 }
 
 core::Expected<StudyTruth> readTruth(const std::string& path) {
@@ -89,14 +153,20 @@ core::Expected<StudyTruth> readTruth(const std::string& path) {
 }
 
 core::Expected<StudyTruth> truthOf(const std::vector<TaskResults>& pilot, const std::string& source) {
-    if (pilot.empty())
-        return core::failed(core::ErrorKind::refused,
-                            TruthText::tr("the task %1 shows no spread of its participants: %2")
-                                .arg(QStringLiteral("-"), QLatin1String("no data")),
+    return truthOf(pilot, {}, source);
+}
+
+core::Expected<StudyTruth> truthOf(const std::vector<TaskResults>& pilot, const ThresholdResults& thresholds,
+                                   const std::string& source) {
+    if (pilot.empty() && thresholds.empty())
+        return core::failed(core::ErrorKind::refused, TruthText::tr("this study has no test trials yet"),
                             TruthText::tr("a pilot with at least 5 participants, or a file with the truth"),
                             {source});
     StudyTruth truth;
+    addThresholds(truth, thresholds);
     for (const TaskResults& task : pilot) {
+        if (hasLevels(thresholds, task.task))
+            continue; // what is right there depends on the level
         const auto model = accuracyModel(task);
         if (!model)
             return core::failed(
@@ -126,6 +196,11 @@ core::Expected<StudyTruth> truthOf(const std::vector<TaskResults>& pilot, const 
         if (task.groups.size() > 1)
             own.participantConditionSd = std::sqrt(std::max(0.0, within - model->fit.s * model->fit.s));
     }
+    if (truth.tasks.empty())
+        return core::failed(core::ErrorKind::refused,
+                            TruthText::tr("no task has a threshold and a slope of several participants"),
+                            TruthText::tr("a pilot with at least 2 participants, or a file with the truth"),
+                            {source});
     return truth;
 }
 

@@ -4,8 +4,10 @@
 #include "backend/core/error.h"
 #include "backend/core/keys/keys.h"
 #include "backend/study/analysis/study_results.h"
+#include "backend/study/methods/results/threshold_results.h"
 #include "backend/study/protocol/protocol.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +27,22 @@ struct ConditionTruth {
     [[nodiscard]] double correctOf(const std::string& letter) const;
 };
 
-/// What is assumed of a task.
+/// What is assumed of the psychometric function in a task with levels.
+struct ThresholdTruth {
+    double threshold = 0.0; ///< t of the middle participant, unit of the level
+    double slope = 3.5;     ///< b of weibull, or the spread of gauss
+    double lapse = 0.02;
+    double guess = 0.02; ///< of yes_no and same_different; the others have that of their design
+    double sd = 0.0;     ///< of the participants' thresholds, on the scale: log10 units where it is log10
+};
+
+/// What is assumed of a task: shares of right answers, or a threshold.
 struct TaskTruth {
     std::string id;
     double participantSd = 0.0;          ///< of the participants, on the logit scale
     double participantConditionSd = 0.0; ///< of participant x condition, likewise
     std::vector<ConditionTruth> conditions;
+    std::optional<ThresholdTruth> threshold = {};
 };
 
 /// What is assumed of the tasks of a study when it is planned.
@@ -50,8 +62,14 @@ struct StudyTruth {
 /// From the results of a pilot. A share right of k of n is (k + 1/2) / (n + 1), so that no pattern is always
 /// right. Spreads come from binomial models with a random intercept: s of the task is that of the
 /// participants; what the variance within the single conditions has more is that of participant x condition.
-/// source: named in errors. Error: refused where a task has no model, for example with fewer than 5
-/// participants. Thread: any.
+/// Tasks with levels have the mean of their thresholds over participants and tracks, the median of their
+/// slopes, and as sd what the hierarchical fit says, or without one the standard deviation of the thresholds,
+/// which is too large by the errors of the fits. source: named in errors. Error: refused without results,
+/// where a task has no model, for example with fewer than 5 participants, and where no task has a threshold.
+/// Thread: any.
+[[nodiscard]] core::Expected<StudyTruth>
+truthOf(const std::vector<TaskResults>& pilot, const ThresholdResults& thresholds, const std::string& source);
+/// The same of a study without levels.
 [[nodiscard]] core::Expected<StudyTruth> truthOf(const std::vector<TaskResults>& pilot,
                                                  const std::string& source);
 

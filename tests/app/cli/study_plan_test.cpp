@@ -112,6 +112,26 @@ TEST_F(StudyPlanCommand, aPilotStandsInForTheTruth) {
     EXPECT_NE(few.err.find("5 participants"), std::string::npos) << few.err;
 }
 
+TEST_F(StudyPlanCommand, plansTheIntervalOfAThreshold) {
+    const std::string truth = m_folder.write(
+        "detect.toml", "[[task]]\nid = \"detection\"\nthreshold = { t = 0.1, slope = 3.5, sd = 0.15 }\n");
+    const auto planOf = [&](const std::string& width) {
+        const ProgramResult result = run({"study", "plan", "tactor-detection", "--truth", truth, "--test",
+                                          "detection:threshold", "--participants", "4:12:8", "--studies",
+                                          "100", "--trials", "20", "--width", width, "--json"});
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return ordered_json::parse(result.out);
+    };
+    const ordered_json wide = planOf("0.2");
+    EXPECT_GT(wide["points"][1]["power"], wide["points"][0]["power"]);
+    EXPECT_EQ(wide["points"][1]["studies"], 100);
+    EXPECT_LT(planOf("0.05")["points"][1]["power"], wide["points"][1]["power"]);
+    const ProgramResult none =
+        run({"study", "plan", "tactor-detection", "--truth", m_truth, "--test", "detection:threshold"});
+    EXPECT_EQ(none.exitCode, 3);
+    EXPECT_NE(none.err.find("threshold"), std::string::npos) << none.err;
+}
+
 TEST_F(StudyPlanCommand, mistakesAreTold) {
     EXPECT_EQ(plan({"--test", "shape:luck"}).exitCode, 3);
     EXPECT_NE(plan({"--test", "form:condition"}).err.find("shape"), std::string::npos);

@@ -4,6 +4,8 @@
 #include "backend/study/analysis/proportion.h"
 #include "backend/study/analysis/repeated_anova.h"
 #include "backend/study/planning/power.h"
+#include "backend/study/planning/threshold_plan.h"
+#include "tests/backend/study/levels/level_protocol.h"
 
 #include <gtest/gtest.h>
 
@@ -96,7 +98,44 @@ public:
     }
 };
 
+/// Normal thresholds with this standard deviation; the t interval of their mean is as narrow as wished.
+class NormalThresholds : public PossibleStudy {
+public:
+    std::vector<double> participant(core::RandomStream& random) const override {
+        return {0.15 * random.normal()};
+    }
+    std::optional<double> p(std::span<const std::vector<double>> participants) const override {
+        std::vector<double> values;
+        for (const std::vector<double>& one : participants)
+            values.push_back(one.front());
+        return narrowEnough(values, 0.1);
+    }
+};
+
 } // namespace
+
+// P(chi2(11) <= 11 n w^2 / (t^2 s^2)) with n = 12, w = 0.1, s = 0.15 (R: pchisq, qt).
+TEST(PowerAccuracy, widthOfTheIntervalOfAMean) {
+    expectPower(NormalThresholds(), 12, .644595002);
+}
+
+// Many trials at each level: the thresholds are known so well that only the people differ.
+TEST(PowerAccuracy, widthOfTheIntervalOfAThreshold) {
+    const Protocol protocol = levelProtocol(
+        "design = \"interval\"\n" + kStimulus +
+        "level = { scale = \"log10\", lowest = 0.01, highest = 1.0, reference = 0.0, "
+        "values = [0.02, 0.04, 0.06, 0.08, 0.12, 0.2, 0.4] }\nprocedure = { kind = \"constant\" }\n");
+    StudyTruth truth;
+    truth.tasks.push_back({"detect", 0.0, 0.0, {}, ThresholdTruth{0.08, 3.5, 0.02, 0.02, 0.15}});
+    const auto plan = ThresholdPlan::make(protocol, truth, "detect:threshold", {0.1, 1000});
+    ASSERT_TRUE(plan) << core::describe(plan.error());
+    PlanSettings settings{{12}, 300, 11};
+    settings.target = 0.999;
+    const PowerPlan found = planPower(*plan, settings);
+    // The errors of the fits, about 0.01 beside 0.15, change the power by less than a standard error.
+    EXPECT_NEAR(found.points[0].power(), .644595002, 4.0 * std::sqrt(.6446 * .3554 / 300.0));
+    EXPECT_EQ(found.points[0].refused, 0U);
+}
 
 TEST(PowerAccuracy, pairedTTest) {
     expectPower(PairedDifferences(0.8), 12, .7136601);

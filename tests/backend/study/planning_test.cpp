@@ -4,6 +4,8 @@
 #include "backend/study/planning/plan_file.h"
 #include "backend/study/planning/power.h"
 #include "backend/study/planning/study_truth.h"
+#include "backend/study/planning/threshold_plan.h"
+#include "tests/backend/study/levels/level_protocol.h"
 
 #include <QTemporaryDir>
 
@@ -47,6 +49,17 @@ condition = [
     { id = "dynamic", correct = 0.85, pattern = [{ letter = "A", correct = 1.0 }] },
 ]
 )";
+
+constexpr const char* kThresholdTruth = R"(
+[[task]]
+id = "detect"
+threshold = { t = 0.1, slope = 3.5 }
+)";
+
+const std::string kDetection =
+    "design = \"interval\"\n" + kStimulus + kLogLevels +
+    "procedure = { kind = \"staircase\", first = 0.8, down = 2, step_up = 0.0911, step_down = 0.05, "
+    "fast_reversals = 2, fast_factor = 4.0, reversals = 400, skip_reversals = 4, most_trials = 80 }\n";
 
 Protocol paper() {
     return paperProtocol().value();
@@ -218,6 +231,94 @@ TEST(StudyTruth, aPilotGivesSharesAndSpreads) {
     EXPECT_DOUBLE_EQ(own->conditions[0].correctOf("A"), 159.5 / 241.0);
     task.participants.erase(task.participants.begin() + 3, task.participants.end());
     EXPECT_EQ(truthOf({task}, "pilot").error().kind, core::ErrorKind::refused);
+}
+
+TEST(StudyTruth, anEmptyPilotIsToldAsSuch) {
+    const auto none = truthOf({}, "pilot");
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().kind, core::ErrorKind::refused);
+    EXPECT_NE(none.error().message.find("no test trials"), std::string::npos) << none.error().message;
+    EXPECT_EQ(none.error().where.file, "pilot");
+}
+
+TEST(StudyTruth, aTaskNeedsSharesOrAThreshold) {
+    const auto nothing = parseTruth("[[task]]\nid = \"detect\"\n", "truth.toml");
+    ASSERT_FALSE(nothing);
+    EXPECT_NE(core::describe(nothing.error()).find("detect"), std::string::npos);
+    const auto found = parseTruth(kThresholdTruth, "truth.toml");
+    ASSERT_TRUE(found) << core::describe(found.error());
+    ASSERT_TRUE(found->find("detect")->threshold);
+    EXPECT_EQ(found->find("detect")->threshold->threshold, 0.1);
+    EXPECT_EQ(found->find("detect")->threshold->lapse, 0.02);
+    EXPECT_FALSE(
+        parseTruth("[[task]]\nid = \"detect\"\nthreshold = { t = 0.1, slope = 0.0 }\n", "truth.toml"));
+}
+
+TEST(StudyTruth, aPilotWithLevelsGivesThresholdAndSpread) {
+    ThresholdResults pilot;
+    ThresholdGroup& group = pilot.groups.emplace_back();
+    group.task = "detect";
+    group.scale = LevelScale::log10;
+    group.threshold = 0.1;
+    group.standardDeviation = 0.3;
+    for (const double slope : {2.0, 3.0, 9.0}) {
+        ThresholdLine& line = pilot.lines.emplace_back();
+        line.task = "detect";
+        line.fit.spread = slope;
+    }
+    auto found = truthOf({}, pilot, "pilot");
+    ASSERT_TRUE(found) << core::describe(found.error());
+    EXPECT_NEAR(found->find("detect")->threshold->threshold, 0.1, 1e-12);
+    EXPECT_EQ(found->find("detect")->threshold->slope, 3.0);
+    EXPECT_EQ(found->find("detect")->threshold->sd, 0.3);
+    group.hierarchical = HierarchicalThreshold{};
+    group.hierarchical->participantSd = 0.2;
+    EXPECT_EQ(truthOf({}, pilot, "pilot")->find("detect")->threshold->sd, 0.2);
+    group.threshold.reset();
+    EXPECT_EQ(truthOf({}, pilot, "pilot").error().kind, core::ErrorKind::refused);
+}
+
+TEST(ThresholdPlan, needsATaskWithLevelsAndItsTruth) {
+    const StudyTruth assumed = parseTruth(kThresholdTruth, "truth.toml").value();
+    const Protocol protocol = levelProtocol(kDetection);
+    EXPECT_TRUE(ThresholdPlan::make(protocol, assumed, "detect:threshold", {}));
+    for (const char* test : {"detection:threshold", ":threshold"})
+        EXPECT_EQ(ThresholdPlan::make(protocol, assumed, test, {}).error().kind, core::ErrorKind::badInput);
+    EXPECT_EQ(ThresholdPlan::make(paper(), assumed, "shape:threshold", {}).error().kind,
+              core::ErrorKind::badInput);
+    EXPECT_EQ(ThresholdPlan::make(protocol, truth(), "detect:threshold", {}).error().kind,
+              core::ErrorKind::badInput);
+    EXPECT_TRUE(ThresholdPlan::isTest("detect:threshold"));
+    EXPECT_FALSE(ThresholdPlan::isTest("shape:condition"));
+}
+
+// Everybody has the same threshold, so that only the errors of the estimates are left: fewer with more
+// trials.
+TEST(ThresholdPlan, moreTrialsMakeTheEstimateMorePrecise) {
+    const StudyTruth assumed = parseTruth(kThresholdTruth, "truth.toml").value();
+    const auto spreadOf = [&](std::size_t trials) {
+        const auto plan =
+            ThresholdPlan::make(levelProtocol(kDetection), assumed, "detect:threshold", {0.1, trials});
+        EXPECT_TRUE(plan);
+        std::vector<double> places;
+        for (std::uint64_t person = 0; person < 60; ++person) {
+            core::RandomStream random(person);
+            if (const double place = plan->participant(random).at(0); !std::isnan(place))
+                places.push_back(place);
+        }
+        EXPECT_GE(places.size(), 40U);
+        const GroupMean mean = groupMean(places).value();
+        EXPECT_NEAR(mean.mean, -1.0, 0.1);
+        return mean.standardDeviation.value();
+    };
+    EXPECT_LT(spreadOf(400), 0.6 * spreadOf(40));
+}
+
+TEST(ThresholdPlan, isRefusedWithFewerThanTwoThresholds) {
+    const double none = std::nan("");
+    EXPECT_FALSE(narrowEnough(std::vector{none, none, 0.1}, 1.0));
+    EXPECT_EQ(narrowEnough(std::vector{none, 0.1, 0.1}, 1.0), 0.0);
+    EXPECT_EQ(narrowEnough(std::vector{0.0, 1.0}, 1.0), 1.0) << "12.7 times 0.5";
 }
 
 TEST(PlanFile, hasARowPerNumber) {

@@ -7,10 +7,12 @@
 #include "app/cli/base/progress_bar.h"
 #include "backend/core/failure.h"
 #include "backend/study/analysis/trials/trial_source.h"
+#include "backend/study/methods/results/level_trial_store.h"
 #include "backend/study/planning/identification_plan.h"
 #include "backend/study/planning/plan_file.h"
 #include "backend/study/planning/power.h"
 #include "backend/study/planning/study_truth.h"
+#include "backend/study/planning/threshold_plan.h"
 #include "backend/study/protocol/protocol.h"
 
 #include <QCoreApplication>
@@ -20,7 +22,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace teleta::cli {
@@ -32,6 +37,9 @@ struct PlanningText {
 };
 
 constexpr std::size_t kMostPeople = 1000;
+/// Threshold plans run a procedure for every participant.
+constexpr std::size_t kThresholdStudies = 1000;
+constexpr std::size_t kMostThresholdStudies = 4000;
 
 /// Numbers of FROM:TO:STEP, FROM:TO or one number.
 std::optional<std::vector<std::size_t>> numbersOf(const std::string& text) {
@@ -60,7 +68,11 @@ core::Expected<study::StudyTruth> truthAt(const std::string& path) {
     study::TrialTally tally;
     study::ModeFilter modes;
     TELETA_CHECK(study::tallyStore(store, modes, tally));
-    return study::truthOf(study::studyResults(tally), path);
+    study::LevelTrials levels;
+    TELETA_CHECK(study::addLevelTrials(store, modes, levels));
+    study::FitChoices choices;
+    choices.interval = study::FitInterval::none;
+    return study::truthOf(study::studyResults(tally), study::thresholdResults(levels, choices), path);
 }
 
 QString answerText(const study::PowerPlan& plan, const study::PlanSettings& settings) {
@@ -73,7 +85,7 @@ QString answerText(const study::PowerPlan& plan, const study::PlanSettings& sett
         return PlanningText::tr("%1 or %2 participants; %3 studies cannot tell which")
             .arg(*plan.participants)
             .arg(*plan.orParticipants)
-            .arg(study::kMostStudies);
+            .arg(settings.mostStudies);
     return PlanningText::tr("%1 participants reach %2 %").arg(*plan.participants).arg(target);
 }
 
@@ -92,10 +104,21 @@ void StudyPlan::declare(CLI::App& app) {
         ->required();
     addOption(app, "--test", m_test,
               PlanningText::tr("Line of the analysis: shape:condition, shape:pattern, "
-                               "shape:condition:pattern, or shape:condition@A within pattern A"),
+                               "shape:condition:pattern, or shape:condition@A within pattern A; or "
+                               "detect:threshold for the interval of a threshold"),
               "TASK:EFFECT")
         ->required();
-    addOption(app, "--studies", m_studies, PlanningText::tr("Studies drawn for each number"),
+    addOption(
+        app, "--width", m_width,
+        PlanningText::tr("Of a threshold: how far its 95 % interval may reach to each side, on the scale "
+                         "of the levels (0.1 log10 units are a factor of 1.26)"),
+        positive(), "W");
+    addOption(app, "--trials", m_trials,
+              PlanningText::tr("Of a threshold: trials of a track, of constant stimuli at each level; "
+                               "otherwise the protocol's"),
+              between(1, 10'000), "N");
+    addOption(app, "--studies", m_studies,
+              PlanningText::tr("Studies drawn for each number; otherwise 10000, for thresholds 1000"),
               between(100, static_cast<double>(study::kMostStudies)), "R");
     addOption(app, "--seed", m_seed, PlanningText::tr("Seed of all studies"), seed(), "S");
     addOption(app, "--target", m_target, PlanningText::tr("Wanted share of significant studies"),
@@ -110,17 +133,31 @@ core::Expected<void> StudyPlan::run() const {
         refuse("--participants", PlanningText::tr("%1 is not FROM:TO:STEP with numbers from 1 to %2")
                                      .arg(QString::fromStdString(m_participants))
                                      .arg(kMostPeople));
-    TELETA_TRY(const study::Protocol protocol, study::readProtocol(m_protocolPath));
+    TELETA_TRY(const study::Protocol protocol, study::readNamedProtocol(m_protocolPath));
     TELETA_TRY(const study::StudyTruth truth, truthAt(m_truth));
-    TELETA_TRY(const study::IdentificationPlan possible,
-               study::IdentificationPlan::make(protocol, truth, m_test));
     study::PlanSettings settings;
     settings.participants = *numbers;
-    settings.studies = m_studies;
+    std::unique_ptr<const study::PossibleStudy> possible;
+    if (study::ThresholdPlan::isTest(m_test)) {
+        study::ThresholdWish wish{m_width, {}};
+        if (m_trials > 0)
+            wish.trials = m_trials;
+        TELETA_TRY(study::ThresholdPlan plan, study::ThresholdPlan::make(protocol, truth, m_test, wish));
+        possible = std::make_unique<study::ThresholdPlan>(std::move(plan));
+        settings.studies = kThresholdStudies;
+        settings.mostStudies = kMostThresholdStudies;
+    } else {
+        TELETA_TRY(study::IdentificationPlan plan, study::IdentificationPlan::make(protocol, truth, m_test));
+        possible = std::make_unique<study::IdentificationPlan>(std::move(plan));
+    }
+    if (m_studies > 0) {
+        settings.studies = m_studies;
+        settings.mostStudies = std::max(settings.mostStudies, m_studies);
+    }
     settings.seed = m_seed;
     settings.target = m_target;
     ProgressBar bar(ProgressBar::Unit::share, false);
-    const study::PowerPlan plan = study::planPower(possible, settings, [&](double done) {
+    const study::PowerPlan plan = study::planPower(*possible, settings, [&](double done) {
         bar.update(done, 1.0);
         return !interrupted();
     });

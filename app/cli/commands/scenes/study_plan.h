@@ -24,7 +24,9 @@ private:
     std::string m_participants = "6:30:2";
     std::string m_truth;
     std::string m_test;
-    std::size_t m_studies = 10'000;
+    double m_width = 0.1;      ///< of the interval of a threshold to each side, on the scale
+    std::size_t m_trials = 0;  ///< of a track; 0: the protocol says
+    std::size_t m_studies = 0; ///< 0: as many as usual for the test
     std::uint64_t m_seed = 1;
     double m_target = 0.9;
     std::string m_outPath;

@@ -203,6 +203,20 @@ constexpr std::array kDetectionRows{
     CodebookRow{"method", "How d' was computed"},
 };
 
+constexpr std::array kPlanRows{
+    CodebookRow{"test", "TASK:EFFECT, or TASK:threshold for the interval of a threshold"},
+    CodebookRow{"participants", "Number of participants of each study"},
+    CodebookRow{"studies", "Studies that were drawn"},
+    CodebookRow{"significant", "Of them with p below 0.05, or with an interval that is narrow enough"},
+    CodebookRow{"refused", "Of them without an analysis; not significant"},
+    CodebookRow{"power", "significant over studies"},
+    CodebookRow{"se", "Standard error of power"},
+    CodebookRow{"lo", "Lower end of its 95 % interval (Wilson)"},
+    CodebookRow{"hi", "Its upper end"},
+    CodebookRow{"target", "Power that is wanted"},
+    CodebookRow{"seed", "Seed of all studies"},
+};
+
 constexpr std::array kMethodTables{
     CodebookFile{"comparisons.csv", kComparisonsRows},
     CodebookFile{"ranks.csv", kRanksRows},
@@ -212,6 +226,7 @@ constexpr std::array kMethodTables{
     CodebookFile{"thresholds.csv", kThresholdRows},
     CodebookFile{"levels.csv", kLevelsRows},
     CodebookFile{"sdt.csv", kDetectionRows},
+    CodebookFile{"plan.csv", kPlanRows},
 };
 
 } // namespace
