@@ -8,6 +8,7 @@
 #include "backend/study/report/report_html.h"
 #include "backend/study/report/report_page.h"
 #include "backend/study/report/study_figures.h"
+#include "backend/study/report/threshold_section.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -304,6 +305,7 @@ std::string reportHtml(const std::vector<TaskResults>& results, const ReportHead
     body += exclusionSection(results, heading.exclusions);
     for (const TaskResults& task : results)
         body += TaskSection(task, heading.mode).html();
+    body += thresholdSection(heading.thresholds, heading.detection, heading.mode);
     body += QStringLiteral("<section>\n<h2>%1</h2>\n<p>%2</p>\n</section>\n")
                 .arg(ReportText::tr("Compute it again"),
                      ReportText::tr("analysis.R beside this page computes its numbers again from "

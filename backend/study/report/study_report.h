@@ -3,6 +3,8 @@
 
 #include "backend/core/error.h"
 #include "backend/study/analysis/study_results.h"
+#include "backend/study/methods/results/detection_results.h"
+#include "backend/study/methods/results/threshold_results.h"
 #include "backend/study/protocol/trial.h"
 #include "backend/study/report/exclusion_report.h"
 
@@ -20,6 +22,8 @@ struct ReportHeading {
     std::string appVersion;
     TrialTally::Frames frames = {}; ///< how the stimuli were played; of no trials: nothing is said
     ExclusionReport exclusions = {};
+    ThresholdResults thresholds = {}; ///< of tasks with levels; empty: no section about them
+    DetectionResults detection = {};
 };
 
 /// The results as one self-contained HTML 5 page: embedded SVG figures, each with its table, for light and

@@ -134,6 +134,7 @@ TEST_F(StudyFit, analyzeLeavesOutWhatARuleExcludes) {
     EXPECT_EQ(lines[1][6], "240") << "n";
     EXPECT_NEAR(std::stod(lines[1][7]), .06182085, 1e-7);
     EXPECT_EQ(splitCsv(readAll(out + "/sdt.csv"))[1][5], "240");
+    EXPECT_NE(readAll(out + "/report.html").find("Thresholds: detect"), std::string::npos);
     const ProgramResult refused = run({"study", "analyze", table("P01,d,r,test,t,0.1,1\n"), "--exclude",
                                        "response_time_below_s=0.2", "--out", out});
     EXPECT_EQ(refused.exitCode, 3);

@@ -58,6 +58,37 @@ bool has(const std::string& html, const std::string& text) {
 
 } // namespace
 
+TEST(StudyReport, hasASectionAboutThresholds) {
+    LevelTrials trials;
+    LevelTaskFacts& facts = trials.factsOf(std::string_view("detect"));
+    facts.design = Design::interval;
+    facts.intervals = 2;
+    facts.unit = "drive";
+    facts.procedure = "constant";
+    // The first data set of the fits, 40 trials a level: threshold 0.06182, interval 0.0448 to 0.0799.
+    const double levels[] = {.02, .04, .06, .08, .12, .16};
+    const int right[] = {22, 25, 29, 33, 38, 39};
+    for (int i = 0; i < 6; ++i) {
+        for (int trial = 0; trial < 40; ++trial)
+            trials.trackOf({"detect", "rest", "t<1>", "P1"})
+                .trials.push_back(*levelTrialOf(Design::interval, levels[i], 0.0, trial % 2,
+                                                (trial < right[i]) == (trial % 2 == 0) ? 0U : 1U));
+    }
+    ReportHeading shown = heading();
+    const std::string without = reportHtml({}, shown);
+    EXPECT_FALSE(has(without, "Thresholds"));
+    shown.thresholds = thresholdResults(trials);
+    shown.detection = detectionResults(trials);
+    const std::string page = reportHtml({}, shown);
+    (void)elementsOf(page);
+    EXPECT_TRUE(has(page, "Thresholds: detect"));
+    EXPECT_TRUE(has(page, "0.06182")) << page;
+    EXPECT_TRUE(has(page, "0.04484 to 0.07995"));
+    EXPECT_TRUE(has(page, "t&lt;1&gt;"));
+    EXPECT_TRUE(has(page, "tooFewParticipants")) << "why there is no fit of all";
+    EXPECT_TRUE(has(page, "2 intervals"));
+}
+
 TEST(StudyReport, hasEveryFigureWithATableBesideIt) {
     auto elements = elementsOf(reportHtml(results(), heading()));
     // Accuracy, two confusion matrices, patterns, times, cumulative times, transfer. Participants, ANOVA,

@@ -456,13 +456,14 @@ private:
         return study::writeResults(results, m_outFolder)
             .and_then([&] { return study::writeExclusions(exclusions.lines, m_outFolder); })
             .and_then([&] { return study::writeFigures(results, m_outFolder, heading.mode, formats); })
-            .and_then([&] { return writeLevelResults(modes, book); })
+            .and_then([&] { return writeLevelResults(modes, book, heading); })
             .and_then([&] { return study::writeReport(results, heading, m_outFolder); });
     }
 
-    /// Thresholds and sensitivity, where the inputs have tasks with levels.
+    /// Thresholds and sensitivity, where the inputs have tasks with levels; the report gets them too.
     [[nodiscard]] core::Expected<void> writeLevelResults(const study::ModeFilter& modes,
-                                                         const study::ExclusionBook& exclusions) const {
+                                                         const study::ExclusionBook& exclusions,
+                                                         study::ReportHeading& heading) const {
         study::ModeFilter same{modes.wanted, {}};
         std::optional<study::StoreLocation> server;
         if (!m_server.empty())
@@ -473,8 +474,11 @@ private:
             if (info.isDir() || info.isFile())
                 again.push_back(input);
         }
-        TELETA_TRY(const LevelAnalysis levels, analyzeLevels(server, again, same, {}, exclusions));
-        return writeLevels(levels, m_outFolder, same.wanted ? same.wanted : same.seen, m_figures);
+        TELETA_TRY(LevelAnalysis levels, analyzeLevels(server, again, same, {}, exclusions));
+        TELETA_CHECK(writeLevels(levels, m_outFolder, same.wanted ? same.wanted : same.seen, m_figures));
+        heading.thresholds = std::move(levels.thresholds);
+        heading.detection = std::move(levels.detection);
+        return {};
     }
 
     [[nodiscard]] core::Expected<study::ExclusionBook> exclusionBook() const {
