@@ -165,7 +165,8 @@ TEST_F(BidsPeerTest, findsNothingInAStudyWithoutQuestionnaires) {
 TEST_F(BidsPeerTest, findsNothingInAStudyWithTracks) {
     Protocol tracks = readProtocol(":/studies/tactor-detection.toml").value();
     tracks.authors = {"A. Writer", "B. Writer"};
-    tracks = parseProtocol(protocolText(tracks), ":/studies/tactor-detection.toml").value(); // a store keeps text
+    tracks =
+        parseProtocol(protocolText(tracks), ":/studies/tactor-detection.toml").value(); // a store keeps text
     const StudyStore store = rehearsed(tracks, 2);
     ASSERT_TRUE(exportStudy(store, ExportFormat::bids));
     const Verdict verdict = validate();
