@@ -7841,6 +7841,14 @@ Run %2 --help for more.
         <source>the answer &quot;%1&quot; counts as wrong: the pattern is &quot;%2&quot;</source>
         <translation>la réponse «&#xa0;%1&#xa0;» compte comme fausse&#xa0;: le motif est «&#xa0;%2&#xa0;»</translation>
     </message>
+    <message>
+        <source>--exclude cannot be applied to this file</source>
+        <translation>--exclude ne peut pas être appliqué à ce fichier</translation>
+    </message>
+    <message>
+        <source>the columns stimulus and response</source>
+        <translation>les colonnes stimulus et response</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -7945,6 +7953,22 @@ Run %2 --help for more.
     <message>
         <source>Tables and figures</source>
         <translation>Tableaux et figures</translation>
+    </message>
+    <message>
+        <source>One fit of %1</source>
+        <translation>Ajustement commun de %1</translation>
+    </message>
+    <message>
+        <source>%1, sd of the participants %2</source>
+        <translation>%1, écart-type des participants %2</translation>
+    </message>
+    <message>
+        <source>%1 steps of intensity from start to full</source>
+        <translation>%1 pas d’intensité du démarrage à la pleine commande</translation>
+    </message>
+    <message>
+        <source>most yes at %1 s (%2 to %3)</source>
+        <translation>le plus de oui à %1 s (%2 à %3)</translation>
     </message>
 </context>
 <context>
@@ -8258,14 +8282,6 @@ Run %2 --help for more.
         <translation>Ce qui est supposé&#xa0;: un fichier avec des parts de réponses correctes et des dispersions, ou le dossier d’une étude pilote</translation>
     </message>
     <message>
-        <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A</source>
-        <translation>Ligne de l’analyse&#xa0;: shape:condition, shape:pattern, shape:condition:pattern, ou shape:condition@A pour le seul motif A</translation>
-    </message>
-    <message>
-        <source>Studies drawn for each number</source>
-        <translation>Études tirées pour chaque nombre</translation>
-    </message>
-    <message>
         <source>Seed of all studies</source>
         <translation>Graine de toutes les études</translation>
     </message>
@@ -8304,6 +8320,22 @@ Run %2 --help for more.
     <message>
         <source>Table</source>
         <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A; or detect:threshold for the interval of a threshold</source>
+        <translation>Ligne de l’analyse : shape:condition, shape:pattern, shape:condition:pattern, ou shape:condition@A pour le seul motif A ; ou detect:threshold pour l’intervalle d’un seuil</translation>
+    </message>
+    <message>
+        <source>Of a threshold: how far its 95 % interval may reach to each side, on the scale of the levels (0.1 log10 units are a factor of 1.26)</source>
+        <translation>D’un seuil : jusqu’où son intervalle à 95 % peut s’étendre de chaque côté, à l’échelle des niveaux (0.1 unité log10 est un facteur de 1.26)</translation>
+    </message>
+    <message>
+        <source>Of a threshold: trials of a track, of constant stimuli at each level; otherwise the protocol&apos;s</source>
+        <translation>D’un seuil : essais d’une série, ou à chaque niveau pour des stimuli constants ; sinon ceux du protocole</translation>
+    </message>
+    <message>
+        <source>Studies drawn for each number; otherwise 10000, for thresholds 1000</source>
+        <translation>Études tirées pour chaque nombre ; sinon 10000, et 1000 pour des seuils</translation>
     </message>
 </context>
 <context>
@@ -9065,6 +9097,26 @@ Run %2 --help for more.
         <source>a pilot with at least 5 participants, or a file with the truth</source>
         <translation>une étude pilote avec au moins 5 participants, ou un fichier avec la vérité</translation>
     </message>
+    <message>
+        <source>nothing is assumed of the task %1</source>
+        <translation>rien n’est supposé de la tâche %1</translation>
+    </message>
+    <message>
+        <source>condition or threshold</source>
+        <translation>condition ou threshold</translation>
+    </message>
+    <message>
+        <source>this study has no test trials yet</source>
+        <translation>cette étude n’a pas encore d’essais de test</translation>
+    </message>
+    <message>
+        <source>no task has a threshold and a slope of several participants</source>
+        <translation>aucune tâche n’a un seuil et une pente de plusieurs participants</translation>
+    </message>
+    <message>
+        <source>a pilot with at least 2 participants, or a file with the truth</source>
+        <translation>une étude pilote avec au moins 2 participants, ou un fichier avec la vérité</translation>
+    </message>
 </context>
 <context>
     <name>StudyWatermark</name>
@@ -9197,6 +9249,198 @@ Run %2 --help for more.
     <message>
         <source>The frames have %1 values in total.</source>
         <translation>Les trames ont %1 valeurs en tout.</translation>
+    </message>
+</context>
+<context>
+    <name>ThresholdPlan</name>
+    <message>
+        <source>the protocol has no task &quot;%1&quot;</source>
+        <translation>le protocole n’a pas de tâche « %1 »</translation>
+    </message>
+    <message>
+        <source>TASK:threshold with the id of a task with levels</source>
+        <translation>TASK:threshold avec l’identifiant d’une tâche à niveaux</translation>
+    </message>
+    <message>
+        <source>the task %1 has no levels</source>
+        <translation>la tâche %1 n’a pas de niveaux</translation>
+    </message>
+    <message>
+        <source>a task that measures a threshold</source>
+        <translation>une tâche qui mesure un seuil</translation>
+    </message>
+    <message>
+        <source>the truth says nothing of the threshold of %1</source>
+        <translation>la vérité ne dit rien du seuil de %1</translation>
+    </message>
+    <message>
+        <source>a [[task]] with that id and a threshold</source>
+        <translation>un [[task]] avec cet identifiant et un seuil</translation>
+    </message>
+    <message>
+        <source>the threshold of %1 cannot be 0</source>
+        <translation>le seuil de %1 ne peut pas être 0</translation>
+    </message>
+    <message>
+        <source>a level above 0, since the scale is log10</source>
+        <translation>un niveau supérieur à 0, puisque l’échelle est log10</translation>
+    </message>
+</context>
+<context>
+    <name>ThresholdSection</name>
+    <message>
+        <source>open</source>
+        <comment>end of an interval</comment>
+        <translation>ouvert</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>interval</comment>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Participant</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Série</translation>
+    </message>
+    <message>
+        <source>Each participant; intervals of 95 % by profile likelihood unless the tables say otherwise</source>
+        <translation>Chaque participant ; intervalles à 95 % par vraisemblance profilée, sauf indication contraire des tableaux</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Slope or spread</source>
+        <translation>Pente ou dispersion</translation>
+    </message>
+    <message>
+        <source>Just noticed</source>
+        <translation>Juste perceptible</translation>
+    </message>
+    <message>
+        <source>Of the reference</source>
+        <translation>Part de la référence</translation>
+    </message>
+    <message>
+        <source>p of the deviance</source>
+        <translation>p de la déviance</translation>
+    </message>
+    <message>
+        <source>Of the procedure</source>
+        <translation>De la procédure</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>All participants: the mean of their thresholds with Student&apos;s t interval, and one fit of all with a threshold for each</source>
+        <translation>Tous les participants : la moyenne de leurs seuils avec l’intervalle du t de Student, et un ajustement commun avec un seuil pour chacun</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Participants</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>One fit of all</source>
+        <translation>Ajustement commun</translation>
+    </message>
+    <message>
+        <source>Spread of the participants</source>
+        <translation>Dispersion des participants</translation>
+    </message>
+    <message>
+        <source>no fit of all: %1</source>
+        <translation>pas d’ajustement commun : %1</translation>
+    </message>
+    <message>
+        <source>Intensities that can be told apart, from the start of the motor to its full drive</source>
+        <translation>Intensités qui peuvent être distinguées, du démarrage du moteur à sa pleine commande</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Références</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>fewer than three times</source>
+        <translation>moins de trois temps</translation>
+    </message>
+    <message>
+        <source>the share of yes has no highest point</source>
+        <translation>la part de oui n’a pas de point le plus haut</translation>
+    </message>
+    <message>
+        <source>the highest point is outside the times that were shown</source>
+        <translation>le point le plus haut est en dehors des temps présentés</translation>
+    </message>
+    <message>
+        <source>The time from burst to burst with the most yes, s</source>
+        <translation>Le temps d’une salve à la suivante avec le plus de oui, s</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Meilleur</translation>
+    </message>
+    <message>
+        <source>Sensitivity d&apos; and criterion c over all levels</source>
+        <translation>Sensibilité d&apos; et critère c sur tous les niveaux</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation>Détections correctes</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>Fausses alarmes</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Mean of %1</source>
+        <translation>Moyenne de %1</translation>
+    </message>
+    <message>
+        <source>as in the data</source>
+        <translation>comme dans les données</translation>
+    </message>
+    <message>
+        <source>Thresholds: %1</source>
+        <translation>Seuils : %1</translation>
+    </message>
+    <message>
+        <source>The threshold is where half of the way from guessing to the most right answers is reached. Unit of the levels: %1.</source>
+        <translation>Le seuil est là où la moitié du chemin entre la réponse au hasard et le plus de réponses correctes est atteinte. Unité des niveaux : %1.</translation>
+    </message>
+    <message>
+        <source>Thresholds of the participants, and their means with t intervals.</source>
+        <translation>Seuils des participants, et leurs moyennes avec des intervalles du t.</translation>
     </message>
 </context>
 <context>
@@ -11902,7 +12146,7 @@ Run %2 --help for more.
     <name>teleta::chrome::RecentList</name>
     <message>
         <source>Recent:</source>
-        <translation>Récents :</translation>
+        <translation>Récents&#xa0;:</translation>
     </message>
     <message>
         <source>Reopen %1</source>
@@ -12661,7 +12905,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>No rules: every completed trial counts.</source>
-        <translation>Pas de règles : chaque essai terminé compte.</translation>
+        <translation>Pas de règles&#xa0;: chaque essai terminé compte.</translation>
     </message>
     <message>
         <source>Add a r&amp;ule</source>
@@ -12669,7 +12913,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Rules apply from top to bottom, each to what is left. Nothing is deleted: results are shown with the rules, and without them</source>
-        <translation>Les règles s’appliquent de haut en bas, chacune à ce qui reste. Rien n’est supprimé : les résultats sont montrés avec les règles, et sans elles</translation>
+        <translation>Les règles s’appliquent de haut en bas, chacune à ce qui reste. Rien n’est supprimé&#xa0;: les résultats sont montrés avec les règles, et sans elles</translation>
     </message>
     <message>
         <source>a trial answered earlier than, s</source>
@@ -12717,7 +12961,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>The name of the rule in the column “excluded” and in results</source>
-        <translation>Le nom de la règle dans la colonne « excluded » et dans les résultats</translation>
+        <translation>Le nom de la règle dans la colonne «&#xa0;excluded&#xa0;» et dans les résultats</translation>
     </message>
     <message>
         <source>What the rule leaves out</source>
@@ -12738,7 +12982,7 @@ Run %2 --help for more.
     <message>
         <source>%1: &quot;%2&quot; is not a number</source>
         <comment>a rule</comment>
-        <translation>%1 : « %2 » n’est pas un nombre</translation>
+        <translation>%1&#xa0;: «&#xa0;%2&#xa0;» n’est pas un nombre</translation>
     </message>
     <message>
         <source>a number with a point, such as 0.2</source>
@@ -12973,7 +13217,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Show the view with the focus alone, or all again; a double click on a title does the same</source>
-        <translation>Afficher seule la vue qui a le focus, ou de nouveau toutes ; un double clic sur un titre fait de même</translation>
+        <translation>Afficher seule la vue qui a le focus, ou de nouveau toutes&#xa0;; un double clic sur un titre fait de même</translation>
     </message>
     <message>
         <source>La&amp;youts</source>
@@ -12993,7 +13237,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Name; one that is there already is replaced:</source>
-        <translation>Nom ; une disposition qui existe déjà est remplacée :</translation>
+        <translation>Nom&#xa0;; une disposition qui existe déjà est remplacée&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -13305,7 +13549,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>%1 % right answers</source>
-        <translation>%1 % de réponses correctes</translation>
+        <translation>%1&#xa0;% de réponses correctes</translation>
     </message>
 </context>
 <context>
@@ -13694,7 +13938,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>The layout %1 cannot be restored; the default one is shown.</source>
-        <translation>La disposition %1 ne peut pas être rétablie ; celle par défaut est affichée.</translation>
+        <translation>La disposition %1 ne peut pas être rétablie&#xa0;; celle par défaut est affichée.</translation>
     </message>
     <message>
         <source>It was saved by another version of the program.</source>
@@ -13702,7 +13946,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>The desktop may turn the screen off while something runs: %1</source>
-        <translation>Le bureau peut éteindre l’écran pendant que quelque chose est en cours : %1</translation>
+        <translation>Le bureau peut éteindre l’écran pendant que quelque chose est en cours&#xa0;: %1</translation>
     </message>
     <message>
         <source>Recordings (*.teleta *.csv *.mcap)</source>
@@ -14358,19 +14602,19 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Lan&amp;guage:</source>
-        <translation>&amp;Langue :</translation>
+        <translation>&amp;Langue&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Theme:</source>
-        <translation>&amp;Thème :</translation>
+        <translation>&amp;Thème&#xa0;:</translation>
     </message>
     <message>
         <source>At the &amp;start:</source>
-        <translation>Au &amp;démarrage :</translation>
+        <translation>Au &amp;démarrage&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Folder of recordings:</source>
-        <translation>Dossier des &amp;enregistrements :</translation>
+        <translation>Dossier des &amp;enregistrements&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -15102,11 +15346,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Topics that cannot be read were left out: %1.</source>
-        <translation>Des topics illisibles ont été laissés de côté : %1.</translation>
+        <translation>Des topics illisibles ont été laissés de côté&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The file was cut off; what could be read is there.</source>
-        <translation>Le fichier a été coupé ; ce qui a pu être lu est là.</translation>
+        <translation>Le fichier a été coupé&#xa0;; ce qui a pu être lu est là.</translation>
     </message>
     <message numerus="yes">
         <source>%n damaged chunk(s) left out.</source>
@@ -15124,7 +15368,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>The checksum of the file is wrong: it was damaged somewhere.</source>
-        <translation>La somme de contrôle du fichier est fausse : il a été endommagé quelque part.</translation>
+        <translation>La somme de contrôle du fichier est fausse&#xa0;: il a été endommagé quelque part.</translation>
     </message>
 </context>
 <context>

@@ -7822,6 +7822,14 @@ Run %2 --help for more.
         <source>the answer &quot;%1&quot; counts as wrong: the pattern is &quot;%2&quot;</source>
         <translation>回答「%1」は誤答として数えられます: パターンは「%2」です</translation>
     </message>
+    <message>
+        <source>--exclude cannot be applied to this file</source>
+        <translation>--excludeはこのファイルに適用できません</translation>
+    </message>
+    <message>
+        <source>the columns stimulus and response</source>
+        <translation>列stimulusとresponse</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -7926,6 +7934,22 @@ Run %2 --help for more.
     <message>
         <source>Tables and figures</source>
         <translation>表と図</translation>
+    </message>
+    <message>
+        <source>One fit of %1</source>
+        <translation>%1名の一括当てはめ</translation>
+    </message>
+    <message>
+        <source>%1, sd of the participants %2</source>
+        <translation>%1、参加者間の標準偏差 %2</translation>
+    </message>
+    <message>
+        <source>%1 steps of intensity from start to full</source>
+        <translation>始動点から最大までに強度%1段階</translation>
+    </message>
+    <message>
+        <source>most yes at %1 s (%2 to %3)</source>
+        <translation>「はい」が最も多いのは%1 s (%2～%3)</translation>
     </message>
 </context>
 <context>
@@ -8239,14 +8263,6 @@ Run %2 --help for more.
         <translation>仮定する内容: 正答の割合とばらつきを記したファイル、またはパイロット実験のフォルダー</translation>
     </message>
     <message>
-        <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A</source>
-        <translation>分析の行: shape:condition、shape:pattern、shape:condition:pattern、またはパターンA内ではshape:condition@A</translation>
-    </message>
-    <message>
-        <source>Studies drawn for each number</source>
-        <translation>参加者数ごとに生成する実験の数</translation>
-    </message>
-    <message>
         <source>Seed of all studies</source>
         <translation>すべての実験のシード</translation>
     </message>
@@ -8285,6 +8301,22 @@ Run %2 --help for more.
     <message>
         <source>Table</source>
         <translation>表</translation>
+    </message>
+    <message>
+        <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A; or detect:threshold for the interval of a threshold</source>
+        <translation>分析の行: shape:condition、shape:pattern、shape:condition:pattern、またはパターンA内ではshape:condition@A。しきい値の区間ではdetect:threshold</translation>
+    </message>
+    <message>
+        <source>Of a threshold: how far its 95 % interval may reach to each side, on the scale of the levels (0.1 log10 units are a factor of 1.26)</source>
+        <translation>しきい値の場合: 95 %区間が両側にそれぞれどこまで広がってよいか、レベルの尺度上の値 (log10の単位で0.1は1.26倍)</translation>
+    </message>
+    <message>
+        <source>Of a threshold: trials of a track, of constant stimuli at each level; otherwise the protocol&apos;s</source>
+        <translation>しきい値の場合: トラックの試行数、恒常法では各レベルの試行数。省略時はプロトコルの値</translation>
+    </message>
+    <message>
+        <source>Studies drawn for each number; otherwise 10000, for thresholds 1000</source>
+        <translation>参加者数ごとに生成する実験の数。省略時は10000、しきい値では1000</translation>
     </message>
 </context>
 <context>
@@ -9043,6 +9075,26 @@ Run %2 --help for more.
         <source>a pilot with at least 5 participants, or a file with the truth</source>
         <translation>参加者5名以上のパイロット、または真値のファイル</translation>
     </message>
+    <message>
+        <source>nothing is assumed of the task %1</source>
+        <translation>課題%1について何も仮定されていません</translation>
+    </message>
+    <message>
+        <source>condition or threshold</source>
+        <translation>conditionまたはthreshold</translation>
+    </message>
+    <message>
+        <source>this study has no test trials yet</source>
+        <translation>この実験にはまだテスト試行がありません</translation>
+    </message>
+    <message>
+        <source>no task has a threshold and a slope of several participants</source>
+        <translation>複数の参加者のしきい値と傾きがある課題がありません</translation>
+    </message>
+    <message>
+        <source>a pilot with at least 2 participants, or a file with the truth</source>
+        <translation>参加者2名以上のパイロット、または真値のファイル</translation>
+    </message>
 </context>
 <context>
     <name>StudyWatermark</name>
@@ -9175,6 +9227,198 @@ Run %2 --help for more.
     <message>
         <source>The frames have %1 values in total.</source>
         <translation>フレームの値は全部で%1個です。</translation>
+    </message>
+</context>
+<context>
+    <name>ThresholdPlan</name>
+    <message>
+        <source>the protocol has no task &quot;%1&quot;</source>
+        <translation>プロトコルに課題「%1」がありません</translation>
+    </message>
+    <message>
+        <source>TASK:threshold with the id of a task with levels</source>
+        <translation>TASK:threshold。TASKはレベルのある課題のid</translation>
+    </message>
+    <message>
+        <source>the task %1 has no levels</source>
+        <translation>課題%1にレベルがありません</translation>
+    </message>
+    <message>
+        <source>a task that measures a threshold</source>
+        <translation>しきい値を測定する課題</translation>
+    </message>
+    <message>
+        <source>the truth says nothing of the threshold of %1</source>
+        <translation>真値に%1のしきい値の記述がありません</translation>
+    </message>
+    <message>
+        <source>a [[task]] with that id and a threshold</source>
+        <translation>そのidとthresholdを持つ[[task]]</translation>
+    </message>
+    <message>
+        <source>the threshold of %1 cannot be 0</source>
+        <translation>%1のしきい値を0にはできません</translation>
+    </message>
+    <message>
+        <source>a level above 0, since the scale is log10</source>
+        <translation>0より大きいレベル (尺度がlog10のため)</translation>
+    </message>
+</context>
+<context>
+    <name>ThresholdSection</name>
+    <message>
+        <source>open</source>
+        <comment>end of an interval</comment>
+        <translation>開放</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>interval</comment>
+        <translation>%1～%2</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>参加者</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>トラック</translation>
+    </message>
+    <message>
+        <source>Each participant; intervals of 95 % by profile likelihood unless the tables say otherwise</source>
+        <translation>参加者別。特に表に記載がない限り、プロファイル尤度による95 %区間</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>試行数</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>しきい値</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Slope or spread</source>
+        <translation>傾きまたは広がり</translation>
+    </message>
+    <message>
+        <source>Just noticed</source>
+        <translation>丁度可知差異</translation>
+    </message>
+    <message>
+        <source>Of the reference</source>
+        <translation>基準に対する比</translation>
+    </message>
+    <message>
+        <source>p of the deviance</source>
+        <translation>逸脱度のp</translation>
+    </message>
+    <message>
+        <source>Of the procedure</source>
+        <translation>手続きの推定値</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>備考</translation>
+    </message>
+    <message>
+        <source>All participants: the mean of their thresholds with Student&apos;s t interval, and one fit of all with a threshold for each</source>
+        <translation>全参加者: しきい値の平均とStudentのt区間、および参加者ごとのしきい値を持つ全員の一括当てはめ</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>参加者数</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>One fit of all</source>
+        <translation>全員の一括当てはめ</translation>
+    </message>
+    <message>
+        <source>Spread of the participants</source>
+        <translation>参加者間のばらつき</translation>
+    </message>
+    <message>
+        <source>no fit of all: %1</source>
+        <translation>全員の一括当てはめなし: %1</translation>
+    </message>
+    <message>
+        <source>Intensities that can be told apart, from the start of the motor to its full drive</source>
+        <translation>モーターの始動点から最大駆動量までに区別できる強度</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>基準</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>段階数</translation>
+    </message>
+    <message>
+        <source>fewer than three times</source>
+        <translation>時間が3つ未満です</translation>
+    </message>
+    <message>
+        <source>the share of yes has no highest point</source>
+        <translation>「はい」の割合に最高点がありません</translation>
+    </message>
+    <message>
+        <source>the highest point is outside the times that were shown</source>
+        <translation>最高点が提示した時間の範囲外です</translation>
+    </message>
+    <message>
+        <source>The time from burst to burst with the most yes, s</source>
+        <translation>「はい」が最も多いバーストからバーストまでの時間、s</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>最良値</translation>
+    </message>
+    <message>
+        <source>Sensitivity d&apos; and criterion c over all levels</source>
+        <translation>全レベルにわたる感度d&apos;と判断基準c</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation>ヒット</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>誤警報</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Mean of %1</source>
+        <translation>%1名の平均</translation>
+    </message>
+    <message>
+        <source>as in the data</source>
+        <translation>データのとおり</translation>
+    </message>
+    <message>
+        <source>Thresholds: %1</source>
+        <translation>しきい値: %1</translation>
+    </message>
+    <message>
+        <source>The threshold is where half of the way from guessing to the most right answers is reached. Unit of the levels: %1.</source>
+        <translation>しきい値は、当て推量の水準から最も高い正答率までの中間に達する点です。レベルの単位: %1。</translation>
+    </message>
+    <message>
+        <source>Thresholds of the participants, and their means with t intervals.</source>
+        <translation>参加者のしきい値と、その平均およびt区間。</translation>
     </message>
 </context>
 <context>

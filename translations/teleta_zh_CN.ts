@@ -7822,6 +7822,14 @@ Run %2 --help for more.
         <source>the answer &quot;%1&quot; counts as wrong: the pattern is &quot;%2&quot;</source>
         <translation>回答“%1”计为错误：图案为“%2”</translation>
     </message>
+    <message>
+        <source>--exclude cannot be applied to this file</source>
+        <translation>--exclude 无法应用于此文件</translation>
+    </message>
+    <message>
+        <source>the columns stimulus and response</source>
+        <translation>列 stimulus 和 response</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -7926,6 +7934,22 @@ Run %2 --help for more.
     <message>
         <source>Tables and figures</source>
         <translation>表格和图</translation>
+    </message>
+    <message>
+        <source>One fit of %1</source>
+        <translation>%1 的共同拟合</translation>
+    </message>
+    <message>
+        <source>%1, sd of the participants %2</source>
+        <translation>%1，被试的标准差 %2</translation>
+    </message>
+    <message>
+        <source>%1 steps of intensity from start to full</source>
+        <translation>从启动到满驱动共 %1 级强度</translation>
+    </message>
+    <message>
+        <source>most yes at %1 s (%2 to %3)</source>
+        <translation>在 %1 s 时回答“是”最多（%2 至 %3）</translation>
     </message>
 </context>
 <context>
@@ -8239,14 +8263,6 @@ Run %2 --help for more.
         <translation>所作的假设：含正确率和离散度的文件，或预试研究的文件夹</translation>
     </message>
     <message>
-        <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A</source>
-        <translation>分析中的行：shape:condition、shape:pattern、shape:condition:pattern，或图案 A 内的 shape:condition@A</translation>
-    </message>
-    <message>
-        <source>Studies drawn for each number</source>
-        <translation>每个人数抽取的研究数</translation>
-    </message>
-    <message>
         <source>Seed of all studies</source>
         <translation>所有研究的种子</translation>
     </message>
@@ -8285,6 +8301,22 @@ Run %2 --help for more.
     <message>
         <source>Table</source>
         <translation>表格</translation>
+    </message>
+    <message>
+        <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A; or detect:threshold for the interval of a threshold</source>
+        <translation>分析中的行：shape:condition、shape:pattern、shape:condition:pattern，或图案 A 内的 shape:condition@A；或用 detect:threshold 表示阈值的区间</translation>
+    </message>
+    <message>
+        <source>Of a threshold: how far its 95 % interval may reach to each side, on the scale of the levels (0.1 log10 units are a factor of 1.26)</source>
+        <translation>针对阈值：其 95 % 区间向每一侧最多可延伸多远，采用水平的尺度（0.1 个 log10 单位相当于 1.26 倍）</translation>
+    </message>
+    <message>
+        <source>Of a threshold: trials of a track, of constant stimuli at each level; otherwise the protocol&apos;s</source>
+        <translation>针对阈值：每个序列的试次数，恒定刺激法时为每个水平的试次数；默认采用方案中的数值</translation>
+    </message>
+    <message>
+        <source>Studies drawn for each number; otherwise 10000, for thresholds 1000</source>
+        <translation>每个人数抽取的研究数；默认为 10000，阈值时为 1000</translation>
     </message>
 </context>
 <context>
@@ -9043,6 +9075,26 @@ Run %2 --help for more.
         <source>a pilot with at least 5 participants, or a file with the truth</source>
         <translation>至少有 5 名被试的预试，或含真值的文件</translation>
     </message>
+    <message>
+        <source>nothing is assumed of the task %1</source>
+        <translation>对任务 %1 没有作任何假设</translation>
+    </message>
+    <message>
+        <source>condition or threshold</source>
+        <translation>condition 或 threshold</translation>
+    </message>
+    <message>
+        <source>this study has no test trials yet</source>
+        <translation>此研究还没有测试试次</translation>
+    </message>
+    <message>
+        <source>no task has a threshold and a slope of several participants</source>
+        <translation>没有任务具有多名被试的阈值和斜率</translation>
+    </message>
+    <message>
+        <source>a pilot with at least 2 participants, or a file with the truth</source>
+        <translation>至少有 2 名被试的预试，或含真值的文件</translation>
+    </message>
 </context>
 <context>
     <name>StudyWatermark</name>
@@ -9175,6 +9227,198 @@ Run %2 --help for more.
     <message>
         <source>The frames have %1 values in total.</source>
         <translation>各帧共有 %1 个值。</translation>
+    </message>
+</context>
+<context>
+    <name>ThresholdPlan</name>
+    <message>
+        <source>the protocol has no task &quot;%1&quot;</source>
+        <translation>方案中没有任务“%1”</translation>
+    </message>
+    <message>
+        <source>TASK:threshold with the id of a task with levels</source>
+        <translation>TASK:threshold，其中 TASK 为带水平的任务的标识</translation>
+    </message>
+    <message>
+        <source>the task %1 has no levels</source>
+        <translation>任务 %1 没有水平</translation>
+    </message>
+    <message>
+        <source>a task that measures a threshold</source>
+        <translation>测量阈值的任务</translation>
+    </message>
+    <message>
+        <source>the truth says nothing of the threshold of %1</source>
+        <translation>真值中没有 %1 的阈值</translation>
+    </message>
+    <message>
+        <source>a [[task]] with that id and a threshold</source>
+        <translation>具有该标识并给出阈值的 [[task]]</translation>
+    </message>
+    <message>
+        <source>the threshold of %1 cannot be 0</source>
+        <translation>%1 的阈值不能为 0</translation>
+    </message>
+    <message>
+        <source>a level above 0, since the scale is log10</source>
+        <translation>大于 0 的水平，因为尺度为 log10</translation>
+    </message>
+</context>
+<context>
+    <name>ThresholdSection</name>
+    <message>
+        <source>open</source>
+        <comment>end of an interval</comment>
+        <translation>开放</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>interval</comment>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source>Each participant; intervals of 95 % by profile likelihood unless the tables say otherwise</source>
+        <translation>各被试；除非表中另有说明，95 % 区间由轮廓似然求得</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>试次</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Slope or spread</source>
+        <translation>斜率或离散度</translation>
+    </message>
+    <message>
+        <source>Just noticed</source>
+        <translation>最小可觉差</translation>
+    </message>
+    <message>
+        <source>Of the reference</source>
+        <translation>与参考之比</translation>
+    </message>
+    <message>
+        <source>p of the deviance</source>
+        <translation>偏差的 p 值</translation>
+    </message>
+    <message>
+        <source>Of the procedure</source>
+        <translation>测量程序的估计值</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>All participants: the mean of their thresholds with Student&apos;s t interval, and one fit of all with a threshold for each</source>
+        <translation>全部被试：其阈值的平均值及学生 t 区间，以及对全部被试的共同拟合（每名被试各有一个阈值）</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均值</translation>
+    </message>
+    <message>
+        <source>One fit of all</source>
+        <translation>全部被试的共同拟合</translation>
+    </message>
+    <message>
+        <source>Spread of the participants</source>
+        <translation>被试间的离散度</translation>
+    </message>
+    <message>
+        <source>no fit of all: %1</source>
+        <translation>没有全部被试的共同拟合：%1</translation>
+    </message>
+    <message>
+        <source>Intensities that can be told apart, from the start of the motor to its full drive</source>
+        <translation>从电机启动到满驱动之间可区分的强度</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>参考</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>级数</translation>
+    </message>
+    <message>
+        <source>fewer than three times</source>
+        <translation>时间值少于三个</translation>
+    </message>
+    <message>
+        <source>the share of yes has no highest point</source>
+        <translation>回答“是”的比例没有最高点</translation>
+    </message>
+    <message>
+        <source>the highest point is outside the times that were shown</source>
+        <translation>最高点在所呈现的时间范围之外</translation>
+    </message>
+    <message>
+        <source>The time from burst to burst with the most yes, s</source>
+        <translation>回答“是”最多时相邻短振的间隔时间，s</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>最佳</translation>
+    </message>
+    <message>
+        <source>Sensitivity d&apos; and criterion c over all levels</source>
+        <translation>所有刺激水平合计的敏感性 d&apos; 和判断标准 c</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation>击中</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>虚报</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Mean of %1</source>
+        <translation>%1 的平均值</translation>
+    </message>
+    <message>
+        <source>as in the data</source>
+        <translation>与数据中相同</translation>
+    </message>
+    <message>
+        <source>Thresholds: %1</source>
+        <translation>阈值：%1</translation>
+    </message>
+    <message>
+        <source>The threshold is where half of the way from guessing to the most right answers is reached. Unit of the levels: %1.</source>
+        <translation>阈值处于猜测水平与最高正确率的正中间。刺激水平的单位：%1。</translation>
+    </message>
+    <message>
+        <source>Thresholds of the participants, and their means with t intervals.</source>
+        <translation>各被试的阈值，及其平均值和 t 区间。</translation>
     </message>
 </context>
 <context>
