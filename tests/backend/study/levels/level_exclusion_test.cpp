@@ -59,9 +59,12 @@ protected:
     /// Test trials that were answered sooner than this.
     static std::size_t soonerThan(const StudyStore& store, double time_s) {
         std::size_t count = 0;
-        for (const Participant& participant : store.participants().value()) {
-            for (const SessionRecord& session : store.sessions(participant).value()) {
-                for (const StoredTrial& one : store.trials(session).value())
+        const std::vector<Participant> participants = store.participants().value();
+        for (const Participant& participant : participants) {
+            const std::vector<SessionRecord> sessions = store.sessions(participant).value();
+            for (const SessionRecord& session : sessions) {
+                const std::vector<StoredTrial> trials = store.trials(session).value();
+                for (const StoredTrial& one : trials)
                     count += one.result.isComplete() && one.result.planned.phase == Phase::test &&
                                      one.result.responseTime_s && *one.result.responseTime_s < time_s
                                  ? 1
@@ -122,9 +125,10 @@ TEST_F(LevelExclusion, theExportedTableHasTheSameFits) {
     ModeFilter modes;
     ASSERT_TRUE(addLevelTrials(store, modes, ofStore));
     for (const auto& entry : std::filesystem::recursive_directory_iterator(m_folder.path("study/data"))) {
-        if (entry.path().string().ends_with("_data.csv"))
+        if (entry.path().string().ends_with("_data.csv")) {
             ASSERT_TRUE(
                 addLevelTrials(entry.path().string(), modes, ofTable, [](std::uint64_t) { return true; }));
+        }
     }
     const ThresholdResults expected = thresholdResults(ofStore);
     const ThresholdResults results = thresholdResults(ofTable);
