@@ -68,7 +68,9 @@ core::Expected<QString> writeAnalysis(const study::StudyStore& store, const QDir
                                        {onServer ? store.shownName() : study.path().toStdString()},
                                        QCoreApplication::applicationVersion().toStdString(),
                                        tally.frames(),
-                                       found.exclusions};
+                                       found.exclusions,
+                                       found.levels->thresholds,
+                                       found.levels->detection};
     return study::writeResults(tasks, folder)
         .and_then([&] { return study::writeExclusions(found.exclusions.lines, folder); })
         .and_then([&] { return study::writeFigures(tasks, folder, mode, formats); })
