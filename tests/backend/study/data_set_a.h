@@ -19,10 +19,10 @@ inline constexpr std::array<std::string_view, 8> kDataSetA{"552555443555", "2421
 inline TrialTally dataSetATally() {
     TrialTally tally;
     for (std::size_t person = 0; person < kDataSetA.size(); ++person) {
-        const std::string id = "s0" + std::to_string(person + 1);
+        const std::string id = std::string("s0").append(std::to_string(person + 1));
         for (std::size_t cell = 0; cell < 12; ++cell) {
-            const std::string stimulus = "P" + std::to_string(cell % 6 + 1);
-            const std::string other = "P" + std::to_string((cell + 1) % 6 + 1);
+            const std::string stimulus = std::string("P").append(std::to_string(cell % 6 + 1));
+            const std::string other = std::string("P").append(std::to_string((cell + 1) % 6 + 1));
             const int correct = kDataSetA[person][cell] - '0';
             for (int trial = 0; trial < 5; ++trial)
                 (void)tally.add({id, "shape", cell < 6 ? "static" : "dynamic", Phase::test, stimulus,
