@@ -17,9 +17,9 @@ namespace teleta::console {
 
 /// What the dialog of preferences sets.
 struct Preferences {
-    QString language;        ///< "en", "fr", "ja", "zh_CN"; empty: the desktop's
-    QString theme;           ///< "light", "dark", "system"
-    QString recordingFolder; ///< empty: the usual folder
+    QString language = {};        ///< "en", "fr", "ja", "zh_CN"; empty: the desktop's
+    QString theme = {};           ///< "light", "dark", "system"
+    QString recordingFolder = {}; ///< empty: the usual folder
     AtStart atStart = AtStart::offer;
     bool keepsScreenOn = true;
     bool exportsUtc = false; ///< CSV files of recordings get a column of Unix times
