@@ -85,7 +85,7 @@ TEST(StudyReport, hasASectionAboutThresholds) {
     EXPECT_TRUE(has(page, "0.06182")) << page;
     EXPECT_TRUE(has(page, "0.04484 to 0.07995"));
     EXPECT_TRUE(has(page, "t&lt;1&gt;"));
-    EXPECT_TRUE(has(page, "tooFewParticipants")) << "why there is no fit of all";
+    EXPECT_TRUE(has(page, "fewer than 5 participants")) << "why there is no fit of all";
     EXPECT_TRUE(has(page, "2 intervals"));
 }
 

@@ -180,7 +180,7 @@ void fitTogether(ThresholdGroup& group, const std::vector<const ThresholdLine*>&
     std::vector<PersonLevel> rows;
     for (const ThresholdLine* line : lines) {
         if (!line->guessIsKnown) {
-            group.withoutHierarchical = "guessUnknown";
+            group.withoutHierarchical = "the guess rate is unknown";
             return;
         }
         fitted.guess += line->model.guess.value_or(fitted.lapse) / static_cast<double>(lines.size());

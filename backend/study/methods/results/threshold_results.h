@@ -90,7 +90,7 @@ struct ThresholdGroup {
     std::optional<double> justNoticeable;    ///< mean
     std::optional<double> weber;             ///< mean
     std::optional<HierarchicalThreshold> hierarchical;
-    std::string withoutHierarchical; ///< why there is none: "tooFewParticipants", ..
+    std::string withoutHierarchical; ///< why there is none: "fewer than 5 participants", ..
 
     [[nodiscard]] bool isComparison() const { return facts.design == Design::compare; }
     [[nodiscard]] std::string note() const;

@@ -385,7 +385,7 @@ TEST_F(ThresholdResultsTest, haveAFitOfAllBesideTheMean) {
     ASSERT_TRUE(few) << messageOf(few);
     const ThresholdGroup four = thresholdResults(*few, choices).groups.at(0);
     EXPECT_FALSE(four.hierarchical);
-    EXPECT_EQ(four.withoutHierarchical, "tooFewParticipants");
+    EXPECT_EQ(four.withoutHierarchical, "fewer than 5 participants");
     add(4);
     add(5);
     const auto trials = read(header + rows);
