@@ -260,7 +260,8 @@ together_of <- function(part) {
     guesses <- part$guess[match(people, part$participant_id)]
     guess <- mean(ifelse(is.na(guesses), lapse, guesses))
     # The integral over z by the trapezoidal rule, which is exact enough for so smooth a curve that ends in zeros.
-    z <- seq(-7, 7, 0.05)
+    step <- 0.02
+    z <- seq(-8.5, 8.5, step)
     person <- factor(part$participant_id)
     minus <- function(t, slope, s) {
         eta <- outer(slope * (x - t), s * z, "+")
@@ -269,7 +270,7 @@ together_of <- function(part) {
         rows <- part$n_positive * log(pmax(right, 1e-300)) + (part$n - part$n_positive) * log(pmax(wrong, 1e-300))
         heights <- sweep(rowsum(rows, person), 2, z^2 / 2)
         most <- apply(heights, 1, max)
-        -sum(most + log(rowSums(exp(heights - most)) * 0.05 / sqrt(2 * pi)))
+        -sum(most + log(rowSums(exp(heights - most)) * step / sqrt(2 * pi)))
     }
     search <- function(start, t = NULL) {
         open <- function(at) if (is.null(t)) minus(at[1], exp(at[2]), at[3]) else minus(t, exp(at[1]), at[2])

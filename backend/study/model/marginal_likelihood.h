@@ -33,8 +33,10 @@ struct BinomialModel {
     double largestCoefficient = 15.0;
 };
 
-/// Log likelihood of a binomial model without the terms that depend on the data alone, the z integrated out
-/// by adaptive Gauss-Hermite quadrature with 25 nodes. Thread: one.
+/// Log likelihood of a binomial model without the terms that depend on the data alone, the z integrated out:
+/// by adaptive Gauss-Hermite quadrature with 25 nodes, or with guesses or lapses by the trapezoidal rule.
+/// These make the integrand wide or two-peaked for a participant whom no function fits, far from a normal
+/// curve. Thread: one.
 class MarginalLikelihood {
 public:
     /// Rows have the same number of predictors, at least one.
