@@ -4,6 +4,7 @@
 #include "backend/study/model/gauss_hermite.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,12 +16,14 @@ namespace {
 
 constexpr std::size_t kNodes = 25;
 constexpr double kLeastShare = 1e-300;
-/// Of the trapezoidal rule, in the standard deviations of z; a step of half the integrand's spread is exact
-/// to the last digits for a curve that falls like a normal one.
-constexpr double kFarthest = 8.5;
-constexpr double kStepOverSpread = 0.5;
-constexpr double kFinestStep = 0.005;
-constexpr double kCoarsestStep = 0.1;
+/// Of the trapezoidal rule, in the standard deviations of z. The step is a share of the spread that the
+/// integrand would have if each trial told as much as a trial can.
+constexpr int kFarthest = 9;
+constexpr double kStepOverSpread = 0.6;
+constexpr double kFinestStep = 0.002;
+constexpr double kCoarsestStep = 0.25;
+/// A part whose ends are lower than the highest point by this, as logarithms, is left out.
+constexpr double kNegligible = 35.0;
 
 const std::vector<QuadratureNode>& nodes() {
     static const std::vector<QuadratureNode> all = gaussHermite(kNodes);
@@ -53,6 +56,9 @@ MarginalLikelihood::MarginalLikelihood(const BinomialModel& model)
     , m_guess(model.guess)
     , m_lapse(model.lapse)
     , m_predictors(static_cast<Eigen::Index>(model.rows.front().x.size())) {
+    constexpr double kFarPredictor = 6.0;
+    for (double predictor = -kFarPredictor; predictor <= kFarPredictor; predictor += 0.05)
+        m_mostInformation = std::max(m_mostInformation, point({{}, 1.0, 0.0}, predictor).information);
     std::map<std::size_t, std::vector<Row>> people;
     for (const BinomialRow& row : model.rows)
         people[row.participant].push_back({Eigen::Map<const Eigen::VectorXd>(row.x.data(), m_predictors),
@@ -123,6 +129,7 @@ void MarginalLikelihood::addPerson(const std::vector<Row>& rows, const Eigen::Ve
     double spreadSlope = 0.0;
     std::vector<double> slopes(rows.size(), 0.0);
     std::vector<double> here(rows.size());
+    double top = now;
     const auto add = [&](double z, double factor, double logFactor) {
         double value = -0.5 * z * z;
         for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -130,7 +137,7 @@ void MarginalLikelihood::addPerson(const std::vector<Row>& rows, const Eigen::Ve
             value += at.value;
             here[i] = at.slope;
         }
-        const double weight = factor * std::exp(value - now + logFactor);
+        const double weight = factor * std::exp(value - top + logFactor);
         total += weight;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             slopes[i] += weight * here[i];
@@ -138,17 +145,31 @@ void MarginalLikelihood::addPerson(const std::vector<Row>& rows, const Eigen::Ve
         }
     };
     if (m_guess > 0.0 || m_lapse > 0.0) {
-        const double spread = 1.0 / std::sqrt(curvature);
-        const double step = std::clamp(kStepOverSpread * spread, kFinestStep, kCoarsestStep);
-        const int count = static_cast<int>(std::ceil(kFarthest / step));
-        for (int k = -count; k <= count; ++k)
-            add(step * k, step, 0.0);
+        double trials = 0.0;
+        for (const Row& row : rows)
+            trials += row.correct + row.wrong;
+        // Most of the range adds nothing: only parts whose ends, or whose highest point, are high enough do.
+        std::array<double, 2 * kFarthest + 1> heights{};
+        for (int part = -kFarthest; part <= kFarthest; ++part)
+            heights[static_cast<std::size_t>(part + kFarthest)] = height(part);
+        top = std::max(top, *std::ranges::max_element(heights));
+        const double spread = 1.0 / std::sqrt(1.0 + s * s * trials * m_mostInformation);
+        const int steps = static_cast<int>(
+            std::ceil(1.0 / std::clamp(kStepOverSpread * spread, kFinestStep, kCoarsestStep)));
+        const double step = 1.0 / steps;
+        for (int part = -kFarthest; part < kFarthest; ++part) {
+            const std::size_t i = static_cast<std::size_t>(part + kFarthest);
+            if (std::max(heights[i], heights[i + 1]) < top - kNegligible && std::floor(centre) != part)
+                continue;
+            for (int k = 0; k < steps; ++k)
+                add(part + step * k, step, 0.0);
+        }
     } else {
         const double width = std::numbers::sqrt2 / std::sqrt(curvature);
         for (const QuadratureNode& node : nodes())
             add(centre + width * node.at, width * node.weight, node.at * node.at);
     }
-    sum.logLikelihood += now + std::log(total / std::sqrt(2.0 * std::numbers::pi));
+    sum.logLikelihood += top + std::log(total / std::sqrt(2.0 * std::numbers::pi));
     for (std::size_t i = 0; i < rows.size(); ++i)
         sum.gradient.head(m_predictors) += slopes[i] / total * rows[i].x;
     sum.gradient(m_predictors) += spreadSlope / total;

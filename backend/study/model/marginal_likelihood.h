@@ -71,6 +71,7 @@ private:
     Link m_link;
     double m_guess;
     double m_lapse;
+    double m_mostInformation = 0.0; ///< of a trial, about the predictor
     Eigen::Index m_predictors;
     std::vector<std::vector<Row>> m_people;
 };

@@ -3,10 +3,12 @@
 #include "backend/study/model/binomial_model.h"
 #include "backend/study/model/gauss_hermite.h"
 #include "backend/study/model/group_threshold.h"
+#include "backend/study/model/marginal_likelihood.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -170,6 +172,63 @@ TEST(GroupThreshold, aStepIsSeparable) {
             trials.push_back({i, level, level > 2.5 ? 20 : 0, 20});
     }
     EXPECT_EQ(groupThreshold(trials, 0.0, 0.0).error(), ModelRefusal::separable);
+}
+
+// With guesses and lapses, participants whom no function fits (falling answers, no mistake, a step) make
+// integrands far from a normal curve: against Boost's quadrature of many short parts.
+TEST(MarginalLikelihood, isTheIntegralAlsoForPeopleWhomNoFunctionFits) {
+    constexpr double kGuess = 0.5;
+    constexpr double kLapse = 0.02;
+    constexpr int kTrials = 40;
+    constexpr std::array<double, 6> kLevels{0.02, 0.04, 0.06, 0.08, 0.12, 0.16};
+    constexpr std::array<std::array<int, 6>, 5> kPeople{{{22, 25, 29, 33, 38, 39},
+                                                         {22, 25, 36, 28, 38, 32},
+                                                         {40, 40, 40, 40, 40, 40},
+                                                         {39, 38, 33, 29, 25, 22},
+                                                         {20, 20, 20, 40, 40, 40}}};
+    BinomialModel model;
+    model.link = Link::probit;
+    model.guess = kGuess;
+    model.lapse = kLapse;
+    for (std::size_t person = 0; person < kPeople.size(); ++person) {
+        for (std::size_t i = 0; i < kLevels.size(); ++i)
+            model.rows.push_back({person, {1.0, std::log10(kLevels[i])}, kPeople[person][i], kTrials});
+    }
+    const MarginalLikelihood likelihood(model);
+    const auto integral = [&](const Eigen::Vector3d& at) {
+        double sum = 0.0;
+        for (const auto& person : kPeople) {
+            const auto height = [&](double z) {
+                double value = -0.5 * z * z;
+                for (std::size_t i = 0; i < kLevels.size(); ++i) {
+                    const double eta = at(0) + at(1) * std::log10(kLevels[i]) + at(2) * z;
+                    const double right =
+                        kGuess + (1.0 - kGuess - kLapse) * 0.5 * std::erfc(-eta / std::numbers::sqrt2);
+                    value += person[i] * std::log(right) + (kTrials - person[i]) * std::log1p(-right);
+                }
+                return value;
+            };
+            double top = height(0.0);
+            for (int k = -1000; k <= 1000; ++k)
+                top = std::max(top, height(0.01 * k));
+            double area = 0.0;
+            for (int k = -100; k < 100; ++k)
+                area += boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
+                    [&](double z) { return std::exp(height(z) - top); }, 0.1 * k, 0.1 * (k + 1), 0);
+            sum += top + std::log(area / std::sqrt(2.0 * std::numbers::pi));
+        }
+        return sum;
+    };
+    for (const Eigen::Vector3d& at : {Eigen::Vector3d(6.5, 5.0, 2.6), Eigen::Vector3d(2.6, 2.0, 0.4),
+                                      Eigen::Vector3d(13.0, 10.0, 8.0), Eigen::Vector3d(6.5, 5.0, 0.0)}) {
+        const MarginalLikelihood::Value value = likelihood.at(at);
+        EXPECT_NEAR(value.logLikelihood, integral(at), 1e-6) << at.transpose();
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            const Eigen::Vector3d move = 1e-4 * Eigen::Vector3d::Unit(i);
+            EXPECT_NEAR(value.gradient(i), (integral(at + move) - integral(at - move)) / 2e-4, 1e-2)
+                << at.transpose();
+        }
+    }
 }
 
 } // namespace teleta::study
