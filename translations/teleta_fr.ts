@@ -9308,20 +9308,20 @@ Run %2 --help for more.
         <translation>Pente ou dispersion</translation>
     </message>
     <message>
-        <source>Just noticed</source>
-        <translation>Juste perceptible</translation>
+        <source>Just noticeable difference</source>
+        <translation>Différence juste perceptible</translation>
     </message>
     <message>
-        <source>Of the reference</source>
-        <translation>Part de la référence</translation>
+        <source>Weber fraction</source>
+        <translation>Fraction de Weber</translation>
     </message>
     <message>
         <source>p of the deviance</source>
         <translation>p de la déviance</translation>
     </message>
     <message>
-        <source>Of the procedure</source>
-        <translation>De la procédure</translation>
+        <source>Estimate of the procedure</source>
+        <translation>Estimation de la procédure</translation>
     </message>
     <message>
         <source>Remark</source>

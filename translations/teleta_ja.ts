@@ -9286,19 +9286,19 @@ Run %2 --help for more.
         <translation>傾きまたは広がり</translation>
     </message>
     <message>
-        <source>Just noticed</source>
+        <source>Just noticeable difference</source>
         <translation>丁度可知差異</translation>
     </message>
     <message>
-        <source>Of the reference</source>
-        <translation>基準に対する比</translation>
+        <source>Weber fraction</source>
+        <translation>ウェーバー比</translation>
     </message>
     <message>
         <source>p of the deviance</source>
         <translation>逸脱度のp</translation>
     </message>
     <message>
-        <source>Of the procedure</source>
+        <source>Estimate of the procedure</source>
         <translation>手続きの推定値</translation>
     </message>
     <message>

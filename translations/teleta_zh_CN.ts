@@ -9286,20 +9286,20 @@ Run %2 --help for more.
         <translation>斜率或离散度</translation>
     </message>
     <message>
-        <source>Just noticed</source>
+        <source>Just noticeable difference</source>
         <translation>最小可觉差</translation>
     </message>
     <message>
-        <source>Of the reference</source>
-        <translation>与参考之比</translation>
+        <source>Weber fraction</source>
+        <translation>韦伯分数</translation>
     </message>
     <message>
         <source>p of the deviance</source>
         <translation>偏差的 p 值</translation>
     </message>
     <message>
-        <source>Of the procedure</source>
-        <translation>测量程序的估计值</translation>
+        <source>Estimate of the procedure</source>
+        <translation>程序的估计值</translation>
     </message>
     <message>
         <source>Remark</source>

@@ -248,7 +248,8 @@ function(teleta_test name)
 endfunction()
 
 # teleta_gui_test(NAME LABEL gui|gl SOURCES ... DEPENDS ...)
-# One Qt Test program; what it depends on brings Qt6::Widgets. Label gui runs offscreen; label gl runs under Xvfb, since offscreen has no QOpenGLWidget.
+# One Qt Test program; what it depends on brings Qt6::Widgets. Label gui runs offscreen; label gl runs under Xvfb, since
+# offscreen has no QOpenGLWidget.
 # QTRY_VERIFY_WITH_TIMEOUT reports a failure only after three times its timeout; the default TIMEOUT leaves time for
 # that.
 function(teleta_gui_test name)

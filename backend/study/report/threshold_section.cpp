@@ -38,9 +38,14 @@ QString ends(const std::optional<Interval>& interval) {
     return interval ? ends(OpenInterval{interval->low, interval->high}) : QStringLiteral("NA");
 }
 
+/// Empty for the fit of all tracks together.
+QString trackCell(const std::string& track) {
+    return track == "all" ? QString() : text(track);
+}
+
 QStringList placeCells(const std::string& participant, const std::string& condition,
                        const std::string& track) {
-    return {text(participant), text(condition), track == "all" ? QString() : text(track)};
+    return {text(participant), text(condition), trackCell(track)};
 }
 
 QStringList placeColumns() {
@@ -53,12 +58,12 @@ QString participantTable(const ThresholdResults& thresholds, const std::string& 
         ThresholdSectionText::tr("Each participant; intervals of 95 % by profile likelihood unless the "
                                  "tables say otherwise"),
         placeColumns() +
-            QStringList{ThresholdSectionText::tr("Trials"), ThresholdSectionText::tr("Threshold"),
-                        ThresholdSectionText::tr("95 %"), ThresholdSectionText::tr("Slope or spread"),
-                        ThresholdSectionText::tr("Just noticed"),
-                        ThresholdSectionText::tr("Of the reference"),
-                        ThresholdSectionText::tr("p of the deviance"),
-                        ThresholdSectionText::tr("Of the procedure"), ThresholdSectionText::tr("Remark")});
+            QStringList{
+                ThresholdSectionText::tr("Trials"), ThresholdSectionText::tr("Threshold"),
+                ThresholdSectionText::tr("95 %"), ThresholdSectionText::tr("Slope or spread"),
+                ThresholdSectionText::tr("Just noticeable difference"),
+                ThresholdSectionText::tr("Weber fraction"), ThresholdSectionText::tr("p of the deviance"),
+                ThresholdSectionText::tr("Estimate of the procedure"), ThresholdSectionText::tr("Remark")});
     for (const ThresholdLine& line : thresholds.lines) {
         if (line.task != task)
             continue;
@@ -93,8 +98,8 @@ QString groupTable(const ThresholdResults& thresholds, const std::string& task) 
             remarks << text(group.note());
         if (!all)
             remarks << ThresholdSectionText::tr("no fit of all: %1").arg(text(group.withoutHierarchical));
-        table.row({text(group.condition), group.track == "all" ? QString() : text(group.track),
-                   QString::number(group.participants), number(group.threshold), ends(group.interval),
+        table.row({text(group.condition), trackCell(group.track), QString::number(group.participants),
+                   number(group.threshold), ends(group.interval),
                    number(all ? std::optional(all->threshold) : std::nullopt),
                    all ? ends(all->interval) : QStringLiteral("NA"),
                    number(all ? std::optional(all->participantSd) : std::nullopt),
@@ -115,8 +120,7 @@ QString stepsTable(const ThresholdResults& thresholds, const std::string& task) 
         if (line.task != task)
             continue;
         any = true;
-        table.row({text(line.participant), line.track == "all" ? QString() : text(line.track),
-                   QString::number(line.references),
+        table.row({text(line.participant), trackCell(line.track), QString::number(line.references),
                    line.steps ? QString::number(*line.steps) : QStringLiteral("NA")},
                   2);
     }
@@ -185,9 +189,9 @@ QString detectionTable(const DetectionResults& detection, const std::string& tas
     for (const DetectionGroup& group : detection.groups) {
         if (group.task == task && group.participants > 1)
             table.row(QStringList{ThresholdSectionText::tr("Mean of %1").arg(group.participants),
-                                  text(group.condition), group.track == "all" ? QString() : text(group.track),
-                                  QString(), QString(), number(group.sensitivity), ends(group.interval),
-                                  QString(), QStringLiteral("t")},
+                                  text(group.condition), trackCell(group.track), QString(), QString(),
+                                  number(group.sensitivity), ends(group.interval), QString(),
+                                  QStringLiteral("t")},
                       3);
     }
     return any ? table.html() : QString();

@@ -44,7 +44,7 @@ ExclusionEditor::ExclusionEditor(const std::vector<study::ExclusionRule>& rules,
     layout->addLayout(m_list);
     layout->addWidget(addRule, 0, Qt::AlignLeft);
     connect(addRule, &QPushButton::clicked, this, [this] {
-        add({"rule" + std::to_string(m_rows.size() + 1), study::ExclusionKind::responseTimeBelow_s, 0.15});
+        add({freeId(), study::ExclusionKind::responseTimeBelow_s, 0.15});
         m_rows.back().id->setFocus();
         emit changed();
     });
@@ -86,6 +86,15 @@ void ExclusionEditor::add(const study::ExclusionRule& rule) {
     m_rows.push_back(row);
     m_list->addWidget(box);
     m_none->hide();
+}
+
+std::string ExclusionEditor::freeId() const {
+    for (std::size_t number = m_rows.size() + 1;; ++number) {
+        std::string id = "rule";
+        id.append(std::to_string(number));
+        if (std::ranges::none_of(m_rows, [&](const Row& row) { return row.id->text().toStdString() == id; }))
+            return id;
+    }
 }
 
 void ExclusionEditor::remove(QWidget* box) {

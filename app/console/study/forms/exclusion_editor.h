@@ -6,6 +6,7 @@
 
 #include <QGroupBox>
 
+#include <string>
 #include <vector>
 
 class QComboBox;
@@ -38,6 +39,7 @@ private:
     };
 
     void add(const study::ExclusionRule& rule);
+    [[nodiscard]] std::string freeId() const;
     void remove(QWidget* box);
 
     std::vector<Row> m_rows;

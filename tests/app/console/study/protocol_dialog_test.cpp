@@ -182,6 +182,20 @@ private slots:
         QCOMPARE(dialog.protocol()->exclusions, strict.exclusions);
     }
 
+    void aNewRuleHasANameOfItsOwnAlsoAfterOneIsRemoved() {
+        ProtocolDialog dialog(paper());
+        dialog.show();
+        auto* addRule = dialog.findChild<QPushButton*>("addExclusion");
+        QTest::mouseClick(addRule, Qt::LeftButton);
+        QTest::mouseClick(addRule, Qt::LeftButton);
+        QTest::mouseClick(dialog.findChildren<QPushButton*>("removeExclusion").first(), Qt::LeftButton);
+        QTest::mouseClick(addRule, Qt::LeftButton);
+        const auto made = dialog.protocol();
+        QVERIFY2(made.has_value(), made ? "" : core::describe(made.error()).c_str());
+        QCOMPARE(made->exclusions.size(), std::size_t(2));
+        QVERIFY(made->exclusions.front().id != made->exclusions.back().id);
+    }
+
     void aPublishedQuestionnaireIsChosenByItsName() {
         ProtocolDialog dialog(paper());
         dialog.show();
