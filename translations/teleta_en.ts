@@ -397,6 +397,23 @@
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingImport</name>
+    <message numerus="yes">
+        <source>%n damaged chunk(s) left out.</source>
+        <translation>
+            <numerusform>%n damaged chunk left out.</numerusform>
+            <numerusform>%n damaged chunks left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged message(s) left out.</source>
+        <translation>
+            <numerusform>%n damaged message left out.</numerusform>
+            <numerusform>%n damaged messages left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::study::ParticipantPicker</name>
     <message numerus="yes">
         <source>%n participant(s)</source>

@@ -1587,8 +1587,8 @@ Exemples&#xa0;:
         <translation>ADRESSE</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv), scenes and source lists (.toml) to open.</source>
-        <translation>Enregistrements (.teleta, .csv), scènes et listes de sources (.toml) à ouvrir.</translation>
+        <source>Recordings (.teleta, .csv, .mcap), scenes and source lists (.toml) to open.</source>
+        <translation>Enregistrements (.teleta, .csv, .mcap), scènes et listes de sources (.toml) à ouvrir.</translation>
     </message>
 </context>
 <context>
@@ -3367,6 +3367,13 @@ Exemples&#xa0;:
     <message>
         <source>As the &amp;desktop</source>
         <translation>Comme le &amp;bureau</translation>
+    </message>
+</context>
+<context>
+    <name>LastSession</name>
+    <message>
+        <source>camera</source>
+        <translation>caméra</translation>
     </message>
 </context>
 <context>
@@ -7554,6 +7561,22 @@ Run %2 --help for more.
         <source>Trigger</source>
         <translation>Déclencheur</translation>
     </message>
+    <message>
+        <source>the desktop keeps it on</source>
+        <translation>le bureau le garde allumé</translation>
+    </message>
+    <message>
+        <source>the desktop may turn it off during the session</source>
+        <translation>le bureau peut l’éteindre pendant la session</translation>
+    </message>
+    <message>
+        <source>Turn off the screen saver and energy saving of the desktop for the session.</source>
+        <translation>Désactivez l’économiseur d’écran et les économies d’énergie du bureau pour la session.</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Écran</translation>
+    </message>
 </context>
 <context>
     <name>StudyCommand</name>
@@ -8300,19 +8323,19 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A; or detect:threshold for the interval of a threshold</source>
-        <translation>Ligne de l’analyse&#xa0;: shape:condition, shape:pattern, shape:condition:pattern, ou shape:condition@A pour le seul motif A&#xa0;; ou detect:threshold pour l’intervalle d’un seuil</translation>
+        <translation>Ligne de l’analyse : shape:condition, shape:pattern, shape:condition:pattern, ou shape:condition@A pour le seul motif A ; ou detect:threshold pour l’intervalle d’un seuil</translation>
     </message>
     <message>
         <source>Of a threshold: how far its 95 % interval may reach to each side, on the scale of the levels (0.1 log10 units are a factor of 1.26)</source>
-        <translation>D’un seuil&#xa0;: jusqu’où son intervalle à 95&#xa0;% peut s’étendre de chaque côté, à l’échelle des niveaux (0.1 unité log10 est un facteur de 1.26)</translation>
+        <translation>D’un seuil : jusqu’où son intervalle à 95 % peut s’étendre de chaque côté, à l’échelle des niveaux (0.1 unité log10 est un facteur de 1.26)</translation>
     </message>
     <message>
         <source>Of a threshold: trials of a track, of constant stimuli at each level; otherwise the protocol&apos;s</source>
-        <translation>D’un seuil&#xa0;: essais d’une série, ou à chaque niveau pour des stimuli constants&#xa0;; sinon ceux du protocole</translation>
+        <translation>D’un seuil : essais d’une série, ou à chaque niveau pour des stimuli constants ; sinon ceux du protocole</translation>
     </message>
     <message>
         <source>Studies drawn for each number; otherwise 10000, for thresholds 1000</source>
-        <translation>Études tirées pour chaque nombre&#xa0;; sinon 10000, et 1000 pour des seuils</translation>
+        <translation>Études tirées pour chaque nombre ; sinon 10000, et 1000 pour des seuils</translation>
     </message>
 </context>
 <context>
@@ -9232,7 +9255,7 @@ Run %2 --help for more.
     <name>ThresholdPlan</name>
     <message>
         <source>the protocol has no task &quot;%1&quot;</source>
-        <translation>le protocole n’a pas de tâche «&#xa0;%1&#xa0;»</translation>
+        <translation>le protocole n’a pas de tâche « %1 »</translation>
     </message>
     <message>
         <source>TASK:threshold with the id of a task with levels</source>
@@ -9289,7 +9312,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Each participant; intervals of 95 % by profile likelihood unless the tables say otherwise</source>
-        <translation>Chaque participant&#xa0;; intervalles à 95&#xa0;% par vraisemblance profilée, sauf indication contraire des tableaux</translation>
+        <translation>Chaque participant ; intervalles à 95 % par vraisemblance profilée, sauf indication contraire des tableaux</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -9301,7 +9324,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>95 %</source>
-        <translation>95&#xa0;%</translation>
+        <translation>95 %</translation>
     </message>
     <message>
         <source>Slope or spread</source>
@@ -9329,7 +9352,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>All participants: the mean of their thresholds with Student&apos;s t interval, and one fit of all with a threshold for each</source>
-        <translation>Tous les participants&#xa0;: la moyenne de leurs seuils avec l’intervalle du t de Student, et un ajustement commun avec un seuil pour chacun</translation>
+        <translation>Tous les participants : la moyenne de leurs seuils avec l’intervalle du t de Student, et un ajustement commun avec un seuil pour chacun</translation>
     </message>
     <message>
         <source>Participants</source>
@@ -9349,7 +9372,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>no fit of all: %1</source>
-        <translation>pas d’ajustement commun&#xa0;: %1</translation>
+        <translation>pas d’ajustement commun : %1</translation>
     </message>
     <message>
         <source>Intensities that can be told apart, from the start of the motor to its full drive</source>
@@ -9409,11 +9432,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Thresholds: %1</source>
-        <translation>Seuils&#xa0;: %1</translation>
+        <translation>Seuils : %1</translation>
     </message>
     <message>
         <source>The threshold is where half of the way from guessing to the most right answers is reached. Unit of the levels: %1.</source>
-        <translation>Le seuil est là où la moitié du chemin entre la réponse au hasard et le plus de réponses correctes est atteinte. Unité des niveaux&#xa0;: %1.</translation>
+        <translation>Le seuil est là où la moitié du chemin entre la réponse au hasard et le plus de réponses correctes est atteinte. Unité des niveaux : %1.</translation>
     </message>
     <message>
         <source>Thresholds of the participants, and their means with t intervals.</source>
@@ -12120,6 +12143,22 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::RecentList</name>
+    <message>
+        <source>Recent:</source>
+        <translation>Récents&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Reopen %1</source>
+        <comment>what was open</comment>
+        <translation>Rouvrir %1</translation>
+    </message>
+    <message>
+        <source>What was open when the console was closed</source>
+        <translation>Ce qui était ouvert à la fermeture de la console</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::RecordingIndicator</name>
     <message numerus="yes">
         <source>Recording %1 · %2 · %n lost</source>
@@ -13171,6 +13210,37 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::LayoutsMenu</name>
+    <message>
+        <source>Ma&amp;ximise the view</source>
+        <translation>Agra&amp;ndir la vue</translation>
+    </message>
+    <message>
+        <source>Show the view with the focus alone, or all again; a double click on a title does the same</source>
+        <translation>Afficher seule la vue qui a le focus, ou de nouveau toutes&#xa0;; un double clic sur un titre fait de même</translation>
+    </message>
+    <message>
+        <source>La&amp;youts</source>
+        <translation>&amp;Dispositions</translation>
+    </message>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>&amp;Enregistrer la disposition…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>Enregistrer la disposition</translation>
+    </message>
+    <message>
+        <source>Name; one that is there already is replaced:</source>
+        <translation>Nom&#xa0;; une disposition qui existe déjà est remplacée&#xa0;:</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LevelTaskForm</name>
     <message>
         <source>Task with levels</source>
@@ -13867,8 +13937,57 @@ Run %2 --help for more.
         <translation>Choisissez un autre port avec --foxglove.</translation>
     </message>
     <message>
-        <source>Recordings (*.teleta *.csv)</source>
-        <translation>Enregistrements (*.teleta *.csv)</translation>
+        <source>The layout %1 cannot be restored; the default one is shown.</source>
+        <translation>La disposition %1 ne peut pas être rétablie&#xa0;; celle par défaut est affichée.</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>Elle a été enregistrée par une autre version du programme.</translation>
+    </message>
+    <message>
+        <source>The desktop may turn the screen off while something runs: %1</source>
+        <translation>Le bureau peut éteindre l’écran pendant que quelque chose est en cours&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv *.mcap)</source>
+        <translation>Enregistrements (*.teleta *.csv *.mcap)</translation>
+    </message>
+    <message>
+        <source>%1 was made of %2.</source>
+        <comment>two files</comment>
+        <translation>%1 a été créé d’après %2.</translation>
+    </message>
+    <message>
+        <source>A robot arm, a recording or a session is running</source>
+        <translation>Un bras robotisé, un enregistrement ou une session est en cours</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Préférences…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Ouvrir un élément &amp;récent</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Enregistrements</translation>
+    </message>
+    <message>
+        <source>Scenes and source lists</source>
+        <translation>Scènes et listes de sources</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Études</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>&amp;Vider la liste</translation>
+    </message>
+    <message>
+        <source>Reopen the &amp;last session</source>
+        <translation>Rouvrir la &amp;dernière session</translation>
     </message>
 </context>
 <context>
@@ -14425,6 +14544,77 @@ Run %2 --help for more.
         <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
         <comment>a pattern, a time</comment>
         <translation>Le programme s’est terminé sans enregistrer %1 (modification&#xa0;: %2). Le fichier sur le disque est resté tel quel.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PreferencesDialog</name>
+    <message>
+        <source>&amp;Keep the screen on while something runs</source>
+        <translation>&amp;Garder l’écran allumé tant que quelque chose est en cours</translation>
+    </message>
+    <message>
+        <source>Add the &amp;Unix time to exported CSV files</source>
+        <translation>Ajouter le temps &amp;Unix aux fichiers CSV exportés</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>While a session runs, something is recorded, or an arm may move</source>
+        <translation>Pendant une session, un enregistrement, ou quand un bras peut bouger</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Comme le bureau</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Offer what was open the last time</source>
+        <translation>Proposer ce qui était ouvert la dernière fois</translation>
+    </message>
+    <message>
+        <source>Open what was open the last time</source>
+        <translation>Ouvrir ce qui était ouvert la dernière fois</translation>
+    </message>
+    <message>
+        <source>Open nothing</source>
+        <translation>Ne rien ouvrir</translation>
+    </message>
+    <message>
+        <source>A last column, utc_s, in seconds since 1970</source>
+        <translation>Une dernière colonne, utc_s, en secondes depuis 1970</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Choisir…</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage:</source>
+        <translation>&amp;Langue&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;Theme:</source>
+        <translation>&amp;Thème&#xa0;:</translation>
+    </message>
+    <message>
+        <source>At the &amp;start:</source>
+        <translation>Au &amp;démarrage&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of recordings:</source>
+        <translation>Dossier des &amp;enregistrements&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -15111,6 +15301,77 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingFiles</name>
+    <message>
+        <source>Open MCAP file</source>
+        <translation>Ouvrir un fichier MCAP</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <comment>a file</comment>
+        <translation>%1 existe déjà.</translation>
+    </message>
+    <message>
+        <source>It may have been made of %1 before. To import the file again makes %2.</source>
+        <comment>two files</comment>
+        <translation>Il a peut-être été créé auparavant d’après %1. Importer de nouveau le fichier crée %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Open the recording</source>
+        <translation>&amp;Ouvrir l’enregistrement</translation>
+    </message>
+    <message>
+        <source>&amp;Import again</source>
+        <translation>&amp;Importer de nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingImport</name>
+    <message>
+        <source>a recording of this name is being made</source>
+        <translation>un enregistrement de ce nom est en cours de création</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <comment>a file</comment>
+        <translation>Importation de %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>le dossier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>Topics that cannot be read were left out: %1.</source>
+        <translation>Des topics illisibles ont été laissés de côté&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The file was cut off; what could be read is there.</source>
+        <translation>Le fichier a été coupé&#xa0;; ce qui a pu être lu est là.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged chunk(s) left out.</source>
+        <translation>
+            <numerusform>%n bloc (chunk) endommagé ignoré.</numerusform>
+            <numerusform>%n blocs (chunks) endommagés ignorés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged message(s) left out.</source>
+        <translation>
+            <numerusform>%n message endommagé ignoré.</numerusform>
+            <numerusform>%n messages endommagés ignorés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The checksum of the file is wrong: it was damaged somewhere.</source>
+        <translation>La somme de contrôle du fichier est fausse&#xa0;: il a été endommagé quelque part.</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::RecordingMarks</name>
     <message>
         <source>mark</source>
@@ -15134,6 +15395,21 @@ Run %2 --help for more.
     <message>
         <source>a folder that can be written to</source>
         <translation>un dossier où l’on peut écrire</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::ScreenKeeper</name>
+    <message>
+        <source>the service has ended</source>
+        <translation>le service s’est terminé</translation>
+    </message>
+    <message>
+        <source>there is no session bus</source>
+        <translation>il n’y a pas de bus de session</translation>
+    </message>
+    <message>
+        <source>the answer is not understood</source>
+        <translation>la réponse n’est pas comprise</translation>
     </message>
 </context>
 <context>

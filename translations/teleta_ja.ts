@@ -1585,8 +1585,8 @@ Examples:
         <translation>ADDRESS</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv), scenes and source lists (.toml) to open.</source>
-        <translation>開く記録 (.teleta、.csv)、シーン、ソースリスト (.toml)。</translation>
+        <source>Recordings (.teleta, .csv, .mcap), scenes and source lists (.toml) to open.</source>
+        <translation>開く記録 (.teleta、.csv、.mcap)、シーン、ソースリスト (.toml)。</translation>
     </message>
 </context>
 <context>
@@ -3355,6 +3355,13 @@ Examples:
     <message>
         <source>As the &amp;desktop</source>
         <translation>デスクトップに合わせる(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>LastSession</name>
+    <message>
+        <source>camera</source>
+        <translation>カメラ</translation>
     </message>
 </context>
 <context>
@@ -7534,6 +7541,22 @@ Run %2 --help for more.
     <message>
         <source>Trigger</source>
         <translation>トリガー</translation>
+    </message>
+    <message>
+        <source>the desktop keeps it on</source>
+        <translation>デスクトップは画面をオンに保ちます</translation>
+    </message>
+    <message>
+        <source>the desktop may turn it off during the session</source>
+        <translation>デスクトップがセッション中に画面をオフにする可能性があります</translation>
+    </message>
+    <message>
+        <source>Turn off the screen saver and energy saving of the desktop for the session.</source>
+        <translation>セッションの間は、デスクトップのスクリーンセーバーと省電力機能をオフにしてください。</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>画面</translation>
     </message>
 </context>
 <context>
@@ -12088,6 +12111,22 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::RecentList</name>
+    <message>
+        <source>Recent:</source>
+        <translation>最近使ったファイル:</translation>
+    </message>
+    <message>
+        <source>Reopen %1</source>
+        <comment>what was open</comment>
+        <translation>%1を再び開く</translation>
+    </message>
+    <message>
+        <source>What was open when the console was closed</source>
+        <translation>コンソールを閉じたときに開いていたもの</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::RecordingIndicator</name>
     <message numerus="yes">
         <source>Recording %1 · %2 · %n lost</source>
@@ -13134,6 +13173,37 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::LayoutsMenu</name>
+    <message>
+        <source>Ma&amp;ximise the view</source>
+        <translation>ビューを最大化(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Show the view with the focus alone, or all again; a double click on a title does the same</source>
+        <translation>フォーカスのあるビューだけを表示、または再びすべて表示します。タイトルのダブルクリックでも同じです</translation>
+    </message>
+    <message>
+        <source>La&amp;youts</source>
+        <translation>レイアウト(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>レイアウトを保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>削除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>レイアウトを保存</translation>
+    </message>
+    <message>
+        <source>Name; one that is there already is replaced:</source>
+        <translation>名前 (既にある場合は置き換えられます):</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LevelTaskForm</name>
     <message>
         <source>Task with levels</source>
@@ -13828,8 +13898,57 @@ Run %2 --help for more.
         <translation>--foxgloveで別のポートを選んでください。</translation>
     </message>
     <message>
-        <source>Recordings (*.teleta *.csv)</source>
-        <translation>記録 (*.teleta *.csv)</translation>
+        <source>The layout %1 cannot be restored; the default one is shown.</source>
+        <translation>レイアウト%1を復元できません。既定のレイアウトを表示しています。</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>プログラムの別のバージョンで保存されたものです。</translation>
+    </message>
+    <message>
+        <source>The desktop may turn the screen off while something runs: %1</source>
+        <translation>動作中にデスクトップが画面をオフにする可能性があります: %1</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv *.mcap)</source>
+        <translation>記録 (*.teleta *.csv *.mcap)</translation>
+    </message>
+    <message>
+        <source>%1 was made of %2.</source>
+        <comment>two files</comment>
+        <translation>%2から%1を作成しました。</translation>
+    </message>
+    <message>
+        <source>A robot arm, a recording or a session is running</source>
+        <translation>ロボットアーム、記録、またはセッションが動作中です</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>環境設定(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近使ったファイルを開く(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Scenes and source lists</source>
+        <translation>シーンとソースリスト</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>実験</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>一覧を消去(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Reopen the &amp;last session</source>
+        <translation>前回のセッションを再び開く(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -14384,6 +14503,77 @@ Run %2 --help for more.
         <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
         <comment>a pattern, a time</comment>
         <translation>プログラムは %1 (編集 %2) を保存せずに終了しました。ディスク上のファイルは元のままです。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PreferencesDialog</name>
+    <message>
+        <source>&amp;Keep the screen on while something runs</source>
+        <translation>動作中は画面をオンに保つ(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Add the &amp;Unix time to exported CSV files</source>
+        <translation>エクスポートするCSVファイルにUnix時刻を追加(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>環境設定</translation>
+    </message>
+    <message>
+        <source>While a session runs, something is recorded, or an arm may move</source>
+        <translation>セッションの進行中、記録中、またはアームが動く可能性がある間</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>デスクトップに合わせる</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>ダーク</translation>
+    </message>
+    <message>
+        <source>Offer what was open the last time</source>
+        <translation>前回開いていたものを候補として表示</translation>
+    </message>
+    <message>
+        <source>Open what was open the last time</source>
+        <translation>前回開いていたものを開く</translation>
+    </message>
+    <message>
+        <source>Open nothing</source>
+        <translation>何も開かない</translation>
+    </message>
+    <message>
+        <source>A last column, utc_s, in seconds since 1970</source>
+        <translation>最後の列utc_s、1970年からの秒数</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>選択(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>記録のフォルダー</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage:</source>
+        <translation>言語(&amp;G):</translation>
+    </message>
+    <message>
+        <source>&amp;Theme:</source>
+        <translation>テーマ(&amp;T):</translation>
+    </message>
+    <message>
+        <source>At the &amp;start:</source>
+        <translation>起動時(&amp;S):</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of recordings:</source>
+        <translation>記録のフォルダー(&amp;F):</translation>
     </message>
 </context>
 <context>
@@ -15066,6 +15256,75 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingFiles</name>
+    <message>
+        <source>Open MCAP file</source>
+        <translation>MCAPファイルを開く</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <comment>a file</comment>
+        <translation>%1は既にあります。</translation>
+    </message>
+    <message>
+        <source>It may have been made of %1 before. To import the file again makes %2.</source>
+        <comment>two files</comment>
+        <translation>以前に%1から作成されたものかもしれません。ファイルをもう一度インポートすると%2が作成されます。</translation>
+    </message>
+    <message>
+        <source>&amp;Open the recording</source>
+        <translation>記録を開く(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Import again</source>
+        <translation>もう一度インポート(&amp;I)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingImport</name>
+    <message>
+        <source>a recording of this name is being made</source>
+        <translation>この名前の記録を作成中です</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <comment>a file</comment>
+        <translation>%1をインポート中…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>フォルダーを作成できません</translation>
+    </message>
+    <message>
+        <source>Topics that cannot be read were left out: %1.</source>
+        <translation>読み込めないトピックを除外しました: %1。</translation>
+    </message>
+    <message>
+        <source>The file was cut off; what could be read is there.</source>
+        <translation>ファイルが途中で切れています。読み取れた分は残っています。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged chunk(s) left out.</source>
+        <translation>
+            <numerusform>破損した%nチャンクを除外しました。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged message(s) left out.</source>
+        <translation>
+            <numerusform>破損したメッセージ%n件を除外しました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The checksum of the file is wrong: it was damaged somewhere.</source>
+        <translation>ファイルのチェックサムが誤っています: どこかが破損しています。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::RecordingMarks</name>
     <message>
         <source>mark</source>
@@ -15089,6 +15348,21 @@ Run %2 --help for more.
     <message>
         <source>a folder that can be written to</source>
         <translation>書き込み可能なフォルダー</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::ScreenKeeper</name>
+    <message>
+        <source>the service has ended</source>
+        <translation>サービスが終了しました</translation>
+    </message>
+    <message>
+        <source>there is no session bus</source>
+        <translation>セッションバスがありません</translation>
+    </message>
+    <message>
+        <source>the answer is not understood</source>
+        <translation>応答を解釈できません</translation>
     </message>
 </context>
 <context>

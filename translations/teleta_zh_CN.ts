@@ -1585,8 +1585,8 @@ Examples:
         <translation>地址</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv), scenes and source lists (.toml) to open.</source>
-        <translation>要打开的记录（.teleta、.csv）、场景和数据源列表（.toml）。</translation>
+        <source>Recordings (.teleta, .csv, .mcap), scenes and source lists (.toml) to open.</source>
+        <translation>要打开的记录（.teleta、.csv、.mcap）、场景和数据源列表（.toml）。</translation>
     </message>
 </context>
 <context>
@@ -3355,6 +3355,13 @@ Examples:
     <message>
         <source>As the &amp;desktop</source>
         <translation>跟随桌面(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>LastSession</name>
+    <message>
+        <source>camera</source>
+        <translation>相机</translation>
     </message>
 </context>
 <context>
@@ -7534,6 +7541,22 @@ Run %2 --help for more.
     <message>
         <source>Trigger</source>
         <translation>触发信号</translation>
+    </message>
+    <message>
+        <source>the desktop keeps it on</source>
+        <translation>桌面使其保持开启</translation>
+    </message>
+    <message>
+        <source>the desktop may turn it off during the session</source>
+        <translation>桌面可能在场次期间将其关闭</translation>
+    </message>
+    <message>
+        <source>Turn off the screen saver and energy saving of the desktop for the session.</source>
+        <translation>请在场次期间关闭桌面的屏幕保护程序和节能功能。</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>屏幕</translation>
     </message>
 </context>
 <context>
@@ -12088,6 +12111,22 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::RecentList</name>
+    <message>
+        <source>Recent:</source>
+        <translation>最近使用：</translation>
+    </message>
+    <message>
+        <source>Reopen %1</source>
+        <comment>what was open</comment>
+        <translation>重新打开 %1</translation>
+    </message>
+    <message>
+        <source>What was open when the console was closed</source>
+        <translation>上次关闭控制台时打开的内容</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::RecordingIndicator</name>
     <message numerus="yes">
         <source>Recording %1 · %2 · %n lost</source>
@@ -13134,6 +13173,37 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::LayoutsMenu</name>
+    <message>
+        <source>Ma&amp;ximise the view</source>
+        <translation>最大化视图(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Show the view with the focus alone, or all again; a double click on a title does the same</source>
+        <translation>仅显示具有焦点的视图，或重新显示全部视图；双击标题效果相同</translation>
+    </message>
+    <message>
+        <source>La&amp;youts</source>
+        <translation>布局(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>将布局另存为(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>删除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>保存布局</translation>
+    </message>
+    <message>
+        <source>Name; one that is there already is replaced:</source>
+        <translation>名称；已有的同名布局将被替换：</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LevelTaskForm</name>
     <message>
         <source>Task with levels</source>
@@ -13828,8 +13898,57 @@ Run %2 --help for more.
         <translation>请用 --foxglove 选择另一个端口。</translation>
     </message>
     <message>
-        <source>Recordings (*.teleta *.csv)</source>
-        <translation>记录 (*.teleta *.csv)</translation>
+        <source>The layout %1 cannot be restored; the default one is shown.</source>
+        <translation>无法恢复布局 %1；显示默认布局。</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>它由另一版本的程序保存。</translation>
+    </message>
+    <message>
+        <source>The desktop may turn the screen off while something runs: %1</source>
+        <translation>有任务运行时，桌面可能会关闭屏幕：%1</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv *.mcap)</source>
+        <translation>记录 (*.teleta *.csv *.mcap)</translation>
+    </message>
+    <message>
+        <source>%1 was made of %2.</source>
+        <comment>two files</comment>
+        <translation>%1 已由 %2 创建。</translation>
+    </message>
+    <message>
+        <source>A robot arm, a recording or a session is running</source>
+        <translation>机械臂、记录或场次正在运行</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>首选项(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>打开最近使用的内容(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Scenes and source lists</source>
+        <translation>场景和数据源列表</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>研究</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>清空列表(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Reopen the &amp;last session</source>
+        <translation>重新打开上次的内容(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -14384,6 +14503,77 @@ Run %2 --help for more.
         <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
         <comment>a pattern, a time</comment>
         <translation>程序结束时未保存于 %2 编辑的 %1。磁盘上的文件保持原样。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PreferencesDialog</name>
+    <message>
+        <source>&amp;Keep the screen on while something runs</source>
+        <translation>有任务运行时保持屏幕开启(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Add the &amp;Unix time to exported CSV files</source>
+        <translation>在导出的 CSV 文件中添加 Unix 时间(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>While a session runs, something is recorded, or an arm may move</source>
+        <translation>当场次正在进行、正在记录或机械臂可能移动时</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>跟随桌面</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Offer what was open the last time</source>
+        <translation>提供上次打开的内容以供选择</translation>
+    </message>
+    <message>
+        <source>Open what was open the last time</source>
+        <translation>打开上次打开的内容</translation>
+    </message>
+    <message>
+        <source>Open nothing</source>
+        <translation>不打开任何内容</translation>
+    </message>
+    <message>
+        <source>A last column, utc_s, in seconds since 1970</source>
+        <translation>最后一列 utc_s，自 1970 年起的秒数</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>选择(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage:</source>
+        <translation>语言(&amp;G)：</translation>
+    </message>
+    <message>
+        <source>&amp;Theme:</source>
+        <translation>主题(&amp;T)：</translation>
+    </message>
+    <message>
+        <source>At the &amp;start:</source>
+        <translation>启动时(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of recordings:</source>
+        <translation>记录的文件夹(&amp;F)：</translation>
     </message>
 </context>
 <context>
@@ -15066,6 +15256,75 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::RecordingFiles</name>
+    <message>
+        <source>Open MCAP file</source>
+        <translation>打开 MCAP 文件</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <comment>a file</comment>
+        <translation>%1 已存在。</translation>
+    </message>
+    <message>
+        <source>It may have been made of %1 before. To import the file again makes %2.</source>
+        <comment>two files</comment>
+        <translation>它可能是先前由 %1 创建的。再次导入该文件将创建 %2。</translation>
+    </message>
+    <message>
+        <source>&amp;Open the recording</source>
+        <translation>打开记录(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Import again</source>
+        <translation>再次导入(&amp;I)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::RecordingImport</name>
+    <message>
+        <source>a recording of this name is being made</source>
+        <translation>正在创建同名的记录</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <comment>a file</comment>
+        <translation>正在导入 %1…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>无法创建文件夹</translation>
+    </message>
+    <message>
+        <source>Topics that cannot be read were left out: %1.</source>
+        <translation>已略去无法读取的话题：%1。</translation>
+    </message>
+    <message>
+        <source>The file was cut off; what could be read is there.</source>
+        <translation>文件被截断；可读取的内容已保留。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged chunk(s) left out.</source>
+        <translation>
+            <numerusform>略去 %n 个损坏的数据块。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged message(s) left out.</source>
+        <translation>
+            <numerusform>略去 %n 条损坏的消息。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The checksum of the file is wrong: it was damaged somewhere.</source>
+        <translation>文件的校验和错误：文件某处已损坏。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::RecordingMarks</name>
     <message>
         <source>mark</source>
@@ -15089,6 +15348,21 @@ Run %2 --help for more.
     <message>
         <source>a folder that can be written to</source>
         <translation>可写入的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::ScreenKeeper</name>
+    <message>
+        <source>the service has ended</source>
+        <translation>服务已终止</translation>
+    </message>
+    <message>
+        <source>there is no session bus</source>
+        <translation>没有会话总线</translation>
+    </message>
+    <message>
+        <source>the answer is not understood</source>
+        <translation>无法理解应答</translation>
     </message>
 </context>
 <context>
