@@ -104,9 +104,10 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
            "  teleta-console --camera 0 --camera-model camera.json\n"
            "  teleta-console --sources both-arrays.toml --theme dark"));
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
-    m_parser.addPositionalArgument(QStringLiteral("FILE"),
-                                   tr("Recordings (.teleta, .csv), scenes and source lists (.toml) to open."),
-                                   QStringLiteral("[FILE...]"));
+    m_parser.addPositionalArgument(
+        QStringLiteral("FILE"),
+        tr("Recordings (.teleta, .csv, .mcap), scenes and source lists (.toml) to open."),
+        QStringLiteral("[FILE...]"));
     // It adds --help-all too, of which this program has no more to say.
     const QCommandLineOption help = m_parser.addHelpOption();
     const QCommandLineOption version = m_parser.addVersionOption();
@@ -189,7 +190,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     for (const QString& file : options.files) {
         const QString suffix = QFileInfo(file).suffix().toLower();
         if (suffix != QLatin1String("teleta") && suffix != QLatin1String("csv") &&
-            suffix != QLatin1String("toml"))
+            suffix != QLatin1String("mcap") && suffix != QLatin1String("toml"))
             fail(tr("unexpected argument \"%1\"").arg(file));
     }
     options.scenes = m_parser.values(scene);

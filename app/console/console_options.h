@@ -39,6 +39,12 @@ struct ConsoleOptions {
     QSize size;
     std::optional<double> measure_s; ///< print the event loop's statistics after so long and quit
     bool freshLayout = false;        ///< start with default layout and settings and save nothing
+
+    /// Names sources, a pattern, a study or pairs of a camera.
+    [[nodiscard]] bool opensAnything() const {
+        return !files.isEmpty() || !scenes.isEmpty() || !recordings.empty() || !sourceList.isEmpty() ||
+               !pattern.isEmpty() || !study.isEmpty() || rehearse || camera || !cameraPairs.isEmpty();
+    }
 };
 
 /// Outcome of reading the command line: options, or a text to print and the exit code to leave with (0 for

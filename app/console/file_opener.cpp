@@ -27,6 +27,13 @@ FileOpener::FileOpener(SourceManager& sources, RecordingFiles& recordings, Study
     , m_seed(seed) {
     connect(&m_recordings, &RecordingFiles::opened, this,
             [this](const QString& path) { m_awaited.removeOne(path); });
+    connect(&m_recordings, &RecordingFiles::imported, this,
+            [this](const QString& file, const QString& recording) {
+                m_awaited.removeOne(file);
+                m_awaited.append(recording);
+            });
+    connect(&m_recordings, &RecordingFiles::cancelled, this,
+            [this](const QString& file) { m_awaited.removeOne(file); });
     // It tells the name alone.
     connect(&m_recordings, &RecordingFiles::failed, this, [this](const QString& name) {
         const auto awaited = std::find_if(m_awaited.begin(), m_awaited.end(), [&](const QString& path) {
@@ -56,7 +63,7 @@ void FileOpener::read(Work work, Done done) {
 }
 
 void FileOpener::openFile(const QString& path) {
-    if (isRecordingName(path) || path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+    if (isPlayable(path)) {
         openRecording(path);
         return;
     }
@@ -70,9 +77,16 @@ void FileOpener::openFile(const QString& path) {
 }
 
 void FileOpener::openRecording(const QString& path) {
-    if (isRecordingName(path))
+    if (isRecordingName(path) || isMcapName(path))
         m_awaited.append(path);
     m_recordings.open(path);
+}
+
+void FileOpener::reopenRecording(const QString& path) {
+    if (isRecordingName(path) || isMcapName(path))
+        openRecording(path);
+    else
+        m_recordings.reopen(path);
 }
 
 void FileOpener::openAs(const RecordingArguments& recording) {
@@ -89,7 +103,7 @@ void FileOpener::openList(const QString& path) {
              }
              emit listOpened(path);
              for (const SourceRequest& request : *list)
-                 m_sources.open(request);
+                 m_lists.insert(m_sources.open(request), path);
          });
 }
 
@@ -122,6 +136,8 @@ void FileOpener::openScenes(const QStringList& scenes, const QString& study, boo
                  const std::optional<study::StudyScene>& scene = studies[static_cast<std::size_t>(i)];
                  if (!scene) {
                      m_sources.open(SceneRequest{scenes[i].toStdString(), m_seed});
+                     if (QFileInfo(scenes[i]).isFile() && !scenes[i].startsWith(QLatin1Char(':')))
+                         emit sceneOpened(scenes[i]);
                      continue;
                  }
                  emit studyShown();

@@ -3,7 +3,9 @@
 
 #include "app/console/console_options.h"
 #include "backend/core/error.h"
+#include "backend/pipeline/touch_pipeline.h"
 
+#include <QHash>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -31,6 +33,10 @@ public:
     void openRecording(const QString& path);
     /// Opens without asking; what the command line omits is guessed.
     void openAs(const RecordingArguments& recording);
+    /// Source list that a source was opened from; empty: none.
+    [[nodiscard]] QString listOf(pipeline::ChannelKey source) const { return m_lists.value(source); }
+    /// As it was opened the last time; asks only when that is not known.
+    void reopenRecording(const QString& path);
     void openList(const QString& path);
     void openScene(const QString& path);
     /// A scene of a study goes to its page, in a folder of its own or the one that is named, and is a
@@ -45,6 +51,8 @@ public:
     [[nodiscard]] bool isReading() const { return m_reading > 0 || !m_awaited.isEmpty(); }
 
 signals:
+    /// A scene in a file was opened as a source.
+    void sceneOpened(const QString& path);
     /// A source list was read.
     void listOpened(const QString& path);
     void failed(const QString& name, const teleta::core::Error& error);
@@ -61,7 +69,8 @@ private:
     StudyPage& m_study;
     std::uint64_t m_seed;
     int m_reading = 0;
-    QStringList m_awaited; ///< recordings that are being read
+    QStringList m_awaited;                        ///< recordings that are being read
+    QHash<pipeline::ChannelKey, QString> m_lists; ///< by what was opened from them
 };
 
 } // namespace teleta::console

@@ -48,6 +48,13 @@ void useLanguage(QApplication& application, const QString& language) {
     app::installTranslator(application, language.isEmpty() ? desktop : chosen);
 }
 
+std::vector<std::pair<QString, QString>> languageChoices() {
+    std::vector<std::pair<QString, QString>> choices;
+    for (const QLocale& locale : app::availableLocales())
+        choices.emplace_back(ownName(locale), code(locale));
+    return choices;
+}
+
 void addLanguageMenu(QMenu& view, ConsoleSettings& settings) {
     QMenu* menu = view.addMenu(MenuText::tr("Lan&guage"));
     menu->setObjectName(QStringLiteral("languages"));

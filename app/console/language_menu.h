@@ -3,6 +3,9 @@
 
 #include <QString>
 
+#include <utility>
+#include <vector>
+
 class QApplication;
 class QMenu;
 
@@ -14,6 +17,9 @@ class ConsoleSettings;
 /// desktop's when it is empty. Where the desktop has the same language, numbers are as the desktop has them.
 /// Thread: GUI.
 void useLanguage(QApplication& application, const QString& language);
+
+/// The languages of the program, {own name, code as for useLanguage()}. Thread: any.
+[[nodiscard]] std::vector<std::pair<QString, QString>> languageChoices();
 
 /// Adds a menu to choose the language in, each by its own name; the choice is used at once, and remembered.
 /// Thread: GUI.

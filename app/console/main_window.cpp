@@ -6,6 +6,7 @@
 #include "app/console/bracelet/hand_station.h"
 #include "app/console/calibrate/calibrate_page.h"
 #include "app/console/cost/cost_page.h"
+#include "app/console/desktop/layouts_menu.h"
 #include "app/console/file_opener.h"
 #include "app/console/foxglove/live_view_service.h"
 #include "app/console/help/about.h"
@@ -28,13 +29,14 @@
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/page_rail.h"
+#include "widgets/chrome/recent_list.h"
 #include "widgets/chrome/recording_indicator.h"
 #include "widgets/chrome/stop_button.h"
 #include "widgets/pattern/pattern_editor.h"
 
-#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDebug>
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -93,6 +95,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                               ? QString()
                               : options.dataFolder + QStringLiteral("/cost/tradeoff.csv"),
                           {}, this))
+    , m_layouts(new LayoutsMenu(m_operate->docks(), settings, this))
     , m_braceletMenu(new BraceletMenu(m_bracelet, settings, this))
     , m_recording(new RecordingControls(m_recorder, m_sources, *m_operate, settings, this))
     , m_live(std::make_unique<LiveViewService>(m_sources, m_bracelet))
@@ -154,8 +157,22 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                                     tr("Choose another port with --foxglove."), why});
     });
     connect(m_recordings, &RecordingFiles::opened, this, &MainWindow::addRecent);
+    connect(m_recordings, &RecordingFiles::imported, this, &MainWindow::onImported);
     connect(m_opener, &FileOpener::failed, this, &MainWindow::onFailed);
     connect(m_opener, &FileOpener::listOpened, this, &MainWindow::addRecent);
+    connect(m_opener, &FileOpener::sceneOpened, this, &MainWindow::addRecent);
+    connect(&m_operate->recent(), &chrome::RecentList::fileRequested, m_opener, &FileOpener::openFile);
+    connect(&m_operate->recent(), &chrome::RecentList::sessionRequested, this, &MainWindow::openLastSession);
+    connect(m_layouts, &LayoutsMenu::notRestored, this, [this](const QString& name) {
+        m_operate->messages().post(
+            {chrome::Message::Severity::warning,
+             tr("The layout %1 cannot be restored; the default one is shown.").arg(name),
+             tr("It was saved by another version of the program."), QString()});
+    });
+    // For the log: the checks before a session say it where it matters.
+    connect(&m_screen, &ScreenKeeper::failed, this, [](const QString& why) {
+        qInfo().noquote() << tr("The desktop may turn the screen off while something runs: %1").arg(why);
+    });
     connect(m_opener, &FileOpener::studyShown, this, [this] { showPage(QLatin1String(kStudy)); });
     connect(&m_questions, &ClosingQuestions::pageRequested, this, &MainWindow::showPage);
     // The release of a key that is down then goes elsewhere.
@@ -166,7 +183,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_operate.get(), &OperatePage::demoRequested, this, &MainWindow::openDemo);
     connect(m_operate.get(), &OperatePage::firstStepsRequested, m_help, &HelpMenu::openFirstSteps);
     connect(m_operate.get(), &OperatePage::openRecordingRequested, this, [this] {
-        askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv)"), &FileOpener::openRecording,
+        askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv *.mcap)"), &FileOpener::openRecording,
                    m_recordings->folder(m_recording->folder()));
     });
     connect(m_operate.get(), &OperatePage::openListRequested, this, [this] {
@@ -189,10 +206,15 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(&m_operate->armViews().feedbackPanel(), &FeedbackPanel::changed, this, &MainWindow::saveFeedback);
     connect(&m_sources, &SourceManager::activeChanged, this, &MainWindow::buildMenus);
     connect(m_collection, &PatternCollection::changed, this, &MainWindow::takeOwnPatterns);
-    m_patterns->editor().setRecent(m_settings.recentPatterns());
     connect(m_patterns.get(), &PatternsPage::used, this, [this](const QString& path) {
         m_settings.addRecentPattern(path);
-        m_patterns->editor().setRecent(m_settings.recentPatterns());
+        showRecent();
+    });
+    connect(&m_study->controller(), &StudyController::opened, this, [this] {
+        const auto& location = m_study->controller().overview()->location;
+        if (location.server.empty())
+            m_settings.addRecentStudy(QString::fromStdString(location.folder));
+        showRecent();
     });
     connect(m_patterns.get(), &PatternsPage::recoveryOffered, this, [this](const QString& text) {
         m_operate->messages().post({chrome::Message::Severity::information, text,
@@ -203,7 +225,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
         m_operate->messages().post(*notice);
     restoreFeedback();
     m_braceletMenu->restore(options.bracelet);
-    chooser.setRecent(m_settings.recentFiles());
+    showRecent();
     base::keepTranslated(this, &MainWindow::retranslate);
     qApp->installEventFilter(this);
 
@@ -215,6 +237,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     if (!m_settings.layout(QLatin1String(kOperate)).isEmpty())
         m_operate->docks().restoreLayouts(m_settings.layout(QLatin1String(kOperate)));
 
+    offerLastSession();
     const QString page = options.page.isEmpty() ? m_settings.page() : options.page;
     if (pageNames().contains(page))
         showPage(page);
@@ -247,6 +270,7 @@ void MainWindow::onTick() {
         readings.push_back(std::move(*hand));
     m_devices->setReadings(readings);
     showStop();
+    keepScreen();
 }
 
 void MainWindow::openRequested(const ConsoleOptions& options) {
@@ -266,6 +290,8 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         m_opener->openList(options.sourceList);
     if (!options.pattern.isEmpty())
         m_patterns->open(options.pattern);
+    if (m_settings.atStart() == AtStart::open && !options.opensAnything())
+        openLastSession();
     m_record = options.record;
     m_live->setOptions(options.liveView);
     if (options.startsLiveView)
@@ -302,7 +328,33 @@ void MainWindow::openCamera() {
 
 void MainWindow::addRecent(const QString& path) {
     m_settings.addRecentFile(path);
-    m_operate->chooser().setRecent(m_settings.recentFiles());
+    showRecent();
+}
+
+void MainWindow::onImported(const QString& file, const QString& recording, const QString& missing) {
+    m_operate->messages().post(
+        {missing.isEmpty() ? chrome::Message::Severity::information : chrome::Message::Severity::warning,
+         tr("%1 was made of %2.", "two files")
+             .arg(QFileInfo(recording).fileName(), QFileInfo(file).fileName()),
+         missing, recording});
+}
+
+void MainWindow::keepScreen() {
+    const StudyController& study = m_study->controller();
+    const bool choosesSession =
+        m_rail->currentPage() == QLatin1String(kStudy) && study.chosenSession() != nullptr;
+    const auto& items = m_sources.items();
+    const bool armMayMove =
+        !m_stop.engaged() && std::any_of(items.begin(), items.end(), [](const auto& item) {
+            return item.playback() == nullptr && (item.arm() != nullptr || item.servo() != nullptr);
+        });
+    const bool wanted = m_settings.keepsScreenOn() &&
+                        (m_recorder.isRecording() || study.isActive() || choosesSession || armMayMove);
+    m_screen.setWanted(wanted, tr("A robot arm, a recording or a session is running"));
+    const bool isKnown = m_screen.state() == ScreenKeeper::State::held ||
+                         m_screen.state() == ScreenKeeper::State::unavailable || !m_settings.keepsScreenOn();
+    m_study->controller().setScreenHeld(isKnown ? std::optional(m_screen.state() == ScreenKeeper::State::held)
+                                                : std::nullopt);
 }
 
 void MainWindow::askForFile(const QString& title, const QString& filter,
@@ -355,70 +407,6 @@ void MainWindow::onEscape(bool down) {
     }
 }
 
-void MainWindow::buildMenus() {
-    // The bar keeps menus that are no longer in it; one of them may have asked for this.
-    for (QMenu* menu : menuBar()->findChildren<QMenu*>(Qt::FindDirectChildrenOnly))
-        menu->deleteLater();
-    menuBar()->clear();
-    QMenu* file = menuBar()->addMenu(tr("&File"));
-    QMenu* open = m_operate->chooser().openMenu();
-    open->setTitle(tr("&Open"));
-    file->addMenu(open);
-    QAction* close = file->addAction(tr("&Close source"), QKeySequence::Close, this, [this] {
-        if (const auto* item = m_sources.active())
-            m_sources.close(item->key);
-    });
-    close->setToolTip(tr("Close the source that is shown"));
-    file->addSeparator();
-    file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
-
-    QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addActions(m_operate->docks().actions());
-    view->addAction(tr("&Reset layout"), this, [this] { m_operate->docks().resetLayout(); });
-    view->addSeparator();
-    auto* themes = new QActionGroup(view);
-    const QString current = m_settings.theme();
-    const auto addTheme = [&](const QString& text, const QString& theme) {
-        QAction* action = view->addAction(text, this, [this, theme] { setTheme(theme); });
-        action->setCheckable(true);
-        action->setChecked(theme == current);
-        themes->addAction(action);
-    };
-    addTheme(tr("&Light"), QStringLiteral("light"));
-    addTheme(tr("&Dark"), QStringLiteral("dark"));
-    addTheme(tr("As the de&sktop"), QStringLiteral("system"));
-    addLanguageMenu(*view, m_settings);
-    view->addSeparator();
-    m_live->fill(*view);
-    view->addAction(tr("&Full screen"), QKeySequence::FullScreen, this,
-                    [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-
-    m_recording->fill(*menuBar()->addMenu(tr("&Recording")));
-    buildArmMenu();
-    m_braceletMenu->fill(*menuBar()->addMenu(tr("&Bracelet")));
-
-    m_help->fill(*menuBar()->addMenu(tr("&Help")));
-}
-
-void MainWindow::buildArmMenu() {
-    QMenu* menu = menuBar()->addMenu(tr("&Arm"));
-    const SourceManager::Item* item = m_sources.active();
-    const bool hasArm = item != nullptr && item->arm() != nullptr;
-    const bool hasProgram = m_operate->hasProgram();
-    const auto add = [&](const QString& text, const QKeySequence& key, bool isPossible, auto call) {
-        QAction* action = menu->addAction(text, key, m_operate.get(), call);
-        action->setEnabled(isPossible);
-        return action;
-    };
-    add(tr("&Run its program"), Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(true); });
-    add(tr("&Hold"), Qt::SHIFT | Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(false); });
-    add(tr("Re&start"), Qt::CTRL | Qt::Key_F5, hasProgram, [this] { m_operate->restartProgram(); });
-    menu->addSeparator();
-    add(tr("&Forget the explored contour"), Qt::CTRL | Qt::SHIFT | Qt::Key_N, hasArm, [this] {
-        m_operate->armViews().forgetContour();
-    })->setToolTip(tr("What is touched from now on is another object"));
-}
-
 void MainWindow::restoreFeedback() {
     FeedbackPanel& panel = m_operate->armViews().feedbackPanel();
     if (!m_settings.patternMap().isEmpty()) {
@@ -468,6 +456,10 @@ void MainWindow::setTheme(const QString& theme) {
 void MainWindow::saveState() {
     m_settings.setGeometry(saveGeometry());
     m_settings.setLayout(QLatin1String(kOperate), m_operate->docks().saveLayouts());
+    for (const SourceManager::Item& item : m_sources.items())
+        if (const auto* camera = std::get_if<CameraRequest>(&item.request))
+            m_settings.setCamera(*camera);
+    m_settings.setLastSession(session());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -523,7 +515,7 @@ void MainWindow::retranslate() {
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     for (const QUrl& url : event->mimeData()->urls()) {
         const QString suffix = QFileInfo(url.toLocalFile()).suffix().toLower();
-        if (QStringList{"csv", "toml", "teleta"}.contains(suffix)) {
+        if (QStringList{"csv", "mcap", "teleta", "toml"}.contains(suffix)) {
             event->acceptProposedAction();
             return;
         }

@@ -6,6 +6,7 @@
 #include "app/console/bracelet/bracelet_service.h"
 #include "app/console/closing_questions.h"
 #include "app/console/console_options.h"
+#include "app/console/desktop/screen_keeper.h"
 #include "app/console/operate/recording/recording_service.h"
 #include "app/console/session_recorder.h"
 #include "app/console/sources/source_manager.h"
@@ -32,6 +33,7 @@ class CostPage;
 class FileOpener;
 class HandStation;
 class HelpMenu;
+class LayoutsMenu;
 class LiveViewService;
 class OperatePage;
 class PageStack;
@@ -50,7 +52,8 @@ public:
     MainWindow(const ConsoleOptions& options, ConsoleSettings& settings, core::StopSwitch& stop);
     ~MainWindow() override;
 
-    /// Opens what the command line asks for. True when there was something to open.
+    /// Opens what the command line asks for, and, if it names nothing and that is preferred, what was open
+    /// the last time.
     void openRequested(const ConsoleOptions& options);
     void openDemo();
 
@@ -103,6 +106,15 @@ private:
     void askForFile(const QString& title, const QString& filter, void (FileOpener::*open)(const QString&),
                     const QString& folder = {});
     void openCamera();
+    void openLastSession();
+    void offerLastSession();
+    [[nodiscard]] QStringList session();
+    void addRecentMenu(QMenu& file);
+    void showRecent();
+    void onImported(const QString& file, const QString& recording, const QString& missing);
+    void editPreferences();
+    /// Lets the desktop keep the screen on while something runs.
+    void keepScreen();
     void beginRecording();
     void saveState();
     void showPage(const QString& name);
@@ -115,6 +127,7 @@ private:
     RecordingService m_recorder;
     SessionRecorder m_sessionRecorder{m_recorder};
     GuiClock m_clock;
+    ScreenKeeper m_screen;
     PatternCollection* m_collection;
     RecordingFiles* m_recordings;
     chrome::PageRail* m_rail;
@@ -124,6 +137,7 @@ private:
     std::unique_ptr<StudyPage> m_study;
     std::unique_ptr<CalibratePage> m_calibrate;
     std::unique_ptr<CostPage> m_cost;
+    LayoutsMenu* m_layouts;
     BraceletMenu* m_braceletMenu;
     std::unique_ptr<RecordingControls> m_recording;
     std::unique_ptr<LiveViewService> m_live;

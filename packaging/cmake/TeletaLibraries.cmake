@@ -52,7 +52,7 @@ if(TELETA_PYTHON AND NOT pybind11_FOUND)
 endif()
 
 if(TELETA_GUI)
-    find_package(Qt6 6.4 REQUIRED COMPONENTS Multimedia OpenGL OpenGLWidgets PrintSupport Svg Widgets)
+    find_package(Qt6 6.4 REQUIRED COMPONENTS DBus Multimedia OpenGL OpenGLWidgets PrintSupport Svg Widgets)
 
     find_library(TELETA_QCUSTOMPLOT QCustomPlotQt6 REQUIRED)
     find_path(TELETA_QCUSTOMPLOT_INCLUDE qcustomplot.h REQUIRED)

@@ -5,6 +5,9 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <array>
+#include <utility>
+
 namespace teleta::console {
 
 namespace {
@@ -27,10 +30,17 @@ QStringList withNewest(QStringList files, const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     files.removeAll(absolute);
     files.prepend(absolute);
-    while (files.size() > ConsoleSettings::kRecentFiles)
-        files.removeLast();
+    // Many recordings do not push out the one scene.
+    const bool isRecording = isPlayable(absolute);
+    int ofItsKind = 0;
+    files.removeIf([&](const QString& file) {
+        return isPlayable(file) == isRecording && ++ofItsKind > ConsoleSettings::kRecentFiles;
+    });
     return files;
 }
+
+constexpr std::array<std::pair<AtStart, const char*>, 3> kAtStart{
+    {{AtStart::offer, "offer"}, {AtStart::open, "open"}, {AtStart::nothing, "nothing"}}};
 
 } // namespace
 
@@ -71,6 +81,33 @@ QStringList ConsoleSettings::recentPatterns() const {
 
 void ConsoleSettings::addRecentPattern(const QString& path) {
     addToList(QStringLiteral("patterns/recent"), path);
+}
+
+QStringList ConsoleSettings::recentStudies() const {
+    return list(QStringLiteral("study/recent"));
+}
+
+void ConsoleSettings::addRecentStudy(const QString& folder) {
+    addToList(QStringLiteral("study/recent"), folder);
+}
+
+void ConsoleSettings::clearRecent() {
+    for (const char* key : {"recent", "patterns/recent", "study/recent"})
+        set(QLatin1String(key), QStringList());
+}
+
+AtStart ConsoleSettings::atStart() const {
+    const QString word = text(QStringLiteral("session/at_start"), {});
+    for (const auto& [choice, known] : kAtStart)
+        if (word == QLatin1String(known))
+            return choice;
+    return AtStart::offer;
+}
+
+void ConsoleSettings::setAtStart(AtStart choice) {
+    for (const auto& [known, word] : kAtStart)
+        if (known == choice)
+            set(QStringLiteral("session/at_start"), QLatin1String(word));
 }
 
 QStringList ConsoleSettings::list(const QString& key) const {
@@ -139,6 +176,34 @@ QString ConsoleSettings::text(const QString& key, const QString& fallback) const
 
 QByteArray ConsoleSettings::bytes(const QString& key) const {
     return m_settings ? m_settings->value(key).toByteArray() : QByteArray();
+}
+
+bool ConsoleSettings::flag(const QString& key, bool fallback) const {
+    return m_settings ? m_settings->value(key, fallback).toBool() : fallback;
+}
+
+QMap<QString, QByteArray> ConsoleSettings::namedLayouts() const {
+    QMap<QString, QByteArray> layouts;
+    if (!m_settings)
+        return layouts;
+    const QVariantMap stored = m_settings->value(QStringLiteral("layout/named")).toMap();
+    for (auto layout = stored.begin(); layout != stored.end(); ++layout)
+        layouts.insert(layout.key(), layout.value().toByteArray());
+    return layouts;
+}
+
+void ConsoleSettings::setNamedLayout(const QString& name, const QByteArray& layout) {
+    if (!m_settings)
+        return;
+    // Another console may have saved one.
+    m_settings->sync();
+    QVariantMap stored = m_settings->value(QStringLiteral("layout/named")).toMap();
+    if (layout.isEmpty())
+        stored.remove(name);
+    else
+        stored.insert(name, layout);
+    set(QStringLiteral("layout/named"), stored);
+    m_settings->sync();
 }
 
 void ConsoleSettings::set(const QString& key, const QVariant& value) {

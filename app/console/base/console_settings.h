@@ -4,6 +4,7 @@
 #include "app/console/base/source_request.h"
 
 #include <QByteArray>
+#include <QMap>
 #include <QSettings>
 #include <QString>
 #include <QStringList>
@@ -12,6 +13,13 @@
 #include <optional>
 
 namespace teleta::console {
+
+/// What becomes, at the start, of what was open when the console was closed.
+enum class AtStart {
+    offer, ///< a button opens it
+    open,  ///< it is opened
+    nothing,
+};
 
 /// What the console remembers from one start to the next, in an INI file under the user's configuration
 /// folder. Versioned: those of older versions are taken over, a newer file is left alone and the defaults
@@ -22,7 +30,7 @@ namespace teleta::console {
 class ConsoleSettings {
 public:
     static constexpr int kVersion = 1;
-    static constexpr int kRecentFiles = 8;
+    static constexpr int kRecentFiles = 8; ///< of each kind, at most
 
     /// fresh: remember nothing and start with the defaults.
     explicit ConsoleSettings(bool fresh);
@@ -51,6 +59,22 @@ public:
     [[nodiscard]] QByteArray layout(const QString& page) const { return bytes("layout/" + page); }
     void setLayout(const QString& page, const QByteArray& layout) { set("layout/" + page, layout); }
 
+    /// Layouts of the docks of the Operate page that have a name.
+    [[nodiscard]] QMap<QString, QByteArray> namedLayouts() const;
+    /// An empty layout takes the name away.
+    void setNamedLayout(const QString& name, const QByteArray& layout);
+
+    /// What was open when the console was closed, see last_session.
+    [[nodiscard]] QStringList lastSession() const { return list(QStringLiteral("session/open")); }
+    void setLastSession(const QStringList& entries) { set("session/open", entries); }
+    [[nodiscard]] AtStart atStart() const;
+    void setAtStart(AtStart choice);
+    [[nodiscard]] bool keepsScreenOn() const { return flag("screen/keep", true); }
+    void setKeepsScreenOn(bool keeps) { set("screen/keep", keeps); }
+    /// Whether exported CSV files have a column of Unix times.
+    [[nodiscard]] bool exportsUtc() const { return flag("export/utc", false); }
+    void setExportsUtc(bool exports) { set("export/utc", exports); }
+
     /// "simulated", "hid", "none", "file:FILE"; of the first versions "modbus:FILE".
     [[nodiscard]] QString bracelet() const { return text("bracelet", QStringLiteral("simulated")); }
     void setBracelet(const QString& bracelet) { set("bracelet", bracelet); }
@@ -64,8 +88,14 @@ public:
     [[nodiscard]] QString feedbackMode() const { return text("feedback/mode", QStringLiteral("both")); }
     void setFeedbackMode(const QString& mode) { set("feedback/mode", mode); }
 
+    /// Recordings, scenes and source lists, the newest first.
     [[nodiscard]] QStringList recentFiles() const;
     void addRecentFile(const QString& path);
+    /// Folders of studies, the newest first.
+    [[nodiscard]] QStringList recentStudies() const;
+    void addRecentStudy(const QString& folder);
+    /// Forgets files, patterns and studies.
+    void clearRecent();
 
     /// Where recordings are kept; empty: nobody chose a folder.
     [[nodiscard]] QString recordingFolder() const { return text("recording/folder", {}); }
@@ -91,6 +121,7 @@ public:
 private:
     [[nodiscard]] QString text(const QString& key, const QString& fallback) const;
     [[nodiscard]] QByteArray bytes(const QString& key) const;
+    [[nodiscard]] bool flag(const QString& key, bool fallback) const;
     void set(const QString& key, const QVariant& value);
     [[nodiscard]] QStringList list(const QString& key) const;
     void addToList(const QString& key, const QString& path);

@@ -59,6 +59,15 @@ bool isRecordingName(const QString& path) {
     return path.endsWith(QLatin1String(".teleta"), Qt::CaseInsensitive);
 }
 
+bool isMcapName(const QString& path) {
+    return path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
+}
+
+bool isPlayable(const QString& path) {
+    return isRecordingName(path) || isMcapName(path) ||
+           path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
+}
+
 core::Expected<std::vector<RecordingRequest>> recordingRequestsOf(const std::string& path) {
     TELETA_TRY(const auto recording, recording::Recording::open(path));
     TELETA_TRY(const auto sources, pipeline::recordedSources(recording));

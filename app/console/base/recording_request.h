@@ -24,6 +24,10 @@ struct RecordingRequest {
 
 /// Whether a file is to be opened as a recording of this program, by its name.
 [[nodiscard]] bool isRecordingName(const QString& path);
+/// The same of an MCAP file, of which a recording is made first.
+[[nodiscard]] bool isMcapName(const QString& path);
+/// The same of whatever is played back: recordings, MCAP files and frames in CSV.
+[[nodiscard]] bool isPlayable(const QString& path);
 
 /// All sources of a recording. Reads the file: not on the GUI's thread. Error: as Recording::open and
 /// pipeline::recordedSources.

@@ -6,13 +6,16 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QChildEvent>
 #include <QDataStream>
 #include <QDockWidget>
 #include <QEvent>
 #include <QIODevice>
+#include <QMouseEvent>
 #include <QScreen>
 #include <QScrollArea>
 #include <QStyle>
+#include <QTabBar>
 
 #include <algorithm>
 #include <utility>
@@ -93,6 +96,9 @@ void OperateDocks::showFocus(const QWidget* before, const QWidget* now) {
     // Tab also goes into docks behind others. A focus that was driven out of what went is not followed:
     // nothing comes forward by itself.
     const bool wasLeft = before != nullptr && before->isEnabled() && before->isVisibleTo(before->window());
+    for (const QDockWidget* dock : m_docks)
+        if (dock != nullptr && now != nullptr && dock->isAncestorOf(now))
+            m_lastUsed = dock->objectName();
     if (now == nullptr || !wasLeft)
         return;
     for (QDockWidget* dock : m_docks)
@@ -105,6 +111,7 @@ void OperateDocks::add(Dock dock, QWidget* view) {
     frame->setObjectName(QLatin1String(kNames[dock])); // saveState() needs it
     frame->setWidget(view);
     addDockWidget(Qt::LeftDockWidgetArea, frame);
+    frame->installEventFilter(this);
     m_docks[dock] = frame;
     // One that was closed is opened where it was, which may be nowhere by now.
     connect(frame, &QDockWidget::visibilityChanged, this, &OperateDocks::bringBack, Qt::QueuedConnection);
@@ -129,7 +136,8 @@ void OperateDocks::begin() {
 void OperateDocks::setKind(Kind kind) {
     if (kind == m_kind)
         return;
-    m_layouts[index()] = saveState(kLayoutVersion);
+    m_layouts[index()] = stateNow();
+    forgetMaximised();
     m_kind = kind;
     enableActions();
     if (m_layouts[index()].isEmpty() || !restore(m_layouts[index()]))
@@ -171,8 +179,81 @@ void OperateDocks::bringForward(const QString& name) {
     const auto index = static_cast<std::size_t>(names().indexOf(name));
     if (index >= kDocks || !belongs(m_kind, index))
         return;
+    if (!m_alone.isEmpty() && name != m_alone)
+        setMaximised({});
     m_docks[index]->show();
     m_docks[index]->raise();
+}
+
+void OperateDocks::setMaximised(const QString& name) {
+    if (!m_together.isEmpty()) {
+        const QByteArray together = m_together;
+        forgetMaximised();
+        if (!restore(together))
+            resetLayout();
+    }
+    const auto index = static_cast<std::size_t>(names().indexOf(name));
+    if (index >= kDocks || !belongs(m_kind, index) || m_docks[index]->isFloating())
+        return;
+    m_together = saveState(kLayoutVersion);
+    m_alone = name;
+    for (QDockWidget* dock : m_docks)
+        if (dock != m_docks[index] && !dock->isFloating())
+            dock->hide();
+    m_docks[index]->show();
+    m_docks[index]->raise();
+    emit maximisedChanged(true);
+}
+
+void OperateDocks::toggleMaximised() {
+    const auto used = static_cast<std::size_t>(std::max<qsizetype>(0, names().indexOf(m_lastUsed)));
+    if (!m_alone.isEmpty())
+        setMaximised({});
+    else
+        setMaximised(m_docks[used]->isVisible() && !m_lastUsed.isEmpty()
+                         ? m_lastUsed
+                         : QLatin1String(kNames[m_kind == Kind::camera ? camera : heatmap]));
+}
+
+void OperateDocks::forgetMaximised() {
+    m_together.clear();
+    if (!std::exchange(m_alone, QString()).isEmpty())
+        emit maximisedChanged(false);
+}
+
+QByteArray OperateDocks::stateNow() const {
+    return m_together.isEmpty() ? saveState(kLayoutVersion) : m_together;
+}
+
+bool OperateDocks::eventFilter(QObject* watched, QEvent* event) {
+    // Before the dock itself, which would float.
+    if (event->type() == QEvent::MouseButtonDblClick) {
+        const auto* dock = qobject_cast<QDockWidget*>(watched);
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        if (dock != nullptr && !dock->isFloating() && mouse->button() == Qt::LeftButton &&
+            mouse->position().y() < dock->widget()->y()) {
+            setMaximised(m_alone == dock->objectName() ? QString() : dock->objectName());
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+void OperateDocks::childEvent(QChildEvent* event) {
+    QMainWindow::childEvent(event);
+    // Qt makes the tabs of docks that lie upon each other.
+    if (auto* tabs = qobject_cast<QTabBar*>(event->child()); tabs != nullptr && event->polished())
+        connect(tabs, &QTabBar::tabBarDoubleClicked, this, &OperateDocks::onTabDoubleClicked,
+                Qt::UniqueConnection);
+}
+
+void OperateDocks::onTabDoubleClicked(int tab) {
+    const auto* tabs = qobject_cast<QTabBar*>(sender());
+    for (const QDockWidget* dock : m_docks)
+        if (tabs != nullptr && tab >= 0 && dock->windowTitle() == tabs->tabText(tab) && dock->isVisible()) {
+            setMaximised(dock->objectName());
+            return;
+        }
 }
 
 QList<QAction*> OperateDocks::actions() const {
@@ -189,7 +270,7 @@ void OperateDocks::enableActions() {
 
 QByteArray OperateDocks::saveLayouts() const {
     std::array<QByteArray, kKinds> layouts = m_layouts;
-    layouts[index()] = saveState(kLayoutVersion);
+    layouts[index()] = stateNow();
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
     stream << kLayoutVersion;
@@ -199,6 +280,7 @@ QByteArray OperateDocks::saveLayouts() const {
 }
 
 bool OperateDocks::restoreLayouts(const QByteArray& layouts) {
+    forgetMaximised();
     QDataStream stream(layouts);
     qint32 version = 0;
     std::array<QByteArray, kKinds> stored;
@@ -221,6 +303,7 @@ bool OperateDocks::restoreLayouts(const QByteArray& layouts) {
 }
 
 void OperateDocks::resetLayout() {
+    forgetMaximised();
     arrange();
     m_default[index()] = true;
     shareSpace();

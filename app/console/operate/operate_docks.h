@@ -74,7 +74,16 @@ public:
     /// Shows and hides docks; those that do not belong to this kind of source are disabled.
     [[nodiscard]] QList<QAction*> actions() const;
 
-    /// All layouts.
+    /// Shows one dock alone, with all the room; an empty name brings the others back as they were. A floating
+    /// dock, and one that this kind of source does not show, stays as it is.
+    void setMaximised(const QString& name);
+    /// Name of the dock that is shown alone; empty: none.
+    [[nodiscard]] QString maximised() const { return m_alone; }
+    /// Maximises the dock with the focus, or else the one in which something was done last; or brings the
+    /// others back.
+    void toggleMaximised();
+
+    /// All layouts, without a dock that is maximised.
     [[nodiscard]] QByteArray saveLayouts() const;
     /// False if they are damaged or of another version; the default layouts are used then.
     bool restoreLayouts(const QByteArray& layouts);
@@ -82,8 +91,13 @@ public:
     void resetLayout();
     void retranslate();
 
+signals:
+    void maximisedChanged(bool any);
+
 protected:
     void showEvent(QShowEvent* event) override;
+    void childEvent(QChildEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(m_kind); }
@@ -93,10 +107,16 @@ private:
     void enableActions();
     void bringBack();
     void showFocus(const QWidget* before, const QWidget* now);
+    void onTabDoubleClicked(int tab);
+    void forgetMaximised();
+    [[nodiscard]] QByteArray stateNow() const;
 
     std::array<QDockWidget*, kDocks> m_docks{};
     Kind m_kind = Kind::array;
-    QString m_forward; ///< name of the dock that comes to the front with the next layout
+    QString m_alone;       ///< name of the dock that is shown alone
+    QByteArray m_together; ///< the layout that it came out of; empty: none is shown alone
+    QString m_lastUsed;    ///< name of the dock that had the focus last
+    QString m_forward;     ///< name of the dock that comes to the front with the next layout
     std::array<QByteArray, kKinds> m_layouts; ///< of the kinds that are not shown; empty: never shown
     std::array<bool, kKinds> m_default{true, true, true, true}; ///< shares its space anew when it is shown
 };

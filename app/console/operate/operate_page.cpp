@@ -9,6 +9,7 @@
 #include "widgets/chrome/demo_list.h"
 #include "widgets/chrome/empty_state.h"
 #include "widgets/chrome/playback_bar.h"
+#include "widgets/chrome/recent_list.h"
 #include "widgets/servo/servo_panel.h"
 #include "widgets/tactile/channel_settings_panel.h"
 #include "widgets/tactile/heatmap_view.h"
@@ -68,6 +69,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     , m_playback(new chrome::PlaybackBar(this))
     , m_stack(new QStackedWidget(this))
     , m_empty(new chrome::EmptyState(base::Icon::sensor, this))
+    , m_recent(new chrome::RecentList(this))
     , m_demos(new chrome::DemoList(this))
     , m_docks(new OperateDocks(this))
     , m_heatmap(new tactile::HeatmapView(this))
@@ -112,6 +114,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     auto* firstSteps = m_empty->addAction(QString(), QString());
     firstSteps->setObjectName(QStringLiteral("firstSteps"));
     connect(firstSteps, &QPushButton::clicked, this, &OperatePage::firstStepsRequested);
+    m_empty->setMore(m_recent);
     m_empty->setMore(m_demos);
     connect(m_demos, &chrome::DemoList::demoRequested, m_chooser, &chrome::SourceChooser::demoRequested);
     connect(demo, &QPushButton::clicked, this, &OperatePage::demoRequested);

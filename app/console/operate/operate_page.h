@@ -32,6 +32,7 @@ class StripChartView;
 namespace teleta::chrome {
 class DemoList;
 class EmptyState;
+class RecentList;
 class PlaybackBar;
 } // namespace teleta::chrome
 namespace teleta::view3d {
@@ -58,6 +59,8 @@ public:
     [[nodiscard]] chrome::SourceChooser& chooser() { return *m_chooser; }
     /// Demo scenes for the menu, and for the page while nothing is open.
     void setDemos(const std::vector<chrome::SourceChooser::Demo>& demos);
+    /// Shown while nothing is open.
+    [[nodiscard]] chrome::RecentList& recent() { return *m_recent; }
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
 
     [[nodiscard]] OperateDocks& docks() { return *m_docks; }
@@ -106,6 +109,7 @@ private:
     chrome::PlaybackBar* m_playback;
     QStackedWidget* m_stack;
     chrome::EmptyState* m_empty;
+    chrome::RecentList* m_recent;
     chrome::DemoList* m_demos;
     OperateDocks* m_docks;
     tactile::HeatmapView* m_heatmap;

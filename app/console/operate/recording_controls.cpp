@@ -3,6 +3,7 @@
 
 #include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording/mark_views.h"
+#include "app/console/operate/recording/recording_files.h"
 #include "backend/core/steady_time.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/redo_keys.h"
@@ -12,7 +13,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QMenu>
-#include <QStandardPaths>
 #include <QStringList>
 
 #include <variant>
@@ -48,7 +48,10 @@ RecordingControls::RecordingControls(RecordingService& service, SourceManager& s
     connect(m_record, &QAction::triggered, this, &RecordingControls::toggle);
     connect(m_mark, &QAction::triggered, this, [this] { mark(core::steadyNow_ns()); });
     connect(m_folder, &QAction::triggered, this, &RecordingControls::askForFolder);
-    connect(m_csv, &QAction::triggered, this, [this] { m_export.ask(suggestedForExport()); });
+    connect(m_csv, &QAction::triggered, this, [this] {
+        m_export.setUtc(m_settings.exportsUtc());
+        m_export.ask(suggestedForExport());
+    });
     connect(m_mcap, &QAction::triggered, this, [this] { m_export.askMcap(suggestedForExport()); });
     connect(&m_export, &RecordingExport::busyChanged, m_csv, &QAction::setDisabled);
     connect(&m_export, &RecordingExport::busyChanged, m_mcap, &QAction::setDisabled);
@@ -132,10 +135,7 @@ void RecordingControls::mark(std::int64_t time_ns) {
 
 QString RecordingControls::folder() const {
     const QString known = m_settings.recordingFolder();
-    if (!known.isEmpty())
-        return known;
-    return QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
-        .filePath(QStringLiteral("TeleTA"));
+    return known.isEmpty() ? RecordingFiles::usualFolder() : known;
 }
 
 void RecordingControls::onExported(const QString& text, int damaged, bool complete, const QString& place) {

@@ -332,6 +332,7 @@ std::vector<study::RunCheck> StudyController::checks() const {
     now.folder = m_folder;
     now.store = m_storeError;
     now.noiseConfirmed = m_noiseConfirmed;
+    now.screenHeld = m_screenHeld;
     if (&output() == &m_unplayed) {
         now.bracelet = study::BraceletCondition::live;
         now.braceletName = m_unplayed.description().toStdString();
@@ -348,6 +349,11 @@ std::vector<study::RunCheck> StudyController::checks() const {
                                                  : study::BraceletCondition::notLive;
     }
     return study::preRunChecks(now);
+}
+
+void StudyController::setScreenHeld(std::optional<bool> held) {
+    if (std::exchange(m_screenHeld, held) != held)
+        emit changed();
 }
 
 void StudyController::setNoiseConfirmed(bool confirmed) {

@@ -86,6 +86,8 @@ public:
     /// Its task.
     [[nodiscard]] const study::StudyTask* task() const;
     [[nodiscard]] std::vector<study::RunCheck> checks() const;
+    /// Whether the desktop keeps the screen on, for the checks; empty: nobody asked it.
+    void setScreenHeld(std::optional<bool> held);
     /// Why the store cannot be used now, the server being away for example; empty: it can.
     [[nodiscard]] const std::optional<core::Error>& storeError() const { return m_storeError; }
     [[nodiscard]] bool noiseConfirmed() const { return m_noiseConfirmed; }
@@ -181,6 +183,7 @@ private:
     std::int64_t m_lookedAround_ns = 0;
     bool m_lookingAround = false; ///< on the store's thread; a server may take long to answer
     bool m_noiseConfirmed = false;
+    std::optional<bool> m_screenHeld;
     bool m_foundInterrupted = false;
     bool m_rehearsing = false;
     int m_busy = 0; ///< pending requests that change the study

@@ -183,6 +183,14 @@ Verdict checkTrigger(const TriggerStatus& trigger) {
                   CheckText::tr("Plug the device in and switch it on; it is tried again every second."));
 }
 
+/// Passed in any case: a screen saver is a nuisance, and somebody is there.
+Verdict checkScreen(const RunConditions& now) {
+    if (*now.screenHeld)
+        return passed(CheckText::tr("the desktop keeps it on"));
+    return {true, CheckText::tr("the desktop may turn it off during the session"),
+            CheckText::tr("Turn off the screen saver and energy saving of the desktop for the session.")};
+}
+
 } // namespace
 
 FolderCondition lookAtFolder(const std::string& path) {
@@ -219,6 +227,8 @@ std::vector<RunCheck> preRunChecks(const RunConditions& now) {
     };
     if (now.trigger)
         checks.push_back(check(RunCheckKind::trigger, CheckText::tr("Trigger"), checkTrigger(*now.trigger)));
+    if (now.screenHeld)
+        checks.push_back(check(RunCheckKind::screen, CheckText::tr("Screen"), checkScreen(now)));
     return checks;
 }
 

@@ -58,9 +58,22 @@ struct RunConditions {
     std::optional<core::Error> store;          ///< why the store cannot be used; empty: it can
     bool noiseConfirmed = false;               ///< by the experimenter, for this session
     std::optional<TriggerStatus> trigger = {}; ///< of the line for triggers; empty: the study has none
+    /// Whether the desktop keeps the screen on; empty: nobody asked it.
+    std::optional<bool> screenHeld = {};
 };
 
-enum class RunCheckKind { protocol, stimuli, participant, bracelet, folder, space, store, noise, trigger };
+enum class RunCheckKind {
+    protocol,
+    stimuli,
+    participant,
+    bracelet,
+    folder,
+    space,
+    store,
+    noise,
+    trigger,
+    screen
+};
 
 /// The check of one condition.
 struct RunCheck {
@@ -73,8 +86,8 @@ struct RunCheck {
 
 /// Checks all conditions of a run, in the order in which they are best met; it may start when all pass. A
 /// simulated bracelet fails in mode run, since nobody feels it; noise is checked if people take part and the
-/// protocol has it. The trigger is only there when the study has one. Texts are translated. Thread: any
-/// (pure).
+/// protocol has it. The trigger is only there when the study has one. The screen never prevents a run: the
+/// check only tells. Texts are translated. Thread: any (pure).
 [[nodiscard]] std::vector<RunCheck> preRunChecks(const RunConditions& conditions);
 
 [[nodiscard]] bool allPassed(const std::vector<RunCheck>& checks);

@@ -75,10 +75,12 @@ private slots:
     }
 
     void takesFilesAndTheNameOfARecordingToMake() {
-        const auto parsed =
-            parseOptions({"teleta-console", "a.teleta", "frames.CSV", "lab.toml", "--record", "new.teleta"});
+        const auto parsed = parseOptions(
+            {"teleta-console", "a.teleta", "b.mcap", "frames.CSV", "lab.toml", "--record", "new.teleta"});
         QVERIFY(parsed.options.has_value());
-        QCOMPARE(parsed.options->files, (QStringList{"a.teleta", "frames.CSV", "lab.toml"}));
+        QCOMPARE(parsed.options->files, (QStringList{"a.teleta", "b.mcap", "frames.CSV", "lab.toml"}));
+        QVERIFY(parsed.options->opensAnything());
+        QVERIFY(!parseOptions({"teleta-console", "--theme", "dark"}).options->opensAnything());
         QCOMPARE(parsed.options->record, QString("new.teleta"));
     }
 

@@ -180,6 +180,20 @@ private slots:
         QCOMPARE(settings.page(), QString("study"));
         QCOMPARE(settings.theme(), QString("dark"));
     }
+
+    void manyRecordingsDoNotPushOutTheOneScene() {
+        ConsoleSettings settings(false);
+        settings.addRecentFile("/somewhere/scene.toml");
+        for (int i = 0; i < 12; ++i)
+            settings.addRecentFile(QString("/somewhere/%1.teleta").arg(i));
+        const QStringList files = settings.recentFiles();
+        QCOMPARE(files.size(), ConsoleSettings::kRecentFiles + 1);
+        QCOMPARE(files.first(), QString("/somewhere/11.teleta"));
+        QCOMPARE(files.last(), QString("/somewhere/scene.toml"));
+        settings.addRecentStudy("/somewhere/study");
+        settings.clearRecent();
+        QVERIFY(settings.recentFiles().isEmpty() && settings.recentStudies().isEmpty());
+    }
 };
 
 int main(int argc, char* argv[]) {

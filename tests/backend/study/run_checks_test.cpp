@@ -167,6 +167,18 @@ TEST_F(RunChecksTest, refusesAStoreThatIsAway) {
     EXPECT_EQ(onlyFailure().kind, RunCheckKind::store);
 }
 
+TEST_F(RunChecksTest, tellsWhetherTheScreenStaysOnButRefusesNothingForIt) {
+    for (const bool held : {true, false}) {
+        m_now.screenHeld = held;
+        const std::vector<RunCheck> checks = preRunChecks(m_now);
+        ASSERT_EQ(checks.size(), 9U);
+        EXPECT_TRUE(allPassed(checks));
+        EXPECT_EQ(checks.back().kind, RunCheckKind::screen);
+        EXPECT_NE(checks.back().finding, "");
+        EXPECT_EQ(checks.back().remedy.empty(), held);
+    }
+}
+
 TEST(LookAtFolder, tellsWhatAFolderCanTake) {
     const test::TemporaryFolder folder;
     const FolderCondition there = lookAtFolder(folder.path("."));

@@ -93,6 +93,7 @@ void RecordingExport::begin(const QString& path, const QString& target, Work wor
     m_folder = target;
     m_isMcap = work == &RecordingExport::writeMcap;
     m_progress = std::make_shared<Progress>();
+    m_progress->utc = m_utc;
     m_result = std::async(std::launch::async,
                           [work, progress = m_progress, path = path.toStdString(),
                            target = target.toStdString()] { return work(path, target, *progress); });
@@ -114,10 +115,13 @@ RecordingExport::Result RecordingExport::write(const std::string& path, const st
     TELETA_CHECK(recording);
     progress.isComplete = recording->isComplete();
     progress.isNewFolder = !QFileInfo::exists(QString::fromStdString(folder));
-    Result files = recording::exportCsv(*recording, folder, {.goOn = [&](double frames, double all) {
+    recording::ExportOptions options;
+    options.utc = progress.utc;
+    options.goOn = [&](double frames, double all) {
         progress.share = all > 0.0 ? frames / all : 0.0;
         return !progress.cancelled;
-    }});
+    };
+    Result files = recording::exportCsv(*recording, folder, options);
     // What was cancelled in time has left nothing.
     const bool isStopped = !files && files.error().kind == core::ErrorKind::cancelled;
     return isStopped ? Result() : files;

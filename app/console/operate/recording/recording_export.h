@@ -34,6 +34,8 @@ public:
     void ask(const QString& suggested);
     /// folder: made when it is missing. Fails while another export runs.
     void start(const QString& path, const QString& folder);
+    /// Whether the CSV files of the next export get a column of Unix times.
+    void setUtc(bool utc) { m_utc = utc; }
     /// Asks for a recording and an MCAP file. suggested: a recording; may be empty.
     void askMcap(const QString& suggested);
     /// Writes over the file when it is there. Fails while another export runs.
@@ -54,6 +56,7 @@ private:
     struct Progress {
         std::atomic<double> share{0.0};
         std::atomic<bool> cancelled{false};
+        bool utc = false;
         bool isNewFolder = false; ///< once it has ended, as the next one
         bool isComplete = true;
     };
@@ -72,6 +75,7 @@ private:
     QString m_path;
     QString m_folder; ///< or the MCAP file
     bool m_isMcap = false;
+    bool m_utc = false;
     std::shared_ptr<Progress> m_progress;
     std::future<Result> m_result;
     QProgressDialog* m_dialog = nullptr;

@@ -4,7 +4,11 @@
 #include "app/console/sources/recording_dialog.h"
 #include "widgets/base/background.h"
 
+#include <QDir>
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
 
 #include <vector>
 
@@ -14,12 +18,26 @@ RecordingFiles::RecordingFiles(SourceManager& sources, ConsoleSettings& settings
     : QObject(window)
     , m_sources(sources)
     , m_settings(settings)
-    , m_window(window) {
+    , m_window(window)
+    , m_import(window) {
+    connect(&m_import, &RecordingImport::imported, this,
+            [this](const QString& file, const QString& recording, const QString& missing) {
+                emit imported(file, recording, missing);
+                play(recording);
+            });
+    connect(&m_import, &RecordingImport::cancelled, this, &RecordingFiles::cancelled);
+    connect(&m_import, &RecordingImport::failed, this, [this](const QString& file, const core::Error& error) {
+        emit failed(QFileInfo(file).fileName(), error);
+    });
 }
 
 void RecordingFiles::open(const QString& path) {
     if (isRecordingName(path)) {
         play(path);
+        return;
+    }
+    if (isMcapName(path)) {
+        import(path);
         return;
     }
     base::runInBackground(
@@ -32,10 +50,17 @@ void RecordingFiles::open(const QString& path) {
         });
 }
 
+void RecordingFiles::reopen(const QString& path) {
+    if (const auto known = m_settings.recording(path))
+        m_sources.open(*known);
+    else
+        open(path);
+}
+
 QString RecordingFiles::folder(const QString& otherwise) const {
     QString folder = otherwise;
     for (const QString& path : m_settings.recentFiles()) {
-        if (isRecordingName(path) || path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        if (isPlayable(path)) {
             folder = QFileInfo(path).absolutePath();
             break;
         }
@@ -46,9 +71,14 @@ QString RecordingFiles::folder(const QString& otherwise) const {
     return folder;
 }
 
+QString RecordingFiles::usualFolder() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+        .filePath(QStringLiteral("TeleTA"));
+}
+
 void RecordingFiles::openAs(const RecordingArguments& recording) {
-    if (isRecordingName(recording.path)) {
-        play(recording.path);
+    if (isRecordingName(recording.path) || isMcapName(recording.path)) {
+        open(recording.path);
         return;
     }
     base::runInBackground(
@@ -73,6 +103,41 @@ void RecordingFiles::play(const QString& path) {
                 m_sources.open(request);
             emit opened(path);
         });
+}
+
+void RecordingFiles::import(const QString& file) {
+    const QString chosen = m_settings.recordingFolder();
+    const QString recording = RecordingImport::recordingOf(file, chosen.isEmpty() ? usualFolder() : chosen);
+    if (QFileInfo::exists(file) && QFileInfo::exists(recording))
+        askWhether(file, recording);
+    else
+        m_import.start(file, recording);
+}
+
+void RecordingFiles::askWhether(const QString& file, const QString& recording) {
+    const QString another = RecordingImport::freeName(recording);
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Open MCAP file"),
+                                tr("%1 is there already.", "a file").arg(QFileInfo(recording).fileName()),
+                                QMessageBox::Cancel, m_window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(
+        tr("It may have been made of %1 before. To import the file again makes %2.", "two files")
+            .arg(QFileInfo(file).fileName(), QFileInfo(another).fileName()));
+    auto* open = box->addButton(tr("&Open the recording"), QMessageBox::AcceptRole);
+    auto* again = box->addButton(tr("&Import again"), QMessageBox::ActionRole);
+    open->setObjectName(QStringLiteral("openRecording"));
+    again->setObjectName(QStringLiteral("importAgain"));
+    box->setDefaultButton(open);
+    connect(box, &QDialog::finished, this, [this, box, open, again, file, recording, another] {
+        if (box->clickedButton() == again) {
+            m_import.start(file, another);
+        } else {
+            emit cancelled(file);
+            if (box->clickedButton() == open)
+                play(recording);
+        }
+    });
+    box->open();
 }
 
 void RecordingFiles::askHow(const CsvRequest& guess) {

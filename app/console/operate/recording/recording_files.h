@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/base/console_settings.h"
+#include "app/console/operate/recording/recording_import.h"
 #include "app/console/sources/recording_arguments.h"
 #include "app/console/sources/source_manager.h"
 
@@ -11,8 +12,8 @@
 
 namespace teleta::console {
 
-/// Opens recordings as sources: .teleta files at once, CSV files after asking how
-/// to read them. Files are read on other threads. Thread: GUI.
+/// Opens recordings as sources: .teleta files at once, CSV files after asking how to read them, MCAP files as
+/// the recordings that are made of them. Files are read on other threads. Thread: GUI.
 class RecordingFiles : public QObject {
     Q_OBJECT
 
@@ -21,23 +22,36 @@ public:
     RecordingFiles(SourceManager& sources, ConsoleSettings& settings, QWidget* window);
 
     void open(const QString& path);
+    /// Frames in CSV as they were opened the last time; asks when that is not known.
+    void reopen(const QString& path);
     /// Opens without asking; what the command line omits is guessed.
     void openAs(const RecordingArguments& recording);
     /// Folder of the recording that was opened last, or else the given one; for a missing folder, where it
     /// would be.
     [[nodiscard]] QString folder(const QString& otherwise) const;
 
+    /// Where recordings go when no folder was chosen.
+    [[nodiscard]] static QString usualFolder();
+
 signals:
     void opened(const QString& path);
+    /// A recording was made of an MCAP file, and is opened now. missing: what was left out; empty: nothing.
+    void imported(const QString& file, const QString& recording, const QString& missing);
+    /// An MCAP file is not opened, as a person wishes.
+    void cancelled(const QString& file);
     void failed(const QString& name, const core::Error& error);
 
 private:
     void play(const QString& path);
     void askHow(const CsvRequest& guess);
+    void import(const QString& file);
+    /// A recording is where that of the file belongs.
+    void askWhether(const QString& file, const QString& recording);
 
     SourceManager& m_sources;
     ConsoleSettings& m_settings;
     QWidget* m_window;
+    RecordingImport m_import;
 };
 
 } // namespace teleta::console

@@ -6,6 +6,8 @@
 #include <QDockWidget>
 #include <QIODevice>
 #include <QScreen>
+#include <QSignalSpy>
+#include <QTabBar>
 #include <QTest>
 
 using teleta::console::OperateDocks;
@@ -134,6 +136,97 @@ private slots:
         QDataStream(&layouts, QIODevice::ReadWrite) << version;
         QVERIFY(d.docks.restoreLayouts(layouts));
         QVERIFY(d.charts()->isHidden());
+    }
+
+    void aDoubleClickOnATitleShowsADockAloneAndAllAgain() {
+        Docks d;
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        QSignalSpy changed(&d.docks, &OperateDocks::maximisedChanged);
+        auto* heatmap = d.docks.findChild<QDockWidget*>("heatmap");
+        auto* processing = d.docks.findChild<QDockWidget*>("processing");
+        const QSize before = heatmap->size();
+        const QPoint title(heatmap->width() / 2, heatmap->widget()->y() / 2);
+        QTest::mouseDClick(heatmap, Qt::LeftButton, {}, title);
+        QCOMPARE(d.docks.maximised(), QString("heatmap"));
+        QVERIFY(!heatmap->isFloating());
+        QVERIFY(!processing->isVisible());
+        QVERIFY(!d.charts()->isVisible());
+        QTRY_VERIFY(heatmap->width() > before.width() && heatmap->height() > before.height());
+        QTest::mouseDClick(heatmap, Qt::LeftButton, {},
+                           QPoint(heatmap->width() / 2, heatmap->widget()->y() / 2));
+        QCOMPARE(d.docks.maximised(), QString());
+        QVERIFY(processing->isVisible());
+        QTRY_COMPARE(heatmap->size(), before);
+        QCOMPARE(changed.count(), 2);
+    }
+
+    void aDoubleClickOnATabMaximisesItsDock() {
+        Docks d;
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        // Charts and marks lie upon each other.
+        QTabBar* tabs = nullptr;
+        for (auto* bar : d.docks.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+            if (bar->isVisible())
+                tabs = bar;
+        QVERIFY(tabs != nullptr);
+        int marks = 0;
+        while (marks < tabs->count() &&
+               tabs->tabText(marks) != d.docks.findChild<QDockWidget*>("marks")->windowTitle())
+            ++marks;
+        QVERIFY(marks < tabs->count());
+        QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(marks).center());
+        QTest::mouseDClick(tabs, Qt::LeftButton, {}, tabs->tabRect(marks).center());
+        QCOMPARE(d.docks.maximised(), QString("marks"));
+        d.docks.toggleMaximised();
+        QCOMPARE(d.docks.maximised(), QString());
+    }
+
+    void whatIsSavedAndWhatAnotherSourceShowsKnowsOfNoMaximisedDock() {
+        Docks d;
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        d.docks.setMaximised("charts");
+        const QByteArray saved = d.docks.saveLayouts();
+        d.docks.setKind(OperateDocks::Kind::arm);
+        QCOMPARE(d.docks.maximised(), QString());
+        QVERIFY(d.docks.findChild<QDockWidget*>("stiffness")->isVisible());
+        d.docks.setKind(OperateDocks::Kind::array);
+        QVERIFY(d.docks.findChild<QDockWidget*>("heatmap")->isVisible());
+        d.docks.setMaximised("charts");
+        QVERIFY(d.docks.restoreLayouts(saved));
+        QCOMPARE(d.docks.maximised(), QString());
+        QVERIFY(d.docks.findChild<QDockWidget*>("heatmap")->isVisible());
+        d.docks.setMaximised("stiffness"); // an array shows none
+        QCOMPARE(d.docks.maximised(), QString());
+        d.docks.setMaximised("charts");
+        d.docks.resetLayout();
+        QVERIFY(d.docks.findChild<QDockWidget*>("heatmap")->isVisible());
+        d.docks.setMaximised("charts");
+        d.docks.bringForward("heatmap");
+        QVERIFY(d.docks.findChild<QDockWidget*>("processing")->isVisible());
+    }
+
+    void aLayoutWithADockThatIsGoneIsRestoredWithTheOthers() {
+        QByteArray stored;
+        {
+            // As saveLayouts() writes it, by a program that has one dock more.
+            Docks d;
+            auto* later = new QDockWidget(&d.docks);
+            later->setObjectName("of a later version");
+            d.docks.addDockWidget(Qt::RightDockWidgetArea, later);
+            d.docks.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+            d.docks.findChild<QDockWidget*>("processing")->close();
+            stored = d.docks.saveLayouts();
+        }
+        Docks d;
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        QVERIFY(d.docks.restoreLayouts(stored));
+        QVERIFY(!d.docks.findChild<QDockWidget*>("processing")->isVisible());
+        QVERIFY(d.charts()->isVisible());
     }
 };
 

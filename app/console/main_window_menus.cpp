@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The menus of the window, and what they set.
+#include "app/console/bracelet/bracelet_menu.h"
+#include "app/console/desktop/last_session.h"
+#include "app/console/desktop/layouts_menu.h"
+#include "app/console/desktop/preferences_dialog.h"
+#include "app/console/file_opener.h"
+#include "app/console/foxglove/live_view_service.h"
+#include "app/console/help/help_menu.h"
+#include "app/console/language_menu.h"
+#include "app/console/main_window.h"
+#include "app/console/operate/arm_views.h"
+#include "app/console/operate/operate_page.h"
+#include "app/console/operate/recording/recording_files.h"
+#include "app/console/operate/recording_controls.h"
+#include "app/console/patterns/patterns_page.h"
+#include "app/console/study/study_page.h"
+#include "widgets/chrome/recent_list.h"
+#include "widgets/pattern/pattern_editor.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+
+#include <utility>
+#include <vector>
+
+namespace teleta::console {
+
+void MainWindow::buildMenus() {
+    // The bar keeps menus that are no longer in it; one of them may have asked for this.
+    for (QMenu* menu : menuBar()->findChildren<QMenu*>(Qt::FindDirectChildrenOnly))
+        menu->deleteLater();
+    menuBar()->clear();
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    QMenu* open = m_operate->chooser().openMenu();
+    open->setTitle(tr("&Open"));
+    file->addMenu(open);
+    QAction* close = file->addAction(tr("&Close source"), QKeySequence::Close, this, [this] {
+        if (const auto* item = m_sources.active())
+            m_sources.close(item->key);
+    });
+    close->setToolTip(tr("Close the source that is shown"));
+    addRecentMenu(*file);
+    file->addSeparator();
+    QAction* preferences = file->addAction(tr("&Preferences\u2026"), Qt::CTRL | Qt::Key_Comma, this,
+                                           &MainWindow::editPreferences);
+    preferences->setMenuRole(QAction::PreferencesRole);
+    file->addSeparator();
+    file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addActions(m_operate->docks().actions());
+    view->addSeparator();
+    m_layouts->fill(*view);
+    view->addAction(tr("&Reset layout"), this, [this] { m_operate->docks().resetLayout(); });
+    view->addSeparator();
+    auto* themes = new QActionGroup(view);
+    const QString current = m_settings.theme();
+    const auto addTheme = [&](const QString& text, const QString& theme) {
+        QAction* action = view->addAction(text, this, [this, theme] { setTheme(theme); });
+        action->setCheckable(true);
+        action->setChecked(theme == current);
+        themes->addAction(action);
+    };
+    addTheme(tr("&Light"), QStringLiteral("light"));
+    addTheme(tr("&Dark"), QStringLiteral("dark"));
+    addTheme(tr("As the de&sktop"), QStringLiteral("system"));
+    addLanguageMenu(*view, m_settings);
+    view->addSeparator();
+    m_live->fill(*view);
+    view->addAction(tr("&Full screen"), QKeySequence::FullScreen, this,
+                    [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+
+    m_recording->fill(*menuBar()->addMenu(tr("&Recording")));
+    buildArmMenu();
+    m_braceletMenu->fill(*menuBar()->addMenu(tr("&Bracelet")));
+
+    m_help->fill(*menuBar()->addMenu(tr("&Help")));
+}
+
+void MainWindow::buildArmMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Arm"));
+    const SourceManager::Item* item = m_sources.active();
+    const bool hasArm = item != nullptr && item->arm() != nullptr;
+    const bool hasProgram = m_operate->hasProgram();
+    const auto add = [&](const QString& text, const QKeySequence& key, bool isPossible, auto call) {
+        QAction* action = menu->addAction(text, key, m_operate.get(), call);
+        action->setEnabled(isPossible);
+        return action;
+    };
+    add(tr("&Run its program"), Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(true); });
+    add(tr("&Hold"), Qt::SHIFT | Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(false); });
+    add(tr("Re&start"), Qt::CTRL | Qt::Key_F5, hasProgram, [this] { m_operate->restartProgram(); });
+    menu->addSeparator();
+    add(tr("&Forget the explored contour"), Qt::CTRL | Qt::SHIFT | Qt::Key_N, hasArm, [this] {
+        m_operate->armViews().forgetContour();
+    })->setToolTip(tr("What is touched from now on is another object"));
+}
+
+void MainWindow::addRecentMenu(QMenu& file) {
+    QMenu* menu = file.addMenu(tr("Open &recent"));
+    menu->setObjectName(QStringLiteral("recent"));
+    menu->setToolTipsVisible(true);
+    const auto add = [menu](const QString& title, base::Icon icon, const QStringList& paths, auto open) {
+        if (!paths.isEmpty())
+            menu->addSection(title);
+        for (const QString& path : paths) {
+            const QString name = QFileInfo(path).fileName().replace(QLatin1Char('&'), QLatin1String("&&"));
+            menu->addAction(base::themeIcon(icon), name, menu, [path, open] { open(path); })
+                ->setToolTip(path);
+        }
+    };
+    QStringList recordings = m_settings.recentFiles();
+    QStringList scenes;
+    for (const QString& path : std::as_const(recordings))
+        if (!isPlayable(path))
+            scenes << path;
+    recordings.removeIf([](const QString& path) { return !isPlayable(path); });
+    const auto openFile = [this](const QString& path) { m_opener->openFile(path); };
+    add(tr("Recordings"), base::Icon::recording, recordings, openFile);
+    add(tr("Scenes and source lists"), base::Icon::scene, scenes, openFile);
+    add(tr("Patterns"), base::Icon::patterns, m_settings.recentPatterns(), [this](const QString& path) {
+        showPage(QStringLiteral("patterns"));
+        m_patterns->open(path);
+    });
+    add(tr("Studies"), base::Icon::study, m_settings.recentStudies(), [this](const QString& path) {
+        showPage(QStringLiteral("study"));
+        m_study->open(path);
+    });
+    menu->setEnabled(!menu->isEmpty());
+    menu->addSeparator();
+    menu->addAction(tr("&Clear the list"), this, [this] {
+        m_settings.clearRecent();
+        showRecent();
+    });
+    const auto last = last_session::entriesFrom(m_settings.lastSession());
+    QAction* reopen = file.addAction(tr("Reopen the &last session"), this, &MainWindow::openLastSession);
+    reopen->setEnabled(!last.empty());
+    reopen->setToolTip(last_session::text(last));
+}
+
+void MainWindow::showRecent() {
+    m_operate->chooser().setRecent(m_settings.recentFiles());
+    m_operate->recent().setFiles(m_settings.recentFiles());
+    m_patterns->editor().setRecent(m_settings.recentPatterns());
+    buildMenus();
+}
+
+void MainWindow::offerLastSession() {
+    m_operate->recent().setSession(
+        m_settings.atStart() == AtStart::nothing
+            ? QString()
+            : last_session::text(last_session::entriesFrom(m_settings.lastSession())));
+}
+
+void MainWindow::openLastSession() {
+    using Kind = last_session::Entry::Kind;
+    for (const last_session::Entry& entry : last_session::entriesFrom(m_settings.lastSession())) {
+        switch (entry.kind) {
+        case Kind::scene:
+            m_opener->openScene(entry.path);
+            break;
+        case Kind::recording:
+            m_opener->reopenRecording(entry.path);
+            break;
+        case Kind::list:
+            m_opener->openList(entry.path);
+            break;
+        case Kind::camera:
+            m_sources.open(m_settings.camera());
+            break;
+        case Kind::study:
+            m_study->open(entry.path);
+            break;
+        }
+    }
+}
+
+/// What is open now.
+QStringList MainWindow::session() {
+    std::vector<last_session::OpenSource> open;
+    for (const SourceManager::Item& item : m_sources.items())
+        open.push_back({item.request, m_opener->listOf(item.key)});
+    const auto& study = m_study->controller().overview();
+    const bool isFolder = study && study->location.server.empty();
+    return last_session::entriesOf(open,
+                                   isFolder ? QString::fromStdString(study->location.folder) : QString());
+}
+
+void MainWindow::editPreferences() {
+    const Preferences before{.language = m_settings.language(),
+                             .theme = m_settings.theme(),
+                             .recordingFolder = m_settings.recordingFolder(),
+                             .atStart = m_settings.atStart(),
+                             .keepsScreenOn = m_settings.keepsScreenOn(),
+                             .exportsUtc = m_settings.exportsUtc()};
+    auto* dialog = new PreferencesDialog(before, languageChoices(), RecordingFiles::usualFolder(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, before] {
+        const Preferences chosen = dialog->preferences();
+        m_settings.setRecordingFolder(chosen.recordingFolder);
+        m_settings.setAtStart(chosen.atStart);
+        m_settings.setExportsUtc(chosen.exportsUtc);
+        m_settings.setKeepsScreenOn(chosen.keepsScreenOn);
+        offerLastSession();
+        setTheme(chosen.theme);
+        if (chosen.language != before.language) {
+            m_settings.setLanguage(chosen.language);
+            useLanguage(*qApp, chosen.language);
+        }
+        buildMenus();
+    });
+    dialog->open();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/mcap/recorded/mcap_import.h"
+
+#include <QObject>
+#include <QPointer>
+#include <QProgressDialog>
+#include <QString>
+#include <QTimer>
+
+#include <atomic>
+#include <future>
+#include <memory>
+#include <vector>
+
+class QWidget;
+
+namespace teleta::console {
+
+/// Makes recordings of MCAP files, like `teleta import`, each on its own thread; a non-modal window shows the
+/// progress and can cancel. Thread: GUI; only the destructor waits, for the threads to end.
+class RecordingImport : public QObject {
+    Q_OBJECT
+
+public:
+    /// window: parent of dialogs.
+    explicit RecordingImport(QWidget* window);
+    ~RecordingImport() override;
+
+    /// Where the recording of an MCAP file belongs: beside it, or in the other folder if nothing can be
+    /// written there.
+    [[nodiscard]] static QString recordingOf(const QString& file, const QString& otherFolder);
+    /// The same name with the first number, from 2, that makes it free.
+    [[nodiscard]] static QString freeName(const QString& recording);
+
+    /// recording: must not be there, nor be made by another import; its folder is made when it is missing.
+    void start(const QString& file, const QString& recording);
+    [[nodiscard]] bool isBusy() const { return !m_jobs.empty(); }
+
+signals:
+    /// missing: what was left out or damaged, for people; empty: nothing.
+    void imported(const QString& file, const QString& recording, const QString& missing);
+    /// No recording is left.
+    void cancelled(const QString& file);
+    void failed(const QString& file, const core::Error& error);
+
+private:
+    using Result = core::Expected<mcap::McapImport>;
+    struct Progress {
+        std::atomic<double> share{0.0};
+        std::atomic<bool> cancelled{false};
+    };
+    struct Job {
+        QString file;
+        QString recording;
+        std::shared_ptr<Progress> progress;
+        std::future<Result> result;
+        QPointer<QProgressDialog> dialog;
+    };
+    [[nodiscard]] static Result make(const QString& file, const QString& recording, Progress& progress);
+    [[nodiscard]] static QString missing(const mcap::McapImport& import);
+    void look();
+    void finish(Job job);
+
+    QWidget* m_window;
+    std::vector<Job> m_jobs;
+    QTimer m_timer;
+};
+
+} // namespace teleta::console

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/desktop/last_session.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace teleta::console;
+using last_session::Entry;
+using last_session::OpenSource;
+
+class LastSessionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsOpenIsKeptOnceEach() {
+        CsvRequest csv;
+        csv.path = "/data/run.csv";
+        const std::vector<OpenSource> open{{SceneRequest{":/scenes/teleta-touch.toml", 7}},
+                                           {RecordingRequest{"/data/a.teleta", "frames", "skin"}},
+                                           {RecordingRequest{"/data/a.teleta", "camera", "skin"}},
+                                           {csv},
+                                           {CameraRequest{"0", "camera.json"}}};
+        QCOMPARE(last_session::entriesOf(open, "/data/study"),
+                 (QStringList{"scene::/scenes/teleta-touch.toml", "recording:/data/a.teleta",
+                              "recording:/data/run.csv", "camera:", "study:/data/study"}));
+        QCOMPARE(last_session::entriesOf({}), QStringList());
+    }
+
+    void ofASourceListTheListAloneIsKept() {
+        const std::vector<OpenSource> open{{WtsRequest{}, "/data/both.toml"},
+                                           {SceneRequest{":/scenes/teleta-touch.toml"}, "/data/both.toml"},
+                                           {WtsRequest{}}};
+        QCOMPARE(last_session::entriesOf(open), QStringList("list:/data/both.toml"));
+    }
+
+    void aRelativePathIsKeptWithItsFolder() {
+        QCOMPARE(last_session::entriesOf({{SceneRequest{"mine.toml"}}}),
+                 QStringList{"scene:" + QDir::current().absoluteFilePath("mine.toml")});
+    }
+
+    void whatIsGoneOrNotUnderstoodIsLeftOut() {
+        QTemporaryDir folder;
+        const QString there = folder.filePath("run.teleta");
+        QFile file(there);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        const auto entries =
+            last_session::entriesFrom({"recording:" + there, "recording:" + folder.filePath("gone.teleta"),
+                                       "planet:mars", "", "camera:", "study:" + folder.path()});
+        QCOMPARE(entries.size(), std::size_t(3));
+        QCOMPARE(entries[0].kind, Entry::Kind::recording);
+        QCOMPARE(entries[0].path, there);
+        QCOMPARE(entries[1].kind, Entry::Kind::camera);
+        QCOMPARE(entries[2].kind, Entry::Kind::study);
+        QCOMPARE(last_session::text(entries), "run, camera, " + QFileInfo(folder.path()).fileName());
+        QVERIFY(last_session::entriesFrom({}).empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(LastSessionTest)
+#include "last_session_test.moc"

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/main_window.h"
+#include "app/console/operate/operate_page.h"
+#include "widgets/base/theme.h"
+#include "widgets/chrome/recent_list.h"
+#include "widgets/view3d/vtk/gl_setup.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include <memory>
+
+using namespace teleta;
+using console::ConsoleOptions;
+using console::ConsoleSettings;
+using console::MainWindow;
+
+namespace {
+
+constexpr int kPatience_ms = 30'000;
+
+} // namespace
+
+/// What the window remembers of the files, of the last session and of what people prefer.
+class MainWindowDesktopTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<core::StopSwitch> m_stop;
+    std::unique_ptr<ConsoleSettings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+
+    void openWindow(const ConsoleOptions& options = {}) {
+        m_window.reset();
+        m_stop = std::make_unique<core::StopSwitch>();
+        m_settings = std::make_unique<ConsoleSettings>(false);
+        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+        m_window->resize(1200, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->openRequested(options);
+    }
+
+    /// A scene in a file of its own.
+    QString sceneFile(const QString& name) const {
+        const QString path = QDir(m_folder.path()).filePath(name);
+        QFile::copy(QStringLiteral(":/scenes/tactile-two-contacts.toml"), path);
+        return path;
+    }
+    bool isOpen(const QString& name) const {
+        for (const auto& item : m_window->sources().items())
+            if (item.name == name && item.isOpen())
+                return true;
+        return false;
+    }
+    QMenu* menu(const char* name) const { return m_window->findChild<QMenu*>(QLatin1String(name)); }
+    QList<QToolButton*> startButtons(const char* name) const {
+        return m_window->operatePage().recent().findChildren<QToolButton*>(QLatin1String(name));
+    }
+
+private slots:
+    void initTestCase() { base::applyTheme(base::ThemeChoice::light); }
+    void init() { QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path()); }
+    void cleanup() {
+        m_window.reset();
+        m_settings.reset();
+        QFile::remove(m_folder.filePath("teleta/console.ini"));
+    }
+
+    void aFileThatWasOpenedIsInTheMenuAndOnTheStartPage() {
+        openWindow();
+        QVERIFY(!menu("recent")->isEnabled());
+        QVERIFY(!m_window->operatePage().recent().isVisible());
+        const QString scene = sceneFile("a & b.toml");
+        ConsoleOptions options;
+        options.files = {scene};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(isOpen("a & b"), kPatience_ms);
+        m_window->close();
+        openWindow();
+        QVERIFY(menu("recent")->isEnabled());
+        const QAction* recent = menu("recent")->actions().at(1); // below the name of the kind
+        QCOMPARE(recent->text(), QString("a && b.toml"));
+        QCOMPARE(recent->toolTip(), scene);
+        const auto buttons = startButtons("recentFile");
+        QCOMPARE(buttons.size(), 1);
+        QCOMPARE(buttons.first()->accessibleName(), QString("a & b.toml"));
+        buttons.first()->setFocus();
+        QTest::keyClick(buttons.first(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(isOpen("a & b"), kPatience_ms);
+        // The list can be emptied.
+        menu("recent")->actions().last()->trigger();
+        QVERIFY(!menu("recent")->isEnabled());
+        QVERIFY(ConsoleSettings(false).recentFiles().isEmpty());
+    }
+
+    void whatWasOpenAtTheEndIsOfferedAndReopened() {
+        ConsoleOptions options;
+        options.scenes = {":/scenes/tactile-indenter.toml", ":/scenes/tactile-two-contacts.toml"};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-indenter") && isOpen("tactile-two-contacts"), kPatience_ms);
+        m_window->close();
+        openWindow();
+        QVERIFY(m_window->sources().items().empty());
+        const auto buttons = startButtons("reopenSession");
+        QCOMPARE(buttons.size(), 1);
+        QVERIFY(buttons.first()->accessibleName().contains("tactile-indenter, tactile-two-contacts"));
+        QTest::mouseClick(buttons.first(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-indenter") && isOpen("tactile-two-contacts"), kPatience_ms);
+    }
+
+    void whatWasOpenIsOpenedByItselfWhereThatIsPreferred() {
+        ConsoleOptions options;
+        options.scenes = {":/scenes/tactile-indenter.toml"};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-indenter"), kPatience_ms);
+        m_settings->setAtStart(console::AtStart::open);
+        m_window->close();
+        openWindow();
+        QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-indenter"), kPatience_ms);
+        m_window->close();
+        // What the command line names comes instead.
+        options.scenes = {":/scenes/tactile-two-contacts.toml"};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-two-contacts"), kPatience_ms);
+        QVERIFY(!isOpen("tactile-indenter"));
+        m_settings->setAtStart(console::AtStart::nothing);
+        m_window->close();
+        openWindow();
+        QVERIFY(startButtons("reopenSession").isEmpty());
+        QVERIFY(m_window->sources().items().empty());
+    }
+
+    void anMcapFileIsImportedAndOneThatIsNoneIsTold() {
+        const QString path = m_folder.filePath("text.mcap");
+        QFile text(path);
+        QVERIFY(text.open(QIODevice::WriteOnly));
+        text.write("time_s,t0\n");
+        text.close();
+        ConsoleOptions options;
+        options.files = {path};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->anyFailure(), kPatience_ms);
+        QVERIFY(!QFile::exists(m_folder.filePath("text.teleta")));
+    }
+
+    void preferencesAreAskedForByKeyAndKept() {
+        openWindow();
+        QTest::keyClick(m_window.get(), Qt::Key_Comma, Qt::ControlModifier);
+        auto* dialog = m_window->findChild<QDialog*>();
+        QVERIFY(dialog != nullptr);
+        QVERIFY(QTest::qWaitForWindowExposed(dialog));
+        auto* theme = dialog->findChild<QComboBox*>("theme");
+        theme->setFocus();
+        QTest::keyClick(theme, Qt::Key_End);
+        QTest::keyClick(theme, Qt::Key_Return);
+        QTRY_COMPARE(m_settings->theme(), QString("dark"));
+        QCOMPARE(ConsoleSettings(false).theme(), QString("dark"));
+        QVERIFY(m_window->palette().color(QPalette::Window).lightness() < 128);
+        base::applyTheme(base::ThemeChoice::light);
+    }
+
+    void aViewIsMaximisedByKey() {
+        ConsoleOptions options;
+        options.scenes = {":/scenes/tactile-two-contacts.toml"};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-two-contacts"), kPatience_ms);
+        auto& docks = m_window->operatePage().docks();
+        QTRY_VERIFY(docks.findChild<QDockWidget*>("charts")->isVisible());
+        QTest::keyClick(m_window.get(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(docks.maximised(), QString("heatmap"));
+        QVERIFY(m_window->findChild<QAction*>("maximise")->isChecked());
+        QVERIFY(!docks.findChild<QDockWidget*>("charts")->isVisible());
+        QTest::keyClick(m_window.get(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(docks.maximised(), QString());
+        QVERIFY(docks.findChild<QDockWidget*>("charts")->isVisible());
+    }
+};
+
+int main(int argc, char** argv) {
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("TeleTA"));
+    MainWindowDesktopTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "main_window_desktop_test.moc"

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/recording/recording_files.h"
+#include "app/console/operate/recording/recording_import.h"
+#include "backend/mcap/recorded/mcap_export.h"
+#include "backend/recording/recorder.h"
+#include "backend/recording/recording.h"
+
+#include <QDir>
+#include <QFile>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWidget>
+
+#include <array>
+
+using namespace teleta;
+using console::RecordingFiles;
+using console::RecordingImport;
+
+namespace {
+
+constexpr int kPatience_ms = 60'000;
+constexpr int kFrames = 10'000;
+
+} // namespace
+
+/// MCAP files that are opened in the window.
+class RecordingImportTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    QWidget m_window;
+
+    [[nodiscard]] QString mcap() const { return m_folder.filePath("run.mcap"); }
+    [[nodiscard]] QString file(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    [[nodiscard]] QStringList files() const {
+        return QDir(m_folder.path()).entryList({"*.teleta", "*.mcap", "*part*"}, QDir::Files, QDir::Name);
+    }
+
+private slots:
+    /// So long that an import is usually far from its end when it is cancelled.
+    void initTestCase() {
+        const std::string path = file("source.teleta").toStdString();
+        recording::RecordingHead head;
+        head.start_ns = 1;
+        auto recorder =
+            recording::Recorder::start(path, head, {.simulatedTime = true, .queueBlocks = kFrames});
+        QVERIFY(recorder);
+        recording::StreamInfo info;
+        info.name = "frames";
+        info.kind = recording::StreamKind::array;
+        info.type = recording::ValueType::float32;
+        info.shape = {16, 16};
+        info.details = R"({"pitch_m":0.0034})";
+        const auto tap = (*recorder)->addStream(info);
+        const std::array<float, 256> values{0.1F, 0.2F, 0.3F};
+        for (int i = 0; i < kFrames; ++i)
+            tap->append(1 + i * 1'000'000LL, 0.001 * i, std::span<const float>(values));
+        QVERIFY((*recorder)->stop());
+        {
+            const auto recorded = recording::Recording::open(path);
+            QVERIFY(recorded);
+            QVERIFY(mcap::exportMcap(*recorded, mcap().toStdString()));
+        }
+        QVERIFY(QFile::remove(file("source.teleta")));
+        QCOMPARE(files(), QStringList("run.mcap"));
+    }
+    void cleanup() {
+        for (const QString& name : files())
+            if (name != "run.mcap")
+                QVERIFY(QFile::remove(m_folder.filePath(name)));
+    }
+
+    void theRecordingGoesBesideTheFileOrWhereItCanBeWritten() {
+        QCOMPARE(RecordingImport::recordingOf(file("a.b.mcap"), "/other"), file("a.b.teleta"));
+        QCOMPARE(RecordingImport::recordingOf("/not/there/run.mcap", "/other"), QString("/other/run.teleta"));
+    }
+
+    void aNameIsFreeWithTheFirstNumberThatIs() {
+        QCOMPARE(RecordingImport::freeName(file("x.teleta")), file("x.teleta"));
+        for (const char* name : {"x.teleta", "x-2.teleta"}) {
+            QFile taken(file(name));
+            QVERIFY(taken.open(QIODevice::WriteOnly));
+        }
+        QCOMPARE(RecordingImport::freeName(file("x.teleta")), file("x-3.teleta"));
+    }
+
+    void everyFrameIsInTheRecording() {
+        RecordingImport importer(&m_window);
+        QSignalSpy imported(&importer, &RecordingImport::imported);
+        importer.start(mcap(), file("new/run.teleta"));
+        QVERIFY(importer.isBusy());
+        QTRY_COMPARE_WITH_TIMEOUT(imported.size(), 1, kPatience_ms);
+        QVERIFY(!importer.isBusy());
+        QCOMPARE(imported[0], (QVariantList{mcap(), file("new/run.teleta"), QString()}));
+        const auto recording = recording::Recording::open(file("new/run.teleta").toStdString());
+        QVERIFY(recording);
+        const auto extent = recording->extent(0);
+        QVERIFY(extent && *extent);
+        QCOMPARE((*extent)->frames, std::uint64_t(kFrames));
+        QVERIFY(QFile::remove(file("new/run.teleta")));
+    }
+
+    void oneThatIsCancelledLeavesNothing() {
+        RecordingImport importer(&m_window);
+        QSignalSpy cancelled(&importer, &RecordingImport::cancelled);
+        QSignalSpy imported(&importer, &RecordingImport::imported);
+        importer.start(mcap(), file("run.teleta"));
+        m_window.findChild<QProgressDialog*>()->findChild<QPushButton*>()->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!importer.isBusy(), kPatience_ms);
+        QCOMPARE(cancelled.size() + imported.size(), 1);
+        QCOMPARE(files().contains("run.teleta"), imported.size() == 1);
+    }
+
+    void theEndOfTheProgramLeavesNothingHalfDone() {
+        { RecordingImport(&m_window).start(mcap(), file("run.teleta")); }
+        QVERIFY(files().filter("part").isEmpty());
+    }
+
+    void whatIsNoMcapFileIsToldWithItsReason() {
+        QFile text(file("text.mcap"));
+        QVERIFY(text.open(QIODevice::WriteOnly));
+        text.write("time_s,t0\n");
+        text.close();
+        RecordingImport importer(&m_window);
+        QSignalSpy failed(&importer, &RecordingImport::failed);
+        importer.start(text.fileName(), file("text.teleta"));
+        QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience_ms);
+        QCOMPARE(failed[0][0].toString(), text.fileName());
+        const auto error = failed[0][1].value<core::Error>();
+        QCOMPARE(error.kind, core::ErrorKind::badInput);
+        QCOMPARE(QString::fromStdString(error.where.file), text.fileName());
+        QCOMPARE(files(), (QStringList{"run.mcap", "text.mcap"}));
+    }
+
+    void twoIntoOneRecordingAtOnceAreRefused() {
+        RecordingImport importer(&m_window);
+        QSignalSpy failed(&importer, &RecordingImport::failed);
+        QSignalSpy imported(&importer, &RecordingImport::imported);
+        importer.start(mcap(), file("run.teleta"));
+        importer.start(mcap(), file("run.teleta"));
+        QCOMPARE(failed.size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(imported.size(), 1, kPatience_ms);
+    }
+
+    void aRecordingThatIsThereIsOpenedOrTheFileImportedAgain() {
+        core::StopSwitch stop;
+        console::SourceManager sources(stop);
+        console::ConsoleSettings settings(true);
+        auto* window = new QWidget;
+        auto* recordings = new RecordingFiles(sources, settings, window);
+        QSignalSpy opened(recordings, &RecordingFiles::opened);
+        recordings->open(mcap());
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience_ms);
+        QCOMPARE(opened[0][0].toString(), file("run.teleta"));
+        const auto answer = [&](const char* button) {
+            recordings->open(mcap());
+            auto* box = window->findChild<QMessageBox*>();
+            QVERIFY(box != nullptr);
+            box->findChild<QPushButton*>(QLatin1String(button))->click();
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        };
+        answer("openRecording");
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 2, kPatience_ms);
+        QCOMPARE(opened[1][0].toString(), file("run.teleta"));
+        answer("importAgain");
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 3, kPatience_ms);
+        QCOMPARE(opened[2][0].toString(), file("run-2.teleta"));
+        QCOMPARE(files(), (QStringList{"run-2.teleta", "run.mcap", "run.teleta"}));
+        sources.closeAll();
+        delete window;
+    }
+};
+
+QTEST_MAIN(RecordingImportTest)
+#include "recording_import_test.moc"
