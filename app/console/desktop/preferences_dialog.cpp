@@ -15,6 +15,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace teleta::console {
 
@@ -72,6 +74,11 @@ PreferencesDialog::PreferencesDialog(const Preferences& now,
     layout->addLayout(form);
     layout->addStretch(1);
     layout->addWidget(buttons);
+    // In the order in which they are seen.
+    const std::array<QWidget*, 8> order{m_language, m_theme, m_start,  m_folder,
+                                        browse,     m_utc,   m_screen, buttons};
+    for (std::size_t i = 1; i < order.size(); ++i)
+        setTabOrder(order[i - 1], order[i]);
     setPreferences(now);
 }
 

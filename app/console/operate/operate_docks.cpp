@@ -318,6 +318,13 @@ void OperateDocks::arrange() {
         for (const Dock dock : docks)
             m_docks[dock]->show();
     };
+    // The others have a place too, hidden: Qt would else make room for them whenever it restores a layout.
+    for (std::size_t i = 0; i < kDocks; ++i) {
+        if (belongs(m_kind, i))
+            continue;
+        addDockWidget(Qt::BottomDockWidgetArea, m_docks[i]);
+        m_docks[i]->hide();
+    }
     if (m_kind == Kind::camera) {
         addDockWidget(Qt::LeftDockWidgetArea, m_docks[camera]);
         splitDockWidget(m_docks[camera], m_docks[reconstruction], Qt::Horizontal);

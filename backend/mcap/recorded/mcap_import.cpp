@@ -232,6 +232,7 @@ private:
             }
             if (options.topics.contains(topic.report.name))
                 continue;
+            topic.report.isKept = topic.role == TopicRole::event;
             for (std::size_t i = 0; i < m_imported.streams.size(); ++i) {
                 const auto& [part, noted] = m_imported.streams[i];
                 if (!topic.report.name.starts_with("/" + part + "/"))
@@ -239,6 +240,7 @@ private:
                 const StreamKind kind = noted.info.kind;
                 const bool isRepeat = (kind == StreamKind::array && topic.role == TopicRole::arrayImage) ||
                                       (kind == StreamKind::features && topic.role == TopicRole::wrench);
+                topic.report.isKept = topic.role.has_value();
                 if (isRepeat)
                     topic.role.reset();
                 topic.isImageOpen = false;
@@ -265,6 +267,7 @@ private:
                 topic.references = &other;
                 other.isReference = true;
                 other.report.stream = topic.report.stream;
+                other.report.isKept = topic.report.isKept;
                 m_jointsOf[otherId] = &topic;
             }
         }
@@ -397,6 +400,7 @@ private:
                 return;
             }
             topic.report.stream = topic.info.name;
+            topic.report.isKept = true;
             topic.stream = m_streams++;
         }
         m_writer.take(*topic.stream, std::exchange(topic.waiting, {}));

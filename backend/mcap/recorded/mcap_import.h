@@ -27,6 +27,8 @@ struct McapImport {
         std::string stream;         ///< that it became; empty: it was left
         std::uint64_t messages = 0; ///< that were taken
         std::uint64_t bad = 0;      ///< that were damaged, or of another shape than those before
+        bool isKept =
+            false; ///< what it says is in the recording: as a stream, as events, or by another topic
     };
     std::string path; ///< of the recording
     std::vector<Topic> topics;

@@ -92,7 +92,7 @@ QString RecordingImport::missing(const mcap::McapImport& import) {
     std::uint64_t bad = import.badRecords;
     for (const mcap::McapImport::Topic& topic : import.topics) {
         bad += topic.bad;
-        if (topic.stream.empty())
+        if (!topic.isKept)
             left << QString::fromStdString(topic.name);
     }
     if (!left.isEmpty())

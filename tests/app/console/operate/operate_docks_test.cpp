@@ -145,6 +145,7 @@ private slots:
         QSignalSpy changed(&d.docks, &OperateDocks::maximisedChanged);
         auto* heatmap = d.docks.findChild<QDockWidget*>("heatmap");
         auto* processing = d.docks.findChild<QDockWidget*>("processing");
+        QCoreApplication::sendPostedEvents(); // the room is shared once it is shown
         const QSize before = heatmap->size();
         const QPoint title(heatmap->width() / 2, heatmap->widget()->y() / 2);
         QTest::mouseDClick(heatmap, Qt::LeftButton, {}, title);

@@ -2,6 +2,7 @@
 #include "app/console/operate/recording/recording_files.h"
 #include "app/console/operate/recording/recording_import.h"
 #include "backend/mcap/recorded/mcap_export.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recorder.h"
 #include "backend/recording/recording.h"
 
@@ -50,13 +51,9 @@ private slots:
         auto recorder =
             recording::Recorder::start(path, head, {.simulatedTime = true, .queueBlocks = kFrames});
         QVERIFY(recorder);
-        recording::StreamInfo info;
-        info.name = "frames";
-        info.kind = recording::StreamKind::array;
-        info.type = recording::ValueType::float32;
-        info.shape = {16, 16};
-        info.details = R"({"pitch_m":0.0034})";
-        const auto tap = (*recorder)->addStream(info);
+        const core::SourceDescription description{
+            .name = "array", .layout = {16, 16, 0.0034}, .unit = "N", .nominalRate_Hz = 1000.0};
+        const auto tap = (*recorder)->addStream(pipeline::arrayStream("frames", description, {}));
         const std::array<float, 256> values{0.1F, 0.2F, 0.3F};
         for (int i = 0; i < kFrames; ++i)
             tap->append(1 + i * 1'000'000LL, 0.001 * i, std::span<const float>(values));
