@@ -49,6 +49,8 @@ class MainWindowDesktopTest : public QObject {
         m_window->resize(1200, 800);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow(); // keys go to the active window
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         m_window->openRequested(options);
     }
 
