@@ -55,7 +55,7 @@ private:
     Tone m_tone = Tone::calm;
 };
 
-enum Column { trialColumn, presentedColumn, answeredColumn, outcomeColumn, timeColumn, columns };
+enum Column { trialColumn, levelColumn, presentedColumn, answeredColumn, outcomeColumn, timeColumn, columns };
 
 } // namespace
 
@@ -85,6 +85,7 @@ SessionPanel::SessionPanel(QWidget* parent)
     m_outcomes->setAlternatingRowColors(true);
     m_outcomes->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_outcomes->setFocusPolicy(Qt::TabFocus);
+    m_outcomes->hideColumn(levelColumn);
 
     auto* head = new QHBoxLayout;
     head->addWidget(m_title, 1);
@@ -147,8 +148,12 @@ void SessionPanel::setScene(const SessionScene& scene) {
     const std::vector<OutcomeLine> before = std::exchange(m_scene, scene).outcomes;
     if (newChecks)
         showChecks();
-    if (newOutcomes)
+    if (newOutcomes) {
+        m_outcomes->setColumnHidden(levelColumn, std::ranges::all_of(m_scene.outcomes, [](const auto& line) {
+                                        return line.level.isEmpty();
+                                    }));
         showNewOutcomes(before);
+    }
     refresh();
 }
 
@@ -243,7 +248,7 @@ void SessionPanel::showOutcome(int row) {
     const QString time = line.responseTime_s
                              ? base::withUnit(base::threeDigits(line.responseTime_s), QStringLiteral("s"))
                              : QString();
-    const QStringList texts{line.trial, line.presented, line.answered, line.outcome, time};
+    const QStringList texts{line.trial, line.level, line.presented, line.answered, line.outcome, time};
     for (int column = 0; column < columns; ++column) {
         auto* item = new QTableWidgetItem(texts[column]);
         item->setTextAlignment(Qt::AlignCenter);
@@ -289,7 +294,7 @@ void SessionPanel::retranslate() {
     m_progress->setAccessibleName(tr("Progress"));
     m_outcomes->setAccessibleName(tr("Last trials"));
     m_outcomes->setHorizontalHeaderLabels(
-        {tr("Trial"), tr("Presented"), tr("Answered"), tr("Outcome"), tr("Response time")});
+        {tr("Trial"), tr("Level"), tr("Presented"), tr("Answered"), tr("Outcome"), tr("Response time")});
     m_note->setPlaceholderText(tr("A note on this session; Return saves it"));
     m_note->setAccessibleName(tr("Note"));
     m_window->setText(tr("Participant's &window"));

@@ -35,7 +35,8 @@ struct CheckLine {
 
 /// A finished trial.
 struct OutcomeLine {
-    QString trial; ///< "test 12"
+    QString trial;      ///< "test 12"
+    QString level = {}; ///< track and level with its unit; empty: the task has no levels
     QString presented;
     QString answered; ///< a dash: none
     QString outcome;

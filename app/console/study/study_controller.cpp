@@ -2,6 +2,7 @@
 #include "app/console/study/study_controller.h"
 
 #include "app/console/study/study_writing.h"
+#include "backend/study/protocol/stimulus_set.h"
 #include "backend/study/report/exports/study_export.h"
 #include "widgets/base/background.h"
 
@@ -137,6 +138,18 @@ const study::PlannedSession* StudyController::plan() const {
 const study::StudyTask* StudyController::task() const {
     const study::PlannedSession* planned = plan();
     return planned == nullptr ? nullptr : &m_overview->head.protocol.tasks[planned->task];
+}
+
+std::optional<study::MotorStrength> StudyController::strengthOf(const study::PlannedTrial& trial) const {
+    if (!m_running || !m_running->felt || !trial.level || !m_station.session() ||
+        m_running->felt->vary != study::Vary::intensity)
+        return std::nullopt;
+    const study::FeltTask& felt = *m_running->felt;
+    const auto track = felt.tracks.find(trial.track);
+    if (track == felt.tracks.end())
+        return std::nullopt;
+    return study::motorStrength(m_station.calibration().profiles(), track->second.tactors,
+                                *trial.level * felt.strongest);
 }
 
 template <typename Work>
@@ -400,6 +413,12 @@ void StudyController::beginTrials(const OpenedSession& opened) {
         emit failed(tr("The session could not start."), begun.error());
         return;
     }
+    const study::StudyTask& task = m_overview->head.protocol.tasks[plan.task];
+    const pattern::Pattern* stimulus = task.design == study::Design::identification
+                                           ? nullptr
+                                           : m_overview->head.stimuli.find(study::levelStimulusId(task));
+    if (stimulus != nullptr)
+        m_running->felt = study::feltTask(task, *stimulus);
     if (!isSimulated()) {
         const study::Protocol& protocol = m_overview->head.protocol;
         const QString folder = QString::fromStdString(m_overview->location.folder);
@@ -407,7 +426,6 @@ void StudyController::beginTrials(const OpenedSession& opened) {
                       now_ns());
         return;
     }
-    const study::StudyTask& task = m_overview->head.protocol.tasks[plan.task];
     const std::string& condition = task.conditions[plan.condition];
     m_person.begin(simulatedAnswers(task, condition), plan.seed);
     // The rehearsal was halted during a questionnaire.

@@ -9,6 +9,7 @@
 #include "app/console/study/running/study_store_thread.h"
 #include "app/console/study/study_overview.h"
 #include "backend/core/steady_time.h"
+#include "backend/study/methods/felt/felt_task.h"
 #include "backend/study/session/run_checks.h"
 #include "backend/study/session/study_scene.h"
 
@@ -85,6 +86,9 @@ public:
     [[nodiscard]] const study::PlannedSession* plan() const;
     /// Its task.
     [[nodiscard]] const study::StudyTask* task() const;
+    /// What the motors do at a level of the running trial; empty: levels are no intensities, or the motors
+    /// were not measured.
+    [[nodiscard]] std::optional<study::MotorStrength> strengthOf(const study::PlannedTrial& trial) const;
     [[nodiscard]] std::vector<study::RunCheck> checks() const;
     /// Whether the desktop keeps the screen on, for the checks; empty: nobody asked it.
     void setScreenHeld(std::optional<bool> held);
@@ -130,6 +134,7 @@ private:
         study::Participant participant;
         study::PlannedSession plan;
         std::vector<study::DueQuestionnaire> after;     ///< questionnaires after the last trial
+        std::optional<study::FeltTask> felt;            ///< of a task with levels
         std::shared_ptr<study::ParticipantClaim> claim; ///< keeps others from running the participant
     };
 

@@ -15,7 +15,7 @@
 #include "widgets/study/participant/participant_window.h"
 #include "widgets/study/planning/plan_panel.h"
 #include "widgets/study/results/confusion_view.h"
-#include "widgets/study/results/results_view.h"
+#include "widgets/study/results/page/results_view.h"
 #include "widgets/study/session_panel.h"
 #include "widgets/study/study_names.h"
 #include "widgets/study/study_panel.h"
@@ -82,6 +82,7 @@ StudyPage::StudyPage(BraceletService& station, core::StopSwitch& stop, StudyCont
     , m_results(new study::ResultsView(this))
     , m_plan(new study::PlanPanel(this))
     , m_planning(*m_plan)
+    , m_bracelet(station, *m_results, *m_messages, nullptr)
     , m_leaving(new StudyLeaving(m_controller, *this)) {
     m_participant->setAttribute(Qt::WA_QuitOnClose, false); // it does not keep the program open
     build();

@@ -3,6 +3,7 @@
 
 #include "app/console/study/running/noise_player.h"
 #include "app/console/study/running/participant_placement.h"
+#include "app/console/study/study_bracelet.h"
 #include "app/console/study/study_controller.h"
 #include "app/console/study/study_leaving.h"
 #include "app/console/study/study_planning.h"
@@ -110,6 +111,7 @@ private:
     study::ResultsView* m_results;
     study::PlanPanel* m_plan;
     StudyPlanning m_planning;
+    StudyBracelet m_bracelet;
     StudyLeaving* m_leaving;
     bool m_outdated = true;   ///< the results lack the latest trials
     bool m_analysing = false; ///< on a pool thread

@@ -66,10 +66,19 @@ QString StudyScenes::protocolText(const study::StudyHead& head) {
                      .arg(displayName(task), conditions.join(QStringLiteral(", ")));
     }
     const QLocale locale;
-    lines << tr("Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials per participant")
-                 .arg(protocol.practice.repetitions)
-                 .arg(protocol.test.repetitions)
-                 .arg(protocol.testTrials());
+    const bool hasPatterns = std::ranges::any_of(protocol.tasks, [](const study::StudyTask& task) {
+        return task.design == study::Design::identification;
+    });
+    if (hasPatterns)
+        lines << tr("Repetitions of each pattern: %1 in practice, %2 in the test; %3 test trials per "
+                    "participant")
+                     .arg(protocol.practice.repetitions)
+                     .arg(protocol.test.repetitions)
+                     .arg(protocol.testTrials());
+    else
+        lines << tr("%1 practice trials of each track; up to %2 test trials per participant")
+                     .arg(protocol.practice.repetitions)
+                     .arg(protocol.testTrials());
     lines << tr("Stimulus %1 s, answer within %2 s %3", "numbers; of what")
                  .arg(locale.toString(protocol.stimulus_s), locale.toString(protocol.responseLimit_s),
                       protocol.window == study::ResponseWindow::fromOnset ? tr("of its onset")
@@ -186,10 +195,14 @@ study::SessionScene StudyScenes::session(const StudyController& controller) {
         scene.title =
             tr("%1 \u2014 %2", "participant, session")
                 .arg(text(person.participant.id), sessionName(overview.head.protocol, session->plan));
-        scene.subtitle = tr("Session %1 of %2, row %3 of the Williams square")
-                             .arg(controller.chosen()->second + 1)
-                             .arg(person.sessions.size())
-                             .arg(session->plan.sequenceRow + 1);
+        const std::size_t conditions = overview.head.protocol.tasks[session->plan.task].conditions.size();
+        scene.subtitle =
+            (conditions > 1
+                 ? tr("Session %1 of %2, row %3 of the Williams square")
+                       .arg(controller.chosen()->second + 1)
+                       .arg(person.sessions.size())
+                       .arg(session->plan.sequenceRow + 1)
+                 : tr("Session %1 of %2").arg(controller.chosen()->second + 1).arg(person.sessions.size()));
     }
     if (controller.runner().isActive())
         describeRunning(controller, scene);
@@ -338,11 +351,16 @@ void StudyScenes::describeRunning(const StudyController& controller, study::Sess
     scene.canNote = true;
 
     scene.outcomes = outcomeLines(flow.results(), task);
-    if (const study::PlannedTrial* trial = session.current(); trial != nullptr && trial->level)
+    if (const study::PlannedTrial* trial = session.current(); trial != nullptr && trial->level) {
         scene.subtitle +=
             QLatin1Char('\n') + tr("Track %1, level %2 %3", "name, number, unit")
                                     .arg(text(trial->track), QLocale().toString(*trial->level, 'g', 3),
                                          QString::fromLatin1(study::unitOf(task.levels.vary)));
+        if (const auto strength = controller.strengthOf(*trial))
+            scene.subtitle += tr(" (%1 Hz, force %2 %)", "behind a level; force as a share of full")
+                                  .arg(QLocale().toString(strength->speed_Hz, 'f', 0),
+                                       QLocale().toString(100.0 * strength->force, 'f', 0));
+    }
 
     const NextStep step = nextStep(controller);
     scene.nextEnabled = step != NextStep::none && !controller.isBusy();

@@ -3,9 +3,11 @@
 
 #include "backend/figure/figure_file.h"
 #include "backend/study/analysis/trials/trial_source.h"
+#include "backend/study/methods/felt/felt_task.h"
 #include "backend/study/methods/figures/threshold_figures.h"
 #include "backend/study/methods/results/level_trial_store.h"
 #include "backend/study/methods/results/threshold_files.h"
+#include "backend/study/protocol/stimulus_set.h"
 #include "backend/study/report/exclusion_report.h"
 #include "backend/study/report/exports/study_export.h"
 #include "backend/study/report/study_figures.h"
@@ -24,20 +26,37 @@ struct WritingText {
     Q_DECLARE_TR_FUNCTIONS(StudyWriting)
 };
 
+/// Of the tasks with levels, as far as their stimuli are known.
+std::vector<study::FeltTask> feltTasks(const study::StudyHead& head) {
+    std::vector<study::FeltTask> felt;
+    for (const study::StudyTask& task : head.protocol.tasks) {
+        if (task.design == study::Design::identification)
+            continue;
+        if (const pattern::Pattern* stimulus = head.stimuli.find(study::levelStimulusId(task)))
+            felt.push_back(study::feltTask(task, *stimulus));
+    }
+    return felt;
+}
+
+core::Expected<study::LevelResults> levelResultsOf(const study::StudyStore& store, study::ModeFilter& modes) {
+    study::LevelTrials trials;
+    TELETA_CHECK(study::addLevelTrials(store, modes, trials));
+    return study::LevelResults{study::thresholdResults(trials), study::detectionResults(trials),
+                               feltTasks(store.head())};
+}
+
 core::Expected<StudyResults> resultsOf(const study::StudyStore& store, study::TrialTally& tally) {
     study::ModeFilter modes;
     study::ExclusionBook exclusions;
     TELETA_CHECK(study::tallyStore(store, modes, tally, exclusions));
     TELETA_CHECK(study::settle(exclusions, tally, store.shownName()));
-    study::LevelTrials trials;
-    TELETA_CHECK(study::addLevelTrials(store, modes, trials));
+    TELETA_TRY(study::LevelResults levels, levelResultsOf(store, modes));
     StudyResults results;
     results.tasks = study::studyResults(tally);
     results.exclusions = study::exclusionReport(exclusions);
     for (const study::TaskResults& task : results.tasks)
         results.supplements.push_back(study::taskSupplement(task));
-    results.levels = std::make_shared<const study::LevelResults>(
-        study::LevelResults{study::thresholdResults(trials), study::detectionResults(trials)});
+    results.levels = std::make_shared<const study::LevelResults>(std::move(levels));
     return results;
 }
 

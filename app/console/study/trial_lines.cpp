@@ -2,6 +2,7 @@
 #include "app/console/study/trial_lines.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <tuple>
@@ -49,6 +50,11 @@ std::vector<study::OutcomeLine> outcomeLines(const std::vector<study::TrialResul
         const bool isPractice = result->planned.phase == study::Phase::practice;
         line.trial =
             (isPractice ? LineText::tr("practice %1") : LineText::tr("test %1")).arg(result->planned.trial);
+        if (result->planned.level)
+            line.level = LineText::tr("%1: %2 %3", "track, level, unit")
+                             .arg(QString::fromStdString(result->planned.track),
+                                  QLocale().toString(*result->planned.level, 'g', 3),
+                                  QString::fromLatin1(study::unitOf(task.levels.vary)));
         line.presented = letter(result->planned.stimulus);
         line.answered = result->response ? letter(*result->response) : QStringLiteral("\u2013");
         line.responseTime_s = result->responseTime_s;

@@ -2,11 +2,11 @@
 #include "tests/backend/study/data_set_a.h"
 #include "tests/widgets/test_registry.h"
 #include "widgets/study/results/comparison_content.h"
-#include "widgets/study/results/comparisons_view.h"
 #include "widgets/study/results/curve_view.h"
 #include "widgets/study/results/interval_chart.h"
+#include "widgets/study/results/page/comparisons_view.h"
+#include "widgets/study/results/page/results_view.h"
 #include "widgets/study/results/result_table.h"
-#include "widgets/study/results/results_view.h"
 
 #include <QLabel>
 #include <QTabWidget>

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
 #include "widgets/study/results/level_content.h"
+#include "widgets/study/results/page/results_view.h"
 #include "widgets/study/results/result_table.h"
-#include "widgets/study/results/results_view.h"
 #include "widgets/study/results/svg_view.h"
 
 #include <QComboBox>
 #include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
@@ -14,6 +16,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 using namespace teleta;
 using study::LevelContent;
@@ -46,8 +49,66 @@ study::LevelTrials detection() {
 
 std::shared_ptr<const study::LevelResults> levelResults() {
     const study::LevelTrials trials = detection();
-    return std::make_shared<const study::LevelResults>(
-        study::LevelResults{study::thresholdResults(trials), study::detectionResults(trials)});
+    study::LevelResults results{study::thresholdResults(trials), study::detectionResults(trials)};
+    study::FeltTask felt;
+    felt.task = "detect";
+    felt.tracks["t1"] = {{0}, {0}};
+    results.felt = {felt};
+    return std::make_shared<const study::LevelResults>(std::move(results));
+}
+
+/// Speed is 50 Hz at the start, 0.2, and 250 Hz at full drive.
+pattern::MotorProfiles measuredMotors() {
+    pattern::MotorProfiles motors = pattern::assumedMotors();
+    for (pattern::MotorProfile& motor : motors) {
+        motor.assumed = motor.rangeAssumed = false;
+        motor.startDrive = 0.2;
+        motor.fullDrive = 1.0;
+        motor.curve = {{0.2, 50.0}, {1.0, 250.0}};
+    }
+    return motors;
+}
+
+/// Tactors 2 to 6 against tactor 1 at 0.6: all feel as strong at 0.6, but tactor 2 at 0.8.
+study::ResultsScene balanceScene() {
+    study::LevelTrials trials;
+    study::LevelTaskFacts& facts = trials.factsOf(std::string_view("strength"));
+    facts.design = study::Design::compare;
+    facts.unit = "drive";
+    facts.procedure = "constant";
+    facts.scale = study::LevelScale::linear;
+    study::FeltTask felt;
+    felt.task = "strength";
+    felt.design = study::Design::compare;
+    for (std::size_t tactor = 1; tactor < core::kTactors; ++tactor) {
+        const std::string id = "t" + std::to_string(tactor + 1);
+        felt.tracks[id] = {{tactor}, {0}};
+        auto& track = trials.trackOf({"strength", "rest", id, "P01"});
+        track.reference = 0.6;
+        const double equal = tactor == 1 ? 0.8 : 0.6;
+        const int more[] = {1, 4, 10, 16, 19};
+        for (int level = 0; level < 5; ++level) {
+            for (int trial = 0; trial < 20; ++trial)
+                track.trials.push_back(*study::levelTrialOf(
+                    study::Design::compare, equal + 0.1 * (level - 2), 0.6,
+                    static_cast<std::size_t>(trial % 2),
+                    static_cast<std::size_t>(trial < more[level] ? trial % 2 : 1 - trial % 2)));
+        }
+    }
+    study::TrialTally tally;
+    study::TalliedTrial one;
+    one.participant = "P01";
+    one.task = "strength";
+    one.condition = "rest";
+    one.stimulus = one.response = "1";
+    if (!tally.add(one))
+        qFatal("too many names");
+    study::LevelResults results{study::thresholdResults(trials), {}};
+    results.felt = {felt};
+    study::ResultsScene all;
+    all.tasks = study::studyResults(tally);
+    all.levels = std::make_shared<const study::LevelResults>(std::move(results));
+    return all;
 }
 
 /// The answers of the same task, and a task without levels.
@@ -136,6 +197,68 @@ private slots:
         // New trials keep what is shown.
         view.setScene(scene());
         QCOMPARE(choice->currentIndex(), 2);
+    }
+
+    void speedAndForceStandBesideLevelsOfMeasuredMotors() {
+        const auto results = levelResults();
+        const pattern::MotorProfiles measured = measuredMotors();
+        const pattern::MotorProfiles assumed = pattern::assumedMotors();
+        const auto table = LevelContent::thresholdTable(*results, "detect", {}, &measured);
+        QCOMPARE(table.header.size(), 14);
+        // 0.0618208 of the way from 50 to 250 Hz.
+        const double speed_Hz = 50.0 + 200.0 * table.rows[0][4].data.toDouble();
+        QVERIFY(std::abs(table.rows[0][12].data.toDouble() - speed_Hz) < 1e-9);
+        QVERIFY(std::abs(table.rows[0][13].data.toDouble() - 100.0 * std::pow(speed_Hz / 250.0, 2)) < 1e-9);
+        QVERIFY(table.rows[2].size() == table.rows[0].size());
+        QVERIFY(LevelContent::motorNote(*results, "detect", &measured).isEmpty());
+        QCOMPARE(LevelContent::thresholdTable(*results, "detect", {}, &assumed).header.size(), 12);
+        QVERIFY(LevelContent::motorNote(*results, "detect", &assumed).contains("Calibrate"));
+        QVERIFY(LevelContent::motorNote(*results, "detect", nullptr).contains("Connect"));
+    }
+
+    void thresholdsWithoutTheRulesStandBesideThoseWithThem() {
+        study::LevelResults results = *levelResults();
+        QVERIFY(!LevelContent::thresholdTable(results, "detect", {}).header.contains("Without rules"));
+        results.withoutRules = results.thresholds;
+        results.withoutRules->lines[0].fit.threshold = 0.5;
+        results.withoutRules->groups[0].threshold.reset();
+        const auto table = LevelContent::thresholdTable(results, "detect", {});
+        QCOMPARE(table.header.last(), QStringLiteral("Without rules"));
+        QCOMPARE(table.rows[0].back().data, QStringLiteral("0.5"));
+        QCOMPARE(table.rows[1].back().data, table.rows[1][4].data);
+        QCOMPARE(table.rows[2].back().data, QStringLiteral("NA"));
+    }
+
+    void equalStrengthCanBeUsedForAConnectedBracelet() {
+        ResultsView view;
+        view.resize(1000, 800);
+        view.setScene(balanceScene());
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        auto* use = view.findChild<QPushButton*>("useForBracelet");
+        auto* table = view.findChild<study::ResultTable*>("strengthTable");
+        QCOMPARE(table->rowCount(), 6);
+        QVERIFY(!use->isEnabled());
+        QVERIFY(view.findChild<QLabel*>("strengthNote")->text().contains("Connect"));
+        view.setMotors(study::BraceletMotors{QStringLiteral("bracelet"), measuredMotors()});
+        QVERIFY(use->isEnabled());
+        std::optional<pattern::MotorProfiles> wanted;
+        QString from;
+        connect(&view, &ResultsView::useRequested, this,
+                [&](const pattern::MotorProfiles& motors, const QString& who) {
+                    wanted = motors;
+                    from = who;
+                });
+        auto* who = view.findChild<QComboBox*>("strengthOf");
+        who->setCurrentIndex(who->findData("P01"));
+        use->click();
+        QVERIFY(wanted.has_value());
+        QCOMPARE(from, QStringLiteral("P01"));
+        // Drives 0.2 + 0.8 x: the others do with 0.68 what tactor 2 needs 0.84 for.
+        QVERIFY(std::abs((*wanted)[1].fullDrive - 1.0) < 1e-6);
+        QVERIFY(std::abs((*wanted)[0].fullDrive - 0.68 / 0.84) < 1e-3);
+        view.setMotors({});
+        QVERIFY(!use->isEnabled());
     }
 
     void sensitivityHasEachPersonAndTheMean() {

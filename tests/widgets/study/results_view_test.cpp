@@ -2,10 +2,10 @@
 #include "tests/widgets/test_registry.h"
 #include "widgets/study/results/confusion_view.h"
 #include "widgets/study/results/interval_chart.h"
+#include "widgets/study/results/page/results_view.h"
 #include "widgets/study/results/participant_picker.h"
 #include "widgets/study/results/result_table.h"
 #include "widgets/study/results/results_content.h"
-#include "widgets/study/results/results_view.h"
 
 #include <QCheckBox>
 #include <QComboBox>

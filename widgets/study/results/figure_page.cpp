@@ -16,10 +16,16 @@ FigurePage::FigurePage(const QString& name, QWidget* parent)
     : QWidget(parent)
     , m_choice(new QComboBox(this))
     , m_view(new SvgView(this))
-    , m_table(new ResultTable(name, this)) {
+    , m_table(new ResultTable(name, this))
+    , m_note(new QLabel(this)) {
     m_choice->setObjectName(name + QStringLiteral("Choice"));
     m_view->setObjectName(name + QStringLiteral("View"));
     m_table->setObjectName(name + QStringLiteral("Table"));
+    m_note->setObjectName(name + QStringLiteral("Note"));
+    m_note->setWordWrap(true);
+    m_note->setTextFormat(Qt::PlainText);
+    m_note->setFont(base::sized(m_note->font(), base::kSmallText));
+    m_note->hide();
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     auto* content = new QWidget(this);
     auto* column = new QVBoxLayout(content);
@@ -29,6 +35,7 @@ FigurePage::FigurePage(const QString& name, QWidget* parent)
     column->addWidget(m_choice, 0, Qt::AlignLeft);
     column->addWidget(m_view);
     column->addWidget(m_table);
+    column->addWidget(m_note);
     column->addStretch(1);
     auto* area = new QScrollArea(this);
     area->setWidgetResizable(true);
@@ -56,6 +63,11 @@ void FigurePage::setItems(std::vector<FigureItem> items, const TableContent& tab
     m_table->setVisible(!table.rows.empty());
     m_view->setMinimumHeight(base::em(this, 26));
     show(m_choice->currentIndex());
+}
+
+void FigurePage::setNote(const QString& note) {
+    m_note->setText(note);
+    m_note->setVisible(!note.isEmpty());
 }
 
 void FigurePage::show(int index) {

@@ -6,6 +6,7 @@
 #include "widgets/study/results/svg_view.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QString>
 #include <QWidget>
 
@@ -32,6 +33,8 @@ public:
     /// Keeps what is chosen where it is still there.
     void setItems(std::vector<FigureItem> items, const TableContent& table);
     void setChoiceName(const QString& name) { m_choice->setAccessibleName(name); }
+    /// What to know about the table; empty: nothing.
+    void setNote(const QString& note);
     void setTableName(const QString& name) { m_table->setAccessibleName(name); }
 
 signals:
@@ -44,6 +47,7 @@ private:
     QComboBox* m_choice;
     SvgView* m_view;
     ResultTable* m_table;
+    QLabel* m_note;
 };
 
 } // namespace teleta::study

@@ -121,6 +121,15 @@ std::vector<FigureItem> itemsOf(const LevelContent::Shared& results, const QStri
     return items;
 }
 
+/// "Threshold, s": with the unit of the task's levels.
+QString withUnit(const QString& name, const LevelResults& results, const QString& task) {
+    for (const ThresholdLine& line : results.thresholds.lines) {
+        if (shownText(line.task) == task && !line.facts.unit.empty())
+            return name + QStringLiteral(", ") + shownText(line.facts.unit);
+    }
+    return name;
+}
+
 } // namespace
 
 bool LevelResults::has(const QString& task) const {
@@ -128,9 +137,115 @@ bool LevelResults::has(const QString& task) const {
                                [&](const ThresholdLine& line) { return shownText(line.task) == task; });
 }
 
+const FeltTask* LevelResults::feltTask(const QString& task) const {
+    const auto found =
+        std::ranges::find_if(felt, [&](const FeltTask& one) { return shownText(one.task) == task; });
+    return found == felt.end() ? nullptr : &*found;
+}
+
 bool LevelResults::hasDetection(const QString& task) const {
     return std::ranges::any_of(detection.lines,
                                [&](const DetectionLine& line) { return shownText(line.task) == task; });
+}
+
+namespace {
+
+/// Columns of a table of thresholds that not every study has: speed and force of the motors, and thresholds
+/// without the rules of exclusion.
+class MoreColumns {
+    Q_DECLARE_TR_FUNCTIONS(LevelContent)
+
+public:
+    MoreColumns(const LevelResults& results, const QString& task, const pattern::MotorProfiles* motors)
+        : m_without(results.withoutRules ? &*results.withoutRules : nullptr) {
+        if (const FeltTask* felt = results.feltTask(task); felt != nullptr && motors != nullptr) {
+            m_strengths = feltStrengths(results.thresholds, *felt, *motors);
+            m_isComparison = felt->design == Design::compare;
+        }
+    }
+
+    void addHeader(TableContent& table) const {
+        const auto add = [&table](const QString& header, const QString& tip) {
+            table.header << header;
+            table.tips << tip;
+        };
+        if (m_without != nullptr)
+            add(tr("Without rules"), tr("Threshold of all trials, those too that the rules leave out"));
+        if (m_strengths.empty())
+            return;
+        add(tr("Speed, Hz"),
+            tr("Of the motors at this level, by their measured curves; mean over the tactors"));
+        add(tr("Force, %"), tr("Square of that speed over the square of the speed at full drive"));
+        if (m_isComparison) {
+            add(tr("Weber of speed"),
+                tr("By how much the speed rises from the reference to reference + JND"));
+            add(tr("Weber of force"),
+                tr("By how much the force rises from the reference to reference + JND"));
+        }
+    }
+
+    /// participant: empty for the mean of all.
+    void addCells(std::vector<ResultCell>& row, const std::string& task, const std::string& participant,
+                  const std::string& condition, const std::string& track) const {
+        if (m_without != nullptr)
+            row.push_back(numberCell(withoutRules(task, participant, condition, track)));
+        if (m_strengths.empty())
+            return;
+        const auto line = std::ranges::find_if(m_strengths, [&](const FeltStrength& one) {
+            return one.participant == participant && one.condition == condition && one.track == track;
+        });
+        const std::optional<FeltStrength> found =
+            line == m_strengths.end() ? std::nullopt : std::optional(*line);
+        const auto add = [&](auto value) {
+            row.push_back(numberCell(found ? std::optional<double>(value(*found)) : std::nullopt));
+        };
+        add([](const FeltStrength& one) { return one.strength.speed_Hz; });
+        add([](const FeltStrength& one) { return 100.0 * one.strength.force; });
+        if (m_isComparison) {
+            row.push_back(numberCell(found ? found->weberSpeed : std::nullopt));
+            row.push_back(numberCell(found ? found->weberForce : std::nullopt));
+        }
+    }
+
+private:
+    [[nodiscard]] std::optional<double> withoutRules(const std::string& task, const std::string& participant,
+                                                     const std::string& condition,
+                                                     const std::string& track) const {
+        const auto isOf = [&](const auto& one) {
+            return one.task == task && one.condition == condition && one.track == track;
+        };
+        if (participant.empty()) {
+            const auto group = std::ranges::find_if(m_without->groups, isOf);
+            return group == m_without->groups.end() ? std::nullopt : group->threshold;
+        }
+        const auto line = std::ranges::find_if(m_without->lines, [&](const ThresholdLine& one) {
+            return isOf(one) && one.participant == participant;
+        });
+        return line == m_without->lines.end() ? std::nullopt : line->fit.threshold;
+    }
+
+    const ThresholdResults* m_without;
+    std::vector<FeltStrength> m_strengths;
+    bool m_isComparison = false;
+};
+
+} // namespace
+
+QString LevelContent::motorNote(const LevelResults& results, const QString& task,
+                                const pattern::MotorProfiles* motors) {
+    const FeltTask* felt = results.feltTask(task);
+    if (felt == nullptr || felt->vary != Vary::intensity)
+        return {};
+    if (motors == nullptr)
+        return tr(
+            "A level is a share of the range from a motor's start to its full drive. Connect the bracelet, "
+            "and the speed of its motors in Hz and their force are shown beside the levels.");
+    if (feltStrengths(results.thresholds, *felt, *motors).empty())
+        return tr(
+            "A level is a share of the range from a motor's start to its full drive. Measure the motors of "
+            "this bracelet on the page Calibrate, and their speed in Hz and their force are shown beside "
+            "the levels.");
+    return {};
 }
 
 std::vector<FigureItem> LevelContent::curves(const Shared& results, const QString& task, Mode mode,
@@ -179,11 +294,21 @@ std::vector<FigureItem> LevelContent::detection(const Shared& results, const QSt
 }
 
 TableContent LevelContent::thresholdTable(const LevelResults& results, const QString& task,
-                                          const ConditionNames& names) {
+                                          const ConditionNames& names, const pattern::MotorProfiles* motors) {
+    const MoreColumns more(results, task, motors);
     TableContent table;
-    table.header = {tr("Participant"), tr("Condition"), tr("Track"),           tr("Trials"),
-                    tr("Threshold"),   tr("95 %"),      tr("Spread or slope"), tr("Lapses"),
-                    tr("p of fit"),    tr("JND"),       tr("Weber"),           tr("What it says")};
+    table.header = {tr("Participant"),
+                    tr("Condition"),
+                    tr("Track"),
+                    tr("Trials"),
+                    withUnit(tr("Threshold"), results, task),
+                    tr("95 %"),
+                    tr("Spread or slope"),
+                    tr("Lapses"),
+                    tr("p of fit"),
+                    withUnit(tr("JND"), results, task),
+                    tr("Weber"),
+                    tr("What it says")};
     table.tips = {
         {},
         {},
@@ -197,7 +322,9 @@ TableContent LevelContent::thresholdTable(const LevelResults& results, const QSt
         tr("Share of mistakes however strong the stimulus is"),
         tr("Of the deviance, by data sets that are drawn and fitted again; constant stimuli only"),
         tr("Just noticeable difference: half of the way from 25 to 75 %"),
-        tr("JND over the reference")};
+        tr("JND over the reference"),
+        {}};
+    more.addHeader(table);
     for (const ThresholdLine& line : results.thresholds.lines) {
         if (shownText(line.task) != task)
             continue;
@@ -215,6 +342,7 @@ TableContent LevelContent::thresholdTable(const LevelResults& results, const QSt
              numberCell(line.justNoticeable()),
              numberCell(line.weber()),
              noteCell(thresholdWords(line), line.note())});
+        more.addCells(table.rows.back(), line.task, line.participant, line.condition, line.track);
     }
     for (const ThresholdGroup& group : results.thresholds.groups) {
         if (shownText(group.task) != task)
@@ -235,6 +363,7 @@ TableContent LevelContent::thresholdTable(const LevelResults& results, const QSt
                               numberCell(group.justNoticeable),
                               numberCell(group.weber),
                               noteCell(words, group.note())});
+        more.addCells(table.rows.back(), group.task, {}, group.condition, group.track);
     }
     return table;
 }
@@ -242,9 +371,15 @@ TableContent LevelContent::thresholdTable(const LevelResults& results, const QSt
 TableContent LevelContent::trackTable(const LevelResults& results, const QString& task,
                                       const ConditionNames& names) {
     TableContent table;
-    table.header = {
-        tr("Participant"), tr("Condition"),      tr("Track"),  tr("Trials"), tr("Mean of reversals"),
-        tr("Reversals"),   tr("Posterior mean"), tr("Its sd"), tr("Note")};
+    table.header = {tr("Participant"),
+                    tr("Condition"),
+                    tr("Track"),
+                    tr("Trials"),
+                    withUnit(tr("Mean of reversals"), results, task),
+                    tr("Reversals"),
+                    withUnit(tr("Posterior mean"), results, task),
+                    tr("Its sd"),
+                    tr("Note")};
     table.tips = {{},
                   {},
                   {},

@@ -4,8 +4,8 @@
 #include "backend/pattern/model/built_in_patterns.h"
 #include "tests/app/console/study/study_bench.h"
 #include "widgets/study/results/confusion_view.h"
+#include "widgets/study/results/page/results_view.h"
 #include "widgets/study/results/result_table.h"
-#include "widgets/study/results/results_view.h"
 
 #include <QApplication>
 #include <QAudioDevice>

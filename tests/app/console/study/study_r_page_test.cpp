@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/console/study/study_bench.h"
+#include "widgets/study/results/page/results_view.h"
 #include "widgets/study/results/result_table.h"
-#include "widgets/study/results/results_view.h"
 
 #include <QFile>
 #include <QMenu>

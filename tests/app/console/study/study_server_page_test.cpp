@@ -5,8 +5,8 @@
 #include "app/console/study/study_leaving.h"
 #include "tests/app/console/study/study_bench.h"
 #include "tests/support/postgres_server.h"
+#include "widgets/study/results/page/results_view.h"
 #include "widgets/study/results/result_table.h"
-#include "widgets/study/results/results_view.h"
 #include "widgets/study/study_panel.h"
 
 #include <QComboBox>

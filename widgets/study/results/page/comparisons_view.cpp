@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/study/results/comparisons_view.h"
+#include "widgets/study/results/page/comparisons_view.h"
 
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"

@@ -8,6 +8,7 @@
 #include "widgets/base/compose.h"
 #include "widgets/study/results/interval_chart.h"
 #include "widgets/study/results/level_content.h"
+#include "widgets/study/results/page/bracelet_view.h"
 #include "widgets/study/results/participant_picker.h"
 
 #include <QComboBox>
@@ -20,6 +21,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace teleta::study {
@@ -43,8 +45,8 @@ struct ResultsScene {
 
 /// The results of a study: confusion matrices, accuracy with intervals, conditions compared for each pattern,
 /// response times, information transfer with its bias, ANOVA; in a tab of their own pairs, ranks, model and
-/// exclusions. Tasks with levels have further tabs: thresholds, tracks, d' and c. All of it can be copied and
-/// saved. Thread: GUI.
+/// exclusions. Tasks with levels have further tabs: thresholds, tracks, d' and c, and what they say of the
+/// bracelet. All of it can be copied and saved. Thread: GUI.
 class ResultsView : public QWidget {
     Q_OBJECT
 
@@ -54,6 +56,8 @@ public:
     void setScene(ResultsScene scene);
     /// State of the results: being computed, none yet.
     void setState(const QString& state);
+    /// The connected bracelet; empty: none.
+    void setMotors(std::optional<BraceletMotors> motors);
     [[nodiscard]] QString task() const;
     /// Conditions from left to right; the second group below.
     [[nodiscard]] const std::vector<ConfusionView*>& matrices() const { return m_matrices; }
@@ -62,6 +66,8 @@ signals:
     /// psychds, bids, excel, or analysis for the files of this page.
     void exportRequested(const QString& format);
     void figureFailed(const QString& message);
+    /// See BraceletView.
+    void useRequested(const teleta::pattern::MotorProfiles& balanced, const QString& from);
 
 private:
     void retranslate();
@@ -77,6 +83,8 @@ private:
     [[nodiscard]] ShownPeople shown() const;
 
     ResultsScene m_scene;
+    std::optional<BraceletMotors> m_motors;
+    bool m_hasLevels = false; ///< the chosen task
     QComboBox* m_task = base::named<QComboBox>("resultTask", this);
     ParticipantPicker* m_who = base::named<ParticipantPicker>("resultParticipant", this);
     ParticipantPicker* m_beside = base::named<ParticipantPicker>("resultBeside", this);
@@ -88,6 +96,7 @@ private:
     FigurePage* m_thresholds = new FigurePage(QStringLiteral("thresholds"), this);
     FigurePage* m_tracks = new FigurePage(QStringLiteral("tracks"), this);
     FigurePage* m_detection = new FigurePage(QStringLiteral("sdt"), this);
+    BraceletView* m_bracelet = new BraceletView(this);
     ComparisonsView* m_comparisons;
     QGridLayout* m_matrixGrid = new QGridLayout;
     std::vector<ConfusionView*> m_matrices;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/study/results/results_view.h"
+#include "widgets/study/results/page/results_view.h"
 
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
-#include "widgets/study/results/comparisons_view.h"
+#include "widgets/study/results/bracelet_content.h"
 #include "widgets/study/results/confusion_view.h"
+#include "widgets/study/results/page/comparisons_view.h"
 #include "widgets/study/results/result_table.h"
 #include "widgets/study/results/results_content.h"
 
@@ -91,6 +92,7 @@ ResultsView::ResultsView(QWidget* parent)
     m_tabs->addTab(m_thresholds, QString());
     m_tabs->addTab(m_tracks, QString());
     m_tabs->addTab(m_detection, QString());
+    m_tabs->addTab(m_bracelet, QString());
     m_tabs->addTab(m_comparisons, QString());
     m_tabs->setDocumentMode(true);
     layout->addWidget(m_tabs, 1);
@@ -110,6 +112,8 @@ ResultsView::ResultsView(QWidget* parent)
     for (ResultTable* table : {m_groups, m_anova, m_people})
         connect(&table->exporter(), &base::FigureExport::failed, this, &ResultsView::figureFailed);
     connect(m_comparisons, &ComparisonsView::figureFailed, this, &ResultsView::figureFailed);
+    connect(m_bracelet, &BraceletView::figureFailed, this, &ResultsView::figureFailed);
+    connect(m_bracelet, &BraceletView::useRequested, this, &ResultsView::useRequested);
     m_content->hide();
     base::keepTranslated(this, &ResultsView::retranslate);
 }
@@ -122,6 +126,11 @@ void ResultsView::setScene(ResultsScene scene) {
 
 void ResultsView::setState(const QString& state) {
     m_state->setText(state);
+}
+
+void ResultsView::setMotors(std::optional<BraceletMotors> motors) {
+    m_motors = std::move(motors);
+    showLevels();
 }
 
 QString ResultsView::task() const {
@@ -196,16 +205,24 @@ void ResultsView::showLevels() {
     const bool any = levels && levels->has(task());
     const bool detects = levels && levels->hasDetection(task());
     const bool compares = supplement() != nullptr;
+    const bool isOfBracelet = any && BraceletContent::has(*levels, task());
     m_tabs->tabBar()->setVisible(any || compares);
     m_tabs->setTabVisible(m_tabs->indexOf(m_comparisons), compares);
     m_tabs->setTabVisible(m_tabs->indexOf(m_thresholds), any);
     m_tabs->setTabVisible(m_tabs->indexOf(m_tracks), any);
     m_tabs->setTabVisible(m_tabs->indexOf(m_detection), detects);
+    m_tabs->setTabVisible(m_tabs->indexOf(m_bracelet), isOfBracelet);
+    // Of a task with levels thresholds come first, of any other one answers.
+    if (any != std::exchange(m_hasLevels, any))
+        m_tabs->setCurrentIndex(any ? m_tabs->indexOf(m_thresholds) : 0);
     if (!any)
         return;
     const ConditionNames names = conditionNames();
+    const pattern::MotorProfiles* motors = m_motors ? &m_motors->profiles : nullptr;
     m_thresholds->setItems(LevelContent::curves(levels, task(), m_scene.mode, names),
-                           LevelContent::thresholdTable(*levels, task(), names));
+                           LevelContent::thresholdTable(*levels, task(), names, motors));
+    m_thresholds->setNote(LevelContent::motorNote(*levels, task(), motors));
+    m_bracelet->setContent(levels, task(), names, m_motors);
     m_tracks->setItems(LevelContent::tracks(levels, task(), m_scene.mode, names),
                        LevelContent::trackTable(*levels, task(), names));
     m_detection->setItems(LevelContent::detection(levels, task(), m_scene.mode, names),
@@ -283,6 +300,7 @@ void ResultsView::retranslate() {
     m_tabs->setTabText(m_tabs->indexOf(m_thresholds), tr("Thresholds"));
     m_tabs->setTabText(m_tabs->indexOf(m_tracks), tr("Tracks"));
     m_tabs->setTabText(m_tabs->indexOf(m_detection), tr("d' and c"));
+    m_tabs->setTabText(m_tabs->indexOf(m_bracelet), tr("Bracelet"));
     m_thresholds->setChoiceName(tr("Whose threshold is shown"));
     m_thresholds->setTableName(tr("Thresholds"));
     m_tracks->setChoiceName(tr("Which track is shown"));
