@@ -41,8 +41,11 @@ std::vector<study::FeltTask> feltTasks(const study::StudyHead& head) {
 core::Expected<study::LevelResults> levelResultsOf(const study::StudyStore& store, study::ModeFilter& modes) {
     study::LevelTrials trials;
     TELETA_CHECK(study::addLevelTrials(store, modes, trials));
-    return study::LevelResults{study::thresholdResults(trials), study::detectionResults(trials),
-                               feltTasks(store.head())};
+    study::LevelResults results{study::thresholdResults(trials), study::detectionResults(trials),
+                                feltTasks(store.head())};
+    if (const auto all = trials.withoutRules())
+        results.withoutRules = study::thresholdResults(*all);
+    return results;
 }
 
 core::Expected<StudyResults> resultsOf(const study::StudyStore& store, study::TrialTally& tally) {

@@ -100,25 +100,25 @@ TableContent BraceletContent::onsets(const LevelResults& results, const QString&
 
 TableContent BraceletContent::steps(const LevelResults& results, const QString& task) {
     TableContent table;
-    table.header = {tr("Participant"), tr("Track"), tr("Levels told apart"), tr("What it says")};
-    table.tips = {
-        {},
-        {},
-        tr("From the start of the motors to their full drive, each one JND above the one before. The JND "
-           "is linear between the references, and stays as it is beyond them")};
+    table.header = {tr("Participant"), tr("Track"), tr("Steps"), tr("What it says")};
+    table.tips = {{},
+                  {},
+                  tr("Steps of one JND each from the start of the motors to their full drive. The JND is "
+                     "linear between "
+                     "the references, and stays as it is beyond them")};
     const FeltTask* felt = results.feltTask(task);
     if (felt == nullptr)
         return table;
-    for (const FeltSteps& line : feltSteps(results.thresholds, *felt)) {
+    for (const StepsLine& line : feltSteps(results.thresholds, *felt)) {
         const QString words =
-            line.levels
+            line.steps
                 ? (line.participant.empty()
                        ? tr("by the mean JND of all")
                        : tr("by the JND at %n reference(s)", nullptr, static_cast<int>(line.references)))
                 : tr("%1 of %2 references have a JND").arg(line.references).arg(line.wanted);
         table.rows.push_back({whoCell(line.participant, tr("All")),
                               {plainText(line.track)},
-                              line.levels ? ResultCell{QString::number(*line.levels)} : valueCell({}),
+                              line.steps ? ResultCell{QString::number(*line.steps)} : valueCell({}),
                               {words}});
     }
     return table;

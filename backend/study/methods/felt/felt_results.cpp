@@ -3,11 +3,9 @@
 
 #include "backend/pattern/model/laws.h"
 #include "backend/study/analysis/proportion.h"
-#include "backend/study/methods/bracelet/intensity_steps.h"
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace teleta::study {
@@ -53,24 +51,6 @@ FeltOnset meanOnset(const std::string& condition, const std::string& track,
     return mean;
 }
 
-/// JND by reference, of a participant or of all.
-using Differences = std::map<double, std::optional<double>>;
-
-FeltSteps stepsOf(const std::string& participant, const std::string& track, const Differences& differences) {
-    FeltSteps line{participant, track, 0, differences.size(), {}};
-    std::vector<JndAt> jnds;
-    for (const auto& [reference, difference] : differences) {
-        if (difference)
-            jnds.push_back({reference, *difference});
-    }
-    line.references = jnds.size();
-    if (jnds.size() < differences.size())
-        return line;
-    if (const auto levels = intensitySteps(jnds, 0.0, 1.0))
-        line.levels = levels->size();
-    return line;
-}
-
 } // namespace
 
 std::vector<FeltStrength> feltStrengths(const ThresholdResults& results, const FeltTask& felt,
@@ -107,48 +87,32 @@ std::vector<FeltOnset> feltOnsets(const ThresholdResults& results, const FeltTas
     const std::optional<double> law_s =
         felt.burst_s ? std::optional(pattern::apparentMotionOnset_s(*felt.burst_s)) : std::nullopt;
     std::map<std::pair<std::string, std::string>, std::vector<double>> found_s;
-    for (const ThresholdLine& line : results.lines) {
-        // An adaptive procedure looks for one edge, not for a top.
-        if (line.task != felt.task || line.facts.procedure != "constant")
+    for (const OnsetLine& line : bestOnsetsOf(results)) {
+        if (line.task != felt.task)
             continue;
-        std::vector<OnsetCount> counts;
-        for (const LevelCount& count : line.counts)
-            counts.push_back(
-                {count.level, static_cast<double>(count.trials), static_cast<double>(count.correct)});
-        const BestOnset best = bestOnset(counts);
-        lines.push_back({line.participant, line.condition, line.track, best, 1, law_s});
+        lines.push_back({line.participant, line.condition, line.track, line.best, 1, law_s});
         std::vector<double>& of_s = found_s[{line.condition, line.track}];
-        if (best.doubt == OnsetDoubt::none)
-            of_s.push_back(best.onset_s);
+        if (line.best.doubt == OnsetDoubt::none)
+            of_s.push_back(line.best.onset_s);
     }
     for (const auto& [place, onsets_s] : found_s)
         lines.push_back(meanOnset(place.first, place.second, onsets_s, law_s));
     return lines;
 }
 
-std::vector<FeltSteps> feltSteps(const ThresholdResults& results, const FeltTask& felt) {
-    std::vector<FeltSteps> lines;
-    if (felt.vary != Vary::intensity || felt.design != Design::compare)
-        return lines;
+std::vector<StepsLine> feltSteps(const ThresholdResults& results, const FeltTask& felt) {
+    std::vector<StepsLine> lines;
     // Where the reference is felt elsewhere the study balances tactors, and does not count steps.
-    const auto countsSteps = [&](const std::string& track) {
-        const auto where = felt.tracks.find(track);
-        return where != felt.tracks.end() && where->second.reference == where->second.tactors;
+    const auto add = [&](std::vector<StepsLine> found) {
+        for (StepsLine& line : found) {
+            const auto where = felt.tracks.find(line.track);
+            if (line.task == felt.task && where != felt.tracks.end() &&
+                where->second.reference == where->second.tactors)
+                lines.push_back(std::move(line));
+        }
     };
-    std::map<std::pair<std::string, std::string>, Differences> people; // by track and participant
-    for (const ThresholdLine& line : results.lines) {
-        if (line.task == felt.task && countsSteps(line.track))
-            people[{line.track, line.participant}][line.reference] = line.justNoticeable();
-    }
-    std::map<std::string, Differences> all;
-    for (const ThresholdGroup& group : results.groups) {
-        if (group.task == felt.task && countsSteps(group.track))
-            all[group.track][group.reference] = group.justNoticeable;
-    }
-    for (const auto& [who, differences] : people)
-        lines.push_back(stepsOf(who.second, who.first, differences));
-    for (const auto& [track, differences] : all)
-        lines.push_back(stepsOf({}, track, differences));
+    add(intensityStepsOf(results));
+    add(meanIntensityStepsOf(results));
     return lines;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/methods/bracelet/best_onset.h"
 #include "backend/study/methods/felt/felt_task.h"
+#include "backend/study/methods/results/bracelet_results.h"
 #include "backend/study/methods/results/threshold_results.h"
 
 #include <cstddef>
@@ -43,17 +43,9 @@ struct FeltOnset {
 /// Empty for other tasks. Thread: any (pure).
 [[nodiscard]] std::vector<FeltOnset> feltOnsets(const ThresholdResults& results, const FeltTask& felt);
 
-/// How many intensities can be told apart.
-struct FeltSteps {
-    std::string participant; ///< empty: with the mean JND of all
-    std::string track;
-    std::size_t references = 0;        ///< with a JND
-    std::size_t wanted = 0;            ///< references of the task
-    std::optional<std::size_t> levels; ///< from the start of the motors to full; empty: a JND is missing
-};
-
-/// Of comparisons of intensities, from start (0) to full (1) by the JNDs at the references. Empty for other
-/// tasks. Thread: any (pure).
-[[nodiscard]] std::vector<FeltSteps> feltSteps(const ThresholdResults& results, const FeltTask& felt);
+/// How many intensities the participants, and with the mean differences all of them (participant empty), can
+/// tell apart. Empty for other tasks than comparisons of intensities, and where the reference is felt
+/// elsewhere. Thread: any (pure).
+[[nodiscard]] std::vector<StepsLine> feltSteps(const ThresholdResults& results, const FeltTask& felt);
 
 } // namespace teleta::study

@@ -3,38 +3,60 @@
 
 #include "backend/study/methods/bracelet/intensity_steps.h"
 
-#include <algorithm>
 #include <map>
+#include <string>
 #include <tuple>
+#include <utility>
 
 namespace teleta::study {
 
-std::vector<StepsLine> intensityStepsOf(const ThresholdResults& results) {
-    struct Levels {
-        std::size_t references = 0;
-        std::vector<JndAt> known;
-    };
-    std::map<std::tuple<std::string, std::string, std::string>, Levels> people;
-    for (const ThresholdLine& line : results.lines) {
-        if (!line.isComparison() || line.facts.unit != unitOf(Vary::intensity))
-            continue;
-        Levels& own = people[{line.task, line.track, line.participant}];
-        ++own.references;
-        if (const std::optional<double> jnd = line.justNoticeable())
-            own.known.push_back({line.reference, *jnd});
-    }
+namespace {
+
+/// Just noticeable difference by reference, of each task, track and participant.
+using Differences =
+    std::map<std::tuple<std::string, std::string, std::string>, std::map<double, std::optional<double>>>;
+
+std::vector<StepsLine> stepsOf(const Differences& differences) {
     std::vector<StepsLine> lines;
-    for (auto& [key, own] : people) {
-        if (own.references < 2)
+    for (const auto& [key, byReference] : differences) {
+        if (byReference.size() < 2)
             continue;
-        std::ranges::sort(own.known, {}, &JndAt::level);
-        StepsLine line{std::get<2>(key), std::get<0>(key), std::get<1>(key), own.known.size(), {}};
-        // The first level is where the motor starts, and no step.
-        if (const auto levels = intensitySteps(own.known, 0.0, 1.0))
-            line.steps = levels->size() - 1;
+        std::vector<JndAt> known;
+        for (const auto& [reference, difference] : byReference) {
+            if (difference)
+                known.push_back({reference, *difference});
+        }
+        const auto& [task, track, participant] = key;
+        StepsLine line{participant, task, track, known.size(), byReference.size(), {}};
+        // The others say nothing of the region of one that is missing. The first level is where the motor
+        // starts, and no step.
+        if (known.size() == byReference.size()) {
+            if (const auto levels = intensitySteps(known, 0.0, 1.0))
+                line.steps = levels->size() - 1;
+        }
         lines.push_back(std::move(line));
     }
     return lines;
+}
+
+} // namespace
+
+std::vector<StepsLine> intensityStepsOf(const ThresholdResults& results) {
+    Differences people;
+    for (const ThresholdLine& line : results.lines) {
+        if (line.isComparison() && line.facts.unit == unitOf(Vary::intensity))
+            people[{line.task, line.track, line.participant}][line.reference] = line.justNoticeable();
+    }
+    return stepsOf(people);
+}
+
+std::vector<StepsLine> meanIntensityStepsOf(const ThresholdResults& results) {
+    Differences all;
+    for (const ThresholdGroup& group : results.groups) {
+        if (group.isComparison() && group.facts.unit == unitOf(Vary::intensity))
+            all[{group.task, group.track, {}}][group.reference] = group.justNoticeable;
+    }
+    return stepsOf(all);
 }
 
 std::vector<OnsetLine> bestOnsetsOf(const ThresholdResults& results) {

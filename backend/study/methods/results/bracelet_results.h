@@ -13,15 +13,18 @@ namespace teleta::study {
 
 /// How many intensities a participant can tell apart, from the start of the motor (0) to its full drive (1).
 struct StepsLine {
-    std::string participant;
+    std::string participant; ///< empty: with the mean just noticeable differences of all
     std::string task;
     std::string track;
     std::size_t references = 0;       ///< with a just noticeable difference
-    std::optional<std::size_t> steps; ///< empty: none of them has one
+    std::size_t wanted = 0;           ///< references of the task
+    std::optional<std::size_t> steps; ///< empty: one of them has none
 };
 
 /// Of comparisons of intensities with at least two references, each a condition. Thread: any (pure).
 [[nodiscard]] std::vector<StepsLine> intensityStepsOf(const ThresholdResults& results);
+/// The same of all participants together.
+[[nodiscard]] std::vector<StepsLine> meanIntensityStepsOf(const ThresholdResults& results);
 
 /// The time from burst to burst at which most answers were yes.
 struct OnsetLine {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace teleta::study {
 
@@ -63,6 +64,16 @@ std::vector<LevelTrial> LevelTrials::Track::left() const {
     std::vector<LevelTrial> counted;
     std::ranges::remove_copy_if(trials, std::back_inserter(counted), &LevelTrial::isExcluded);
     return counted;
+}
+
+std::optional<LevelTrials> LevelTrials::withoutRules() const {
+    LevelTrials all = *this;
+    bool isAny = false;
+    for (auto& [key, track] : all.m_tracks) {
+        for (LevelTrial& trial : track.trials)
+            isAny = std::exchange(trial.isExcluded, false) || isAny;
+    }
+    return isAny ? std::optional(std::move(all)) : std::nullopt;
 }
 
 LevelTaskFacts& LevelTrials::factsOf(std::string_view task) {

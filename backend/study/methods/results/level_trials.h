@@ -70,6 +70,8 @@ public:
     [[nodiscard]] Track& trackOf(const Key& key) { return m_tracks[key]; }
     [[nodiscard]] const std::map<Key, Track>& tracks() const { return m_tracks; }
     [[nodiscard]] bool empty() const { return m_tracks.empty(); }
+    /// The same trials, of which all count; empty: no rule left one out.
+    [[nodiscard]] std::optional<LevelTrials> withoutRules() const;
 
 private:
     std::map<std::string, LevelTaskFacts, std::less<>> m_facts;

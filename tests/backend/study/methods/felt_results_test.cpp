@@ -48,6 +48,7 @@ ThresholdLine lineOf(const std::string& participant, const std::string& conditio
     line.condition = condition;
     line.track = track;
     line.facts.design = Design::compare;
+    line.facts.unit = unitOf(Vary::intensity);
     line.reference = reference;
     line.model.shape = RiseShape::gauss;
     line.fit.note = FitNote::none;
@@ -137,6 +138,7 @@ TEST(BestOnsets, areThoseOfRForEachParticipantAndTheirMean) {
     for (const char* participant : {"P01", "P02", "P03"}) {
         ThresholdLine line = lineOf(participant, "rest", "all", 0.1, 0.0, 0.1);
         line.facts.design = Design::yesNo;
+        line.facts.unit = unitOf(Vary::onset);
         line.facts.procedure = "constant";
         // The third says yes more and more.
         line.counts = onsetCounts(participant[2] == '3' ? std::vector{1, 3, 6, 10, 13, 20}
@@ -171,10 +173,10 @@ TEST(StepCounts, countFromStartToFullAndNeedEveryReference) {
     results.lines.back().fit.spread.reset();
     const auto lines = feltSteps(results, feltOf(Design::compare, Vary::intensity));
     ASSERT_EQ(lines.size(), 2U);
-    EXPECT_EQ(lines[0].levels, 11U); // 0, 0.1 .. 1
+    EXPECT_EQ(lines[0].steps, 10U); // 0, 0.1 .. 1
     EXPECT_EQ(lines[1].references, 2U);
     EXPECT_EQ(lines[1].wanted, 3U);
-    EXPECT_FALSE(lines[1].levels);
+    EXPECT_FALSE(lines[1].steps);
 }
 
 class EqualStrengths : public testing::Test {

@@ -350,6 +350,11 @@ TEST_F(ThresholdResultsTest, areThoseWithoutTheExcludedTrials) {
     ASSERT_EQ(detection.lines.size(), 1U);
     EXPECT_EQ(detection.lines[0].falseAlarms, 3);
     EXPECT_EQ(detection.lines[0].noiseTrials, 20);
+    EXPECT_FALSE(clean->withoutRules());
+    const auto all = marked->withoutRules();
+    ASSERT_TRUE(all);
+    EXPECT_EQ(thresholdResults(*all).lines.size(), 2U);
+    EXPECT_EQ(thresholdResults(*all).lines[0].fit.trials, 270);
 }
 
 TEST_F(ThresholdResultsTest, leaveOutTheRowsThatRulesName) {
@@ -440,7 +445,13 @@ TEST_F(ThresholdResultsTest, haveStepsAndBestTimesWhereTheyAreAsked) {
     const std::vector<StepsLine> steps = intensityStepsOf(compared);
     ASSERT_EQ(steps.size(), 1U);
     EXPECT_EQ(steps[0].references, 3U);
+    EXPECT_EQ(steps[0].wanted, 3U);
     EXPECT_EQ(steps[0].steps, 10U);
+    ThresholdResults incomplete = compared;
+    incomplete.lines[1].fit.spread.reset();
+    ASSERT_EQ(intensityStepsOf(incomplete).size(), 1U);
+    EXPECT_EQ(intensityStepsOf(incomplete)[0].references, 2U);
+    EXPECT_FALSE(intensityStepsOf(incomplete)[0].steps) << "a reference without a difference";
     compared.lines.resize(1);
     EXPECT_TRUE(intensityStepsOf(compared).empty()) << "one reference says nothing of the others";
 }
