@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>BraceletContent</name>
+    <message numerus="yes">
+        <source>by the JND at %n reference(s)</source>
+        <translation>
+            <numerusform>by the JND at %n reference</numerusform>
+            <numerusform>by the JND at %n references</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ComparisonContent</name>
     <message numerus="yes">
         <source>no spread of the times in %n case(s): nothing left out</source>

@@ -391,6 +391,157 @@
     </message>
 </context>
 <context>
+    <name>BraceletContent</name>
+    <message>
+        <source>Participant</source>
+        <translation>Participant</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Piste</translation>
+    </message>
+    <message>
+        <source>Best onset, ms</source>
+        <translation>Meilleur intervalle, ms</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>By the law, ms</source>
+        <translation>Selon la loi, ms</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>Ce qu’il indique</translation>
+    </message>
+    <message>
+        <source>Time from burst to burst at which most answers are yes: the top of a parabola on the probit scale</source>
+        <translation>Intervalle entre salves pour lequel les réponses « oui » sont les plus nombreuses : le sommet d’une parabole sur l’échelle probit</translation>
+    </message>
+    <message>
+        <source>By the delta method; of all participants Student&apos;s t of their best onsets</source>
+        <translation>Par la méthode delta ; pour tous les participants, le t de Student de leurs meilleurs intervalles</translation>
+    </message>
+    <message>
+        <source>0.32 times the length of a burst + 47.3 ms, the law of apparent motion</source>
+        <translation>0,32 fois la durée d’une salve + 47,3 ms, la loi du mouvement apparent</translation>
+    </message>
+    <message>
+        <source>nobody has a best onset</source>
+        <translation>personne n’a de meilleur intervalle</translation>
+    </message>
+    <message>
+        <source>fewer than three times were shown</source>
+        <translation>moins de trois intervalles ont été présentés</translation>
+    </message>
+    <message>
+        <source>no onset is best: the answers have no top</source>
+        <translation>aucun intervalle n’est le meilleur : les réponses n’ont pas de sommet</translation>
+    </message>
+    <message>
+        <source>best beyond the times that were shown</source>
+        <translation>optimum hors des intervalles présentés</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>moyenne de %1</translation>
+    </message>
+    <message>
+        <source>later than the law says</source>
+        <translation>plus tard que la loi ne le dit</translation>
+    </message>
+    <message>
+        <source>earlier than the law says</source>
+        <translation>plus tôt que la loi ne le dit</translation>
+    </message>
+    <message>
+        <source>agrees with the law</source>
+        <translation>conforme à la loi</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tous</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Steps of one JND each from the start of the motors to their full drive. The JND is linear between the references, and stays as it is beyond them</source>
+        <translation>Pas d’une JND chacun, du démarrage des moteurs à leur pleine commande. La JND est linéaire entre les références et constante au-delà</translation>
+    </message>
+    <message>
+        <source>by the mean JND of all</source>
+        <translation>d’après la JND moyenne de tous</translation>
+    </message>
+    <message numerus="yes">
+        <source>by the JND at %n reference(s)</source>
+        <translation>
+            <numerusform>d’après la JND à %n référence</numerusform>
+            <numerusform>d’après la JND à %n références</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 references have a JND</source>
+        <translation>%1 des %2 références ont une JND</translation>
+    </message>
+    <message>
+        <source>Tactor</source>
+        <translation>Tacteur</translation>
+    </message>
+    <message>
+        <source>Feels equal at</source>
+        <translation>Ressenti égal à</translation>
+    </message>
+    <message>
+        <source>That is, drive</source>
+        <translation>Soit, en commande</translation>
+    </message>
+    <message>
+        <source>Full drive now</source>
+        <translation>Pleine commande actuelle</translation>
+    </message>
+    <message>
+        <source>Full drive, balanced</source>
+        <translation>Pleine commande, équilibrée</translation>
+    </message>
+    <message>
+        <source>Level at which it feels as strong as the reference</source>
+        <translation>Niveau auquel il est ressenti aussi fort que la référence</translation>
+    </message>
+    <message>
+        <source>? stands for an open end</source>
+        <translation>? indique une borne ouverte</translation>
+    </message>
+    <message>
+        <source>Share of the full voltage, by the motor&apos;s start and full drive</source>
+        <translation>Part de la tension maximale, d’après le démarrage et la pleine commande du moteur</translation>
+    </message>
+    <message>
+        <source>Share of the full voltage at intensity 1</source>
+        <translation>Part de la tension maximale à l’intensité 1</translation>
+    </message>
+    <message>
+        <source>With it the tactors feel equally strong: the strongest ones are turned down</source>
+        <translation>Avec elle les tacteurs sont ressentis aussi forts : les plus forts sont réduits</translation>
+    </message>
+    <message>
+        <source>%1, the reference</source>
+        <translation>%1, la référence</translation>
+    </message>
+    <message>
+        <source>Measured against tactor %1, tactor %2 differs by more than both intervals allow.</source>
+        <comment>a tactor; a list of tactors</comment>
+        <translation>Mesuré par rapport au tacteur %1, le tacteur %2 diffère de plus que ne le permettent les deux intervalles.</translation>
+    </message>
+</context>
+<context>
     <name>BraceletText</name>
     <message>
         <source>No bracelet is plugged in.</source>
@@ -2269,6 +2420,17 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>EqualStrength</name>
+    <message>
+        <source>tactor %1 has no level at which it feels as strong as tactor %2</source>
+        <translation>le tacteur %1 n’a aucun niveau auquel il est ressenti aussi fort que le tacteur %2</translation>
+    </message>
+    <message>
+        <source>a level for each of the six tactors</source>
+        <translation>un niveau pour chacun des six tacteurs</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source> (expected %1)</source>
@@ -3549,6 +3711,54 @@ Exemples&#xa0;:
     <message>
         <source>Criterion: above 0 rather no; of two intervals below 0 rather the first</source>
         <translation>Critère&#xa0;: au-dessus de 0, plutôt non&#xa0;; à deux intervalles, au-dessous de 0, plutôt le premier</translation>
+    </message>
+    <message>
+        <source>Without rules</source>
+        <translation>Sans les règles</translation>
+    </message>
+    <message>
+        <source>Threshold of all trials, those too that the rules leave out</source>
+        <translation>Seuil de tous les essais, y compris ceux que les règles excluent</translation>
+    </message>
+    <message>
+        <source>Speed, Hz</source>
+        <translation>Vitesse, Hz</translation>
+    </message>
+    <message>
+        <source>Of the motors at this level, by their measured curves; mean over the tactors</source>
+        <translation>Des moteurs à ce niveau, d’après leurs courbes mesurées ; moyenne sur les tacteurs</translation>
+    </message>
+    <message>
+        <source>Force, %</source>
+        <translation>Force, %</translation>
+    </message>
+    <message>
+        <source>Square of that speed over the square of the speed at full drive</source>
+        <translation>Carré de cette vitesse sur le carré de la vitesse à pleine commande</translation>
+    </message>
+    <message>
+        <source>Weber of speed</source>
+        <translation>Weber de la vitesse</translation>
+    </message>
+    <message>
+        <source>By how much the speed rises from the reference to reference + JND</source>
+        <translation>De combien la vitesse augmente de la référence à la référence + JND</translation>
+    </message>
+    <message>
+        <source>Weber of force</source>
+        <translation>Weber de la force</translation>
+    </message>
+    <message>
+        <source>By how much the force rises from the reference to reference + JND</source>
+        <translation>De combien la force augmente de la référence à la référence + JND</translation>
+    </message>
+    <message>
+        <source>A level is a share of the range from a motor&apos;s start to its full drive. Connect the bracelet, and the speed of its motors in Hz and their force are shown beside the levels.</source>
+        <translation>Un niveau est une part de la plage entre le démarrage d’un moteur et sa pleine commande. Connectez le bracelet : la vitesse de ses moteurs en Hz et leur force s’affichent à côté des niveaux.</translation>
+    </message>
+    <message>
+        <source>A level is a share of the range from a motor&apos;s start to its full drive. Measure the motors of this bracelet on the page Calibrate, and their speed in Hz and their force are shown beside the levels.</source>
+        <translation>Un niveau est une part de la plage entre le démarrage d’un moteur et sa pleine commande. Mesurez les moteurs de ce bracelet à la page Étalonner : leur vitesse en Hz et leur force s’affichent à côté des niveaux.</translation>
     </message>
 </context>
 <context>
@@ -8323,19 +8533,19 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Line of the analysis: shape:condition, shape:pattern, shape:condition:pattern, or shape:condition@A within pattern A; or detect:threshold for the interval of a threshold</source>
-        <translation>Ligne de l’analyse : shape:condition, shape:pattern, shape:condition:pattern, ou shape:condition@A pour le seul motif A ; ou detect:threshold pour l’intervalle d’un seuil</translation>
+        <translation>Ligne de l’analyse&#xa0;: shape:condition, shape:pattern, shape:condition:pattern, ou shape:condition@A pour le seul motif A&#xa0;; ou detect:threshold pour l’intervalle d’un seuil</translation>
     </message>
     <message>
         <source>Of a threshold: how far its 95 % interval may reach to each side, on the scale of the levels (0.1 log10 units are a factor of 1.26)</source>
-        <translation>D’un seuil : jusqu’où son intervalle à 95 % peut s’étendre de chaque côté, à l’échelle des niveaux (0.1 unité log10 est un facteur de 1.26)</translation>
+        <translation>D’un seuil&#xa0;: jusqu’où son intervalle à 95&#xa0;% peut s’étendre de chaque côté, à l’échelle des niveaux (0.1 unité log10 est un facteur de 1.26)</translation>
     </message>
     <message>
         <source>Of a threshold: trials of a track, of constant stimuli at each level; otherwise the protocol&apos;s</source>
-        <translation>D’un seuil : essais d’une série, ou à chaque niveau pour des stimuli constants ; sinon ceux du protocole</translation>
+        <translation>D’un seuil&#xa0;: essais d’une série, ou à chaque niveau pour des stimuli constants&#xa0;; sinon ceux du protocole</translation>
     </message>
     <message>
         <source>Studies drawn for each number; otherwise 10000, for thresholds 1000</source>
-        <translation>Études tirées pour chaque nombre ; sinon 10000, et 1000 pour des seuils</translation>
+        <translation>Études tirées pour chaque nombre&#xa0;; sinon 10000, et 1000 pour des seuils</translation>
     </message>
 </context>
 <context>
@@ -8873,6 +9083,19 @@ Run %2 --help for more.
         <comment>name, number, unit</comment>
         <translation>Série %1, niveau %2 %3</translation>
     </message>
+    <message>
+        <source>%1 practice trials of each track; up to %2 test trials per participant</source>
+        <translation>%1 essais d’entraînement par piste ; jusqu’à %2 essais de test par participant</translation>
+    </message>
+    <message>
+        <source>Session %1 of %2</source>
+        <translation>Séance %1 sur %2</translation>
+    </message>
+    <message>
+        <source> (%1 Hz, force %2 %)</source>
+        <comment>behind a level; force as a share of full</comment>
+        <translation> (%1 Hz, force %2 %)</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -9255,7 +9478,7 @@ Run %2 --help for more.
     <name>ThresholdPlan</name>
     <message>
         <source>the protocol has no task &quot;%1&quot;</source>
-        <translation>le protocole n’a pas de tâche « %1 »</translation>
+        <translation>le protocole n’a pas de tâche «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>TASK:threshold with the id of a task with levels</source>
@@ -9312,7 +9535,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Each participant; intervals of 95 % by profile likelihood unless the tables say otherwise</source>
-        <translation>Chaque participant ; intervalles à 95 % par vraisemblance profilée, sauf indication contraire des tableaux</translation>
+        <translation>Chaque participant&#xa0;; intervalles à 95&#xa0;% par vraisemblance profilée, sauf indication contraire des tableaux</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -9324,7 +9547,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>95 %</source>
-        <translation>95 %</translation>
+        <translation>95&#xa0;%</translation>
     </message>
     <message>
         <source>Slope or spread</source>
@@ -9352,7 +9575,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>All participants: the mean of their thresholds with Student&apos;s t interval, and one fit of all with a threshold for each</source>
-        <translation>Tous les participants : la moyenne de leurs seuils avec l’intervalle du t de Student, et un ajustement commun avec un seuil pour chacun</translation>
+        <translation>Tous les participants&#xa0;: la moyenne de leurs seuils avec l’intervalle du t de Student, et un ajustement commun avec un seuil pour chacun</translation>
     </message>
     <message>
         <source>Participants</source>
@@ -9372,7 +9595,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>no fit of all: %1</source>
-        <translation>pas d’ajustement commun : %1</translation>
+        <translation>pas d’ajustement commun&#xa0;: %1</translation>
     </message>
     <message>
         <source>Intensities that can be told apart, from the start of the motor to its full drive</source>
@@ -9432,11 +9655,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Thresholds: %1</source>
-        <translation>Seuils : %1</translation>
+        <translation>Seuils&#xa0;: %1</translation>
     </message>
     <message>
         <source>The threshold is where half of the way from guessing to the most right answers is reached. Unit of the levels: %1.</source>
-        <translation>Le seuil est là où la moitié du chemin entre la réponse au hasard et le plus de réponses correctes est atteinte. Unité des niveaux : %1.</translation>
+        <translation>Le seuil est là où la moitié du chemin entre la réponse au hasard et le plus de réponses correctes est atteinte. Unité des niveaux&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Thresholds of the participants, and their means with t intervals.</source>
@@ -10224,6 +10447,11 @@ Run %2 --help for more.
     <message>
         <source>device fault, will be repeated</source>
         <translation>panne de l’appareil, sera repris</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <comment>track, level, unit</comment>
+        <translation>%1 : %2 %3</translation>
     </message>
 </context>
 <context>
@@ -15459,6 +15687,59 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::StudyBracelet</name>
+    <message>
+        <source>Tactor %1: %2 → %3</source>
+        <comment>a number; full drives</comment>
+        <translation>Tacteur %1 : %2 → %3</translation>
+    </message>
+    <message>
+        <source>Balance the bracelet</source>
+        <translation>Équilibrer le bracelet</translation>
+    </message>
+    <message>
+        <source>Use these full drives for the bracelet %1?</source>
+        <translation>Utiliser ces pleines commandes pour le bracelet %1 ?</translation>
+    </message>
+    <message>
+        <source>As felt by: %1</source>
+        <comment>a participant, or all</comment>
+        <translation>Ressenti par : %1</translation>
+    </message>
+    <message>
+        <source>Patterns, feedback and later studies play with them. The page Calibrate can change them again.</source>
+        <translation>Les motifs, le retour et les études suivantes jouent avec elles. La page Étalonner permet de les modifier à nouveau.</translation>
+    </message>
+    <message>
+        <source>&amp;Use them</source>
+        <translation>&amp;Les utiliser</translation>
+    </message>
+    <message>
+        <source>Another bracelet was connected meanwhile.</source>
+        <translation>Un autre bracelet a été connecté entre-temps.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Connect the one with which the study was run.</source>
+        <translation>Rien n’a été modifié. Connectez celui avec lequel l’étude a été menée.</translation>
+    </message>
+    <message>
+        <source>The tactors are balanced.</source>
+        <translation>Les tacteurs sont équilibrés.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré : %1</translation>
+    </message>
+    <message>
+        <source>The full drives could not be saved.</source>
+        <translation>Les pleines commandes n’ont pas pu être enregistrées.</translation>
+    </message>
+    <message>
+        <source>They are used until the program ends. Save them on the page Calibrate.</source>
+        <translation>Elles servent jusqu’à la fin du programme. Enregistrez-les à la page Étalonner.</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::StudyController</name>
     <message>
         <source>the open study is being read or written</source>
@@ -16777,6 +17058,49 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::study::BraceletView</name>
+    <message>
+        <source>All participants, mean</source>
+        <translation>Tous les participants, moyenne</translation>
+    </message>
+    <message>
+        <source>Connect the bracelet with which the study was run: the balance needs its motors.</source>
+        <translation>Connectez le bracelet avec lequel l’étude a été menée : l’équilibrage a besoin de ses moteurs.</translation>
+    </message>
+    <message>
+        <source>The balance takes the motors of %1 as they are now. They have to be those with which the study was run.</source>
+        <translation>L’équilibrage prend les moteurs de %1 tels qu’ils sont. Ce doivent être ceux avec lesquels l’étude a été menée.</translation>
+    </message>
+    <message>
+        <source>There is no balance: %1.</source>
+        <translation>Il n’y a pas d’équilibrage : %1.</translation>
+    </message>
+    <message>
+        <source>Best time from burst to burst</source>
+        <translation>Meilleur intervalle entre salves</translation>
+    </message>
+    <message>
+        <source>Intensities that can be told apart</source>
+        <translation>Intensités que l’on peut distinguer</translation>
+    </message>
+    <message>
+        <source>Equally strong tactors</source>
+        <translation>Tacteurs aussi forts</translation>
+    </message>
+    <message>
+        <source>As felt b&amp;y</source>
+        <translation>Ressenti &amp;par</translation>
+    </message>
+    <message>
+        <source>&amp;Use for this bracelet…</source>
+        <translation>&amp;Utiliser pour ce bracelet…</translation>
+    </message>
+    <message>
+        <source>Sets the full drives of the connected bracelet, after a question</source>
+        <translation>Règle les pleines commandes du bracelet connecté, après une question</translation>
+    </message>
+</context>
+<context>
     <name>teleta::study::ComparisonsView</name>
     <message>
         <source>Pairs of levels</source>
@@ -17213,6 +17537,10 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
         <source>Which condition is shown</source>
         <translation>Condition affichée</translation>
     </message>
+    <message>
+        <source>Bracelet</source>
+        <translation>Bracelet</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::SessionPanel</name>
@@ -17339,6 +17667,10 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>Pauses after the current trial</source>
         <translation>Met en pause après l’essai en cours</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
     </message>
 </context>
 <context>

@@ -390,6 +390,156 @@
     </message>
 </context>
 <context>
+    <name>BraceletContent</name>
+    <message>
+        <source>Participant</source>
+        <translation>参加者</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>トラック</translation>
+    </message>
+    <message>
+        <source>Best onset, ms</source>
+        <translation>最良の開始間隔, ms</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>By the law, ms</source>
+        <translation>法則による値, ms</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Time from burst to burst at which most answers are yes: the top of a parabola on the probit scale</source>
+        <translation>「はい」が最も多くなるバースト間の時間。プロビット尺度での放物線の頂点です</translation>
+    </message>
+    <message>
+        <source>By the delta method; of all participants Student&apos;s t of their best onsets</source>
+        <translation>デルタ法による。全参加者では、最良の開始間隔のスチューデントのtによる</translation>
+    </message>
+    <message>
+        <source>0.32 times the length of a burst + 47.3 ms, the law of apparent motion</source>
+        <translation>バースト長の0.32倍 + 47.3 ms（仮現運動の法則）</translation>
+    </message>
+    <message>
+        <source>nobody has a best onset</source>
+        <translation>最良の開始間隔がある人はいません</translation>
+    </message>
+    <message>
+        <source>fewer than three times were shown</source>
+        <translation>提示した時間が3つ未満です</translation>
+    </message>
+    <message>
+        <source>no onset is best: the answers have no top</source>
+        <translation>最良の開始間隔はありません。回答に頂点がありません</translation>
+    </message>
+    <message>
+        <source>best beyond the times that were shown</source>
+        <translation>最良の時間は提示した範囲の外にあります</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>%1人の平均</translation>
+    </message>
+    <message>
+        <source>later than the law says</source>
+        <translation>法則より遅い</translation>
+    </message>
+    <message>
+        <source>earlier than the law says</source>
+        <translation>法則より早い</translation>
+    </message>
+    <message>
+        <source>agrees with the law</source>
+        <translation>法則と一致します</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>段数</translation>
+    </message>
+    <message>
+        <source>Steps of one JND each from the start of the motors to their full drive. The JND is linear between the references, and stays as it is beyond them</source>
+        <translation>モーターの始動から最大駆動量まで、1段が1つのJNDです。JNDは基準の間で直線的に変わり、外側では一定とします</translation>
+    </message>
+    <message>
+        <source>by the mean JND of all</source>
+        <translation>全員の平均のJNDによる</translation>
+    </message>
+    <message numerus="yes">
+        <source>by the JND at %n reference(s)</source>
+        <translation>
+            <numerusform>%n個の基準でのJNDによる</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 references have a JND</source>
+        <translation>%2個の基準のうち%1個にJNDがあります</translation>
+    </message>
+    <message>
+        <source>Tactor</source>
+        <translation>タクタ</translation>
+    </message>
+    <message>
+        <source>Feels equal at</source>
+        <translation>等しく感じるレベル</translation>
+    </message>
+    <message>
+        <source>That is, drive</source>
+        <translation>駆動に直すと</translation>
+    </message>
+    <message>
+        <source>Full drive now</source>
+        <translation>現在の最大駆動量</translation>
+    </message>
+    <message>
+        <source>Full drive, balanced</source>
+        <translation>釣り合わせた最大駆動量</translation>
+    </message>
+    <message>
+        <source>Level at which it feels as strong as the reference</source>
+        <translation>基準と同じ強さに感じるレベル</translation>
+    </message>
+    <message>
+        <source>? stands for an open end</source>
+        <translation>? は端が定まらないことを表します</translation>
+    </message>
+    <message>
+        <source>Share of the full voltage, by the motor&apos;s start and full drive</source>
+        <translation>全電圧に対する割合。モーターの始動と最大駆動量から求めます</translation>
+    </message>
+    <message>
+        <source>Share of the full voltage at intensity 1</source>
+        <translation>強度1での全電圧に対する割合</translation>
+    </message>
+    <message>
+        <source>With it the tactors feel equally strong: the strongest ones are turned down</source>
+        <translation>これでタクタが同じ強さに感じられます。最も強いものを弱めます</translation>
+    </message>
+    <message>
+        <source>%1, the reference</source>
+        <translation>%1（基準）</translation>
+    </message>
+    <message>
+        <source>Measured against tactor %1, tactor %2 differs by more than both intervals allow.</source>
+        <comment>a tactor; a list of tactors</comment>
+        <translation>タクタ%1を基準に測ると、タクタ%2は両方の区間が許す以上に異なります。</translation>
+    </message>
+</context>
+<context>
     <name>BraceletText</name>
     <message>
         <source>No bracelet is plugged in.</source>
@@ -2266,6 +2416,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>EqualStrength</name>
+    <message>
+        <source>tactor %1 has no level at which it feels as strong as tactor %2</source>
+        <translation>タクタ%1には、タクタ%2と同じ強さに感じるレベルがありません</translation>
+    </message>
+    <message>
+        <source>a level for each of the six tactors</source>
+        <translation>6個のタクタそれぞれのレベル</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source> (expected %1)</source>
@@ -3537,6 +3698,54 @@ Examples:
     <message>
         <source>Criterion: above 0 rather no; of two intervals below 0 rather the first</source>
         <translation>判断基準: 0より大きいと「なし」寄り。2区間では0より小さいと1つ目寄り</translation>
+    </message>
+    <message>
+        <source>Without rules</source>
+        <translation>規則なし</translation>
+    </message>
+    <message>
+        <source>Threshold of all trials, those too that the rules leave out</source>
+        <translation>規則で除かれるものも含む全試行の閾値</translation>
+    </message>
+    <message>
+        <source>Speed, Hz</source>
+        <translation>速度, Hz</translation>
+    </message>
+    <message>
+        <source>Of the motors at this level, by their measured curves; mean over the tactors</source>
+        <translation>このレベルでのモーターの値。測定した曲線から求め、タクタで平均します</translation>
+    </message>
+    <message>
+        <source>Force, %</source>
+        <translation>力, %</translation>
+    </message>
+    <message>
+        <source>Square of that speed over the square of the speed at full drive</source>
+        <translation>この速度の2乗を、最大駆動量での速度の2乗で割った値</translation>
+    </message>
+    <message>
+        <source>Weber of speed</source>
+        <translation>速度のウェーバー比</translation>
+    </message>
+    <message>
+        <source>By how much the speed rises from the reference to reference + JND</source>
+        <translation>基準から基準+JNDまでの速度の増加率</translation>
+    </message>
+    <message>
+        <source>Weber of force</source>
+        <translation>力のウェーバー比</translation>
+    </message>
+    <message>
+        <source>By how much the force rises from the reference to reference + JND</source>
+        <translation>基準から基準+JNDまでの力の増加率</translation>
+    </message>
+    <message>
+        <source>A level is a share of the range from a motor&apos;s start to its full drive. Connect the bracelet, and the speed of its motors in Hz and their force are shown beside the levels.</source>
+        <translation>レベルは、モーターの始動から最大駆動量までの範囲に対する割合です。ブレスレットを接続すると、モーターの速度（Hz）と力がレベルの横に表示されます。</translation>
+    </message>
+    <message>
+        <source>A level is a share of the range from a motor&apos;s start to its full drive. Measure the motors of this bracelet on the page Calibrate, and their speed in Hz and their force are shown beside the levels.</source>
+        <translation>レベルは、モーターの始動から最大駆動量までの範囲に対する割合です。校正ページでこのブレスレットのモーターを測定すると、速度（Hz）と力がレベルの横に表示されます。</translation>
     </message>
 </context>
 <context>
@@ -8851,6 +9060,19 @@ Run %2 --help for more.
         <comment>name, number, unit</comment>
         <translation>トラック %1、レベル %2 %3</translation>
     </message>
+    <message>
+        <source>%1 practice trials of each track; up to %2 test trials per participant</source>
+        <translation>各トラックの練習%1試行、参加者ごとに本試行は最大%2試行</translation>
+    </message>
+    <message>
+        <source>Session %1 of %2</source>
+        <translation>セッション%1 / %2</translation>
+    </message>
+    <message>
+        <source> (%1 Hz, force %2 %)</source>
+        <comment>behind a level; force as a share of full</comment>
+        <translation>（%1 Hz、力 %2 %）</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -10201,6 +10423,11 @@ Run %2 --help for more.
     <message>
         <source>device fault, will be repeated</source>
         <translation>デバイス障害、再提示</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <comment>track, level, unit</comment>
+        <translation>%1: %2 %3</translation>
     </message>
 </context>
 <context>
@@ -15412,6 +15639,59 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::StudyBracelet</name>
+    <message>
+        <source>Tactor %1: %2 → %3</source>
+        <comment>a number; full drives</comment>
+        <translation>タクタ%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Balance the bracelet</source>
+        <translation>ブレスレットの釣り合わせ</translation>
+    </message>
+    <message>
+        <source>Use these full drives for the bracelet %1?</source>
+        <translation>この最大駆動量をブレスレット%1に使いますか?</translation>
+    </message>
+    <message>
+        <source>As felt by: %1</source>
+        <comment>a participant, or all</comment>
+        <translation>感じた人: %1</translation>
+    </message>
+    <message>
+        <source>Patterns, feedback and later studies play with them. The page Calibrate can change them again.</source>
+        <translation>パターン、フィードバック、以後の実験がこれで再生されます。校正ページで再び変更できます。</translation>
+    </message>
+    <message>
+        <source>&amp;Use them</source>
+        <translation>使う(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Another bracelet was connected meanwhile.</source>
+        <translation>その間に別のブレスレットが接続されました。</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Connect the one with which the study was run.</source>
+        <translation>何も変更していません。実験に使ったものを接続してください。</translation>
+    </message>
+    <message>
+        <source>The tactors are balanced.</source>
+        <translation>タクタを釣り合わせました。</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>保存しました: %1</translation>
+    </message>
+    <message>
+        <source>The full drives could not be saved.</source>
+        <translation>最大駆動量を保存できませんでした。</translation>
+    </message>
+    <message>
+        <source>They are used until the program ends. Save them on the page Calibrate.</source>
+        <translation>プログラムの終了まで使われます。校正ページで保存してください。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::StudyController</name>
     <message>
         <source>the open study is being read or written</source>
@@ -16730,6 +17010,49 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::study::BraceletView</name>
+    <message>
+        <source>All participants, mean</source>
+        <translation>全参加者の平均</translation>
+    </message>
+    <message>
+        <source>Connect the bracelet with which the study was run: the balance needs its motors.</source>
+        <translation>実験に使ったブレスレットを接続してください。釣り合わせにはそのモーターが必要です。</translation>
+    </message>
+    <message>
+        <source>The balance takes the motors of %1 as they are now. They have to be those with which the study was run.</source>
+        <translation>釣り合わせには%1の現在のモーターを使います。実験に使ったものでなければなりません。</translation>
+    </message>
+    <message>
+        <source>There is no balance: %1.</source>
+        <translation>釣り合わせはできません: %1。</translation>
+    </message>
+    <message>
+        <source>Best time from burst to burst</source>
+        <translation>バースト間の最良の時間</translation>
+    </message>
+    <message>
+        <source>Intensities that can be told apart</source>
+        <translation>区別できる強度</translation>
+    </message>
+    <message>
+        <source>Equally strong tactors</source>
+        <translation>等しい強さのタクタ</translation>
+    </message>
+    <message>
+        <source>As felt b&amp;y</source>
+        <translation>感じた人(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Use for this bracelet…</source>
+        <translation>このブレスレットに使う(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Sets the full drives of the connected bracelet, after a question</source>
+        <translation>確認のうえ、接続中のブレスレットの最大駆動量を設定します</translation>
+    </message>
+</context>
+<context>
     <name>teleta::study::ComparisonsView</name>
     <message>
         <source>Pairs of levels</source>
@@ -17165,6 +17488,10 @@ Enter what you assume on the left, and choose Plan.</source>
         <source>Which condition is shown</source>
         <translation>表示する条件</translation>
     </message>
+    <message>
+        <source>Bracelet</source>
+        <translation>ブレスレット</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::SessionPanel</name>
@@ -17291,6 +17618,10 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Pauses after the current trial</source>
         <translation>現在の試行の後で一時停止します</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>レベル</translation>
     </message>
 </context>
 <context>

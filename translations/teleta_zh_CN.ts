@@ -390,6 +390,156 @@
     </message>
 </context>
 <context>
+    <name>BraceletContent</name>
+    <message>
+        <source>Participant</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source>Best onset, ms</source>
+        <translation>最佳起始间隔，ms</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>By the law, ms</source>
+        <translation>按规律，ms</translation>
+    </message>
+    <message>
+        <source>What it says</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>Time from burst to burst at which most answers are yes: the top of a parabola on the probit scale</source>
+        <translation>回答“是”最多时短振之间的时间：probit 尺度上抛物线的顶点</translation>
+    </message>
+    <message>
+        <source>By the delta method; of all participants Student&apos;s t of their best onsets</source>
+        <translation>用 delta 法；全体参与者用其最佳起始间隔的学生 t 区间</translation>
+    </message>
+    <message>
+        <source>0.32 times the length of a burst + 47.3 ms, the law of apparent motion</source>
+        <translation>短振时长的 0.32 倍 + 47.3 ms，即似动规律</translation>
+    </message>
+    <message>
+        <source>nobody has a best onset</source>
+        <translation>没有人有最佳起始间隔</translation>
+    </message>
+    <message>
+        <source>fewer than three times were shown</source>
+        <translation>所呈现的时间少于三个</translation>
+    </message>
+    <message>
+        <source>no onset is best: the answers have no top</source>
+        <translation>没有最佳起始间隔：回答没有顶点</translation>
+    </message>
+    <message>
+        <source>best beyond the times that were shown</source>
+        <translation>最佳值在所呈现的时间之外</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>%1 人的平均</translation>
+    </message>
+    <message>
+        <source>later than the law says</source>
+        <translation>晚于规律所述</translation>
+    </message>
+    <message>
+        <source>earlier than the law says</source>
+        <translation>早于规律所述</translation>
+    </message>
+    <message>
+        <source>agrees with the law</source>
+        <translation>与规律一致</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>级数</translation>
+    </message>
+    <message>
+        <source>Steps of one JND each from the start of the motors to their full drive. The JND is linear between the references, and stays as it is beyond them</source>
+        <translation>从电机启动到满驱动，每级为一个JND。JND在参考之间线性变化，之外保持不变</translation>
+    </message>
+    <message>
+        <source>by the mean JND of all</source>
+        <translation>按全体的平均JND</translation>
+    </message>
+    <message numerus="yes">
+        <source>by the JND at %n reference(s)</source>
+        <translation>
+            <numerusform>按 %n 个参考处的JND</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 references have a JND</source>
+        <translation>%2 个参考中有 %1 个具有JND</translation>
+    </message>
+    <message>
+        <source>Tactor</source>
+        <translation>振子</translation>
+    </message>
+    <message>
+        <source>Feels equal at</source>
+        <translation>感觉相等于</translation>
+    </message>
+    <message>
+        <source>That is, drive</source>
+        <translation>对应驱动</translation>
+    </message>
+    <message>
+        <source>Full drive now</source>
+        <translation>当前满驱动</translation>
+    </message>
+    <message>
+        <source>Full drive, balanced</source>
+        <translation>平衡后的满驱动</translation>
+    </message>
+    <message>
+        <source>Level at which it feels as strong as the reference</source>
+        <translation>感觉与参考同样强的水平</translation>
+    </message>
+    <message>
+        <source>? stands for an open end</source>
+        <translation>? 表示该端未定</translation>
+    </message>
+    <message>
+        <source>Share of the full voltage, by the motor&apos;s start and full drive</source>
+        <translation>占满电压的比例，由电机的启动与满驱动得出</translation>
+    </message>
+    <message>
+        <source>Share of the full voltage at intensity 1</source>
+        <translation>强度为 1 时占满电压的比例</translation>
+    </message>
+    <message>
+        <source>With it the tactors feel equally strong: the strongest ones are turned down</source>
+        <translation>据此各振子感觉同样强：最强的被调低</translation>
+    </message>
+    <message>
+        <source>%1, the reference</source>
+        <translation>%1（参考）</translation>
+    </message>
+    <message>
+        <source>Measured against tactor %1, tactor %2 differs by more than both intervals allow.</source>
+        <comment>a tactor; a list of tactors</comment>
+        <translation>以振子 %1 为参考测量时，振子 %2 的差异超出了两个区间的允许范围。</translation>
+    </message>
+</context>
+<context>
     <name>BraceletText</name>
     <message>
         <source>No bracelet is plugged in.</source>
@@ -2266,6 +2416,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>EqualStrength</name>
+    <message>
+        <source>tactor %1 has no level at which it feels as strong as tactor %2</source>
+        <translation>振子 %1 没有感觉与振子 %2 同样强的水平</translation>
+    </message>
+    <message>
+        <source>a level for each of the six tactors</source>
+        <translation>六个振子各自的水平</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source> (expected %1)</source>
@@ -3537,6 +3698,54 @@ Examples:
     <message>
         <source>Criterion: above 0 rather no; of two intervals below 0 rather the first</source>
         <translation>判断标准：大于 0 时倾向于答“否”；两个时间区间时，小于 0 倾向于选第一个</translation>
+    </message>
+    <message>
+        <source>Without rules</source>
+        <translation>不用规则</translation>
+    </message>
+    <message>
+        <source>Threshold of all trials, those too that the rules leave out</source>
+        <translation>所有试次的阈值，包括规则排除的试次</translation>
+    </message>
+    <message>
+        <source>Speed, Hz</source>
+        <translation>转速，Hz</translation>
+    </message>
+    <message>
+        <source>Of the motors at this level, by their measured curves; mean over the tactors</source>
+        <translation>电机在此水平的值，按其测得的曲线；对各振子取平均</translation>
+    </message>
+    <message>
+        <source>Force, %</source>
+        <translation>力，%</translation>
+    </message>
+    <message>
+        <source>Square of that speed over the square of the speed at full drive</source>
+        <translation>该转速的平方除以满驱动转速的平方</translation>
+    </message>
+    <message>
+        <source>Weber of speed</source>
+        <translation>转速的 Weber 分数</translation>
+    </message>
+    <message>
+        <source>By how much the speed rises from the reference to reference + JND</source>
+        <translation>转速从参考到参考 + JND增加的幅度</translation>
+    </message>
+    <message>
+        <source>Weber of force</source>
+        <translation>力的 Weber 分数</translation>
+    </message>
+    <message>
+        <source>By how much the force rises from the reference to reference + JND</source>
+        <translation>力从参考到参考 + JND增加的幅度</translation>
+    </message>
+    <message>
+        <source>A level is a share of the range from a motor&apos;s start to its full drive. Connect the bracelet, and the speed of its motors in Hz and their force are shown beside the levels.</source>
+        <translation>水平是电机从启动到满驱动范围内的比例。连接手环后，会在水平旁显示其电机的转速（Hz）和力。</translation>
+    </message>
+    <message>
+        <source>A level is a share of the range from a motor&apos;s start to its full drive. Measure the motors of this bracelet on the page Calibrate, and their speed in Hz and their force are shown beside the levels.</source>
+        <translation>水平是电机从启动到满驱动范围内的比例。在“标定”页测量此手环的电机后，会在水平旁显示其转速（Hz）和力。</translation>
     </message>
 </context>
 <context>
@@ -8851,6 +9060,19 @@ Run %2 --help for more.
         <comment>name, number, unit</comment>
         <translation>序列 %1，刺激水平 %2 %3</translation>
     </message>
+    <message>
+        <source>%1 practice trials of each track; up to %2 test trials per participant</source>
+        <translation>每条轨迹 %1 个练习试次；每位参与者最多 %2 个测试试次</translation>
+    </message>
+    <message>
+        <source>Session %1 of %2</source>
+        <translation>第 %1 次，共 %2 次</translation>
+    </message>
+    <message>
+        <source> (%1 Hz, force %2 %)</source>
+        <comment>behind a level; force as a share of full</comment>
+        <translation>（%1 Hz，力 %2 %）</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -10201,6 +10423,11 @@ Run %2 --help for more.
     <message>
         <source>device fault, will be repeated</source>
         <translation>设备故障，将重新呈现</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <comment>track, level, unit</comment>
+        <translation>%1：%2 %3</translation>
     </message>
 </context>
 <context>
@@ -15412,6 +15639,59 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::StudyBracelet</name>
+    <message>
+        <source>Tactor %1: %2 → %3</source>
+        <comment>a number; full drives</comment>
+        <translation>振子 %1：%2 → %3</translation>
+    </message>
+    <message>
+        <source>Balance the bracelet</source>
+        <translation>平衡手环</translation>
+    </message>
+    <message>
+        <source>Use these full drives for the bracelet %1?</source>
+        <translation>将这些满驱动用于手环 %1 吗？</translation>
+    </message>
+    <message>
+        <source>As felt by: %1</source>
+        <comment>a participant, or all</comment>
+        <translation>感受者：%1</translation>
+    </message>
+    <message>
+        <source>Patterns, feedback and later studies play with them. The page Calibrate can change them again.</source>
+        <translation>模式、反馈和以后的实验都将以其播放。可在“标定”页再次更改。</translation>
+    </message>
+    <message>
+        <source>&amp;Use them</source>
+        <translation>使用(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Another bracelet was connected meanwhile.</source>
+        <translation>期间连接了另一个手环。</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Connect the one with which the study was run.</source>
+        <translation>未作任何更改。请连接实验所用的手环。</translation>
+    </message>
+    <message>
+        <source>The tactors are balanced.</source>
+        <translation>振子已平衡。</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>The full drives could not be saved.</source>
+        <translation>无法保存满驱动。</translation>
+    </message>
+    <message>
+        <source>They are used until the program ends. Save them on the page Calibrate.</source>
+        <translation>在程序结束前有效。请在“标定”页保存。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::StudyController</name>
     <message>
         <source>the open study is being read or written</source>
@@ -16730,6 +17010,49 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::study::BraceletView</name>
+    <message>
+        <source>All participants, mean</source>
+        <translation>全体参与者，平均</translation>
+    </message>
+    <message>
+        <source>Connect the bracelet with which the study was run: the balance needs its motors.</source>
+        <translation>请连接实验所用的手环：平衡需要其电机。</translation>
+    </message>
+    <message>
+        <source>The balance takes the motors of %1 as they are now. They have to be those with which the study was run.</source>
+        <translation>平衡采用 %1 当前的电机。它们必须是实验所用的电机。</translation>
+    </message>
+    <message>
+        <source>There is no balance: %1.</source>
+        <translation>无法平衡：%1。</translation>
+    </message>
+    <message>
+        <source>Best time from burst to burst</source>
+        <translation>短振之间的最佳时间</translation>
+    </message>
+    <message>
+        <source>Intensities that can be told apart</source>
+        <translation>可区分的强度</translation>
+    </message>
+    <message>
+        <source>Equally strong tactors</source>
+        <translation>同样强的振子</translation>
+    </message>
+    <message>
+        <source>As felt b&amp;y</source>
+        <translation>感受者(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Use for this bracelet…</source>
+        <translation>用于此手环(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Sets the full drives of the connected bracelet, after a question</source>
+        <translation>询问后设置已连接手环的满驱动</translation>
+    </message>
+</context>
+<context>
     <name>teleta::study::ComparisonsView</name>
     <message>
         <source>Pairs of levels</source>
@@ -17165,6 +17488,10 @@ Enter what you assume on the left, and choose Plan.</source>
         <source>Which condition is shown</source>
         <translation>显示哪个条件</translation>
     </message>
+    <message>
+        <source>Bracelet</source>
+        <translation>手环</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::SessionPanel</name>
@@ -17291,6 +17618,10 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Pauses after the current trial</source>
         <translation>在当前试次之后暂停</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
     </message>
 </context>
 <context>
