@@ -422,11 +422,11 @@
     </message>
     <message>
         <source>Time from burst to burst at which most answers are yes: the top of a parabola on the probit scale</source>
-        <translation>Intervalle entre salves pour lequel les réponses « oui » sont les plus nombreuses : le sommet d’une parabole sur l’échelle probit</translation>
+        <translation>Intervalle entre salves pour lequel les réponses «&#xa0;oui&#xa0;» sont les plus nombreuses&#xa0;: le sommet d’une parabole sur l’échelle probit</translation>
     </message>
     <message>
         <source>By the delta method; of all participants Student&apos;s t of their best onsets</source>
-        <translation>Par la méthode delta ; pour tous les participants, le t de Student de leurs meilleurs intervalles</translation>
+        <translation>Par la méthode delta&#xa0;; pour tous les participants, le t de Student de leurs meilleurs intervalles</translation>
     </message>
     <message>
         <source>0.32 times the length of a burst + 47.3 ms, the law of apparent motion</source>
@@ -442,7 +442,7 @@
     </message>
     <message>
         <source>no onset is best: the answers have no top</source>
-        <translation>aucun intervalle n’est le meilleur : les réponses n’ont pas de sommet</translation>
+        <translation>aucun intervalle n’est le meilleur&#xa0;: les réponses n’ont pas de sommet</translation>
     </message>
     <message>
         <source>best beyond the times that were shown</source>
@@ -483,13 +483,13 @@
     <message numerus="yes">
         <source>by the JND at %n reference(s)</source>
         <translation>
-            <numerusform>d’après la JND à %n référence</numerusform>
-            <numerusform>d’après la JND à %n références</numerusform>
+            <numerusform>d’après la JND à&#xa0;%n référence</numerusform>
+            <numerusform>d’après la JND à&#xa0;%n références</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of %2 references have a JND</source>
-        <translation>%1 des %2 références ont une JND</translation>
+        <translation>%1 des&#xa0;%2 références ont une JND</translation>
     </message>
     <message>
         <source>Tactor</source>
@@ -529,7 +529,7 @@
     </message>
     <message>
         <source>With it the tactors feel equally strong: the strongest ones are turned down</source>
-        <translation>Avec elle les tacteurs sont ressentis aussi forts : les plus forts sont réduits</translation>
+        <translation>Avec elle les tacteurs sont ressentis aussi forts&#xa0;: les plus forts sont réduits</translation>
     </message>
     <message>
         <source>%1, the reference</source>
@@ -538,7 +538,7 @@
     <message>
         <source>Measured against tactor %1, tactor %2 differs by more than both intervals allow.</source>
         <comment>a tactor; a list of tactors</comment>
-        <translation>Mesuré par rapport au tacteur %1, le tacteur %2 diffère de plus que ne le permettent les deux intervalles.</translation>
+        <translation>Mesuré par rapport au tacteur&#xa0;%1, le tacteur&#xa0;%2 diffère de plus que ne le permettent les deux intervalles.</translation>
     </message>
 </context>
 <context>
@@ -2423,7 +2423,7 @@ Exemples&#xa0;:
     <name>EqualStrength</name>
     <message>
         <source>tactor %1 has no level at which it feels as strong as tactor %2</source>
-        <translation>le tacteur %1 n’a aucun niveau auquel il est ressenti aussi fort que le tacteur %2</translation>
+        <translation>le tacteur&#xa0;%1 n’a aucun niveau auquel il est ressenti aussi fort que le tacteur&#xa0;%2</translation>
     </message>
     <message>
         <source>a level for each of the six tactors</source>
@@ -3726,11 +3726,11 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>Of the motors at this level, by their measured curves; mean over the tactors</source>
-        <translation>Des moteurs à ce niveau, d’après leurs courbes mesurées ; moyenne sur les tacteurs</translation>
+        <translation>Des moteurs à ce niveau, d’après leurs courbes mesurées&#xa0;; moyenne sur les tacteurs</translation>
     </message>
     <message>
         <source>Force, %</source>
-        <translation>Force, %</translation>
+        <translation>Force,&#xa0;%</translation>
     </message>
     <message>
         <source>Square of that speed over the square of the speed at full drive</source>
@@ -3754,11 +3754,11 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>A level is a share of the range from a motor&apos;s start to its full drive. Connect the bracelet, and the speed of its motors in Hz and their force are shown beside the levels.</source>
-        <translation>Un niveau est une part de la plage entre le démarrage d’un moteur et sa pleine commande. Connectez le bracelet : la vitesse de ses moteurs en Hz et leur force s’affichent à côté des niveaux.</translation>
+        <translation>Un niveau est une part de la plage entre le démarrage d’un moteur et sa pleine commande. Connectez le bracelet&#xa0;: la vitesse de ses moteurs en Hz et leur force s’affichent à côté des niveaux.</translation>
     </message>
     <message>
         <source>A level is a share of the range from a motor&apos;s start to its full drive. Measure the motors of this bracelet on the page Calibrate, and their speed in Hz and their force are shown beside the levels.</source>
-        <translation>Un niveau est une part de la plage entre le démarrage d’un moteur et sa pleine commande. Mesurez les moteurs de ce bracelet à la page Étalonner : leur vitesse en Hz et leur force s’affichent à côté des niveaux.</translation>
+        <translation>Un niveau est une part de la plage entre le démarrage d’un moteur et sa pleine commande. Mesurez les moteurs de ce bracelet à la page Étalonnage&#xa0;: leur vitesse en Hz et leur force s’affichent à côté des niveaux.</translation>
     </message>
 </context>
 <context>
@@ -9085,16 +9085,16 @@ Run %2 --help for more.
     </message>
     <message>
         <source>%1 practice trials of each track; up to %2 test trials per participant</source>
-        <translation>%1 essais d’entraînement par piste ; jusqu’à %2 essais de test par participant</translation>
+        <translation>%1 essais d’entraînement par piste&#xa0;; jusqu’à&#xa0;%2 essais de test par participant</translation>
     </message>
     <message>
         <source>Session %1 of %2</source>
-        <translation>Séance %1 sur %2</translation>
+        <translation>Séance&#xa0;%1 sur&#xa0;%2</translation>
     </message>
     <message>
         <source> (%1 Hz, force %2 %)</source>
         <comment>behind a level; force as a share of full</comment>
-        <translation> (%1 Hz, force %2 %)</translation>
+        <translation> (%1 Hz, force&#xa0;%2&#xa0;%)</translation>
     </message>
 </context>
 <context>
@@ -9595,7 +9595,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>no fit of all: %1</source>
-        <translation>pas d’ajustement commun&#xa0;: %1</translation>
+        <translation>pas d’ajustement commun&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Intensities that can be told apart, from the start of the motor to its full drive</source>
@@ -9655,11 +9655,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Thresholds: %1</source>
-        <translation>Seuils&#xa0;: %1</translation>
+        <translation>Seuils&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>The threshold is where half of the way from guessing to the most right answers is reached. Unit of the levels: %1.</source>
-        <translation>Le seuil est là où la moitié du chemin entre la réponse au hasard et le plus de réponses correctes est atteinte. Unité des niveaux&#xa0;: %1.</translation>
+        <translation>Le seuil est là où la moitié du chemin entre la réponse au hasard et le plus de réponses correctes est atteinte. Unité des niveaux&#xa0;:&#xa0;%1.</translation>
     </message>
     <message>
         <source>Thresholds of the participants, and their means with t intervals.</source>
@@ -10451,7 +10451,7 @@ Run %2 --help for more.
     <message>
         <source>%1: %2 %3</source>
         <comment>track, level, unit</comment>
-        <translation>%1 : %2 %3</translation>
+        <translation>%1&#xa0;:&#xa0;%2&#xa0;%3</translation>
     </message>
 </context>
 <context>
@@ -15691,7 +15691,7 @@ Run %2 --help for more.
     <message>
         <source>Tactor %1: %2 → %3</source>
         <comment>a number; full drives</comment>
-        <translation>Tacteur %1 : %2 → %3</translation>
+        <translation>Tacteur&#xa0;%1&#xa0;:&#xa0;%2 →&#xa0;%3</translation>
     </message>
     <message>
         <source>Balance the bracelet</source>
@@ -15699,16 +15699,16 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Use these full drives for the bracelet %1?</source>
-        <translation>Utiliser ces pleines commandes pour le bracelet %1 ?</translation>
+        <translation>Utiliser ces pleines commandes pour le bracelet&#xa0;%1&#xa0;?</translation>
     </message>
     <message>
         <source>As felt by: %1</source>
         <comment>a participant, or all</comment>
-        <translation>Ressenti par : %1</translation>
+        <translation>Ressenti par&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>Patterns, feedback and later studies play with them. The page Calibrate can change them again.</source>
-        <translation>Les motifs, le retour et les études suivantes jouent avec elles. La page Étalonner permet de les modifier à nouveau.</translation>
+        <translation>Les motifs, le retour et les études suivantes jouent avec elles. La page Étalonnage permet de les modifier à nouveau.</translation>
     </message>
     <message>
         <source>&amp;Use them</source>
@@ -15728,7 +15728,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation>Enregistré : %1</translation>
+        <translation>Enregistré&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>The full drives could not be saved.</source>
@@ -15736,7 +15736,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>They are used until the program ends. Save them on the page Calibrate.</source>
-        <translation>Elles servent jusqu’à la fin du programme. Enregistrez-les à la page Étalonner.</translation>
+        <translation>Elles servent jusqu’à la fin du programme. Enregistrez-les à la page Étalonnage.</translation>
     </message>
 </context>
 <context>
@@ -17065,15 +17065,15 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Connect the bracelet with which the study was run: the balance needs its motors.</source>
-        <translation>Connectez le bracelet avec lequel l’étude a été menée : l’équilibrage a besoin de ses moteurs.</translation>
+        <translation>Connectez le bracelet avec lequel l’étude a été menée&#xa0;: l’équilibrage a besoin de ses moteurs.</translation>
     </message>
     <message>
         <source>The balance takes the motors of %1 as they are now. They have to be those with which the study was run.</source>
-        <translation>L’équilibrage prend les moteurs de %1 tels qu’ils sont. Ce doivent être ceux avec lesquels l’étude a été menée.</translation>
+        <translation>L’équilibrage prend les moteurs de&#xa0;%1 tels qu’ils sont. Ce doivent être ceux avec lesquels l’étude a été menée.</translation>
     </message>
     <message>
         <source>There is no balance: %1.</source>
-        <translation>Il n’y a pas d’équilibrage : %1.</translation>
+        <translation>Il n’y a pas d’équilibrage&#xa0;:&#xa0;%1.</translation>
     </message>
     <message>
         <source>Best time from burst to burst</source>

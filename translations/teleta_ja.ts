@@ -3745,7 +3745,7 @@ Examples:
     </message>
     <message>
         <source>A level is a share of the range from a motor&apos;s start to its full drive. Measure the motors of this bracelet on the page Calibrate, and their speed in Hz and their force are shown beside the levels.</source>
-        <translation>レベルは、モーターの始動から最大駆動量までの範囲に対する割合です。校正ページでこのブレスレットのモーターを測定すると、速度（Hz）と力がレベルの横に表示されます。</translation>
+        <translation>レベルは、モーターの始動から最大駆動量までの範囲に対する割合です。キャリブレーションページでこのブレスレットのモーターを測定すると、速度（Hz）と力がレベルの横に表示されます。</translation>
     </message>
 </context>
 <context>
@@ -15660,7 +15660,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Patterns, feedback and later studies play with them. The page Calibrate can change them again.</source>
-        <translation>パターン、フィードバック、以後の実験がこれで再生されます。校正ページで再び変更できます。</translation>
+        <translation>パターン、フィードバック、以後の実験がこれで再生されます。キャリブレーションページで再び変更できます。</translation>
     </message>
     <message>
         <source>&amp;Use them</source>
@@ -15688,7 +15688,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>They are used until the program ends. Save them on the page Calibrate.</source>
-        <translation>プログラムの終了まで使われます。校正ページで保存してください。</translation>
+        <translation>プログラムの終了まで使われます。キャリブレーションページで保存してください。</translation>
     </message>
 </context>
 <context>
