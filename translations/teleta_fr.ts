@@ -483,13 +483,13 @@
     <message numerus="yes">
         <source>by the JND at %n reference(s)</source>
         <translation>
-            <numerusform>d’après la JND à&#xa0;%n référence</numerusform>
-            <numerusform>d’après la JND à&#xa0;%n références</numerusform>
+            <numerusform>d’après la JND à %n référence</numerusform>
+            <numerusform>d’après la JND à %n références</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of %2 references have a JND</source>
-        <translation>%1 des&#xa0;%2 références ont une JND</translation>
+        <translation>%1 des %2 références ont une JND</translation>
     </message>
     <message>
         <source>Tactor</source>
@@ -538,7 +538,7 @@
     <message>
         <source>Measured against tactor %1, tactor %2 differs by more than both intervals allow.</source>
         <comment>a tactor; a list of tactors</comment>
-        <translation>Mesuré par rapport au tacteur&#xa0;%1, le tacteur&#xa0;%2 diffère de plus que ne le permettent les deux intervalles.</translation>
+        <translation>Mesuré par rapport au tacteur %1, le tacteur %2 diffère de plus que ne le permettent les deux intervalles.</translation>
     </message>
 </context>
 <context>
@@ -2423,7 +2423,7 @@ Exemples&#xa0;:
     <name>EqualStrength</name>
     <message>
         <source>tactor %1 has no level at which it feels as strong as tactor %2</source>
-        <translation>le tacteur&#xa0;%1 n’a aucun niveau auquel il est ressenti aussi fort que le tacteur&#xa0;%2</translation>
+        <translation>le tacteur %1 n’a aucun niveau auquel il est ressenti aussi fort que le tacteur %2</translation>
     </message>
     <message>
         <source>a level for each of the six tactors</source>
@@ -9089,12 +9089,12 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Session %1 of %2</source>
-        <translation>Séance&#xa0;%1 sur&#xa0;%2</translation>
+        <translation>Séance %1 sur %2</translation>
     </message>
     <message>
         <source> (%1 Hz, force %2 %)</source>
         <comment>behind a level; force as a share of full</comment>
-        <translation> (%1 Hz, force&#xa0;%2&#xa0;%)</translation>
+        <translation> (%1 Hz, force %2&#xa0;%)</translation>
     </message>
 </context>
 <context>
@@ -15691,7 +15691,7 @@ Run %2 --help for more.
     <message>
         <source>Tactor %1: %2 → %3</source>
         <comment>a number; full drives</comment>
-        <translation>Tacteur&#xa0;%1&#xa0;:&#xa0;%2 →&#xa0;%3</translation>
+        <translation>Tacteur %1&#xa0;: %2 → %3</translation>
     </message>
     <message>
         <source>Balance the bracelet</source>
@@ -15699,7 +15699,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Use these full drives for the bracelet %1?</source>
-        <translation>Utiliser ces pleines commandes pour le bracelet&#xa0;%1&#xa0;?</translation>
+        <translation>Utiliser ces pleines commandes pour le bracelet %1&#xa0;?</translation>
     </message>
     <message>
         <source>As felt by: %1</source>
@@ -17069,7 +17069,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>The balance takes the motors of %1 as they are now. They have to be those with which the study was run.</source>
-        <translation>L’équilibrage prend les moteurs de&#xa0;%1 tels qu’ils sont. Ce doivent être ceux avec lesquels l’étude a été menée.</translation>
+        <translation>L’équilibrage prend les moteurs de %1 tels qu’ils sont. Ce doivent être ceux avec lesquels l’étude a été menée.</translation>
     </message>
     <message>
         <source>There is no balance: %1.</source>
