@@ -134,8 +134,8 @@ private:
         study::Participant participant;
         study::PlannedSession plan;
         std::vector<study::DueQuestionnaire> after;     ///< questionnaires after the last trial
-        std::optional<study::FeltTask> felt;            ///< of a task with levels
         std::shared_ptr<study::ParticipantClaim> claim; ///< keeps others from running the participant
+        std::optional<study::FeltTask> felt = {};       ///< of a task with levels
     };
 
     /// done: called before take(), on success.

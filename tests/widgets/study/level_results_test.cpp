@@ -88,11 +88,14 @@ study::ResultsScene balanceScene() {
         const double equal = tactor == 1 ? 0.8 : 0.6;
         const int more[] = {1, 4, 10, 16, 19};
         for (int level = 0; level < 5; ++level) {
-            for (int trial = 0; trial < 20; ++trial)
-                track.trials.push_back(*study::levelTrialOf(
-                    study::Design::compare, equal + 0.1 * (level - 2), 0.6,
-                    static_cast<std::size_t>(trial % 2),
-                    static_cast<std::size_t>(trial < more[level] ? trial % 2 : 1 - trial % 2)));
+            // Below the reference the reference is what has more.
+            const double shown = equal + 0.1 * (level - 2);
+            for (std::size_t trial = 0; trial < 20; ++trial) {
+                const bool saysMore = static_cast<int>(trial) < more[level];
+                const bool isRight = saysMore == (shown > 0.6 - 1e-6);
+                track.trials.push_back(*study::levelTrialOf(study::Design::compare, shown, 0.6, trial % 2,
+                                                            isRight ? trial % 2 : 1 - trial % 2));
+            }
         }
     }
     study::TrialTally tally;
@@ -241,7 +244,7 @@ private slots:
         QVERIFY(!use->isEnabled());
         QVERIFY(view.findChild<QLabel*>("strengthNote")->text().contains("Connect"));
         view.setMotors(study::BraceletMotors{QStringLiteral("bracelet"), measuredMotors()});
-        QVERIFY(use->isEnabled());
+        QVERIFY2(use->isEnabled(), qPrintable(view.findChild<QLabel*>("strengthNote")->text()));
         std::optional<pattern::MotorProfiles> wanted;
         QString from;
         connect(&view, &ResultsView::useRequested, this,
