@@ -9071,7 +9071,7 @@ Run %2 --help for more.
     <message>
         <source> (%1 Hz, force %2 %)</source>
         <comment>behind a level; force as a share of full</comment>
-        <translation>（%1 Hz、力 %2 %）</translation>
+        <translation> （%1 Hz、力 %2 %）</translation>
     </message>
 </context>
 <context>
