@@ -8,8 +8,8 @@
 #include "tests/app/console/bracelet/patient_bracelet.h"
 #include "tests/app/console/study/running_session.h"
 #include "widgets/study/participant/participant_window.h"
-#include "widgets/study/results/result_table.h"
 #include "widgets/study/results/page/results_view.h"
+#include "widgets/study/results/result_table.h"
 #include "widgets/study/session_panel.h"
 
 #include <QCheckBox>
