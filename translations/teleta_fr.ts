@@ -3717,7 +3717,7 @@ Exemples&#xa0;:
         <translation>Sans les règles</translation>
     </message>
     <message>
-        <source>Threshold of all trials, those too that the rules leave out</source>
+        <source>Threshold of all trials, including those that the rules leave out</source>
         <translation>Seuil de tous les essais, y compris ceux que les règles excluent</translation>
     </message>
     <message>
@@ -13464,7 +13464,7 @@ Run %2 --help for more.
         <translation>Enregistrer la disposition</translation>
     </message>
     <message>
-        <source>Name; one that is there already is replaced:</source>
+        <source>Name (a layout of the same name is replaced):</source>
         <translation>Nom&#xa0;; une disposition qui existe déjà est remplacée&#xa0;:</translation>
     </message>
 </context>
@@ -14181,7 +14181,7 @@ Run %2 --help for more.
         <translation>Enregistrements (*.teleta *.csv *.mcap)</translation>
     </message>
     <message>
-        <source>%1 was made of %2.</source>
+        <source>%1 was made from %2.</source>
         <comment>two files</comment>
         <translation>%1 a été créé d’après %2.</translation>
     </message>
@@ -14805,11 +14805,11 @@ Run %2 --help for more.
         <translation>Sombre</translation>
     </message>
     <message>
-        <source>Offer what was open the last time</source>
+        <source>Offer what was open last time</source>
         <translation>Proposer ce qui était ouvert la dernière fois</translation>
     </message>
     <message>
-        <source>Open what was open the last time</source>
+        <source>Open what was open last time</source>
         <translation>Ouvrir ce qui était ouvert la dernière fois</translation>
     </message>
     <message>
@@ -15540,7 +15540,7 @@ Run %2 --help for more.
         <translation>%1 existe déjà.</translation>
     </message>
     <message>
-        <source>It may have been made of %1 before. To import the file again makes %2.</source>
+        <source>It may have been made from %1 before. Importing the file again makes %2.</source>
         <comment>two files</comment>
         <translation>Il a peut-être été créé auparavant d’après %1. Importer de nouveau le fichier crée %2.</translation>
     </message>
@@ -15707,7 +15707,7 @@ Run %2 --help for more.
         <translation>Ressenti par&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
-        <source>Patterns, feedback and later studies play with them. The page Calibrate can change them again.</source>
+        <source>Patterns, feedback and later studies will use them. The page Calibrate can change them again.</source>
         <translation>Les motifs, le retour et les études suivantes jouent avec elles. La page Étalonnage permet de les modifier à nouveau.</translation>
     </message>
     <message>
@@ -17068,7 +17068,7 @@ Run %2 --help for more.
         <translation>Connectez le bracelet avec lequel l’étude a été menée&#xa0;: l’équilibrage a besoin de ses moteurs.</translation>
     </message>
     <message>
-        <source>The balance takes the motors of %1 as they are now. They have to be those with which the study was run.</source>
+        <source>The balance takes the motors of %1 as they are now. They must be the ones that the study was run with.</source>
         <translation>L’équilibrage prend les moteurs de %1 tels qu’ils sont. Ce doivent être ceux avec lesquels l’étude a été menée.</translation>
     </message>
     <message>

@@ -3704,7 +3704,7 @@ Examples:
         <translation>規則なし</translation>
     </message>
     <message>
-        <source>Threshold of all trials, those too that the rules leave out</source>
+        <source>Threshold of all trials, including those that the rules leave out</source>
         <translation>規則で除かれるものも含む全試行の閾値</translation>
     </message>
     <message>
@@ -13426,7 +13426,7 @@ Run %2 --help for more.
         <translation>レイアウトを保存</translation>
     </message>
     <message>
-        <source>Name; one that is there already is replaced:</source>
+        <source>Name (a layout of the same name is replaced):</source>
         <translation>名前 (既にある場合は置き換えられます):</translation>
     </message>
 </context>
@@ -14141,7 +14141,7 @@ Run %2 --help for more.
         <translation>記録 (*.teleta *.csv *.mcap)</translation>
     </message>
     <message>
-        <source>%1 was made of %2.</source>
+        <source>%1 was made from %2.</source>
         <comment>two files</comment>
         <translation>%2から%1を作成しました。</translation>
     </message>
@@ -14763,11 +14763,11 @@ Run %2 --help for more.
         <translation>ダーク</translation>
     </message>
     <message>
-        <source>Offer what was open the last time</source>
+        <source>Offer what was open last time</source>
         <translation>前回開いていたものを候補として表示</translation>
     </message>
     <message>
-        <source>Open what was open the last time</source>
+        <source>Open what was open last time</source>
         <translation>前回開いていたものを開く</translation>
     </message>
     <message>
@@ -15494,7 +15494,7 @@ Run %2 --help for more.
         <translation>%1は既にあります。</translation>
     </message>
     <message>
-        <source>It may have been made of %1 before. To import the file again makes %2.</source>
+        <source>It may have been made from %1 before. Importing the file again makes %2.</source>
         <comment>two files</comment>
         <translation>以前に%1から作成されたものかもしれません。ファイルをもう一度インポートすると%2が作成されます。</translation>
     </message>
@@ -15659,7 +15659,7 @@ Run %2 --help for more.
         <translation>感じた人: %1</translation>
     </message>
     <message>
-        <source>Patterns, feedback and later studies play with them. The page Calibrate can change them again.</source>
+        <source>Patterns, feedback and later studies will use them. The page Calibrate can change them again.</source>
         <translation>パターン、フィードバック、以後の実験がこれで再生されます。キャリブレーションページで再び変更できます。</translation>
     </message>
     <message>
@@ -17020,7 +17020,7 @@ Run %2 --help for more.
         <translation>実験に使ったブレスレットを接続してください。釣り合わせにはそのモーターが必要です。</translation>
     </message>
     <message>
-        <source>The balance takes the motors of %1 as they are now. They have to be those with which the study was run.</source>
+        <source>The balance takes the motors of %1 as they are now. They must be the ones that the study was run with.</source>
         <translation>釣り合わせには%1の現在のモーターを使います。実験に使ったものでなければなりません。</translation>
     </message>
     <message>

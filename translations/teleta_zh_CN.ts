@@ -3704,7 +3704,7 @@ Examples:
         <translation>不用规则</translation>
     </message>
     <message>
-        <source>Threshold of all trials, those too that the rules leave out</source>
+        <source>Threshold of all trials, including those that the rules leave out</source>
         <translation>所有试次的阈值，包括规则排除的试次</translation>
     </message>
     <message>
@@ -13426,7 +13426,7 @@ Run %2 --help for more.
         <translation>保存布局</translation>
     </message>
     <message>
-        <source>Name; one that is there already is replaced:</source>
+        <source>Name (a layout of the same name is replaced):</source>
         <translation>名称；已有的同名布局将被替换：</translation>
     </message>
 </context>
@@ -14141,7 +14141,7 @@ Run %2 --help for more.
         <translation>记录 (*.teleta *.csv *.mcap)</translation>
     </message>
     <message>
-        <source>%1 was made of %2.</source>
+        <source>%1 was made from %2.</source>
         <comment>two files</comment>
         <translation>%1 已由 %2 创建。</translation>
     </message>
@@ -14763,11 +14763,11 @@ Run %2 --help for more.
         <translation>深色</translation>
     </message>
     <message>
-        <source>Offer what was open the last time</source>
+        <source>Offer what was open last time</source>
         <translation>提供上次打开的内容以供选择</translation>
     </message>
     <message>
-        <source>Open what was open the last time</source>
+        <source>Open what was open last time</source>
         <translation>打开上次打开的内容</translation>
     </message>
     <message>
@@ -15494,7 +15494,7 @@ Run %2 --help for more.
         <translation>%1 已存在。</translation>
     </message>
     <message>
-        <source>It may have been made of %1 before. To import the file again makes %2.</source>
+        <source>It may have been made from %1 before. Importing the file again makes %2.</source>
         <comment>two files</comment>
         <translation>它可能是先前由 %1 创建的。再次导入该文件将创建 %2。</translation>
     </message>
@@ -15659,7 +15659,7 @@ Run %2 --help for more.
         <translation>感受者：%1</translation>
     </message>
     <message>
-        <source>Patterns, feedback and later studies play with them. The page Calibrate can change them again.</source>
+        <source>Patterns, feedback and later studies will use them. The page Calibrate can change them again.</source>
         <translation>模式、反馈和以后的实验都将以其播放。可在“标定”页再次更改。</translation>
     </message>
     <message>
@@ -17020,7 +17020,7 @@ Run %2 --help for more.
         <translation>请连接实验所用的手环：平衡需要其电机。</translation>
     </message>
     <message>
-        <source>The balance takes the motors of %1 as they are now. They have to be those with which the study was run.</source>
+        <source>The balance takes the motors of %1 as they are now. They must be the ones that the study was run with.</source>
         <translation>平衡采用 %1 当前的电机。它们必须是实验所用的电机。</translation>
     </message>
     <message>

@@ -334,7 +334,7 @@ void MainWindow::addRecent(const QString& path) {
 void MainWindow::onImported(const QString& file, const QString& recording, const QString& missing) {
     m_operate->messages().post(
         {missing.isEmpty() ? chrome::Message::Severity::information : chrome::Message::Severity::warning,
-         tr("%1 was made of %2.", "two files")
+         tr("%1 was made from %2.", "two files")
              .arg(QFileInfo(recording).fileName(), QFileInfo(file).fileName()),
          missing, recording});
 }

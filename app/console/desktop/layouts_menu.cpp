@@ -57,7 +57,7 @@ void LayoutsMenu::askForName() {
     auto* dialog = new QInputDialog(m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Save layout"));
-    dialog->setLabelText(tr("Name; one that is there already is replaced:"));
+    dialog->setLabelText(tr("Name (a layout of the same name is replaced):"));
     dialog->setComboBoxItems(m_settings.namedLayouts().keys());
     dialog->setComboBoxEditable(true);
     connect(dialog, &QInputDialog::textValueSelected, this, &LayoutsMenu::save);

@@ -38,8 +38,8 @@ PreferencesDialog::PreferencesDialog(const Preferences& now,
     m_theme->addItem(tr("As the desktop"), QStringLiteral("system"));
     m_theme->addItem(tr("Light"), QStringLiteral("light"));
     m_theme->addItem(tr("Dark"), QStringLiteral("dark"));
-    m_start->addItem(tr("Offer what was open the last time"), static_cast<int>(AtStart::offer));
-    m_start->addItem(tr("Open what was open the last time"), static_cast<int>(AtStart::open));
+    m_start->addItem(tr("Offer what was open last time"), static_cast<int>(AtStart::offer));
+    m_start->addItem(tr("Open what was open last time"), static_cast<int>(AtStart::open));
     m_start->addItem(tr("Open nothing"), static_cast<int>(AtStart::nothing));
     m_utc->setToolTip(tr("A last column, utc_s, in seconds since 1970"));
     m_folder->setPlaceholderText(usualFolder);

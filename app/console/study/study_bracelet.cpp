@@ -51,7 +51,7 @@ void StudyBracelet::use(const pattern::MotorProfiles& balanced, const QString& f
     box->setInformativeText(
         tr("As felt by: %1", "a participant, or all").arg(from) + QStringLiteral("\n\n") +
         lines.join(QLatin1Char('\n')) + QStringLiteral("\n\n") +
-        tr("Patterns, feedback and later studies play with them. The page Calibrate can change them again."));
+        tr("Patterns, feedback and later studies will use them. The page Calibrate can change them again."));
     QPushButton* yes = box->addButton(tr("&Use them"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Cancel);
     connect(box, &QMessageBox::finished, this, [this, box, yes, balanced, bracelet = now.bracelet] {

@@ -144,7 +144,7 @@ private slots:
         QVERIFY(m_window->sources().items().empty());
     }
 
-    void anMcapFileIsImportedAndOneThatIsNoneIsTold() {
+    void aFileThatIsNotMcapIsReportedAndNotImported() {
         const QString path = m_folder.filePath("text.mcap");
         QFile text(path);
         QVERIFY(text.open(QIODevice::WriteOnly));

@@ -170,7 +170,7 @@ public:
             table.tips << tip;
         };
         if (m_without != nullptr)
-            add(tr("Without rules"), tr("Threshold of all trials, those too that the rules leave out"));
+            add(tr("Without rules"), tr("Threshold of all trials, including those that the rules leave out"));
         if (m_strengths.empty())
             return;
         add(tr("Speed, Hz"),

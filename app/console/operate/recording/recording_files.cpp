@@ -121,7 +121,7 @@ void RecordingFiles::askWhether(const QString& file, const QString& recording) {
                                 QMessageBox::Cancel, m_window);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setInformativeText(
-        tr("It may have been made of %1 before. To import the file again makes %2.", "two files")
+        tr("It may have been made from %1 before. Importing the file again makes %2.", "two files")
             .arg(QFileInfo(file).fileName(), QFileInfo(another).fileName()));
     auto* open = box->addButton(tr("&Open the recording"), QMessageBox::AcceptRole);
     auto* again = box->addButton(tr("&Import again"), QMessageBox::ActionRole);

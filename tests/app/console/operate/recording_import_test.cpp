@@ -118,7 +118,7 @@ private slots:
         QVERIFY(files().filter("part").isEmpty());
     }
 
-    void whatIsNoMcapFileIsToldWithItsReason() {
+    void aFileThatIsNotMcapFailsWithTheReason() {
         QFile text(file("text.mcap"));
         QVERIFY(text.open(QIODevice::WriteOnly));
         text.write("time_s,t0\n");

@@ -113,8 +113,8 @@ void BraceletView::showStrength() {
     } else if (const auto balanced = balancedMotors(*equal, felt.strongest, *motors)) {
         m_balanced = *balanced;
         notes
-            << tr("The balance takes the motors of %1 as they are now. They have to be those with which the "
-                  "study was run.")
+            << tr("The balance takes the motors of %1 as they are now. They must be the ones that the study "
+                  "was run with.")
                    .arg(m_motors->name);
         if (const auto conflicts = BraceletContent::conflicts(*m_results, m_task, who, *motors);
             !conflicts.empty())
