@@ -17099,6 +17099,10 @@ Run %2 --help for more.
         <source>Sets the full drives of the connected bracelet, after a question</source>
         <translation>Règle les pleines commandes du bracelet connecté, après une question</translation>
     </message>
+    <message>
+        <source>The participants are simulated: nobody felt this, so it cannot be used for a real bracelet.</source>
+        <translation>Les participants sont simulés&#xa0;: personne n’a ressenti cela, qui ne peut donc pas servir à un vrai bracelet.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::ComparisonsView</name>

@@ -17051,6 +17051,10 @@ Run %2 --help for more.
         <source>Sets the full drives of the connected bracelet, after a question</source>
         <translation>確認のうえ、接続中のブレスレットの最大駆動量を設定します</translation>
     </message>
+    <message>
+        <source>The participants are simulated: nobody felt this, so it cannot be used for a real bracelet.</source>
+        <translation>参加者はシミュレーションです。誰も感じていないため、実際のブレスレットには使えません。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::ComparisonsView</name>

@@ -17051,6 +17051,10 @@ Run %2 --help for more.
         <source>Sets the full drives of the connected bracelet, after a question</source>
         <translation>询问后设置已连接手环的满驱动</translation>
     </message>
+    <message>
+        <source>The participants are simulated: nobody felt this, so it cannot be used for a real bracelet.</source>
+        <translation>参与者是模拟的：无人感受过，因此不能用于真实的手环。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::ComparisonsView</name>

@@ -31,8 +31,9 @@ void StudyBracelet::showMotors() {
         m_results.setMotors({});
         return;
     }
-    m_results.setMotors(study::BraceletMotors{QString::fromStdString(open->source().description().name),
-                                              m_station.calibration().profiles()});
+    const core::BraceletDescription& description = open->source().description();
+    m_results.setMotors(study::BraceletMotors{QString::fromStdString(description.name),
+                                              m_station.calibration().profiles(), description.simulated});
 }
 
 void StudyBracelet::use(const pattern::MotorProfiles& balanced, const QString& from) {

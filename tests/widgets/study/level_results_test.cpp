@@ -264,6 +264,19 @@ private slots:
         QVERIFY(!use->isEnabled());
     }
 
+    void whatSimulatedParticipantsFeltIsNotUsedForARealBracelet() {
+        study::ResultsScene scene = balanceScene();
+        scene.mode = study::Mode::simulated;
+        ResultsView view;
+        view.setScene(scene);
+        auto* use = view.findChild<QPushButton*>("useForBracelet");
+        view.setMotors(study::BraceletMotors{QStringLiteral("bracelet"), measuredMotors()});
+        QVERIFY(!use->isEnabled());
+        QVERIFY(view.findChild<QLabel*>("strengthNote")->text().contains("simulated"));
+        view.setMotors(study::BraceletMotors{QStringLiteral("bracelet"), measuredMotors(), true});
+        QVERIFY(use->isEnabled());
+    }
+
     void sensitivityHasEachPersonAndTheMean() {
         const auto results = levelResults();
         const study::TableContent table = LevelContent::detectionTable(*results, "detect", {});

@@ -62,10 +62,12 @@ BraceletView::Section BraceletView::addSection(const char* name) {
 }
 
 void BraceletView::setContent(std::shared_ptr<const LevelResults> results, const QString& task,
-                              const ConditionNames& names, const std::optional<BraceletMotors>& motors) {
+                              const ConditionNames& names, const std::optional<BraceletMotors>& motors,
+                              Mode mode) {
     m_results = std::move(results);
     m_task = task;
     m_motors = motors;
+    m_mode = mode;
     const auto fill = [](const Section& section, const TableContent& content) {
         section.table->setRows(content.header, content.tips, content.rows);
         section.title->setVisible(!content.rows.empty());
@@ -122,10 +124,14 @@ void BraceletView::showStrength() {
     } else {
         notes << tr("There is no balance: %1.").arg(QString::fromStdString(balanced.error().message));
     }
+    const bool nobodyFeltIt = m_mode == Mode::simulated && m_motors && !m_motors->simulated;
+    if (nobodyFeltIt)
+        notes << tr("The participants are simulated: nobody felt this, so it cannot be used for a real "
+                    "bracelet.");
     const TableContent table = BraceletContent::strength(*equal, felt.strongest, motors, m_balanced);
     m_strength.table->setRows(table.header, table.tips, table.rows);
     m_note->setText(notes.join(QLatin1Char('\n')));
-    m_use->setEnabled(m_balanced.has_value());
+    m_use->setEnabled(m_balanced.has_value() && !nobodyFeltIt);
 }
 
 void BraceletView::retranslate() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/pattern/motors/motor_model.h"
+#include "backend/study/protocol/trial.h"
 #include "widgets/base/compose.h"
 #include "widgets/study/results/level_content.h"
 
@@ -22,6 +23,7 @@ class ResultTable;
 struct BraceletMotors {
     QString name;
     pattern::MotorProfiles profiles;
+    bool simulated = false;
 };
 
 /// What a task says of the bracelet: the best timing of a motion, how many intensities can be told apart, and
@@ -33,9 +35,10 @@ class BraceletView : public QScrollArea {
 public:
     explicit BraceletView(QWidget* parent = nullptr);
 
-    /// results: with the task; null: none. motors: empty without a bracelet.
+    /// results: with the task; null: none. motors: empty without a bracelet. mode: of the study; what
+    /// simulated participants felt cannot be used for a real bracelet.
     void setContent(std::shared_ptr<const LevelResults> results, const QString& task,
-                    const ConditionNames& names, const std::optional<BraceletMotors>& motors);
+                    const ConditionNames& names, const std::optional<BraceletMotors>& motors, Mode mode);
 
 signals:
     /// Full drives that the user wants for the connected bracelet.
@@ -55,6 +58,7 @@ private:
     std::shared_ptr<const LevelResults> m_results;
     QString m_task;
     std::optional<BraceletMotors> m_motors;
+    Mode m_mode = Mode::run;
     std::optional<pattern::MotorProfiles> m_balanced;
     QWidget* m_content = new QWidget;
     Section m_onsets;

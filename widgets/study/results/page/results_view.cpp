@@ -222,7 +222,7 @@ void ResultsView::showLevels() {
     m_thresholds->setItems(LevelContent::curves(levels, task(), m_scene.mode, names),
                            LevelContent::thresholdTable(*levels, task(), names, motors));
     m_thresholds->setNote(LevelContent::motorNote(*levels, task(), motors));
-    m_bracelet->setContent(levels, task(), names, m_motors);
+    m_bracelet->setContent(levels, task(), names, m_motors, m_scene.mode);
     m_tracks->setItems(LevelContent::tracks(levels, task(), m_scene.mode, names),
                        LevelContent::trackTable(*levels, task(), names));
     m_detection->setItems(LevelContent::detection(levels, task(), m_scene.mode, names),
