@@ -10735,6 +10735,13 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>WorkProgress</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
     <name>WtsText</name>
     <message>
         <source>&quot;%1&quot; is not the address of a tactile array</source>
@@ -15508,10 +15515,6 @@ Run %2 --help for more.
         <translation>Exportation de %1…</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>another export is running</source>
         <translation>une autre exportation est en cours</translation>
     </message>
@@ -15563,10 +15566,6 @@ Run %2 --help for more.
         <source>Importing %1…</source>
         <comment>a file</comment>
         <translation>Importation de %1…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
     </message>
     <message>
         <source>the folder cannot be made</source>

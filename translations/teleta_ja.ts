@@ -10711,6 +10711,13 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>WorkProgress</name>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+</context>
+<context>
     <name>WtsText</name>
     <message>
         <source>&quot;%1&quot; is not the address of a tactile array</source>
@@ -15462,10 +15469,6 @@ Run %2 --help for more.
         <translation>%1 をエクスポート中…</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
-    </message>
-    <message>
         <source>another export is running</source>
         <translation>別のエクスポートを実行中です</translation>
     </message>
@@ -15517,10 +15520,6 @@ Run %2 --help for more.
         <source>Importing %1…</source>
         <comment>a file</comment>
         <translation>%1をインポート中…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
     </message>
     <message>
         <source>the folder cannot be made</source>

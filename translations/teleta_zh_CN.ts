@@ -10711,6 +10711,13 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>WorkProgress</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
     <name>WtsText</name>
     <message>
         <source>&quot;%1&quot; is not the address of a tactile array</source>
@@ -15462,10 +15469,6 @@ Run %2 --help for more.
         <translation>正在导出 %1…</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>another export is running</source>
         <translation>另一个导出正在进行</translation>
     </message>
@@ -15517,10 +15520,6 @@ Run %2 --help for more.
         <source>Importing %1…</source>
         <comment>a file</comment>
         <translation>正在导入 %1…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
     </message>
     <message>
         <source>the folder cannot be made</source>

@@ -15,6 +15,7 @@
 #include "app/console/operate/recording_controls.h"
 #include "app/console/patterns/patterns_page.h"
 #include "app/console/study/study_page.h"
+#include "widgets/base/mnemonics.h"
 #include "widgets/chrome/recent_list.h"
 #include "widgets/pattern/pattern_editor.h"
 
@@ -108,7 +109,7 @@ void MainWindow::addRecentMenu(QMenu& file) {
         if (!paths.isEmpty())
             menu->addSection(title);
         for (const QString& path : paths) {
-            const QString name = QFileInfo(path).fileName().replace(QLatin1Char('&'), QLatin1String("&&"));
+            const QString name = base::withoutMnemonic(QFileInfo(path).fileName());
             menu->addAction(base::themeIcon(icon), name, menu, [path, open] { open(path); })
                 ->setToolTip(path);
         }

@@ -3,6 +3,7 @@
 
 #include "widgets/base/compose.h"
 #include "widgets/base/icons.h"
+#include "widgets/base/mnemonics.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
@@ -59,7 +60,7 @@ void RecentList::rebuild() {
         button->setIcon(base::themeIcon(icon));
         button->setFocusPolicy(Qt::StrongFocus);
         const QString shown = fontMetrics().elidedText(text, Qt::ElideMiddle, base::em(this, kListWidth_em));
-        button->setText(QString(shown).replace(QLatin1Char('&'), QLatin1String("&&")));
+        button->setText(base::withoutMnemonic(shown));
         button->setAccessibleName(text);
         button->setAccessibleDescription(about);
         button->setToolTip(about);

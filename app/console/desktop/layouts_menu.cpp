@@ -2,6 +2,7 @@
 #include "app/console/desktop/layouts_menu.h"
 
 #include "app/console/operate/operate_docks.h"
+#include "widgets/base/mnemonics.h"
 
 #include <QAction>
 #include <QInputDialog>
@@ -39,9 +40,7 @@ void LayoutsMenu::list(QMenu& menu) {
     menu.clear();
     const QStringList names = m_settings.namedLayouts().keys();
     for (const QString& name : names)
-        // An & would underline a letter.
-        menu.addAction(QString(name).replace(QLatin1Char('&'), QLatin1String("&&")), this,
-                       [this, name] { choose(name); });
+        menu.addAction(base::withoutMnemonic(name), this, [this, name] { choose(name); });
     if (!names.isEmpty())
         menu.addSeparator();
     menu.addAction(tr("&Save layout as\u2026"), this, &LayoutsMenu::askForName);
@@ -49,8 +48,7 @@ void LayoutsMenu::list(QMenu& menu) {
         return;
     QMenu* removal = menu.addMenu(tr("D&elete"));
     for (const QString& name : names)
-        removal->addAction(QString(name).replace(QLatin1Char('&'), QLatin1String("&&")), this,
-                           [this, name] { remove(name); });
+        removal->addAction(base::withoutMnemonic(name), this, [this, name] { remove(name); });
 }
 
 void LayoutsMenu::askForName() {

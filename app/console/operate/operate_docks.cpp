@@ -318,7 +318,8 @@ void OperateDocks::arrange() {
         for (const Dock dock : docks)
             m_docks[dock]->show();
     };
-    // The others have a place too, but hidden: otherwise Qt would make room for them whenever it restores a layout.
+    // The others have a place too, but hidden: otherwise Qt would make room for them whenever it restores a
+    // layout.
     for (std::size_t i = 0; i < kDocks; ++i) {
         if (belongs(m_kind, i))
             continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/study/results/participant_picker.h"
 
+#include "widgets/base/mnemonics.h"
 #include "widgets/base/theme.h"
 
 #include <QCheckBox>
@@ -51,7 +52,7 @@ void ParticipantPicker::setChoices(const QStringList& participants, const QStrin
         m_column->addWidget(none);
         connect(none, &QCheckBox::clicked, this, [this] { choose({}); });
         for (const QString& id : participants) {
-            auto* box = new QCheckBox(QString(id).replace(QLatin1Char('&'), QLatin1String("&&")), m_panel);
+            auto* box = new QCheckBox(base::withoutMnemonic(id), m_panel);
             box->setObjectName(id);
             m_column->addWidget(box);
             connect(box, &QCheckBox::toggled, this, [this, id](bool ticked) {

@@ -11,22 +11,14 @@
 #include <QFileInfo>
 #include <QProgressDialog>
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
 namespace teleta::console {
 
-namespace {
-
-constexpr int kLook_ms = 50;
-constexpr int kPermille = 1000;
-
-} // namespace
-
 RecordingExport::RecordingExport(QWidget* window)
     : m_window(window) {
-    m_timer.setInterval(kLook_ms);
+    m_timer.setInterval(kProgressLook_ms);
     connect(&m_timer, &QTimer::timeout, this, &RecordingExport::look);
 }
 
@@ -97,14 +89,8 @@ void RecordingExport::begin(const QString& path, const QString& target, Work wor
     m_result = std::async(std::launch::async,
                           [work, progress = m_progress, path = path.toStdString(),
                            target = target.toStdString()] { return work(path, target, *progress); });
-    m_dialog = new QProgressDialog(tr("Exporting %1\u2026", "a file").arg(QFileInfo(path).fileName()),
-                                   tr("Cancel"), 0, kPermille, m_window);
-    m_dialog->setWindowModality(Qt::NonModal);
-    m_dialog->setAutoClose(false);
-    m_dialog->setAutoReset(false);
-    connect(m_dialog, &QProgressDialog::canceled, this,
-            [progress = m_progress] { progress->cancelled = true; });
-    m_dialog->setValue(0);
+    m_dialog = progressWindow(tr("Exporting %1\u2026", "a file").arg(QFileInfo(path).fileName()), m_progress,
+                              m_window);
     m_timer.start();
     emit busyChanged(true);
 }
@@ -155,8 +141,7 @@ void RecordingExport::discard(const std::vector<recording::ExportedFile>& files,
 
 void RecordingExport::look() {
     if (m_result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-        if (!m_progress->cancelled)
-            m_dialog->setValue(std::clamp(static_cast<int>(m_progress->share * kPermille), 0, kPermille - 1));
+        showProgress(*m_dialog, *m_progress);
         return;
     }
     const Result result = m_result.get();

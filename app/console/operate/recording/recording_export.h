@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/operate/recording/work_progress.h"
 #include "backend/core/error.h"
 #include "backend/recording/csv_export.h"
 
@@ -8,7 +9,6 @@
 #include <QString>
 #include <QTimer>
 
-#include <atomic>
 #include <future>
 #include <memory>
 #include <string>
@@ -53,9 +53,7 @@ signals:
 
 private:
     using Result = core::Expected<std::vector<recording::ExportedFile>>; ///< no files: it was cancelled
-    struct Progress {
-        std::atomic<double> share{0.0};
-        std::atomic<bool> cancelled{false};
+    struct Progress : WorkProgress {
         bool utc = false;
         bool isNewFolder = false; ///< once it has ended, as the next one
         bool isComplete = true;

@@ -13,16 +13,9 @@
 
 namespace teleta::console {
 
-namespace {
-
-constexpr int kImportLook_ms = 50;
-constexpr int kImportSteps = 1000;
-
-} // namespace
-
 RecordingImport::RecordingImport(QWidget* window)
     : m_window(window) {
-    m_timer.setInterval(kImportLook_ms);
+    m_timer.setInterval(kProgressLook_ms);
     connect(&m_timer, &QTimer::timeout, this, &RecordingImport::look);
 }
 
@@ -60,14 +53,9 @@ void RecordingImport::start(const QString& file, const QString& recording) {
                                       {recording.toStdString()}});
         return;
     }
-    auto progress = std::make_shared<Progress>();
-    auto* dialog = new QProgressDialog(tr("Importing %1\u2026", "a file").arg(QFileInfo(file).fileName()),
-                                       tr("Cancel"), 0, kImportSteps, m_window);
-    dialog->setWindowModality(Qt::NonModal);
-    dialog->setAutoClose(false);
-    dialog->setAutoReset(false);
-    connect(dialog, &QProgressDialog::canceled, this, [progress] { progress->cancelled = true; });
-    dialog->setValue(0);
+    auto progress = std::make_shared<WorkProgress>();
+    auto* dialog = progressWindow(tr("Importing %1\u2026", "a file").arg(QFileInfo(file).fileName()),
+                                  progress, m_window);
     auto result = std::async(std::launch::async,
                              [file, recording, progress] { return make(file, recording, *progress); });
     m_jobs.push_back({file, recording, std::move(progress), std::move(result), dialog});
@@ -75,7 +63,7 @@ void RecordingImport::start(const QString& file, const QString& recording) {
 }
 
 RecordingImport::Result RecordingImport::make(const QString& file, const QString& recording,
-                                              Progress& progress) {
+                                              WorkProgress& progress) {
     const QString folder = QFileInfo(recording).absolutePath();
     if (QFileInfo::exists(file) && !QDir().mkpath(folder))
         return core::failed(core::ErrorKind::ioFailed, tr("the folder cannot be made"), {},
@@ -117,9 +105,7 @@ void RecordingImport::look() {
             m_jobs.erase(m_jobs.begin() + static_cast<std::ptrdiff_t>(i));
             continue;
         }
-        if (!job.progress->cancelled)
-            job.dialog->setValue(
-                std::clamp(static_cast<int>(job.progress->share * kImportSteps), 0, kImportSteps - 1));
+        showProgress(*job.dialog, *job.progress);
         ++i;
     }
     if (m_jobs.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/operate/recording/work_progress.h"
 #include "backend/core/error.h"
 #include "backend/mcap/recorded/mcap_import.h"
 
@@ -10,7 +11,6 @@
 #include <QString>
 #include <QTimer>
 
-#include <atomic>
 #include <future>
 #include <memory>
 #include <vector>
@@ -48,18 +48,14 @@ signals:
 
 private:
     using Result = core::Expected<mcap::McapImport>;
-    struct Progress {
-        std::atomic<double> share{0.0};
-        std::atomic<bool> cancelled{false};
-    };
     struct Job {
         QString file;
         QString recording;
-        std::shared_ptr<Progress> progress;
+        std::shared_ptr<WorkProgress> progress;
         std::future<Result> result;
         QPointer<QProgressDialog> dialog;
     };
-    [[nodiscard]] static Result make(const QString& file, const QString& recording, Progress& progress);
+    [[nodiscard]] static Result make(const QString& file, const QString& recording, WorkProgress& progress);
     [[nodiscard]] static QString missing(const mcap::McapImport& import);
     void look();
     void finish(Job job);
