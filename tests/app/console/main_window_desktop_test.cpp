@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
+#include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/recent_list.h"
 #include "widgets/view3d/vtk/gl_setup.h"
@@ -19,12 +19,9 @@
 #include <QTest>
 #include <QToolButton>
 
-#include <memory>
-
 using namespace teleta;
 using console::ConsoleOptions;
 using console::ConsoleSettings;
-using console::MainWindow;
 
 namespace {
 
@@ -33,25 +30,16 @@ constexpr int kPatience_ms = 30'000;
 } // namespace
 
 /// What the window remembers of the files, of the last session and of what people prefer.
-class MainWindowDesktopTest : public QObject {
+class MainWindowDesktopTest : public QObject, protected test::WindowBench {
     Q_OBJECT
 
     QTemporaryDir m_folder;
-    std::unique_ptr<core::StopSwitch> m_stop;
-    std::unique_ptr<ConsoleSettings> m_settings;
-    std::unique_ptr<MainWindow> m_window;
-
-    void openWindow(const ConsoleOptions& options = {}) {
-        m_window.reset();
-        m_stop = std::make_unique<core::StopSwitch>();
-        m_settings = std::make_unique<ConsoleSettings>(false);
-        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+    /// With what the window before has left.
+    void openAgain(const ConsoleOptions& options = {}) {
+        openWindow(options, false);
         m_window->resize(1200, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         m_window->activateWindow(); // keys go to the active window
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-        m_window->openRequested(options);
     }
 
     /// A scene in a file of its own.
@@ -81,16 +69,16 @@ private slots:
     }
 
     void aFileThatWasOpenedIsInTheMenuAndOnTheStartPage() {
-        openWindow();
+        openAgain();
         QVERIFY(!menu("recent")->isEnabled());
         QVERIFY(!m_window->operatePage().recent().isVisible());
         const QString scene = sceneFile("a & b.toml");
         ConsoleOptions options;
         options.files = {scene};
-        openWindow(options);
+        openAgain(options);
         QTRY_VERIFY_WITH_TIMEOUT(isOpen("a & b"), kPatience_ms);
         m_window->close();
-        openWindow();
+        openAgain();
         QVERIFY(menu("recent")->isEnabled());
         const QAction* recent = menu("recent")->actions().at(1); // below the name of the kind
         QCOMPARE(recent->text(), QString("a && b.toml"));
@@ -110,10 +98,10 @@ private slots:
     void whatWasOpenAtTheEndIsOfferedAndReopened() {
         ConsoleOptions options;
         options.scenes = {":/scenes/tactile-indenter.toml", ":/scenes/tactile-two-contacts.toml"};
-        openWindow(options);
+        openAgain(options);
         QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-indenter") && isOpen("tactile-two-contacts"), kPatience_ms);
         m_window->close();
-        openWindow();
+        openAgain();
         QVERIFY(m_window->sources().items().empty());
         const auto buttons = startButtons("reopenSession");
         QCOMPARE(buttons.size(), 1);
@@ -125,21 +113,21 @@ private slots:
     void whatWasOpenIsOpenedByItselfWhereThatIsPreferred() {
         ConsoleOptions options;
         options.scenes = {":/scenes/tactile-indenter.toml"};
-        openWindow(options);
+        openAgain(options);
         QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-indenter"), kPatience_ms);
         m_settings->setAtStart(console::AtStart::open);
         m_window->close();
-        openWindow();
+        openAgain();
         QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-indenter"), kPatience_ms);
         m_window->close();
         // What the command line names comes instead.
         options.scenes = {":/scenes/tactile-two-contacts.toml"};
-        openWindow(options);
+        openAgain(options);
         QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-two-contacts"), kPatience_ms);
         QVERIFY(!isOpen("tactile-indenter"));
         m_settings->setAtStart(console::AtStart::nothing);
         m_window->close();
-        openWindow();
+        openAgain();
         QVERIFY(startButtons("reopenSession").isEmpty());
         QVERIFY(m_window->sources().items().empty());
     }
@@ -152,13 +140,13 @@ private slots:
         text.close();
         ConsoleOptions options;
         options.files = {path};
-        openWindow(options);
+        openAgain(options);
         QTRY_VERIFY_WITH_TIMEOUT(m_window->anyFailure(), kPatience_ms);
         QVERIFY(!QFile::exists(m_folder.filePath("text.teleta")));
     }
 
     void preferencesAreAskedForByKeyAndKept() {
-        openWindow();
+        openAgain();
         QTest::keyClick(m_window.get(), Qt::Key_Comma, Qt::ControlModifier);
         auto* dialog = m_window->findChild<QDialog*>();
         QVERIFY(dialog != nullptr);
@@ -176,7 +164,7 @@ private slots:
     void aViewIsMaximisedByKey() {
         ConsoleOptions options;
         options.scenes = {":/scenes/tactile-two-contacts.toml"};
-        openWindow(options);
+        openAgain(options);
         QTRY_VERIFY_WITH_TIMEOUT(isOpen("tactile-two-contacts"), kPatience_ms);
         auto& docks = m_window->operatePage().docks();
         QTRY_VERIFY(docks.findChild<QDockWidget*>("charts")->isVisible());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_options.h"
-#include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
+#include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/demo_list.h"
 #include "widgets/chrome/page_rail.h"
@@ -14,12 +14,8 @@
 #include <QScrollBar>
 #include <QTest>
 
-#include <memory>
-
 using namespace teleta;
 using console::ConsoleOptions;
-using console::ConsoleSettings;
-using console::MainWindow;
 
 namespace {
 
@@ -29,22 +25,8 @@ constexpr QSize kSmallScreen{1024, 700};
 } // namespace
 
 /// What has room in the window.
-class MainWindowRoomTest : public QObject {
+class MainWindowRoomTest : public QObject, protected test::WindowBench {
     Q_OBJECT
-
-    std::unique_ptr<core::StopSwitch> m_stop;
-    std::unique_ptr<ConsoleSettings> m_settings;
-    std::unique_ptr<MainWindow> m_window;
-
-    void openWindow(const ConsoleOptions& options = {}) {
-        m_window.reset();
-        m_stop = std::make_unique<core::StopSwitch>();
-        m_settings = std::make_unique<ConsoleSettings>(true);
-        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->openRequested(options);
-    }
 
     template <typename Widget>
     Widget* child() const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/help/handbook_window.h"
-#include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
 #include "app/console/study/study_page.h"
 #include "backend/study/store/study_store.h"
+#include "tests/app/console/window_bench.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
@@ -43,24 +43,10 @@ using console::MainWindow;
 using console::RecordingArguments;
 
 /// The window as a whole, on a real display.
-class MainWindowTest : public QObject {
+class MainWindowTest : public QObject, protected test::WindowBench {
     Q_OBJECT
 
     QTemporaryDir m_folder;
-    std::unique_ptr<core::StopSwitch> m_stop;
-    std::unique_ptr<ConsoleSettings> m_settings;
-    std::unique_ptr<MainWindow> m_window;
-
-    void openWindow(const ConsoleOptions& options = {}) {
-        m_window.reset();
-        m_stop = std::make_unique<core::StopSwitch>();
-        m_settings = std::make_unique<ConsoleSettings>(true);
-        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->openRequested(options);
-    }
-
     QString write(const QString& name, const QByteArray& content) {
         QFile file(QDir(m_folder.path()).filePath(name));
         if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
