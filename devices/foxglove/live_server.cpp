@@ -10,6 +10,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStringList>
+#include <QTcpServer>
+#include <QTcpSocket>
 #include <QUuid>
 #include <QWebSocket>
 #include <QWebSocketServer>
@@ -49,9 +51,12 @@ std::optional<std::uint32_t> numberOf(const QJsonValue& value) {
 
 LiveServer::LiveServer()
     : m_server(std::make_unique<QWebSocketServer>(QStringLiteral("TeleTA Console"),
-                                                  QWebSocketServer::NonSecureMode)) {
+                                                  QWebSocketServer::NonSecureMode))
+    , m_listener(std::make_unique<QTcpServer>()) {
     m_server->setSupportedSubprotocols(
         {QStringLiteral("foxglove.websocket.v1"), QStringLiteral("foxglove.sdk.v1")});
+    QObject::connect(m_listener.get(), &QTcpServer::newConnection, m_server.get(),
+                     [this] { takeConnections(); });
     QObject::connect(m_server.get(), &QWebSocketServer::newConnection, m_server.get(), [this] { accept(); });
 }
 
@@ -69,18 +74,26 @@ core::Expected<void> LiveServer::listen(const std::string& address, std::uint16_
         return core::failed(core::ErrorKind::unavailable,
                             LiveServerText::tr("\"%1\" is no address").arg(QString::fromStdString(address)),
                             LiveServerText::tr("an address such as 127.0.0.1"));
-    if (!m_server->listen(host, port))
+    if (!m_listener->listen(host, port))
         return core::failed(core::ErrorKind::unavailable,
                             LiveServerText::tr("the live view cannot listen on %1:%2: %3")
                                 .arg(QString::fromStdString(address))
                                 .arg(port)
-                                .arg(m_server->errorString()),
+                                .arg(m_listener->errorString()),
                             LiveServerText::tr("another port"));
     return {};
 }
 
 std::uint16_t LiveServer::port() const {
-    return m_server->serverPort();
+    return m_listener->serverPort();
+}
+
+/// Without delay: otherwise a small message waits for the answer to the one before, up to 40 ms.
+void LiveServer::takeConnections() {
+    while (QTcpSocket* connection = m_listener->nextPendingConnection()) {
+        connection->setSocketOption(QAbstractSocket::LowDelayOption, 1);
+        m_server->handleConnection(connection);
+    }
 }
 
 void LiveServer::accept() {

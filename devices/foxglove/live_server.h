@@ -15,6 +15,7 @@
 #include <vector>
 
 class QJsonArray;
+class QTcpServer;
 class QWebSocket;
 class QWebSocketServer;
 
@@ -57,12 +58,14 @@ private:
         std::map<std::uint32_t, std::uint32_t> subscriptions; ///< channels, by number of the subscription
     };
 
+    void takeConnections();
     void accept();
     void receive(QWebSocket* socket, const QString& text);
     void forget(QWebSocket* socket);
     [[nodiscard]] QByteArray announcement(const std::vector<std::uint32_t>& channels) const;
 
     std::unique_ptr<QWebSocketServer> m_server;
+    std::unique_ptr<QTcpServer> m_listener; ///< gives its connections to the server
     std::vector<Client> m_clients;
     std::map<std::uint32_t, mcap::TopicType> m_topics; ///< by number of the channel
     std::uint32_t m_next = 1;
