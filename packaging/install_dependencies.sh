@@ -25,7 +25,7 @@ build_packages=(
     # numerics
     libeigen3-dev libceres-dev libboost-math-dev
     # files, queues, command line
-    libtomlplusplus-dev nlohmann-json3-dev libzip-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
+    libsqlite3-dev libtomlplusplus-dev nlohmann-json3-dev libzip-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
     # MCAP files
     libzstd-dev liblz4-dev zlib1g-dev
     # figures as PDF and PNG without a GUI library

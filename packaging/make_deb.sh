@@ -7,6 +7,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 "$root/packaging/install_dependencies.sh" --package
 configure package
 cmake --build "$root/build/package"
+"$root/packaging/check_hardening.sh" "$root"/build/package/app/cli/teleta "$root"/build/package/app/console/teleta-console
 cd "$root/build/package"
 rm -f ./*.deb
 log=$(cpack -G DEB 2>&1) || {

@@ -178,6 +178,37 @@
     </message>
 </context>
 <context>
+    <name>StudyPeople</name>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n session</numerusform>
+            <numerusform>%n sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n trial</numerusform>
+            <numerusform>%n trials</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>number %1 of the enrolment, on %2, %n trial(s)</source>
+        <translation>
+            <numerusform>number %1 of the enrolment, on %2, %n trial</numerusform>
+            <numerusform>number %1 of the enrolment, on %2, %n trials</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n file</numerusform>
+            <numerusform>%n files</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StudyScenes</name>
     <message numerus="yes">
         <source>%1: %n pattern(s); %2</source>

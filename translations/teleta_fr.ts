@@ -828,6 +828,10 @@
         <source>the file is not a readable video</source>
         <translation>le fichier n’est pas une vidéo lisible</translation>
     </message>
+    <message>
+        <source>this is a pipe</source>
+        <translation>c’est un tube</translation>
+    </message>
 </context>
 <context>
     <name>CameraPicture</name>
@@ -909,6 +913,14 @@
     <message>
         <source>The camera stopped sending frames.</source>
         <translation>La caméra ne donne plus d’images.</translation>
+    </message>
+    <message>
+        <source>this is not a covariance</source>
+        <translation>ce n’est pas une covariance</translation>
+    </message>
+    <message>
+        <source>a symmetric matrix without negative variances</source>
+        <translation>une matrice symétrique sans variance négative</translation>
     </message>
 </context>
 <context>
@@ -2418,6 +2430,14 @@ Exemples&#xa0;:
         <source>List connected devices, how fast they are, and why others cannot be used</source>
         <translation>Ce qui est connecté, pourquoi un appareil ne l’est pas, et sa vitesse</translation>
     </message>
+    <message>
+        <source>it answers, but sends no frames</source>
+        <translation>il répond, mais n’envoie aucune trame</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
 </context>
 <context>
     <name>EqualStrength</name>
@@ -2868,14 +2888,6 @@ Exemples&#xa0;:
         <translation>il n’y a pas de tel fichier ni de tel motif intégré</translation>
     </message>
     <message>
-        <source>the file is too large</source>
-        <translation>le fichier est trop grand</translation>
-    </message>
-    <message>
-        <source>at most %1 MiB</source>
-        <translation>au plus %1 MiB</translation>
-    </message>
-    <message>
         <source>this format holds one tactor, the pattern uses more</source>
         <translation>ce format contient un seul tacteur, le motif en utilise davantage</translation>
     </message>
@@ -2910,6 +2922,26 @@ Exemples&#xa0;:
     <message>
         <source>this format can be written but not read</source>
         <translation>les motifs s’écrivent dans ce format, mais ne s’y lisent pas</translation>
+    </message>
+</context>
+<context>
+    <name>ForeignDatabase</name>
+    <message>
+        <source>SQLite cannot be made defensive</source>
+        <translation>SQLite ne peut pas passer en mode défensif</translation>
+    </message>
+    <message>
+        <source>SQLite %1 or newer</source>
+        <translation>SQLite&#xa0;%1 ou plus récent</translation>
+    </message>
+    <message>
+        <source>the file holds a %1, &quot;%2&quot;, which this program does not make</source>
+        <comment>view, trigger or (virtual) table of a database</comment>
+        <translation>le fichier contient un objet de type&#xa0;%1, «&#xa0;%2&#xa0;», que ce programme ne crée pas</translation>
+    </message>
+    <message>
+        <source>plain tables and indices only</source>
+        <translation>seulement des tables et des index ordinaires</translation>
     </message>
 </context>
 <context>
@@ -3297,6 +3329,10 @@ Exemples&#xa0;:
         <source>Point at a taxel to read it.</source>
         <translation>Pointez un taxel pour le lire.</translation>
     </message>
+    <message>
+        <source>No new data: the last frame is shown.</source>
+        <translation>Pas de nouvelles données&#xa0;: la dernière trame est affichée.</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -3401,6 +3437,37 @@ Exemples&#xa0;:
     <message>
         <source>Make a recording of an MCAP file</source>
         <translation>Créer un enregistrement d’après un fichier MCAP</translation>
+    </message>
+</context>
+<context>
+    <name>InputFileText</name>
+    <message>
+        <source>cannot open the file: %1</source>
+        <translation>impossible d’ouvrir le fichier&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>un fichier</translation>
+    </message>
+    <message>
+        <source>this is a folder</source>
+        <translation>c’est un dossier</translation>
+    </message>
+    <message>
+        <source>this is a pipe or a device</source>
+        <translation>c’est un tube ou un périphérique</translation>
+    </message>
+    <message>
+        <source>cannot read the file: %1</source>
+        <translation>impossible de lire le fichier&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>le fichier est trop grand</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>au plus&#xa0;%1 Mio</translation>
     </message>
 </context>
 <context>
@@ -5293,6 +5360,41 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>PseudonymKey</name>
+    <message>
+        <source>another program changes the file</source>
+        <translation>un autre programme modifie le fichier</translation>
+    </message>
+    <message>
+        <source>to try again in a moment</source>
+        <translation>réessayer dans un instant</translation>
+    </message>
+    <message>
+        <source>the key of the pseudonyms lies in the study&apos;s folder</source>
+        <translation>la clé des pseudonymes se trouve dans le dossier de l’étude</translation>
+    </message>
+    <message>
+        <source>a file apart from the data, which are copied and published</source>
+        <translation>un fichier à part des données, qui sont copiées et publiées</translation>
+    </message>
+    <message>
+        <source>a row has no participant</source>
+        <translation>une ligne n’a pas de participant</translation>
+    </message>
+    <message>
+        <source>a participant of the study</source>
+        <translation>un participant de l’étude</translation>
+    </message>
+    <message>
+        <source>the key has a person for &quot;%1&quot; already</source>
+        <translation>la clé a déjà une personne pour «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>un autre nom</translation>
+    </message>
+</context>
+<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
@@ -5335,10 +5437,6 @@ Run %2 --help for more.
     <message>
         <source>the recording cannot be written: %1</source>
         <translation>l’enregistrement ne peut pas être écrit&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>ce fichier n’existe pas</translation>
     </message>
     <message>
         <source>a recording of this program</source>
@@ -7416,10 +7514,6 @@ Run %2 --help for more.
         <translation>«&#xa0;%1&#xa0;» ne peut pas désigner un participant</translation>
     </message>
     <message>
-        <source>a text of 1 to %1 characters</source>
-        <translation>un texte de 1 à %1 caractères</translation>
-    </message>
-    <message>
         <source>another name</source>
         <translation>un autre nom</translation>
     </message>
@@ -7478,6 +7572,10 @@ Run %2 --help for more.
     <message>
         <source>the patterns have changed since this study was created</source>
         <translation>les motifs ne sont pas ceux avec lesquels cette étude a été commencée</translation>
+    </message>
+    <message>
+        <source>a text of 1 to %1 characters that does not begin with = + - or @</source>
+        <translation>un texte de 1 à&#xa0;%1 caractères qui ne commence pas par = + - ou @</translation>
     </message>
 </context>
 <context>
@@ -8059,6 +8157,22 @@ Run %2 --help for more.
         <source>the columns stimulus and response</source>
         <translation>les colonnes stimulus et response</translation>
     </message>
+    <message>
+        <source>List the participants of a study, and who was deleted</source>
+        <translation>Lister les participants d’une étude, et qui a été supprimé</translation>
+    </message>
+    <message>
+        <source>Enrol a participant under a pseudonym</source>
+        <translation>Inscrire un participant sous un pseudonyme</translation>
+    </message>
+    <message>
+        <source>Delete a participant with everything that was kept</source>
+        <translation>Supprimer un participant avec tout ce qui a été gardé</translation>
+    </message>
+    <message>
+        <source>Let others read what is written, as the umask allows; otherwise it is for you alone</source>
+        <translation>Laisser les autres lire ce qui est écrit, selon le umask&#xa0;; sinon c’est pour vous seul</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -8069,6 +8183,22 @@ Run %2 --help for more.
     <message>
         <source>the file differs from what was written</source>
         <translation>le fichier ne contient pas ce qui a été écrit</translation>
+    </message>
+    <message>
+        <source>cannot remove the file: %1</source>
+        <translation>impossible de supprimer le fichier&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is in a session at %2</source>
+        <translation>«&#xa0;%1&#xa0;» est dans une session à&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>a participant who is in no session</source>
+        <translation>un participant qui n’est dans aucune session</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened to others: %1</source>
+        <translation>le fichier ne peut pas être ouvert aux autres&#xa0;:&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -8403,6 +8533,133 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StudyPeople</name>
+    <message>
+        <source>Folder of the study</source>
+        <translation>Dossier de l’étude</translation>
+    </message>
+    <message>
+        <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME</source>
+        <translation>Serveur PostgreSQL qui a l’étude, postgresql://USER@HOST/DATABASE?study=NAME</translation>
+    </message>
+    <message>
+        <source>Also say who is behind the pseudonyms</source>
+        <translation>Dire aussi qui se cache derrière les pseudonymes</translation>
+    </message>
+    <message>
+        <source>Name of the participant in the study; otherwise a pseudonym at random</source>
+        <translation>Nom du participant dans l’étude&#xa0;; sinon un pseudonyme au hasard</translation>
+    </message>
+    <message>
+        <source>File that keeps who is behind the pseudonyms, for you alone; not in the study&apos;s folder</source>
+        <translation>Fichier qui garde qui se cache derrière les pseudonymes, pour vous seul&#xa0;; pas dans le dossier de l’étude</translation>
+    </message>
+    <message>
+        <source>Name of the person, for the key</source>
+        <translation>Nom de la personne, pour la clé</translation>
+    </message>
+    <message>
+        <source>How to reach the person, for the key</source>
+        <translation>Comment joindre la personne, pour la clé</translation>
+    </message>
+    <message>
+        <source>Whom to delete</source>
+        <translation>Qui supprimer</translation>
+    </message>
+    <message>
+        <source>Delete the person from this key as well</source>
+        <translation>Supprimer aussi la personne de cette clé</translation>
+    </message>
+    <message>
+        <source>Why, for the record that stays; without anything that tells who it was</source>
+        <translation>Pourquoi, pour la trace qui reste&#xa0;; sans rien qui dise qui c’était</translation>
+    </message>
+    <message>
+        <source>Really delete: this cannot be undone</source>
+        <translation>Supprimer vraiment&#xa0;: c’est irréversible</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n session</numerusform>
+            <numerusform>%n sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n essai</numerusform>
+            <numerusform>%n essais</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Deleted</source>
+        <translation>Supprimé</translation>
+    </message>
+    <message numerus="yes">
+        <source>number %1 of the enrolment, on %2, %n trial(s)</source>
+        <translation>
+            <numerusform>numéro d’inscription&#xa0;%1, le&#xa0;%2,&#xa0;%n essai</numerusform>
+            <numerusform>numéro d’inscription&#xa0;%1, le&#xa0;%2,&#xa0;%n essais</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled.</source>
+        <translation>Personne n’est inscrit.</translation>
+    </message>
+    <message>
+        <source>a key is missing, which would keep it: --key with a file apart from the study</source>
+        <translation>il manque une clé qui le garderait&#xa0;: --key avec un fichier à part de l’étude</translation>
+    </message>
+    <message>
+        <source>the name of the person is missing: --name</source>
+        <translation>il manque le nom de la personne&#xa0;: --name</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Participant</translation>
+    </message>
+    <message>
+        <source>Number of the enrolment</source>
+        <translation>Numéro d’inscription</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Retirés</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Clé</translation>
+    </message>
+    <message>
+        <source>the person was deleted</source>
+        <translation>la personne a été supprimée</translation>
+    </message>
+    <message>
+        <source>had no such person</source>
+        <translation>n’avait pas cette personne</translation>
+    </message>
+    <message>
+        <source>Still counts the participant</source>
+        <translation>Compte encore le participant</translation>
+    </message>
+    <message>
+        <source>Analyze the study again, and delete what was copied elsewhere.</source>
+        <translation>Analysez l’étude à nouveau, et supprimez ce qui a été copié ailleurs.</translation>
+    </message>
+    <message>
+        <source>it is missing, and all sessions, answers, notes, recordings and exported files of &quot;%1&quot; would be deleted, which cannot be undone</source>
+        <translation>elle manque, et toutes les sessions, réponses, notes, enregistrements et fichiers exportés de «&#xa0;%1&#xa0;» seraient supprimés, ce qui est irréversible</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n fichier</numerusform>
+            <numerusform>%n fichiers</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StudyPlan</name>
     <message>
         <source>the protocol has no task &quot;%1&quot;</source>
@@ -8557,10 +8814,6 @@ Run %2 --help for more.
     <message>
         <source>another letter</source>
         <translation>une autre lettre</translation>
-    </message>
-    <message>
-        <source>cannot open the protocol: %1</source>
-        <translation>impossible d’ouvrir le protocole&#xa0;: %1</translation>
     </message>
     <message>
         <source>there are too many patterns</source>
@@ -9305,6 +9558,18 @@ Run %2 --help for more.
         <source>a stored trial</source>
         <translation>un essai conservé ici</translation>
     </message>
+    <message>
+        <source>the study is open for reading only</source>
+        <translation>l’étude est ouverte en lecture seule</translation>
+    </message>
+    <message>
+        <source>a folder that can be written to</source>
+        <translation>un dossier où l’on peut écrire</translation>
+    </message>
+    <message>
+        <source>the study has no participant &quot;%1&quot;</source>
+        <translation>l’étude n’a pas de participant «&#xa0;%1&#xa0;»</translation>
+    </message>
 </context>
 <context>
     <name>StudyTruth</name>
@@ -10017,18 +10282,6 @@ Run %2 --help for more.
         <translation>clé inconnue «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>the file cannot be opened</source>
-        <translation>le fichier ne peut pas être ouvert</translation>
-    </message>
-    <message>
-        <source>a TOML file that can be read</source>
-        <translation>un fichier TOML lisible</translation>
-    </message>
-    <message>
-        <source>the file cannot be read</source>
-        <translation>le fichier ne peut pas être lu</translation>
-    </message>
-    <message>
         <source>not valid TOML: %1</source>
         <translation>TOML non valide&#xa0;: %1</translation>
     </message>
@@ -10071,6 +10324,22 @@ Run %2 --help for more.
     <message>
         <source>one of them</source>
         <translation>une seule des deux</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>le fichier est trop grand</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>au plus&#xa0;%1 Mio</translation>
+    </message>
+    <message>
+        <source>the keys are nested too deeply</source>
+        <translation>les clés sont imbriquées trop profondément</translation>
+    </message>
+    <message>
+        <source>at most %1 levels</source>
+        <translation>au plus&#xa0;%1 niveaux</translation>
     </message>
 </context>
 <context>
@@ -12439,6 +12708,14 @@ Run %2 --help for more.
         <source>Finishing…</source>
         <translation>Finalisation…</translation>
     </message>
+    <message>
+        <source>Recording failed</source>
+        <translation>Enregistrement échoué</translation>
+    </message>
+    <message>
+        <source>Recording failed. Record</source>
+        <translation>Enregistrement échoué. Enregistrer</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::SourceChooser</name>
@@ -13130,6 +13407,38 @@ Run %2 --help for more.
     <message>
         <source>Takes a few minutes; you can go on using the console</source>
         <translation>Dure quelques minutes&#xa0;; la console reste utilisable entre-temps</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DeletionDialog</name>
+    <message>
+        <source>Delete a participant</source>
+        <translation>Supprimer un participant</translation>
+    </message>
+    <message>
+        <source>For example: consent withdrawn</source>
+        <translation>Par exemple&#xa0;: consentement retiré</translation>
+    </message>
+    <message>
+        <source>It is recorded; write nothing that tells who it was</source>
+        <translation>La raison est gardée&#xa0;; n’écrivez rien qui dise qui c’était</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>&amp;Raison</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the participant, once more</source>
+        <translation>&amp;Nom du participant, encore une fois</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study keeps that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
+        <comment>a participant</comment>
+        <translation>Toutes les sessions, réponses, notes, enregistrements et fichiers exportés de&#xa0;%1 sont supprimés. C’est irréversible. L’étude garde la trace que quelqu’un a été supprimé, et quand. Les résultats calculés auparavant, et les copies ailleurs, restent tels quels.</translation>
     </message>
 </context>
 <context>
@@ -15806,6 +16115,11 @@ Run %2 --help for more.
         <source>The note could not be saved.</source>
         <translation>La note n’a pas pu être conservée.</translation>
     </message>
+    <message>
+        <source>%1 could not be deleted.</source>
+        <comment>a participant</comment>
+        <translation>%1 n’a pas pu être supprimé.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyLeaving</name>
@@ -16022,6 +16336,15 @@ Run %2 --help for more.
     <message>
         <source>Plan</source>
         <translation>Planification</translation>
+    </message>
+    <message>
+        <source>%1 was deleted.</source>
+        <comment>a participant</comment>
+        <translation>%1 a été supprimé.</translation>
+    </message>
+    <message>
+        <source>Results that were written before still count the participant: write them again.</source>
+        <translation>Les résultats écrits auparavant comptent encore le participant&#xa0;: écrivez-les à nouveau.</translation>
     </message>
 </context>
 <context>
@@ -17759,6 +18082,10 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
         <source>View the protocol, or make another one from it</source>
         <translation>Consulter le protocole, ou en faire un autre à partir de lui</translation>
     </message>
+    <message>
+        <source>&amp;Delete the participant…</source>
+        <translation>&amp;Supprimer le participant…</translation>
+    </message>
 </context>
 <context>
     <name>teleta::tactile::ChannelSettingsPanel</name>
@@ -18333,10 +18660,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Default patterns</source>
         <translation>Motifs par défaut</translation>
-    </message>
-    <message>
-        <source>The file could not be read: %1</source>
-        <translation>Le fichier n’a pas pu être lu&#xa0;: %1</translation>
     </message>
     <message>
         <source>Import</source>

@@ -826,6 +826,10 @@
         <source>the file is not a readable video</source>
         <translation>読み取り可能な動画ファイルではありません</translation>
     </message>
+    <message>
+        <source>this is a pipe</source>
+        <translation>これはパイプです</translation>
+    </message>
 </context>
 <context>
     <name>CameraPicture</name>
@@ -907,6 +911,14 @@
     <message>
         <source>The camera stopped sending frames.</source>
         <translation>カメラからフレームが届かなくなりました。</translation>
+    </message>
+    <message>
+        <source>this is not a covariance</source>
+        <translation>これは共分散ではありません</translation>
+    </message>
+    <message>
+        <source>a symmetric matrix without negative variances</source>
+        <translation>負の分散のない対称行列</translation>
     </message>
 </context>
 <context>
@@ -2414,6 +2426,14 @@ Examples:
         <source>List connected devices, how fast they are, and why others cannot be used</source>
         <translation>接続されているもの、接続できない理由、速度</translation>
     </message>
+    <message>
+        <source>it answers, but sends no frames</source>
+        <translation>応答はありますが、フレームが届きません</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
 </context>
 <context>
     <name>EqualStrength</name>
@@ -2860,14 +2880,6 @@ Examples:
         <translation>そのようなファイルまたは組み込みパターンはありません</translation>
     </message>
     <message>
-        <source>the file is too large</source>
-        <translation>ファイルが大きすぎます</translation>
-    </message>
-    <message>
-        <source>at most %1 MiB</source>
-        <translation>%1 MiB以下</translation>
-    </message>
-    <message>
         <source>this format holds one tactor, the pattern uses more</source>
         <translation>この形式が保持できるタクタは1つですが、パターンは複数使用しています</translation>
     </message>
@@ -2902,6 +2914,26 @@ Examples:
     <message>
         <source>this format can be written but not read</source>
         <translation>この形式のパターンは書き込みのみで、読み取りはできません</translation>
+    </message>
+</context>
+<context>
+    <name>ForeignDatabase</name>
+    <message>
+        <source>SQLite cannot be made defensive</source>
+        <translation>SQLiteを防御モードにできません</translation>
+    </message>
+    <message>
+        <source>SQLite %1 or newer</source>
+        <translation>SQLite %1以降</translation>
+    </message>
+    <message>
+        <source>the file holds a %1, &quot;%2&quot;, which this program does not make</source>
+        <comment>view, trigger or (virtual) table of a database</comment>
+        <translation>ファイルに、このプログラムが作らない%1「%2」があります</translation>
+    </message>
+    <message>
+        <source>plain tables and indices only</source>
+        <translation>通常の表と索引のみ</translation>
     </message>
 </context>
 <context>
@@ -3288,6 +3320,10 @@ Examples:
         <source>Point at a taxel to read it.</source>
         <translation>タクセルを指すと値を読み取れます。</translation>
     </message>
+    <message>
+        <source>No new data: the last frame is shown.</source>
+        <translation>新しいデータがありません。最後のフレームを表示しています。</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -3388,6 +3424,37 @@ Examples:
     <message>
         <source>Make a recording of an MCAP file</source>
         <translation>MCAPファイルから記録を作成する</translation>
+    </message>
+</context>
+<context>
+    <name>InputFileText</name>
+    <message>
+        <source>cannot open the file: %1</source>
+        <translation>ファイルを開けません: %1</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>this is a folder</source>
+        <translation>これはフォルダーです</translation>
+    </message>
+    <message>
+        <source>this is a pipe or a device</source>
+        <translation>これはパイプまたはデバイスです</translation>
+    </message>
+    <message>
+        <source>cannot read the file: %1</source>
+        <translation>ファイルを読めません: %1</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>ファイルが大きすぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>最大%1 MiB</translation>
     </message>
 </context>
 <context>
@@ -5279,6 +5346,41 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>PseudonymKey</name>
+    <message>
+        <source>another program changes the file</source>
+        <translation>別のプログラムがファイルを変更しています</translation>
+    </message>
+    <message>
+        <source>to try again in a moment</source>
+        <translation>しばらくしてからやり直すこと</translation>
+    </message>
+    <message>
+        <source>the key of the pseudonyms lies in the study&apos;s folder</source>
+        <translation>仮名の鍵が実験のフォルダーにあります</translation>
+    </message>
+    <message>
+        <source>a file apart from the data, which are copied and published</source>
+        <translation>データとは別の場所のファイル（データはコピーされ公開されます）</translation>
+    </message>
+    <message>
+        <source>a row has no participant</source>
+        <translation>参加者のない行があります</translation>
+    </message>
+    <message>
+        <source>a participant of the study</source>
+        <translation>実験の参加者</translation>
+    </message>
+    <message>
+        <source>the key has a person for &quot;%1&quot; already</source>
+        <translation>鍵には「%1」の人がすでにいます</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>別の名前</translation>
+    </message>
+</context>
+<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
@@ -5321,10 +5423,6 @@ Run %2 --help for more.
     <message>
         <source>the recording cannot be written: %1</source>
         <translation>記録を書き込めません: %1</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>そのようなファイルはありません</translation>
     </message>
     <message>
         <source>a recording of this program</source>
@@ -7396,10 +7494,6 @@ Run %2 --help for more.
         <translation>「%1」は参加者の名前に使えません</translation>
     </message>
     <message>
-        <source>a text of 1 to %1 characters</source>
-        <translation>1～%1文字のテキスト</translation>
-    </message>
-    <message>
         <source>another name</source>
         <translation>別の名前</translation>
     </message>
@@ -7458,6 +7552,10 @@ Run %2 --help for more.
     <message>
         <source>the patterns have changed since this study was created</source>
         <translation>パターンが、このスタディを始めたときのものと異なります</translation>
+    </message>
+    <message>
+        <source>a text of 1 to %1 characters that does not begin with = + - or @</source>
+        <translation>= + - @で始まらない1〜%1文字のテキスト</translation>
     </message>
 </context>
 <context>
@@ -8039,6 +8137,22 @@ Run %2 --help for more.
         <source>the columns stimulus and response</source>
         <translation>列stimulusとresponse</translation>
     </message>
+    <message>
+        <source>List the participants of a study, and who was deleted</source>
+        <translation>実験の参加者と、削除された参加者を一覧表示する</translation>
+    </message>
+    <message>
+        <source>Enrol a participant under a pseudonym</source>
+        <translation>参加者を仮名で登録する</translation>
+    </message>
+    <message>
+        <source>Delete a participant with everything that was kept</source>
+        <translation>保存されたすべてのデータとともに参加者を削除する</translation>
+    </message>
+    <message>
+        <source>Let others read what is written, as the umask allows; otherwise it is for you alone</source>
+        <translation>書き込むものを、umaskの許す範囲で他の人も読めるようにする。指定しなければ自分だけが読める</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -8049,6 +8163,22 @@ Run %2 --help for more.
     <message>
         <source>the file differs from what was written</source>
         <translation>ファイルの内容が書き込んだものと異なります</translation>
+    </message>
+    <message>
+        <source>cannot remove the file: %1</source>
+        <translation>ファイルを削除できません: %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is in a session at %2</source>
+        <translation>「%1」は%2でセッション中です</translation>
+    </message>
+    <message>
+        <source>a participant who is in no session</source>
+        <translation>セッション中でない参加者</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened to others: %1</source>
+        <translation>ファイルを他の人に公開できません: %1</translation>
     </message>
 </context>
 <context>
@@ -8383,6 +8513,129 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StudyPeople</name>
+    <message>
+        <source>Folder of the study</source>
+        <translation>実験のフォルダー</translation>
+    </message>
+    <message>
+        <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME</source>
+        <translation>実験のあるPostgreSQLサーバー、postgresql://USER@HOST/DATABASE?study=NAME</translation>
+    </message>
+    <message>
+        <source>Also say who is behind the pseudonyms</source>
+        <translation>仮名が誰のものかも表示する</translation>
+    </message>
+    <message>
+        <source>Name of the participant in the study; otherwise a pseudonym at random</source>
+        <translation>実験での参加者の名前。指定しなければ無作為な仮名</translation>
+    </message>
+    <message>
+        <source>File that keeps who is behind the pseudonyms, for you alone; not in the study&apos;s folder</source>
+        <translation>仮名が誰のものかを保存する、自分だけのファイル。実験のフォルダーの外に置く</translation>
+    </message>
+    <message>
+        <source>Name of the person, for the key</source>
+        <translation>鍵に書く本人の名前</translation>
+    </message>
+    <message>
+        <source>How to reach the person, for the key</source>
+        <translation>鍵に書く本人の連絡先</translation>
+    </message>
+    <message>
+        <source>Whom to delete</source>
+        <translation>削除する参加者</translation>
+    </message>
+    <message>
+        <source>Delete the person from this key as well</source>
+        <translation>この鍵からも本人を削除する</translation>
+    </message>
+    <message>
+        <source>Why, for the record that stays; without anything that tells who it was</source>
+        <translation>残る記録のための理由。誰であったかがわかることは書かない</translation>
+    </message>
+    <message>
+        <source>Really delete: this cannot be undone</source>
+        <translation>本当に削除する: 元に戻せません</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%nセッション</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n試行</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Deleted</source>
+        <translation>削除済み</translation>
+    </message>
+    <message numerus="yes">
+        <source>number %1 of the enrolment, on %2, %n trial(s)</source>
+        <translation>
+            <numerusform>登録番号%1、%2、%n試行</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled.</source>
+        <translation>登録されている人はいません。</translation>
+    </message>
+    <message>
+        <source>a key is missing, which would keep it: --key with a file apart from the study</source>
+        <translation>それを保存する鍵がありません: --keyに実験とは別のファイルを指定してください</translation>
+    </message>
+    <message>
+        <source>the name of the person is missing: --name</source>
+        <translation>本人の名前がありません: --name</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>参加者</translation>
+    </message>
+    <message>
+        <source>Number of the enrolment</source>
+        <translation>登録番号</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>取り除いたもの</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>鍵</translation>
+    </message>
+    <message>
+        <source>the person was deleted</source>
+        <translation>本人を削除しました</translation>
+    </message>
+    <message>
+        <source>had no such person</source>
+        <translation>該当する人はいませんでした</translation>
+    </message>
+    <message>
+        <source>Still counts the participant</source>
+        <translation>まだこの参加者を数えています</translation>
+    </message>
+    <message>
+        <source>Analyze the study again, and delete what was copied elsewhere.</source>
+        <translation>実験を分析し直し、ほかにコピーしたものを削除してください。</translation>
+    </message>
+    <message>
+        <source>it is missing, and all sessions, answers, notes, recordings and exported files of &quot;%1&quot; would be deleted, which cannot be undone</source>
+        <translation>指定がありません。「%1」のすべてのセッション、回答、メモ、記録、エクスポートされたファイルが削除され、元に戻せません</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n個のファイル</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StudyPlan</name>
     <message>
         <source>the protocol has no task &quot;%1&quot;</source>
@@ -8537,10 +8790,6 @@ Run %2 --help for more.
     <message>
         <source>another letter</source>
         <translation>別の文字</translation>
-    </message>
-    <message>
-        <source>cannot open the protocol: %1</source>
-        <translation>プロトコルを開けません: %1</translation>
     </message>
     <message>
         <source>there are too many patterns</source>
@@ -9282,6 +9531,18 @@ Run %2 --help for more.
         <source>a stored trial</source>
         <translation>ここに保存された試行</translation>
     </message>
+    <message>
+        <source>the study is open for reading only</source>
+        <translation>実験は読み取り専用で開かれています</translation>
+    </message>
+    <message>
+        <source>a folder that can be written to</source>
+        <translation>書き込めるフォルダー</translation>
+    </message>
+    <message>
+        <source>the study has no participant &quot;%1&quot;</source>
+        <translation>実験に参加者「%1」はいません</translation>
+    </message>
 </context>
 <context>
     <name>StudyTruth</name>
@@ -9994,18 +10255,6 @@ Run %2 --help for more.
         <translation>不明なキー「%1」</translation>
     </message>
     <message>
-        <source>the file cannot be opened</source>
-        <translation>ファイルを開けません</translation>
-    </message>
-    <message>
-        <source>a TOML file that can be read</source>
-        <translation>読み取り可能なTOMLファイル</translation>
-    </message>
-    <message>
-        <source>the file cannot be read</source>
-        <translation>ファイルを読み取れません</translation>
-    </message>
-    <message>
         <source>not valid TOML: %1</source>
         <translation>有効なTOMLではありません: %1</translation>
     </message>
@@ -10048,6 +10297,22 @@ Run %2 --help for more.
     <message>
         <source>one of them</source>
         <translation>そのうちの1つ</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>ファイルが大きすぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>最大%1 MiB</translation>
+    </message>
+    <message>
+        <source>the keys are nested too deeply</source>
+        <translation>キーの入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 levels</source>
+        <translation>最大%1段</translation>
     </message>
 </context>
 <context>
@@ -12405,6 +12670,14 @@ Run %2 --help for more.
         <source>Finishing…</source>
         <translation>完了処理中…</translation>
     </message>
+    <message>
+        <source>Recording failed</source>
+        <translation>記録に失敗</translation>
+    </message>
+    <message>
+        <source>Recording failed. Record</source>
+        <translation>記録に失敗しました。記録</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::SourceChooser</name>
@@ -13092,6 +13365,38 @@ Run %2 --help for more.
     <message>
         <source>Takes a few minutes; you can go on using the console</source>
         <translation>数分かかります。その間もコンソールを使えます</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DeletionDialog</name>
+    <message>
+        <source>Delete a participant</source>
+        <translation>参加者を削除</translation>
+    </message>
+    <message>
+        <source>For example: consent withdrawn</source>
+        <translation>例: 同意の撤回</translation>
+    </message>
+    <message>
+        <source>It is recorded; write nothing that tells who it was</source>
+        <translation>記録されます。誰であったかがわかることは書かないでください</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>理由(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the participant, once more</source>
+        <translation>参加者の名前をもう一度(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study keeps that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
+        <comment>a participant</comment>
+        <translation>%1のすべてのセッション、回答、メモ、記録、エクスポートされたファイルが削除されます。元に戻せません。実験には、誰かが削除されたことと日時だけが残ります。以前に計算された結果や、ほかの場所のコピーはそのまま残ります。</translation>
     </message>
 </context>
 <context>
@@ -15758,6 +16063,11 @@ Run %2 --help for more.
         <source>The note could not be saved.</source>
         <translation>メモを保存できませんでした。</translation>
     </message>
+    <message>
+        <source>%1 could not be deleted.</source>
+        <comment>a participant</comment>
+        <translation>%1を削除できませんでした。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyLeaving</name>
@@ -15974,6 +16284,15 @@ Run %2 --help for more.
     <message>
         <source>Plan</source>
         <translation>計画</translation>
+    </message>
+    <message>
+        <source>%1 was deleted.</source>
+        <comment>a participant</comment>
+        <translation>%1を削除しました。</translation>
+    </message>
+    <message>
+        <source>Results that were written before still count the participant: write them again.</source>
+        <translation>以前に書き込んだ結果は、まだこの参加者を数えています。書き込み直してください。</translation>
     </message>
 </context>
 <context>
@@ -17710,6 +18029,10 @@ Enter what you assume on the left, and choose Plan.</source>
         <source>View the protocol, or make another one from it</source>
         <translation>プロトコルを確認するか、それをもとに別のプロトコルを作ります</translation>
     </message>
+    <message>
+        <source>&amp;Delete the participant…</source>
+        <translation>参加者を削除(&amp;D)…</translation>
+    </message>
 </context>
 <context>
     <name>teleta::tactile::ChannelSettingsPanel</name>
@@ -18283,10 +18606,6 @@ Double-click to type the upper end.</source>
     <message>
         <source>Default patterns</source>
         <translation>既定のパターン</translation>
-    </message>
-    <message>
-        <source>The file could not be read: %1</source>
-        <translation>ファイルを読み取れませんでした: %1</translation>
     </message>
     <message>
         <source>Import</source>

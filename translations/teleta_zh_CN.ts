@@ -826,6 +826,10 @@
         <source>the file is not a readable video</source>
         <translation>该文件不是可读取的视频</translation>
     </message>
+    <message>
+        <source>this is a pipe</source>
+        <translation>这是管道</translation>
+    </message>
 </context>
 <context>
     <name>CameraPicture</name>
@@ -907,6 +911,14 @@
     <message>
         <source>The camera stopped sending frames.</source>
         <translation>相机不再提供帧。</translation>
+    </message>
+    <message>
+        <source>this is not a covariance</source>
+        <translation>这不是协方差</translation>
+    </message>
+    <message>
+        <source>a symmetric matrix without negative variances</source>
+        <translation>没有负方差的对称矩阵</translation>
     </message>
 </context>
 <context>
@@ -2414,6 +2426,14 @@ Examples:
         <source>List connected devices, how fast they are, and why others cannot be used</source>
         <translation>已连接的设备、未连接的原因及其速度</translation>
     </message>
+    <message>
+        <source>it answers, but sends no frames</source>
+        <translation>有应答，但不发送帧</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
 </context>
 <context>
     <name>EqualStrength</name>
@@ -2860,14 +2880,6 @@ Examples:
         <translation>没有这样的文件或内置图案</translation>
     </message>
     <message>
-        <source>the file is too large</source>
-        <translation>文件过大</translation>
-    </message>
-    <message>
-        <source>at most %1 MiB</source>
-        <translation>至多 %1 MiB</translation>
-    </message>
-    <message>
         <source>this format holds one tactor, the pattern uses more</source>
         <translation>此格式只容纳一个振子，而图案使用了更多</translation>
     </message>
@@ -2902,6 +2914,26 @@ Examples:
     <message>
         <source>this format can be written but not read</source>
         <translation>此格式的图案只能写出，不能读取</translation>
+    </message>
+</context>
+<context>
+    <name>ForeignDatabase</name>
+    <message>
+        <source>SQLite cannot be made defensive</source>
+        <translation>无法让 SQLite 进入防御模式</translation>
+    </message>
+    <message>
+        <source>SQLite %1 or newer</source>
+        <translation>SQLite %1 或更新版本</translation>
+    </message>
+    <message>
+        <source>the file holds a %1, &quot;%2&quot;, which this program does not make</source>
+        <comment>view, trigger or (virtual) table of a database</comment>
+        <translation>文件中有本程序不会创建的 %1“%2”</translation>
+    </message>
+    <message>
+        <source>plain tables and indices only</source>
+        <translation>仅普通的表和索引</translation>
     </message>
 </context>
 <context>
@@ -3288,6 +3320,10 @@ Examples:
         <source>Point at a taxel to read it.</source>
         <translation>将鼠标指向触元以读取数值。</translation>
     </message>
+    <message>
+        <source>No new data: the last frame is shown.</source>
+        <translation>没有新数据：显示的是最后一帧。</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -3388,6 +3424,37 @@ Examples:
     <message>
         <source>Make a recording of an MCAP file</source>
         <translation>由 MCAP 文件创建记录</translation>
+    </message>
+</context>
+<context>
+    <name>InputFileText</name>
+    <message>
+        <source>cannot open the file: %1</source>
+        <translation>无法打开文件：%1</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>一个文件</translation>
+    </message>
+    <message>
+        <source>this is a folder</source>
+        <translation>这是文件夹</translation>
+    </message>
+    <message>
+        <source>this is a pipe or a device</source>
+        <translation>这是管道或设备</translation>
+    </message>
+    <message>
+        <source>cannot read the file: %1</source>
+        <translation>无法读取文件：%1</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>文件太大</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>最多 %1 MiB</translation>
     </message>
 </context>
 <context>
@@ -5279,6 +5346,41 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>PseudonymKey</name>
+    <message>
+        <source>another program changes the file</source>
+        <translation>另一个程序正在修改该文件</translation>
+    </message>
+    <message>
+        <source>to try again in a moment</source>
+        <translation>稍后重试</translation>
+    </message>
+    <message>
+        <source>the key of the pseudonyms lies in the study&apos;s folder</source>
+        <translation>假名密钥位于研究文件夹中</translation>
+    </message>
+    <message>
+        <source>a file apart from the data, which are copied and published</source>
+        <translation>与数据分开的文件，因为数据会被复制和发布</translation>
+    </message>
+    <message>
+        <source>a row has no participant</source>
+        <translation>有一行没有被试</translation>
+    </message>
+    <message>
+        <source>a participant of the study</source>
+        <translation>研究的一名被试</translation>
+    </message>
+    <message>
+        <source>the key has a person for &quot;%1&quot; already</source>
+        <translation>密钥中已有“%1”对应的人</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>另一个名称</translation>
+    </message>
+</context>
+<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
@@ -5321,10 +5423,6 @@ Run %2 --help for more.
     <message>
         <source>the recording cannot be written: %1</source>
         <translation>无法写入记录：%1</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>没有这样的文件</translation>
     </message>
     <message>
         <source>a recording of this program</source>
@@ -7396,10 +7494,6 @@ Run %2 --help for more.
         <translation>“%1”不能作为被试的名称</translation>
     </message>
     <message>
-        <source>a text of 1 to %1 characters</source>
-        <translation>1 至 %1 个字符的文本</translation>
-    </message>
-    <message>
         <source>another name</source>
         <translation>另一个名称</translation>
     </message>
@@ -7458,6 +7552,10 @@ Run %2 --help for more.
     <message>
         <source>the patterns have changed since this study was created</source>
         <translation>图案不是本研究开始时所用的图案</translation>
+    </message>
+    <message>
+        <source>a text of 1 to %1 characters that does not begin with = + - or @</source>
+        <translation>1 到 %1 个字符且不以 = + - 或 @ 开头的文本</translation>
     </message>
 </context>
 <context>
@@ -8039,6 +8137,22 @@ Run %2 --help for more.
         <source>the columns stimulus and response</source>
         <translation>列 stimulus 和 response</translation>
     </message>
+    <message>
+        <source>List the participants of a study, and who was deleted</source>
+        <translation>列出研究的被试以及已删除的被试</translation>
+    </message>
+    <message>
+        <source>Enrol a participant under a pseudonym</source>
+        <translation>以假名登记被试</translation>
+    </message>
+    <message>
+        <source>Delete a participant with everything that was kept</source>
+        <translation>删除被试及其保存的一切数据</translation>
+    </message>
+    <message>
+        <source>Let others read what is written, as the umask allows; otherwise it is for you alone</source>
+        <translation>按 umask 允许他人读取写出的内容；否则只有您自己可读</translation>
+    </message>
 </context>
 <context>
     <name>StudyExport</name>
@@ -8049,6 +8163,22 @@ Run %2 --help for more.
     <message>
         <source>the file differs from what was written</source>
         <translation>文件内容与写入的不符</translation>
+    </message>
+    <message>
+        <source>cannot remove the file: %1</source>
+        <translation>无法删除文件：%1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is in a session at %2</source>
+        <translation>“%1”正在 %2 上进行场次</translation>
+    </message>
+    <message>
+        <source>a participant who is in no session</source>
+        <translation>不在场次中的被试</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened to others: %1</source>
+        <translation>无法将文件开放给他人：%1</translation>
     </message>
 </context>
 <context>
@@ -8383,6 +8513,129 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>StudyPeople</name>
+    <message>
+        <source>Folder of the study</source>
+        <translation>研究的文件夹</translation>
+    </message>
+    <message>
+        <source>PostgreSQL server that has the study, postgresql://USER@HOST/DATABASE?study=NAME</source>
+        <translation>存放研究的 PostgreSQL 服务器，postgresql://USER@HOST/DATABASE?study=NAME</translation>
+    </message>
+    <message>
+        <source>Also say who is behind the pseudonyms</source>
+        <translation>同时显示假名对应的人</translation>
+    </message>
+    <message>
+        <source>Name of the participant in the study; otherwise a pseudonym at random</source>
+        <translation>被试在研究中的名称；否则使用随机假名</translation>
+    </message>
+    <message>
+        <source>File that keeps who is behind the pseudonyms, for you alone; not in the study&apos;s folder</source>
+        <translation>保存假名对应关系的文件，仅供您使用；不放在研究文件夹中</translation>
+    </message>
+    <message>
+        <source>Name of the person, for the key</source>
+        <translation>写入密钥的姓名</translation>
+    </message>
+    <message>
+        <source>How to reach the person, for the key</source>
+        <translation>写入密钥的联系方式</translation>
+    </message>
+    <message>
+        <source>Whom to delete</source>
+        <translation>要删除的被试</translation>
+    </message>
+    <message>
+        <source>Delete the person from this key as well</source>
+        <translation>同时从该密钥中删除此人</translation>
+    </message>
+    <message>
+        <source>Why, for the record that stays; without anything that tells who it was</source>
+        <translation>留存记录中的原因；不要写能看出是谁的内容</translation>
+    </message>
+    <message>
+        <source>Really delete: this cannot be undone</source>
+        <translation>确实删除：无法撤销</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n 个场次</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n 次试次</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Deleted</source>
+        <translation>已删除</translation>
+    </message>
+    <message numerus="yes">
+        <source>number %1 of the enrolment, on %2, %n trial(s)</source>
+        <translation>
+            <numerusform>登记号 %1，%2，%n 次试次</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled.</source>
+        <translation>没有登记任何人。</translation>
+    </message>
+    <message>
+        <source>a key is missing, which would keep it: --key with a file apart from the study</source>
+        <translation>缺少用于保存的密钥：--key 加上与研究分开的文件</translation>
+    </message>
+    <message>
+        <source>the name of the person is missing: --name</source>
+        <translation>缺少姓名：--name</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>被试</translation>
+    </message>
+    <message>
+        <source>Number of the enrolment</source>
+        <translation>登记号</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>已移除</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>密钥</translation>
+    </message>
+    <message>
+        <source>the person was deleted</source>
+        <translation>已删除此人</translation>
+    </message>
+    <message>
+        <source>had no such person</source>
+        <translation>没有此人</translation>
+    </message>
+    <message>
+        <source>Still counts the participant</source>
+        <translation>仍包含该被试</translation>
+    </message>
+    <message>
+        <source>Analyze the study again, and delete what was copied elsewhere.</source>
+        <translation>请重新分析研究，并删除复制到别处的内容。</translation>
+    </message>
+    <message>
+        <source>it is missing, and all sessions, answers, notes, recordings and exported files of &quot;%1&quot; would be deleted, which cannot be undone</source>
+        <translation>缺少该选项；“%1”的全部场次、回答、备注、记录和导出文件都会被删除，且无法撤销</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n 个文件</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StudyPlan</name>
     <message>
         <source>the protocol has no task &quot;%1&quot;</source>
@@ -8537,10 +8790,6 @@ Run %2 --help for more.
     <message>
         <source>another letter</source>
         <translation>另一个字母</translation>
-    </message>
-    <message>
-        <source>cannot open the protocol: %1</source>
-        <translation>无法打开方案：%1</translation>
     </message>
     <message>
         <source>there are too many patterns</source>
@@ -9282,6 +9531,18 @@ Run %2 --help for more.
         <source>a stored trial</source>
         <translation>在此保存过的试次</translation>
     </message>
+    <message>
+        <source>the study is open for reading only</source>
+        <translation>研究以只读方式打开</translation>
+    </message>
+    <message>
+        <source>a folder that can be written to</source>
+        <translation>可写入的文件夹</translation>
+    </message>
+    <message>
+        <source>the study has no participant &quot;%1&quot;</source>
+        <translation>研究中没有被试“%1”</translation>
+    </message>
 </context>
 <context>
     <name>StudyTruth</name>
@@ -9994,18 +10255,6 @@ Run %2 --help for more.
         <translation>未知的键“%1”</translation>
     </message>
     <message>
-        <source>the file cannot be opened</source>
-        <translation>无法打开文件</translation>
-    </message>
-    <message>
-        <source>a TOML file that can be read</source>
-        <translation>可读取的 TOML 文件</translation>
-    </message>
-    <message>
-        <source>the file cannot be read</source>
-        <translation>无法读取文件</translation>
-    </message>
-    <message>
         <source>not valid TOML: %1</source>
         <translation>不是有效的 TOML：%1</translation>
     </message>
@@ -10048,6 +10297,22 @@ Run %2 --help for more.
     <message>
         <source>one of them</source>
         <translation>其中之一</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>文件太大</translation>
+    </message>
+    <message>
+        <source>at most %1 MiB</source>
+        <translation>最多 %1 MiB</translation>
+    </message>
+    <message>
+        <source>the keys are nested too deeply</source>
+        <translation>键嵌套过深</translation>
+    </message>
+    <message>
+        <source>at most %1 levels</source>
+        <translation>最多 %1 层</translation>
     </message>
 </context>
 <context>
@@ -12405,6 +12670,14 @@ Run %2 --help for more.
         <source>Finishing…</source>
         <translation>正在完成…</translation>
     </message>
+    <message>
+        <source>Recording failed</source>
+        <translation>记录失败</translation>
+    </message>
+    <message>
+        <source>Recording failed. Record</source>
+        <translation>记录失败。记录</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::SourceChooser</name>
@@ -13092,6 +13365,38 @@ Run %2 --help for more.
     <message>
         <source>Takes a few minutes; you can go on using the console</source>
         <translation>需要几分钟；期间仍可使用控制台</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DeletionDialog</name>
+    <message>
+        <source>Delete a participant</source>
+        <translation>删除被试</translation>
+    </message>
+    <message>
+        <source>For example: consent withdrawn</source>
+        <translation>例如：撤回同意</translation>
+    </message>
+    <message>
+        <source>It is recorded; write nothing that tells who it was</source>
+        <translation>会被记录；不要写能看出是谁的内容</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the participant, once more</source>
+        <translation>再次输入被试名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study keeps that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
+        <comment>a participant</comment>
+        <translation>%1 的全部场次、回答、备注、记录和导出文件都会被删除，且无法撤销。研究只保留“有人被删除”及其时间。以前算出的结果以及别处的副本保持不变。</translation>
     </message>
 </context>
 <context>
@@ -15758,6 +16063,11 @@ Run %2 --help for more.
         <source>The note could not be saved.</source>
         <translation>无法保存备注。</translation>
     </message>
+    <message>
+        <source>%1 could not be deleted.</source>
+        <comment>a participant</comment>
+        <translation>无法删除 %1。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyLeaving</name>
@@ -15974,6 +16284,15 @@ Run %2 --help for more.
     <message>
         <source>Plan</source>
         <translation>规划</translation>
+    </message>
+    <message>
+        <source>%1 was deleted.</source>
+        <comment>a participant</comment>
+        <translation>已删除 %1。</translation>
+    </message>
+    <message>
+        <source>Results that were written before still count the participant: write them again.</source>
+        <translation>以前写出的结果仍包含该被试：请重新写出。</translation>
     </message>
 </context>
 <context>
@@ -17710,6 +18029,10 @@ Enter what you assume on the left, and choose Plan.</source>
         <source>View the protocol, or make another one from it</source>
         <translation>查看方案，或由它制作另一个方案</translation>
     </message>
+    <message>
+        <source>&amp;Delete the participant…</source>
+        <translation>删除被试(&amp;D)…</translation>
+    </message>
 </context>
 <context>
     <name>teleta::tactile::ChannelSettingsPanel</name>
@@ -18283,10 +18606,6 @@ Double-click to type the upper end.</source>
     <message>
         <source>Default patterns</source>
         <translation>默认图案</translation>
-    </message>
-    <message>
-        <source>The file could not be read: %1</source>
-        <translation>无法读取文件：%1</translation>
     </message>
     <message>
         <source>Import</source>

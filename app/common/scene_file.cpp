@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/scene_file.h"
 
+#include "backend/core/data/input_file.h"
+#include "backend/core/keys/toml_depth.h"
 #include "backend/scene/scene_reader.h"
 
 #include <QDir>
@@ -12,42 +14,31 @@ namespace teleta::app {
 
 namespace {
 
-/// The file of a scene, or the resource, which only Qt can read.
-QString placeOf(const std::string& pathOrName) {
+/// The file of a scene, or the resource.
+std::string placeOf(const std::string& pathOrName) {
     const QString name = QString::fromStdString(pathOrName);
     const QString resource = QStringLiteral(":/scenes/%1.toml").arg(name);
     const QFileInfo file(name);
     // The results of an earlier run may lie in a folder of that name.
-    return (file.exists() && !file.isDir()) || !QFile::exists(resource) ? name : resource;
+    return (file.exists() && !file.isDir()) || !QFile::exists(resource) ? pathOrName : resource.toStdString();
 }
 
 } // namespace
 
 core::Expected<scene::Scene> readScene(const std::string& pathOrName) {
-    const QString place = placeOf(pathOrName);
-    if (!place.startsWith(QStringLiteral(":/")))
-        return scene::readScene(pathOrName);
-    QFile file(place);
-    if (!file.open(QIODevice::ReadOnly))
-        return core::Unexpected(
-            core::Error{core::ErrorKind::notFound, file.errorString().toStdString(), {}, {pathOrName, 0, 0}});
-    return scene::parseScene(file.readAll().toStdString(), place.toStdString());
+    return scene::readScene(placeOf(pathOrName));
 }
 
 core::Expected<AnyScene> readAnyScene(const std::string& pathOrName) {
-    const QString place = placeOf(pathOrName);
-    QFile file(place);
-    if (file.open(QIODevice::ReadOnly)) {
-        const std::string text = file.readAll().toStdString();
-        if (study::isStudyScene(text))
-            return study::parseStudyScene(text, place.toStdString());
-    }
-    return readScene(pathOrName);
+    const std::string place = placeOf(pathOrName);
+    TELETA_TRY(const std::string text, core::readFile(place, core::kMostTomlBytes));
+    if (study::isStudyScene(text))
+        return study::parseStudyScene(text, place);
+    return scene::parseScene(text, place);
 }
 
 std::string readSceneText(const std::string& pathOrName) {
-    QFile file(placeOf(pathOrName));
-    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+    return core::readFile(placeOf(pathOrName), core::kMostTomlBytes).value_or(std::string());
 }
 
 std::vector<std::string> sceneNames() {

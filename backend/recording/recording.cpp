@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/recording.h"
 
+#include "backend/core/data/input_file.h"
 #include "backend/core/failure.h"
 #include "backend/recording/recording_database.h"
 
@@ -207,7 +208,8 @@ bool Recording::looksLikeOne(const std::string& path) {
     if (RecordingDatabase::isWrittenHere(path))
         return true;
     QFile file(QString::fromStdString(path));
-    return file.open(QIODevice::ReadOnly) && RecordingDatabase::beginsLikeOne(file);
+    return core::requireFile(path) && file.open(QIODevice::ReadOnly) &&
+           RecordingDatabase::beginsLikeOne(file);
 }
 
 core::Expected<Recording> Recording::open(const std::string& path) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/recording_database.h"
 
+#include "backend/core/data/input_file.h"
 #include "backend/core/failure.h"
+#include "backend/core/sqlite/foreign_database.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -127,13 +129,15 @@ core::Expected<void> RecordingDatabase::connect(const QString& options) {
     m_database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(kWaitForOthers_ms) + options);
     if (!m_database.open())
         return failed(m_database.lastError());
-    return {};
+    return core::distrustSchema(m_database, m_path);
 }
 
 core::Expected<void> RecordingDatabase::create() {
     QFile file(QString::fromStdString(m_path));
-    // Exclusively, so that no recording is overwritten.
-    if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly)) {
+    // Exclusively, so that no recording is overwritten; for its owner alone, since people's touches are in
+    // it.
+    if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly,
+                   QFileDevice::ReadOwner | QFileDevice::WriteOwner)) {
         if (file.exists())
             return core::failed(core::ErrorKind::refused,
                                 RecordingText::tr("a file of this name already exists"),
@@ -166,9 +170,7 @@ core::Expected<void> RecordingDatabase::checkFile() const {
     if (isWrittenHere(m_path))
         return {};
     QFile file(QString::fromStdString(m_path));
-    if (!file.exists())
-        return core::failed(core::ErrorKind::notFound, RecordingText::tr("there is no such file"), {},
-                            {m_path});
+    TELETA_CHECK(core::requireFile(m_path));
     if (!file.open(QIODevice::ReadOnly))
         return core::failed(core::ErrorKind::ioFailed, file.errorString(), {}, {m_path});
     if (!beginsLikeOne(file))

@@ -126,6 +126,9 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
             if (source.find('%') == std::string::npos && !std::filesystem::exists(source, ignored))
                 return failed(core::ErrorKind::notFound, VideoText::tr("the file does not exist"), {},
                               source);
+            if (std::filesystem::is_fifo(source, ignored))
+                return failed(core::ErrorKind::badInput, VideoText::tr("this is a pipe"),
+                              VideoText::tr("a video, or the number of a camera"), source);
             if (std::filesystem::is_directory(source, ignored))
                 return failed(core::ErrorKind::badInput, VideoText::tr("this is a folder"),
                               VideoText::tr("a video, or the number of a camera"), source);

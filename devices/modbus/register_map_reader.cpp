@@ -4,7 +4,6 @@
 #include "devices/modbus/register_map.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QString>
 
 #include <algorithm>
@@ -252,13 +251,11 @@ void RegisterMap::describeKeys(Keys& keys) {
 }
 
 core::Expected<RegisterMap> readRegisterMap(const std::string& path) {
-    if (!path.starts_with(":/"))
-        return core::TomlDocument::open(path).and_then(core::readKeys<RegisterMap>);
-    QFile file(QString::fromStdString(path));
-    if (!file.open(QIODevice::ReadOnly))
+    auto document = core::TomlDocument::open(path);
+    if (!document && document.error().kind == core::ErrorKind::notFound && path.starts_with(":/"))
         return core::failed(core::ErrorKind::notFound,
                             RegisterMapReader::tr("no such device comes with the program"), {}, {path});
-    return parseRegisterMap(file.readAll().toStdString(), path);
+    return document.and_then(core::readKeys<RegisterMap>);
 }
 
 core::Expected<RegisterMap> parseRegisterMap(std::string_view text, const std::string& file) {

@@ -44,6 +44,42 @@ target_link_libraries(teleta_options INTERFACE Threads::Threads)
 if(TELETA_WERROR)
     target_compile_options(teleta_options INTERFACE -Werror)
 endif()
+
+# Debian's hardening flags: position-independent programs, read-only relocations bound at the start, checked library
+# calls, guarded stacks; and guarded branches (CET), which Debian 12 leaves to the packages. packaging/check_hardening.sh
+# looks for them in programs.
+include(CheckPIESupported)
+check_pie_supported(LANGUAGES CXX)
+add_library(teleta_hardening INTERFACE)
+set(hardening_compile -fstack-protector-strong -Wformat -Werror=format-security -D_FORTIFY_SOURCE=2)
+set(hardening_link -Wl,-z,relro -Wl,-z,now)
+find_program(TELETA_DPKG_BUILDFLAGS dpkg-buildflags)
+if(TELETA_DPKG_BUILDFLAGS)
+    # Optimization, debug information and paths are the build type's business.
+    set(not_hardening "^(-O.*|-g.*|-f(file|debug|macro)-prefix-map=.*|-Wdate-time)$")
+    foreach(kind CPPFLAGS CXXFLAGS LDFLAGS)
+        execute_process(
+            COMMAND "${CMAKE_COMMAND}" -E env DEB_BUILD_MAINT_OPTIONS=hardening=+all "${TELETA_DPKG_BUILDFLAGS}" --get ${kind}
+            OUTPUT_VARIABLE flags
+            OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+        separate_arguments(flags)
+        list(FILTER flags EXCLUDE REGEX "${not_hardening}")
+        if(kind STREQUAL "LDFLAGS")
+            set(hardening_link ${flags})
+        else()
+            list(APPEND hardening_${kind} ${flags})
+        endif()
+    endforeach()
+    set(hardening_compile ${hardening_CPPFLAGS} ${hardening_CXXFLAGS})
+endif()
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+    list(APPEND hardening_compile -fcf-protection)
+endif()
+target_compile_options(teleta_hardening INTERFACE ${hardening_compile})
+target_link_options(teleta_hardening INTERFACE ${hardening_link})
+if(TELETA_HARDENING)
+    target_link_libraries(teleta_options INTERFACE teleta_hardening)
+endif()
 if(TELETA_SANITIZE)
     target_compile_options(teleta_options INTERFACE -fsanitize=${TELETA_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(teleta_options INTERFACE -fsanitize=${TELETA_SANITIZE})

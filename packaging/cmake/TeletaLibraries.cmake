@@ -9,6 +9,7 @@ find_package(Ceres 2.1 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json 3.11 REQUIRED)
+find_package(SQLite3 3.31 REQUIRED)
 find_package(tomlplusplus 3.3 CONFIG REQUIRED)
 # Never highgui: Debian's links Qt 5.
 find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgcodecs imgproc video videoio)

@@ -62,12 +62,12 @@ RecordingIndicator::RecordingIndicator(QWidget* parent)
 }
 
 void RecordingIndicator::setReading(const RecordingReading& reading) {
-    const State before = m_reading.state;
+    const RecordingReading before = m_reading;
     m_reading = reading;
     const QString now = text();
     if (m_record->text() != now)
         m_record->setText(now);
-    if (before == reading.state)
+    if (before.state == reading.state && before.problem == reading.problem)
         return;
     restyle();
     describe();
@@ -88,14 +88,14 @@ QString RecordingIndicator::text() const {
     case State::idle:
         break;
     }
-    return tr("Record");
+    return m_reading.problem.isEmpty() ? tr("Record") : tr("Recording failed");
 }
 
 void RecordingIndicator::restyle() {
     const bool recording = m_reading.state == State::recording;
     m_record->setIcon(dot(*this, recording));
     QFont font = this->font();
-    font.setBold(recording);
+    font.setBold(recording || !m_reading.problem.isEmpty());
     m_record->setFont(font);
     m_mark->setIcon(base::themeIcon(base::Icon::mark));
 }
@@ -104,9 +104,13 @@ void RecordingIndicator::describe() {
     const bool recording = m_reading.state == State::recording;
     m_record->setText(text());
     m_record->setEnabled(recording || m_reading.state == State::idle);
-    m_record->setToolTip(recording ? tr("End the recording (Ctrl+R)")
-                                   : tr("Record all sources and the bracelet into a file (Ctrl+R)"));
-    m_record->setAccessibleName(recording ? tr("End the recording") : tr("Record"));
+    const QString record = tr("Record all sources and the bracelet into a file (Ctrl+R)");
+    m_record->setToolTip(recording                     ? tr("End the recording (Ctrl+R)")
+                         : m_reading.problem.isEmpty() ? record
+                                                       : m_reading.problem + QLatin1Char('\n') + record);
+    m_record->setAccessibleName(recording                     ? tr("End the recording")
+                                : m_reading.problem.isEmpty() ? tr("Record")
+                                                              : tr("Recording failed. Record"));
     m_mark->setText(tr("Mark"));
     m_mark->setToolTip(tr("Mark this moment (M)"));
     m_mark->setAccessibleName(tr("Mark this moment"));

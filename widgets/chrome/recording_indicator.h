@@ -18,9 +18,11 @@ struct RecordingReading {
     double duration_s = 0.0;
     std::uint64_t bytes = 0; ///< of the file
     std::uint64_t lost = 0;  ///< frames that could not be written in time
+    QString problem;         ///< while idle: why the last recording ended by itself, or did not begin
 };
 
-/// Starts, marks and ends a recording; shows a red dot and a word, time, size and losses. Thread: GUI.
+/// Starts, marks and ends a recording; shows a red dot and a word, time, size and losses, and whether the
+/// last recording failed. Thread: GUI.
 class RecordingIndicator : public QWidget {
     Q_OBJECT
 

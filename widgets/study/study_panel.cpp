@@ -5,6 +5,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/study/watermark.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
@@ -35,6 +36,10 @@ StudyPanel::StudyPanel(QWidget* parent)
     for (QLabel* label : {m_folder, m_store, m_protocol})
         label->setFont(base::sized(font(), base::kSmallText));
     m_folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_list->addAction(m_delete);
+    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_delete->setShortcut(QKeySequence::Delete);
+    m_delete->setShortcutContext(Qt::WidgetShortcut);
     m_list->setColumnCount(2);
     m_list->setUniformRowHeights(true);
     m_list->setIndentation(base::em(this, 0.9));
@@ -72,6 +77,12 @@ StudyPanel::StudyPanel(QWidget* parent)
     };
     connect(m_add, &QPushButton::clicked, this, enrol);
     connect(m_id, &QLineEdit::returnPressed, this, enrol);
+    connect(m_delete, &QAction::triggered, this, [this] {
+        QTreeWidgetItem* item = m_list->currentItem();
+        if (item != nullptr && !m_scene.locked)
+            emit deleteRequested(
+                m_list->indexOfTopLevelItem(item->parent() != nullptr ? item->parent() : item));
+    });
     connect(m_list, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (item == nullptr)
             return;
@@ -127,6 +138,7 @@ void StudyPanel::refresh() {
     m_protocol->setText(m_scene.protocol);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_list, m_new, m_open, m_add})
         widget->setEnabled(!m_scene.locked);
+    m_delete->setEnabled(!m_scene.locked && !m_scene.participants.empty());
     m_id->setReadOnly(m_scene.locked); // it keeps the keyboard
     const bool real = m_scene.mode != Mode::simulated;
     m_id->setVisible(real);
@@ -172,6 +184,7 @@ void StudyPanel::retranslate() {
     m_edit->setText(tr("Pro&tocol\u2026"));
     m_edit->setToolTip(tr("View the protocol, or make another one from it"));
     m_people->setText(tr("Participants"));
+    m_delete->setText(tr("&Delete the participant\u2026"));
     m_list->setHeaderLabels({tr("Session"), tr("State")});
     m_list->setAccessibleName(tr("Participants and their sessions"));
     m_id->setPlaceholderText(tr("Name of a new participant, for example P07"));

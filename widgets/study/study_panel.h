@@ -72,6 +72,8 @@ signals:
     void protocolRequested();
     void enrolRequested(const QString& id);
     void sessionChosen(int participant, int session);
+    /// Of the list's menu, or by the key Delete.
+    void deleteRequested(int participant);
 
 private:
     void retranslate();
@@ -89,6 +91,7 @@ private:
     QPushButton* m_edit = new QPushButton(this);
     QLabel* m_people = new QLabel(this);
     QTreeWidget* m_list = base::named<QTreeWidget>("participants", this);
+    QAction* m_delete = base::named<QAction>("deleteParticipant", m_list);
     QLineEdit* m_id = base::named<QLineEdit>("participantId", this);
     QPushButton* m_add = base::named<QPushButton>("addParticipant", this);
 };

@@ -32,6 +32,7 @@ struct HeatmapZoom {
 struct HeatmapContent {
     pipeline::TouchSnapshot snapshot;
     bool valid = false; ///< false: emptyText is shown instead
+    bool old = false;   ///< the source sends nothing any more; its last frame is shown faded
     std::array<bool, kOverlays> overlays{true, true, true, true, false};
     double rangeTop = 1.0; ///< load at the upper end of the colours
     bool rangeFixed = false;

@@ -107,6 +107,8 @@ void HeatmapPainter::paint(QPainter& painter, const HeatmapLayout& layout, const
     if (content.shows(Overlay::contacts))
         paintContactLabels();
     paintCursor();
+    if (content.old)
+        paintVeil();
     painter.restore();
     paintColourBar();
     paintHeader();
@@ -114,6 +116,16 @@ void HeatmapPainter::paint(QPainter& painter, const HeatmapLayout& layout, const
     if (medium == Medium::screen)
         paintReadout();
     painter.restore();
+}
+
+void HeatmapPainter::paintVeil() {
+    constexpr int kVeil = 190; // of 255
+    const QRectF all = m_layout->visible();
+    QColor veil = m_palette.color(QPalette::Window);
+    veil.setAlpha(kVeil);
+    m_painter->fillRect(all, veil);
+    m_painter->setPen(m_palette.color(QPalette::WindowText));
+    m_painter->drawText(all, Qt::AlignCenter | Qt::TextWordWrap, tr("No new data: the last frame is shown."));
 }
 
 double HeatmapPainter::markRadius() const {

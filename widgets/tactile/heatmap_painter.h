@@ -37,6 +37,7 @@ private:
     void paintAxis();
     void paintMarks();
     void paintCursor();
+    void paintVeil();
     void paintScales();
     void paintColourBar();
     void paintHeader();

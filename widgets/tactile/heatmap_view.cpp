@@ -130,6 +130,13 @@ void HeatmapView::setProvenance(base::Provenance provenance) {
     update();
 }
 
+void HeatmapView::setOld(bool old) {
+    if (m_content.old == old)
+        return;
+    m_content.old = old;
+    update();
+}
+
 void HeatmapView::setFixedRange(std::optional<double> top) {
     if (top && !(std::isfinite(*top) && *top > 0.0))
         return;

@@ -39,6 +39,8 @@ public:
     void clear();
     void setEmptyText(const QString& text);
     void setProvenance(base::Provenance provenance);
+    /// Whether the source sends nothing any more; its last frame is shown faded then, and says so.
+    void setOld(bool old);
 
     /// Checkable; for menus and for remembering.
     [[nodiscard]] QAction* overlayAction(Overlay overlay) const;

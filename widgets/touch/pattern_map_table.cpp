@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/pattern_map_table.h"
 
+#include "backend/core/data/input_file.h"
 #include "backend/pattern/files/pattern_json.h"
 #include "backend/stiffness/material.h"
 #include "widgets/base/file_dialog.h"
@@ -14,7 +15,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QEvent>
-#include <QFile>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -272,10 +272,8 @@ void PatternMapTable::resetToDefaults() {
 }
 
 core::Expected<void> PatternMapTable::importFrom(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return fileError(path, tr("The file could not be read: %1"), file.errorString());
-    TELETA_TRY(const auto map, pattern::patternMapFromJson(file.readAll().toStdString(), path.toStdString()));
+    TELETA_TRY(const std::string text, core::readFile(path.toStdString()));
+    TELETA_TRY(const auto map, pattern::patternMapFromJson(text, path.toStdString()));
     edit(map, tr("Import"));
     return {};
 }

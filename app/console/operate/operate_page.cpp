@@ -189,6 +189,8 @@ void OperatePage::tickArray(pipeline::TouchChannel& array, SourceManager::Item& 
         m_charts->append(sample);
         m_marks->take(sample);
     }
+    const core::DeviceState state = readingOf(array.status(), item, array.summary().nominalRate_Hz).state;
+    m_heatmap->setOld(state == core::DeviceState::stale || state == core::DeviceState::lost);
     if (!array.update())
         return;
     const pipeline::TouchSnapshot& snapshot = array.snapshot();
@@ -276,6 +278,7 @@ void OperatePage::showArray(pipeline::TouchChannel* array, base::Provenance prov
         return;
     }
     m_heatmap->setProvenance(provenance);
+    m_heatmap->setOld(false);
     m_charts->setProvenance(provenance);
     m_scene->setProvenance(provenance);
     const pipeline::ChannelSettings settings = array->settings();

@@ -183,6 +183,9 @@ void RecordingControls::tick() {
     reading.duration_s = m_service.status().duration_s;
     reading.bytes = m_service.status().bytes;
     reading.lost = m_service.status().dropped;
+    if (m_service.state() != RecordingService::State::idle)
+        m_problem.clear();
+    reading.problem = m_problem;
     m_indicator->setReading(reading);
 }
 
@@ -202,6 +205,8 @@ void RecordingControls::update() {
 
 void RecordingControls::onFailed(const core::Error& error, bool begun) {
     const QString details = QString::fromStdString(core::describe(error));
+    // The messages below are on the page Operate; the indicator is on all pages.
+    m_problem = details;
     if (begun)
         m_page.messages().post(
             {chrome::Message::Severity::error,

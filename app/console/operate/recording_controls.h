@@ -65,6 +65,7 @@ private:
     QAction* m_mcap;
     QAction* m_undo;
     QAction* m_redo;
+    QString m_problem; ///< of the last recording; empty: none, or another one has begun
 };
 
 } // namespace teleta::console

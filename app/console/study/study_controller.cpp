@@ -3,6 +3,7 @@
 
 #include "app/console/study/study_writing.h"
 #include "backend/study/protocol/stimulus_set.h"
+#include "backend/study/report/exports/participant_deletion.h"
 #include "backend/study/report/exports/study_export.h"
 #include "widgets/base/background.h"
 
@@ -232,6 +233,28 @@ void StudyController::enrol(const QString& id) {
             m_chosen.reset();
             m_noiseConfirmed = false;
             emit enrolled(id);
+        });
+}
+
+void StudyController::deleteParticipant(const QString& id, const QString& reason) {
+    if (!m_overview || isActive() || isBusy())
+        return;
+    auto stale = std::make_shared<QStringList>();
+    askForOverview(
+        tr("%1 could not be deleted.", "a participant").arg(id),
+        [id = id.toStdString(), reason = reason.toStdString(), now = m_utcNow(),
+         stale](StudyStoreThread::Store& store) {
+            return study::deleteFromStudy(*store, id, reason, now)
+                .and_then([&](const study::DeletedParticipant& gone) {
+                    for (const std::string& path : gone.stale)
+                        stale->append(QString::fromStdString(path));
+                    return overviewOf(*store);
+                });
+        },
+        [this, id, stale] {
+            m_chosen.reset();
+            m_noiseConfirmed = false;
+            emit deleted(id, *stale);
         });
 }
 

@@ -16,6 +16,7 @@
 #include <QDateTime>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <cstdint>
 #include <functional>
@@ -50,6 +51,8 @@ public:
     /// Both change nothing while a session is under way or the store is busy.
     void enrol(const QString& id);
     void choose(int participant, int session);
+    /// Deletes a participant with everything that was kept and exported; deleted() follows.
+    void deleteParticipant(const QString& id, const QString& reason);
 
     /// Starts or resumes the chosen session if all checks pass.
     void begin();
@@ -123,6 +126,8 @@ signals:
     void resultsOutdated();
     void rehearsed();
     void enrolled(const QString& id);
+    /// stale: results in the study's folder that still count the participant.
+    void deleted(const QString& id, const QStringList& stale);
     void noteNotKept(const QString& text);
     void written(const QString& folder);
     void failed(const QString& what, const teleta::core::Error& error);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_page.h"
 
+#include "app/console/study/forms/deletion_dialog.h"
 #include "app/console/study/forms/new_study_dialog.h"
 #include "app/console/study/forms/protocol_dialog.h"
 #include "app/console/study/forms/server_fields.h"
@@ -209,6 +210,16 @@ void StudyPage::connectViews() {
             [this] { showProtocol(m_controller.overview()->head.protocol); });
     connect(m_study, &StudyPanel::enrolRequested, &m_controller, &StudyController::enrol);
     connect(&m_controller, &StudyController::enrolled, m_study, &StudyPanel::clearName);
+    connect(m_study, &StudyPanel::deleteRequested, this, &StudyPage::askForDeletion);
+    connect(&m_controller, &StudyController::deleted, this,
+            [this](const QString& id, const QStringList& stale) {
+                m_messages->post(
+                    {chrome::Message::Severity::information, tr("%1 was deleted.", "a participant").arg(id),
+                     stale.isEmpty() ? QString()
+                                     : tr("Results that were written before still count the participant: "
+                                          "write them again."),
+                     stale.join(QLatin1Char('\n'))});
+            });
     connect(m_study, &StudyPanel::sessionChosen, &m_controller, &StudyController::choose);
 
     const auto figureFailed = [this](const QString& message) {
@@ -256,6 +267,19 @@ void StudyPage::connectViews() {
         if (std::exchange(m_rehearseWhenOpened, false))
             m_controller.startRehearsal();
     });
+}
+
+void StudyPage::askForDeletion(int participant) {
+    const auto& overview = m_controller.overview();
+    if (!overview || participant < 0 ||
+        static_cast<std::size_t>(participant) >= overview->participants.size())
+        return;
+    const QString id =
+        QString::fromStdString(overview->participants[static_cast<std::size_t>(participant)].participant.id);
+    auto* dialog = new DeletionDialog(id, this);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, id] { m_controller.deleteParticipant(id, dialog->reason()); });
+    dialog->open();
 }
 
 void StudyPage::open(const QString& path) {

@@ -87,6 +87,7 @@ private:
     void doNextStep();
     void askForNewStudy(study::Mode mode, std::optional<study::Protocol> protocol = {});
     void askForStudy();
+    void askForDeletion(int participant);
     void askForServer();
     void showProtocol(const study::Protocol& protocol);
     void askForProtocol();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/keys/toml_table.h"
 
+#include "backend/core/data/input_file.h"
 #include "backend/core/failure.h"
 #include "backend/core/keys/key_lists.h"
 #include "backend/core/keys/key_names.h"
+#include "backend/core/keys/toml_depth.h"
 #include "backend/core/unit_names.h"
 
 #include <QCoreApplication>
@@ -13,8 +15,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace teleta::core {
 
@@ -169,22 +169,20 @@ struct TomlTable::Data {
 };
 
 Expected<TomlDocument> TomlDocument::open(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream)
-        return failed(ErrorKind::notFound, TomlReader::tr("the file cannot be opened"),
-                      TomlReader::tr("a TOML file that can be read"), {path});
-    std::ostringstream text;
-    // An empty file sets failbit on the output, which is no read error.
-    if (stream.peek() != std::ifstream::traits_type::eof())
-        text << stream.rdbuf();
-    if (stream.bad() || text.bad() || text.fail())
-        return failed(ErrorKind::ioFailed, TomlReader::tr("the file cannot be read"), {}, {path});
-    return parse(text.str(), path);
+    TELETA_TRY(const std::string text, readFile(path, kMostTomlBytes));
+    return parse(text, path);
 }
 
 Expected<TomlDocument> TomlDocument::parse(std::string_view text, const std::string& file) {
     auto data = std::make_shared<Data>();
     data->file = file;
+    if (text.size() > kMostTomlBytes)
+        return failed(ErrorKind::badInput, TomlReader::tr("the file is too large"),
+                      TomlReader::tr("at most %1 MiB").arg(kMostTomlBytes >> 20U), {file});
+    if (const std::optional<TextPlace> place = tomlDeeperThan(text, kDeepestToml))
+        return failed(ErrorKind::badInput, TomlReader::tr("the keys are nested too deeply"),
+                      TomlReader::tr("at most %1 levels").arg(kDeepestToml),
+                      {file, place->line, place->column});
     try {
         data->root = toml::parse(text);
     } catch (const toml::parse_error& error) {

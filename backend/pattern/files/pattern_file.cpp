@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/files/pattern_file.h"
 
-#include "backend/core/data/json_document.h"
+#include "backend/core/data/input_file.h"
 #include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"
 #include "backend/pattern/files/foreign_formats.h"
@@ -13,7 +13,6 @@
 
 #include <QCoreApplication>
 #include <QDate>
-#include <QFile>
 
 #include <utility>
 #include <vector>
@@ -32,21 +31,12 @@ core::Unexpected failure(core::ErrorKind kind, const std::string& path, const QS
 }
 
 core::Expected<std::string> readBytes(const std::string& path) {
-    QFile file(QString::fromStdString(path));
-    if (!file.exists())
+    core::Expected<std::string> bytes = core::readFile(path);
+    if (!bytes && bytes.error().kind == core::ErrorKind::notFound)
         return failure(core::ErrorKind::notFound, path,
                        FileText::tr("there is no such file or built-in pattern"),
                        FileText::tr("a pattern file, or an id listed by teleta pattern list"));
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(core::ErrorKind::ioFailed, path, file.errorString(), {});
-    // One byte more than the limit shows that it is exceeded, even for a pipe, whose size is unknown.
-    const QByteArray bytes = file.read(static_cast<qint64>(core::JsonDocument::kMostBytes) + 1);
-    if (file.error() != QFileDevice::NoError)
-        return failure(core::ErrorKind::ioFailed, path, file.errorString(), {});
-    if (static_cast<std::size_t>(bytes.size()) > core::JsonDocument::kMostBytes)
-        return failure(core::ErrorKind::badInput, path, FileText::tr("the file is too large"),
-                       FileText::tr("at most %1 MiB").arg(core::JsonDocument::kMostBytes >> 20U));
-    return bytes.toStdString();
+    return bytes;
 }
 
 core::Unexpected unknownEnding(const std::string& path) {

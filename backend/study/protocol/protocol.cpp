@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/protocol/protocol.h"
 
+#include "backend/core/data/input_file.h"
 #include "backend/core/failure.h"
+#include "backend/core/keys/toml_depth.h"
 #include "backend/core/keys/toml_keys.h"
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/study/protocol/identifier.h"
@@ -10,7 +12,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QString>
 #include <QStringList>
@@ -210,15 +211,11 @@ core::Expected<Protocol> parseProtocol(std::string_view text, const std::string&
 }
 
 core::Expected<Protocol> readProtocol(const std::string& path) {
-    QFile file(QString::fromStdString(path));
-    if (!file.open(QIODevice::ReadOnly))
-        return core::failed(file.exists() ? core::ErrorKind::ioFailed : core::ErrorKind::notFound,
-                            ProtocolText::tr("cannot open the protocol: %1").arg(file.errorString()), {},
-                            {path});
-    core::Expected<Protocol> protocol = parseProtocol(file.readAll().toStdString(), path);
+    TELETA_TRY(const std::string text, core::readFile(path, core::kMostTomlBytes));
+    core::Expected<Protocol> protocol = parseProtocol(text, path);
     if (!protocol)
         return protocol;
-    const QDir folder = QFileInfo(file.fileName()).absoluteDir();
+    const QDir folder = QFileInfo(QString::fromStdString(path)).absoluteDir();
     bool moved = false;
     const auto resolve = [&](std::string& name) {
         const QString given = QString::fromStdString(name);

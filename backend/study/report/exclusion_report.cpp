@@ -2,6 +2,7 @@
 #include "backend/study/report/exclusion_report.h"
 
 #include "backend/core/data/csv_writer.h"
+#include "backend/core/data/private_files.h"
 #include "backend/study/report/report_html.h"
 
 #include <QCoreApplication>
@@ -46,6 +47,7 @@ QString ruleText(const ExclusionLine& line) {
 } // namespace
 
 core::Expected<void> writeExclusions(const std::vector<ExclusionLine>& lines, const std::string& folder) {
+    const core::PrivateFiles forOwner;
     TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(folder + "/exclusions.csv", kExclusionColumns));
     for (const ExclusionLine& line : lines) {
         const std::optional<ExclusionOf> of = levelOf(line);

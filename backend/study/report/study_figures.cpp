@@ -2,6 +2,7 @@
 #include "backend/study/report/study_figures.h"
 
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/private_files.h"
 #include "backend/figure/round_step.h"
 #include "backend/study/report/comparison_section.h"
 #include "backend/study/report/confusion_figure.h"
@@ -298,6 +299,7 @@ std::vector<StudyFigure> studyFigures(const std::vector<TaskResults>& results, s
 
 core::Expected<void> writeFigures(const std::vector<TaskResults>& results, const std::string& folder,
                                   std::optional<Mode> mode, const std::vector<FigureFormat>& formats) {
+    const core::PrivateFiles forOwner;
     const std::string figures = folder + "/figures";
     TELETA_CHECK(core::makeFolder(figures));
     for (const StudyFigure& figure : studyFigures(results, mode)) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/csv_writer.h"
+#include "backend/core/data/private_files.h"
 #include "backend/study/analysis/study_results.h"
 #include "backend/study/analysis/study_rows.h"
 #include "backend/study/report/comparison_files.h"
@@ -28,6 +29,7 @@ core::Expected<void> writeTable(const Results& results, const std::string& path,
 } // namespace
 
 core::Expected<void> writeResults(const Results& results, const std::string& folder) {
+    const core::PrivateFiles forOwner;
     TELETA_CHECK(core::makeFolder(folder));
     TELETA_TRY(const std::string script, analysisScript());
     TELETA_CHECK(writeTable(results, folder + "/confusion_long.csv", kConfusionColumns,

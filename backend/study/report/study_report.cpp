@@ -2,6 +2,7 @@
 #include "backend/study/report/study_report.h"
 
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/private_files.h"
 #include "backend/study/comparison/task_comparisons.h"
 #include "backend/study/report/comparison_section.h"
 #include "backend/study/report/confusion_figure.h"
@@ -317,6 +318,7 @@ std::string reportHtml(const std::vector<TaskResults>& results, const ReportHead
 
 core::Expected<void> writeReport(const std::vector<TaskResults>& results, const ReportHeading& heading,
                                  const std::string& folder) {
+    const core::PrivateFiles forOwner;
     TELETA_CHECK(core::makeFolder(folder));
     return core::writeFile(folder + "/report.html", reportHtml(results, heading));
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/store/folder_owner.h"
 
+#include "backend/core/data/input_file.h"
 #include "backend/core/data/json_document.h"
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/private_files.h"
 #include "backend/core/failure.h"
 #include "backend/study/store/store_values.h"
 
@@ -35,15 +37,13 @@ core::Expected<void> checkFolderOwner(const std::string& folder, const StudyHead
     };
     if (QFile::exists(QDir(QString::fromStdString(folder)).filePath(QStringLiteral("study.sqlite"))))
         return refused(OwnerText::tr("this folder already contains a study"));
-    QFile mark(markOf(folder));
-    if (!mark.exists())
+    const std::string mark = markOf(folder).toStdString();
+    const core::Expected<std::string> text = core::readFile(mark);
+    if (!text && text.error().kind == core::ErrorKind::notFound)
         return {};
-    if (!mark.open(QIODevice::ReadOnly))
-        return core::failed(core::ErrorKind::ioFailed,
-                            OwnerText::tr("cannot read the file: %1").arg(mark.errorString()), {},
-                            {mark.fileName().toStdString()});
+    TELETA_CHECK(text);
     try {
-        const ordered_json json = ordered_json::parse(mark.readAll().toStdString());
+        const ordered_json json = ordered_json::parse(*text);
         if (json.at("created_utc").get<std::string>() != timeText(head.created).toStdString() ||
             json.at("seed").get<std::string>() != std::to_string(head.seed))
             return refused(OwnerText::tr("this folder belongs to another study, on %1")
@@ -51,8 +51,7 @@ core::Expected<void> checkFolderOwner(const std::string& folder, const StudyHead
     } catch (const ordered_json::exception&) {
         return core::failed(core::ErrorKind::badInput,
                             OwnerText::tr("the file does not say which study the folder belongs to"),
-                            OwnerText::tr("server, created_utc and seed of a study"),
-                            {mark.fileName().toStdString()});
+                            OwnerText::tr("server, created_utc and seed of a study"), {mark});
     }
     return {};
 }
@@ -62,6 +61,7 @@ core::Expected<void> ownFolder(const std::string& folder, const StudyHead& head,
     TELETA_CHECK(checkFolderOwner(folder, head));
     if (QFile::exists(markOf(folder)))
         return {};
+    const core::PrivateFiles forOwner;
     TELETA_CHECK(core::makeFolder(folder));
     const ordered_json mark{{"server", shownName},
                             {"created_utc", timeText(head.created).toStdString()},

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/store/study_connection.h"
 
+#include "backend/core/data/input_file.h"
 #include "backend/core/failure.h"
+#include "backend/core/sqlite/foreign_database.h"
 #include "backend/study/store/study_schema.h"
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QSqlError>
@@ -165,6 +168,12 @@ core::Expected<void> StudyConnection::configureFile(Purpose purpose) {
     if (purpose != Purpose::create && !QFileInfo::exists(file))
         return core::failed(core::ErrorKind::notFound, ConnectionText::tr("there is no study here"),
                             ConnectionText::tr("a folder with study.sqlite"), {m_location.folder});
+    if (QFileInfo::exists(file))
+        TELETA_CHECK(core::requireFile(m_shownName));
+    // SQLite would make it as the umask says, and gives its log the permissions of the file.
+    if (purpose == Purpose::create && !QFileInfo::exists(file))
+        (void)QFile(file).open(QIODevice::WriteOnly | QIODevice::NewOnly,
+                               QFileDevice::ReadOwner | QFileDevice::WriteOwner);
     QString options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(kWaitForOthers_ms);
     m_database.setDatabaseName(file);
     m_isReadOnly = purpose == Purpose::read;
@@ -222,6 +231,8 @@ void StudyConnection::leaveFile() {
 core::Expected<void> StudyConnection::connect() {
     if (!m_database.open())
         return failed(ConnectionText::tr("cannot open the study: %1"), m_database.lastError());
+    if (!isServer())
+        TELETA_CHECK(core::distrustSchema(m_database, m_shownName));
     // Keep-alives, so that participants do not stay locked for hours after this station has lost power or
     // network. Older servers lack tcp_user_timeout.
     const auto settings =

@@ -68,7 +68,10 @@ const std::vector<QStringList>& steps() {
          QStringLiteral("ALTER TABLE trial ADD COLUMN trigger_ms FLOAT"),
          QStringLiteral("ALTER TABLE trial ADD COLUMN recording TEXT"),
          QStringLiteral("ALTER TABLE trial ADD COLUMN recording_s FLOAT"),
-         QStringLiteral("ALTER TABLE study ADD COLUMN observer TEXT NOT NULL DEFAULT ''")}};
+         QStringLiteral("ALTER TABLE study ADD COLUMN observer TEXT NOT NULL DEFAULT ''")},
+        {QStringLiteral(
+            "CREATE TABLE deletion (key AUTOKEY, enrolment INTEGER NOT NULL, sessions INTEGER NOT NULL, "
+            "trials INTEGER NOT NULL, reason TEXT NOT NULL, time_utc TEXT NOT NULL)")}};
     return kSteps;
 }
 

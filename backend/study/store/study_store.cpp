@@ -2,6 +2,7 @@
 #include "backend/study/store/study_store.h"
 
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/private_files.h"
 #include "backend/core/failure.h"
 #include "backend/study/store/file_claim.h"
 #include "backend/study/store/folder_owner.h"
@@ -13,6 +14,7 @@
 #include <QStringList>
 #include <QSysInfo>
 
+#include <algorithm>
 #include <utility>
 
 namespace teleta::study {
@@ -61,6 +63,7 @@ std::optional<bool> StudyHead::stimuliChanged() const {
 core::Expected<StudyStore> StudyStore::create(const StoreLocation& location, const StudyHead& head) {
     // A study needs a pattern for every stimulus.
     TELETA_TRY(const std::vector<OwnStimulus> own, readOwnStimuli(head.protocol));
+    const core::PrivateFiles forOwner;
     // A bad server address fails before anything is created here.
     TELETA_CHECK(location.server.empty() ? core::makeFolder(location.folder)
                                          : checkFolderOwner(location.folder, head));
@@ -160,18 +163,26 @@ core::Expected<Participant> StudyStore::enrol(const std::string& id) {
     static const QStringList kReserved{QStringLiteral("NA"), QStringLiteral("n/a"), QStringLiteral("NONE"),
                                        QStringLiteral("GROUP")};
     const bool isReserved = kReserved.contains(text);
-    if (text.trimmed().isEmpty() || text.size() > kLongestId || isReserved)
+    // A terminal obeys them.
+    const bool hasControls = std::any_of(text.begin(), text.end(), [](QChar c) {
+        return c.category() == QChar::Other_Control && !QStringLiteral("\t\n\r").contains(c);
+    });
+    // Spreadsheets take these for formulas.
+    const bool isFormula = !text.isEmpty() && QStringLiteral("=+-@").contains(text.front());
+    if (text.trimmed().isEmpty() || text.size() > kLongestId || isReserved || hasControls || isFormula)
         return m_connection->refused(
             StoreText::tr("\"%1\" cannot name a participant").arg(text.left(kLongestId)),
             isReserved ? StoreText::tr("another name: in files, %1 means no value or all participants")
                              .arg(kReserved.join(QStringLiteral(", ")))
-                       : StoreText::tr("a text of 1 to %1 characters").arg(kLongestId));
+                       : StoreText::tr("a text of 1 to %1 characters that does not begin with = + - or @")
+                             .arg(kLongestId));
     // Two stations may read the same highest number; then one of them is refused and reads again.
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-        const auto made =
-            m_connection->run(QStringLiteral("INSERT INTO participant (id, enrolment) SELECT ?, "
-                                             "COALESCE(MAX(enrolment) + 1, 0) FROM participant"),
-                              {text});
+        const auto made = m_connection->run(
+            QStringLiteral("INSERT INTO participant (id, enrolment) SELECT ?, "
+                           "COALESCE(MAX(enrolment) + 1, 0) FROM (SELECT enrolment FROM participant "
+                           "UNION ALL SELECT enrolment FROM deletion) AS given"),
+            {text});
         if (!made && made.error().kind != core::ErrorKind::refused)
             return core::Unexpected(made.error());
         TELETA_TRY(

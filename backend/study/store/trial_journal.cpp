@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/store/trial_journal.h"
 
+#include "backend/core/data/input_file.h"
 #include "backend/core/failure.h"
 #include "backend/study/store/trial_fields.h"
 
@@ -124,7 +125,8 @@ core::Expected<void> TrialJournal::append(const PendingTrial& trial) const {
     const QByteArray line = QByteArray::fromStdString(toJson(trial).dump() + '\n');
     const qint64 before_B = file.size();
     // Unbuffered: buffered data would be written after the truncation that follows a failed write.
-    const bool done = file.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered) &&
+    const bool done = file.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered,
+                                QFileDevice::ReadOwner | QFileDevice::WriteOwner) &&
                       file.write(line) == line.size() && fsync(file.handle()) == 0;
     if (done && syncFolder(QFileInfo(file).path()))
         return {};
@@ -139,6 +141,7 @@ core::Expected<std::vector<PendingTrial>> TrialJournal::read() const {
     std::vector<PendingTrial> trials;
     if (!file.exists())
         return trials;
+    TELETA_CHECK(core::requireFile(m_path));
     if (!file.open(QIODevice::ReadOnly))
         return journalFailed(JournalText::tr("cannot read the file: %1").arg(file.errorString()), m_path);
     for (long long number = 1; !file.atEnd(); ++number) {

@@ -91,6 +91,10 @@ std::string field(const TrialCell& cell, const TableFormat& format) {
         std::ranges::replace(value, '.', format.decimal);
         return value;
     }
+    // A terminal obeys them; line ends and tabs are text.
+    std::ranges::replace_if(
+        value, [](char c) { return (c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r') || c == 0x7F; },
+        ' ');
     if (format.guarded && needsGuard(value))
         value.insert(value.begin(), '\'');
     const auto isSpecial = [&](char c) {

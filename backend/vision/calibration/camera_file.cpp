@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/vision/calibration/camera_file.h"
 
+#include "backend/core/data/input_file.h"
 #include "backend/core/data/json_document.h"
 #include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"
 
 #include <QCoreApplication>
-#include <QFile>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -27,7 +28,12 @@ struct CameraText {
 
 constexpr const char* kFormat = "teleta-camera";
 constexpr long long kVersion = 1;
+// Far beyond what a camera in a tube can be.
 constexpr double kHuge = 1e9;
+constexpr double kMost_px = 1e7;
+constexpr double kMost_m = 1e3;
+constexpr double kMostLens = 1e6;
+constexpr double kMostCovariance = 1e15;
 constexpr std::array<const char*, 8> kLensKeys{"k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"};
 constexpr std::array<std::string_view, 14> kKeys{
     "format",   "version",    "width_px",        "height_px", "K",        "R",          "C_m",
@@ -45,8 +51,9 @@ ordered_json rowsOf(const Matrix& matrix) {
     return rows;
 }
 
+/// most: of the size of each number.
 template <typename Matrix>
-void readRows(JsonReader& reader, const ordered_json& value, Matrix& matrix) {
+void readRows(JsonReader& reader, const ordered_json& value, Matrix& matrix, double most) {
     const auto rows = static_cast<std::size_t>(matrix.rows());
     const auto columns = static_cast<std::size_t>(matrix.cols());
     const ordered_json& all = reader.array(value, rows, rows);
@@ -54,7 +61,7 @@ void readRows(JsonReader& reader, const ordered_json& value, Matrix& matrix) {
         const ordered_json& row = reader.array(all[i], columns, columns);
         for (std::size_t j = 0; j < row.size(); ++j)
             matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-                reader.number(row[j], -1e300, 1e300);
+                reader.number(row[j], -most, most);
     }
 }
 
@@ -62,10 +69,30 @@ std::array<double*, 8> values(RationalDistortion& k) {
     return {&k.k1, &k.k2, &k.k3, &k.k4, &k.k5, &k.k6, &k.p1, &k.p2};
 }
 
+void readCovariance(JsonReader& reader, const ordered_json& value, CameraCovariance& covariance) {
+    readRows(reader, value, covariance, kMostCovariance);
+    if (reader.error())
+        return;
+    // Rounding in the file, and in whoever wrote it, may leave traces.
+    constexpr double kTrace = 1e-6;
+    const Eigen::ArrayXd variances = covariance.diagonal().array();
+    bool isOne = (variances >= 0.0).all();
+    for (Eigen::Index i = 0; i < covariance.rows() && isOne; ++i) {
+        for (Eigen::Index j = 0; j < i; ++j) {
+            const double most = std::sqrt(variances[i] * variances[j]);
+            isOne = isOne && std::abs(covariance(i, j)) <= (1.0 + kTrace) * most &&
+                    std::abs(covariance(i, j) - covariance(j, i)) <= kTrace * most;
+        }
+    }
+    if (!isOne)
+        reader.fail(value, CameraText::tr("this is not a covariance"),
+                    CameraText::tr("a symmetric matrix without negative variances"));
+}
+
 void readFocus(JsonReader& reader, CameraParameters& camera) {
     Eigen::Matrix3d k = Eigen::Matrix3d::Identity();
     const ordered_json& value = reader.member(reader.root(), "K");
-    readRows(reader, value, k);
+    readRows(reader, value, k, kMost_px);
     if (!reader.error() && (k(1, 0) != 0.0 || k(2, 0) != 0.0 || k(2, 1) != 0.0 || k(2, 2) != 1.0))
         reader.fail(value, CameraText::tr("this is not a camera matrix"),
                     "[[fx, s, cx], [0, fy, cy], [0, 0, 1]]");
@@ -156,28 +183,28 @@ core::Expected<CameraFile> parseCamera(std::string text, const std::string& file
     camera.width_px = static_cast<int>(reader.integer(reader.member(root, "width_px"), 1, kLargestSide_px));
     camera.height_px = static_cast<int>(reader.integer(reader.member(root, "height_px"), 1, kLargestSide_px));
     readFocus(reader, camera);
-    readRows(reader, reader.member(root, "R"), camera.R_Camera_Sensor);
+    readRows(reader, reader.member(root, "R"), camera.R_Camera_Sensor, 2.0);
     const ordered_json& centre = reader.array(reader.member(root, "C_m"), 3, 3);
     for (std::size_t i = 0; i < centre.size(); ++i)
-        camera.p_Sensor_Camera_m[static_cast<Eigen::Index>(i)] = reader.number(centre[i], -kHuge, kHuge);
+        camera.p_Sensor_Camera_m[static_cast<Eigen::Index>(i)] = reader.number(centre[i], -kMost_m, kMost_m);
     camera.mirrored = reader.boolean(root, "mirrored", false);
     const ordered_json& lens = reader.member(root, "distortion");
     const auto lensValues = values(camera.distortion);
     for (std::size_t i = 0; i < kLensKeys.size(); ++i)
-        *lensValues[i] = reader.number(lens, kLensKeys[i], -kHuge, kHuge, 0.0);
+        *lensValues[i] = reader.number(lens, kLensKeys[i], -kMostLens, kMostLens, 0.0);
 
     CylinderSurface surface;
     if (const ordered_json* cylinder = reader.find(root, "cylinder")) {
-        surface.radius_m = reader.number(*cylinder, "radius_m", 1e-9, kHuge, surface.radius_m);
-        surface.lowest_z_m = reader.number(*cylinder, "lowest_z_m", -kHuge, kHuge, surface.lowest_z_m);
-        surface.highest_z_m = reader.number(*cylinder, "highest_z_m", -kHuge, kHuge, surface.highest_z_m);
+        surface.radius_m = reader.number(*cylinder, "radius_m", 1e-9, kMost_m, surface.radius_m);
+        surface.lowest_z_m = reader.number(*cylinder, "lowest_z_m", -kMost_m, kMost_m, surface.lowest_z_m);
+        surface.highest_z_m = reader.number(*cylinder, "highest_z_m", -kMost_m, kMost_m, surface.highest_z_m);
         if (!surface.isUsable())
             reader.fail(*cylinder, CameraText::tr("the cylinder has no length"), "lowest_z_m < highest_z_m");
     }
-    const double noise_px = reader.number(root, "noise_px", 0.0, kHuge, 0.0);
+    const double noise_px = reader.number(root, "noise_px", 0.0, kMost_px, 0.0);
     CameraCovariance covariance = CameraCovariance::Zero();
     if (const ordered_json* rows = reader.find(root, "covariance"))
-        readRows(reader, *rows, covariance);
+        readCovariance(reader, *rows, covariance);
     CalibrationSummary summary;
     if (const ordered_json* told = reader.find(root, "calibration")) {
         summary.method = reader.text(*told, "method", {});
@@ -206,13 +233,8 @@ core::Expected<CameraFile> parseCamera(std::string text, const std::string& file
 }
 
 core::Expected<CameraFile> readCamera(const std::string& path) {
-    QFile file(QString::fromStdString(path));
-    if (!file.open(QIODevice::ReadOnly))
-        return core::failed(core::ErrorKind::notFound, file.errorString(), {}, {path, 0, 0});
-    const QByteArray bytes = file.read(static_cast<qint64>(JsonDocument::kMostBytes) + 1);
-    if (file.error() != QFileDevice::NoError)
-        return core::failed(core::ErrorKind::ioFailed, file.errorString(), {}, {path, 0, 0});
-    return parseCamera(bytes.toStdString(), path);
+    TELETA_TRY(std::string text, core::readFile(path));
+    return parseCamera(std::move(text), path);
 }
 
 core::Expected<void> writeCamera(const CameraFile& camera, const std::string& path) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <sys/stat.h>
 
 using nlohmann::ordered_json;
 using teleta::test::ProgramResult;
@@ -138,6 +139,86 @@ TEST_F(StudyCommand, exportsAStudyInEachFormat) {
     EXPECT_TRUE(std::filesystem::exists(folder() + "/bids/sub-P01"));
     EXPECT_TRUE(std::filesystem::exists(folder() + "/excel"));
     EXPECT_EQ(run({"study", "export", folder(), "--format", "spss"}).exitCode, 2);
+}
+
+TEST_F(StudyCommand, enrolsUnderAPseudonymAndKeepsThePersonInAKeyApart) {
+    ASSERT_EQ(run({"study", "rehearse", "--participants", "1", "--out", folder()}).exitCode, 0);
+    const std::string key = m_folder.path("key.csv");
+    const ProgramResult enrolled =
+        run({"study", "enrol", folder(), "--key", key, "--name", "Anna Example", "--json"});
+    ASSERT_EQ(enrolled.exitCode, 0) << enrolled.err;
+    const std::string id = ordered_json::parse(enrolled.out)["participant"];
+    EXPECT_EQ(id.size(), 6U);
+    EXPECT_NE(teleta::test::readAll(key).find(id + ",Anna Example,"), std::string::npos);
+    EXPECT_EQ(std::filesystem::status(key).permissions(), std::filesystem::perms(0600));
+    const ProgramResult people = run({"study", "participants", folder(), "--key", key, "--json"});
+    ASSERT_EQ(people.exitCode, 0) << people.err;
+    const ordered_json list = ordered_json::parse(people.out);
+    ASSERT_EQ(list["participants"].size(), 2U);
+    EXPECT_TRUE(list["participants"][0]["name"].is_null());
+    EXPECT_EQ(list["participants"][1]["name"], "Anna Example");
+    EXPECT_TRUE(list["deleted"].empty());
+    EXPECT_EQ(run({"study", "participants", folder()}).out.find("Anna"), std::string::npos);
+    // The study itself does not know her.
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder()))
+        if (entry.is_regular_file()) {
+            EXPECT_EQ(teleta::test::readAll(entry.path().string()).find("Anna"), std::string::npos)
+                << entry.path();
+        }
+    const ProgramResult inside =
+        run({"study", "enrol", folder(), "--key", folder() + "/key.csv", "--name", "Bert"});
+    EXPECT_EQ(inside.exitCode, 1);
+    EXPECT_NE(inside.err.find("apart from the data"), std::string::npos) << inside.err;
+    EXPECT_EQ(run({"study", "enrol", folder(), "--name", "Bert"}).exitCode, 2);
+    EXPECT_EQ(run({"study", "enrol", folder(), "--key", key}).exitCode, 2);
+}
+
+TEST_F(StudyCommand, deletesAParticipantOnlyWhenItIsMeant) {
+    ASSERT_EQ(run({"study", "rehearse", "--participants", "2", "--out", folder()}).exitCode, 0);
+    ASSERT_TRUE(std::filesystem::exists(folder() + "/data/subject-P01"));
+    const ProgramResult asked = run({"study", "delete", folder(), "--participant", "P01"});
+    EXPECT_EQ(asked.exitCode, 2);
+    EXPECT_NE(asked.err.find("cannot be undone"), std::string::npos) << asked.err;
+    EXPECT_TRUE(std::filesystem::exists(folder() + "/data/subject-P01"));
+    const ProgramResult deleted = run({"study", "delete", folder(), "--participant", "P01", "--reason",
+                                       "consent withdrawn", "--yes", "--json"});
+    ASSERT_EQ(deleted.exitCode, 0) << deleted.err;
+    const ordered_json answer = ordered_json::parse(deleted.out);
+    EXPECT_EQ(answer["trials"], 176);
+    EXPECT_GT(answer["files"], 0);
+    EXPECT_FALSE(std::filesystem::exists(folder() + "/data/subject-P01"));
+    const ordered_json list = ordered_json::parse(run({"study", "participants", folder(), "--json"}).out);
+    ASSERT_EQ(list["participants"].size(), 1U);
+    EXPECT_EQ(list["participants"][0]["participant"], "P02");
+    ASSERT_EQ(list["deleted"].size(), 1U);
+    EXPECT_EQ(list["deleted"][0]["enrolment"], 1);
+    EXPECT_EQ(list["deleted"][0]["reason"], "consent withdrawn");
+    EXPECT_EQ(run({"study", "delete", folder(), "--participant", "P01", "--yes"}).exitCode, 3);
+    EXPECT_EQ(run({"study", "analyze", folder(), "--out", m_folder.path("results")}).exitCode, 0);
+}
+
+TEST_F(StudyCommand, whatItWritesIsForItsOwnerAloneUnlessItIsToBeShared) {
+    const mode_t before = ::umask(022);
+    ASSERT_EQ(run({"study", "rehearse", "--participants", "1", "--out", folder()}).exitCode, 0);
+    const std::string results = m_folder.path("results");
+    ASSERT_EQ(run({"study", "analyze", folder(), "--out", results}).exitCode, 0);
+    ASSERT_EQ(run({"study", "export", folder(), "--format", "excel"}).exitCode, 0);
+    const auto mode = [](const std::string& path) {
+        return static_cast<int>(std::filesystem::status(path).permissions());
+    };
+    EXPECT_EQ(mode(folder()), 0700);
+    EXPECT_EQ(mode(results), 0700);
+    EXPECT_EQ(mode(results + "/report.html"), 0600);
+    EXPECT_EQ(mode(folder() + "/excel"), 0700);
+    ASSERT_EQ(run({"study", "analyze", folder(), "--out", results, "--shared"}).exitCode, 0);
+    ASSERT_EQ(run({"study", "export", folder(), "--format", "excel", "--shared"}).exitCode, 0);
+    ::umask(before);
+    EXPECT_EQ(mode(results + "/report.html"), 0644);
+    EXPECT_EQ(mode(results + "/figures"), 0755);
+    EXPECT_EQ(mode(folder() + "/excel"), 0755);
+    EXPECT_EQ(mode(folder()), 0711) << "others can go through it, and see no more than what is shared";
+    EXPECT_EQ(mode(folder() + "/study.sqlite"), 0600);
+    EXPECT_EQ(mode(folder() + "/data"), 0700);
 }
 
 TEST_F(StudyCommand, writesTheReportOfOneParticipant) {

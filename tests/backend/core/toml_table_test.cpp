@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/keys/toml_depth.h"
 #include "backend/core/keys/toml_table.h"
+#include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -141,6 +143,57 @@ TEST(TomlDocument, placesASyntaxErrorAndTellsAMissingFileFromAnEmptyOne) {
     EXPECT_EQ(missing.error().kind, ErrorKind::notFound);
     EXPECT_TRUE(TomlDocument::open("/dev/null"));
     EXPECT_FALSE(TomlDocument::open(TELETA_SOURCE_DIR)) << "a folder is no file";
+}
+
+TEST(TomlTable, refusesKeysThatGoTooDeepWithTheirPlace) {
+    const auto repeated = [](const std::string& text, int times) {
+        std::string all;
+        for (int i = 0; i < times; ++i)
+            all += text;
+        return all;
+    };
+    const auto refusal = [](const std::string& text) {
+        const auto document = TomlDocument::parse(text, "f.toml");
+        return document ? std::string() : describe(document.error());
+    };
+    // toml++ itself ends the program for the first two.
+    EXPECT_EQ(refusal("b = 1\na" + repeated(".a", 50'000) + " = 1\n"),
+              "f.toml:2:130: the keys are nested too deeply (expected at most 64 levels)");
+    EXPECT_NE(refusal("[a" + repeated(".a", 50'000) + "]\n").find("f.toml:1:"), std::string::npos);
+    EXPECT_NE(refusal("a = " + repeated("[", 100) + repeated("]", 100)).find("too deeply"),
+              std::string::npos);
+    EXPECT_NE(refusal("a = " + repeated("{ b.c.d.e = ", 20) + "1" + repeated(" }", 20)).find("too deeply"),
+              std::string::npos);
+}
+
+TEST(TomlTable, takesForDepthOnlyWhatIsOne) {
+    std::string dots;
+    std::string numbers;
+    for (int i = 0; i < 100; ++i) {
+        dots += ".a";
+        numbers += "1.5, [2.5, 3.5],\n";
+    }
+    std::string deepest = "a";
+    for (int i = 0; i < 63; ++i)
+        deepest += ".a";
+    for (const std::string& text :
+         {"t = \"" + dots + "\"\n", "t = '" + dots + "'\n", "t = '''\n" + dots + "''''' # five\n",
+          "t = \"\"\"\\\"\"\"" + dots + "\"\"\"\n", "# " + dots + "\nt = 1\n", "\"" + dots + "\".b = 1\n",
+          "t = [" + numbers + "]\n", "[" + deepest + "]\n" + deepest + " = 1\n"})
+        EXPECT_TRUE(TomlDocument::parse(text, "f.toml")) << text;
+}
+
+TEST(TomlTable, isReadFromFilesOfAtMost16MiB) {
+    const teleta::test::TemporaryFolder folder;
+    const std::string comment = "# " + std::string(1022, 'x') + "\n";
+    std::string text;
+    while (text.size() <= teleta::core::kMostTomlBytes)
+        text += comment;
+    const auto document = TomlDocument::open(folder.write("f.toml", text));
+    ASSERT_FALSE(document);
+    EXPECT_EQ(document.error().kind, ErrorKind::badInput);
+    EXPECT_EQ(TomlDocument::open("/dev/zero").error().kind, ErrorKind::badInput);
+    EXPECT_FALSE(TomlDocument::parse(text, "f.toml"));
 }
 
 TEST(TomlTable, aKeyIsReadWithItsUnitInLowerCaseButNotTwice) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sys/stat.h>
 
 using namespace teleta;
 using namespace teleta::recording;
@@ -297,4 +298,37 @@ TEST_F(RecordingTest, bytesOverwrittenAnywhereGiveAnErrorOrFramesButNoCrash) {
         }
     }
     EXPECT_GT(errors, 0);
+}
+
+TEST_F(RecordingTest, isForItsOwnerAloneWhateverTheUmask) {
+    const mode_t before = ::umask(0);
+    const std::string file = write();
+    ::umask(before);
+    EXPECT_EQ(std::filesystem::status(file).permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
+
+TEST_F(RecordingTest, isNeitherAPipeNorADevice) {
+    ASSERT_EQ(::mkfifo(path().c_str(), 0600), 0);
+    for (const std::string& other : {path(), std::string("/dev/zero")}) {
+        EXPECT_EQ(openError(other).kind, core::ErrorKind::badInput) << other;
+        EXPECT_FALSE(Recording::looksLikeOne(other)) << other;
+    }
+}
+
+TEST_F(RecordingTest, refusesASchemaThatRunsCode) {
+    (void)write();
+    const auto execute = [this](const QString& statement) {
+        RecordingDatabase database(path());
+        ASSERT_TRUE(database.openForWriting()) << statement.toStdString();
+        ASSERT_TRUE(database.run(statement)) << statement.toStdString();
+    };
+    execute(QStringLiteral("DROP TABLE event"));
+    // Whoever reads this view never comes back.
+    execute(
+        QStringLiteral("CREATE VIEW event AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) "
+                       "SELECT i AS key, i AS time_ns, 'mark' AS kind, '' AS text, 0.0 AS value FROM n"));
+    const core::Error error = openError(path());
+    EXPECT_EQ(error.kind, core::ErrorKind::badInput);
+    EXPECT_NE(error.message.find("view, \"event\""), std::string::npos) << error.message;
 }

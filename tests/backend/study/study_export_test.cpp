@@ -192,14 +192,32 @@ TEST(TableText, ofASpreadsheetHasNothingThatItWouldComputeWithOrRound) {
 
 TEST_F(StudyExportTest, theExcelCopyIsGuardedAndTheOthersAreAsTheyWere) {
     StudyStore store = create(Mode::run);
-    addSession(store, "=1+2");
+    addSession(store, "1234567890123456");
     ASSERT_TRUE(exportStudy(store, ExportFormat::excel));
     ASSERT_TRUE(exportStudy(store, ExportFormat::psychds));
-    EXPECT_NE(read("excel/12x1_20261103T142233_shape.csv").find("\n2;'=1+2;20261103T142233;run;"),
+    const std::string id = "1234567890123456";
+    EXPECT_NE(read("excel/" + id + "_20261103T142233_shape.csv").find("\n2;'" + id + ";20261103T142233;run;"),
               std::string::npos);
-    EXPECT_NE(read("data/subject-12x1/subject-12x1_session-20261103T142233_task-shape_data.csv")
-                  .find("\n2,=1+2,20261103T142233,run,"),
+    EXPECT_NE(read("data/subject-" + id + "/subject-" + id + "_session-20261103T142233_task-shape_data.csv")
+                  .find("\n2," + id + ",20261103T142233,run,"),
               std::string::npos);
+}
+
+TEST_F(StudyExportTest, whatPeopleWroteRunsNeitherInASpreadsheetNorInATerminal) {
+    StudyStore store = create(Mode::run);
+    addSession(store, "P07");
+    const SessionRecord session = store.sessions(store.participants()->front())->front();
+    ASSERT_TRUE(store.keepNote(session, "=HYPERLINK(\"http://x\")", kNow));
+    ASSERT_TRUE(store.keepNote(session, "red \x1b[31m text", kNow));
+    for (const ExportFormat format : {ExportFormat::psychds, ExportFormat::excel})
+        ASSERT_TRUE(exportStudy(store, format));
+    for (const char* file :
+         {"data/subject-P07/subject-P07_description-notes_data.csv", "excel/P07_notes.csv"}) {
+        const std::string table = read(file);
+        EXPECT_NE(table.find("'=HYPERLINK("), std::string::npos) << table;
+        EXPECT_NE(table.find("red  [31m text"), std::string::npos) << table;
+        EXPECT_EQ(table.find('\x1b'), std::string::npos) << table;
+    }
 }
 
 TEST_F(StudyExportTest, otherFormatsDoNotDependOnTheLocale) {

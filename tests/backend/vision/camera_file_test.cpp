@@ -88,6 +88,27 @@ TEST(CameraFile, whatIsWrongIsNamedWithItsPlace) {
               std::string::npos);
 }
 
+TEST(CameraFile, refusesNumbersThatNoCameraHas) {
+    const nlohmann::ordered_json good = cameraJson(paperFile());
+    ASSERT_TRUE(parseCamera(good.dump(), "camera.json"));
+    const auto refuses = [&](const char* pointer, double value) {
+        nlohmann::ordered_json changed = good;
+        const nlohmann::ordered_json::json_pointer place(pointer);
+        EXPECT_TRUE(changed.contains(place)) << pointer;
+        changed[place] = value;
+        const auto read = parseCamera(changed.dump(), "camera.json");
+        return !read && read.error().kind == core::ErrorKind::badInput && read.error().where.line > 0;
+    };
+    for (const char* pointer : {"/K/0/0", "/K/0/2", "/C_m/0", "/distortion/k1", "/distortion/p2",
+                                "/cylinder/radius_m", "/cylinder/lowest_z_m", "/cylinder/highest_z_m",
+                                "/noise_px", "/covariance/0/0", "/covariance/1/0"}) {
+        EXPECT_TRUE(refuses(pointer, -9.2e18)) << pointer;
+        EXPECT_TRUE(refuses(pointer, 9.2e18)) << pointer;
+    }
+    EXPECT_TRUE(refuses("/covariance/2/2", -1e-12)) << "a negative variance";
+    EXPECT_TRUE(refuses("/covariance/0/1", 2e-7)) << "larger than both variances";
+}
+
 TEST(CameraFile, aFileThatIsNotThereIsNotFound) {
     const auto read = readCamera("/nonexistent/camera.json");
     ASSERT_FALSE(read);

@@ -167,6 +167,22 @@ private slots:
         QVERIFY(picture.image.copy(layout.legend().toRect()) != whole.image.copy(layout.legend().toRect()));
     }
 
+    void theLastFrameOfASourceThatIsSilentIsFaded() {
+        Picture picture(ramp());
+        const QRgb ground = qApp->palette().color(QPalette::Window).rgb();
+        const auto distance = [&](QRgb colour) {
+            return std::abs(qRed(colour) - qRed(ground)) + std::abs(qGreen(colour) - qGreen(ground)) +
+                   std::abs(qBlue(colour) - qBlue(ground));
+        };
+        const QRgb before = picture.taxel(0, 0);
+        picture.view.setOld(true);
+        picture.image = picture.view.grab().toImage();
+        QVERIFY(4 * distance(picture.taxel(0, 0)) < 2 * distance(before));
+        picture.view.setOld(false);
+        picture.image = picture.view.grab().toImage();
+        QCOMPARE(picture.taxel(0, 0), before);
+    }
+
     void theCentreOfPressureIsACrossAtItsPlace() {
         pipeline::TouchSnapshot snapshot = ramp();
         snapshot.features.copX_m = 0.008;

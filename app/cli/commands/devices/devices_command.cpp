@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/base/command_io.h"
+#include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
 #include "app/cli/commands/devices/device_files.h"
 #include "app/cli/commands/devices/devices_commands.h"
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/sample_block.h"
 #include "backend/core/failure.h"
 #include "backend/core/keys/toml_keys.h"
 #include "backend/core/threads/stop_switch.h"
+#include "backend/core/threads/wakeup.h"
 #include "devices/bracelet/hid_bracelet.h"
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/camera/camera_list.h"
@@ -20,8 +23,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -119,6 +125,36 @@ core::Expected<FoundDevice> probeBracelet(const std::string& path) {
     return found;
 }
 
+/// Of an array, over a second from its first frame on; empty: none came.
+std::optional<double> measuredRate_Hz(core::TactileSource& array) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::seconds kLongestWait{3};
+    constexpr std::chrono::seconds kMeasured{1};
+    core::Wakeup wakeup;
+    array.start(wakeup);
+    auto end = Clock::now() + kLongestWait;
+    std::int64_t first_ns = 0;
+    std::int64_t last_ns = 0;
+    std::size_t frames = 0;
+    while (Clock::now() < end && !interrupted()) {
+        core::SampleBlock block;
+        while (array.blocks().pop(block)) {
+            for (const std::int64_t time_ns : block.time_ns) {
+                if (frames++ == 0) {
+                    first_ns = time_ns;
+                    end = Clock::now() + kMeasured;
+                }
+                last_ns = time_ns;
+            }
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    array.stop();
+    if (frames < 2 || last_ns <= first_ns)
+        return std::nullopt;
+    return 1e9 * static_cast<double>(frames - 1) / static_cast<double>(last_ns - first_ns);
+}
+
 core::Expected<FoundDevice> probeArray(const core::TomlDocument& document) {
     TELETA_TRY(const ArrayFile file, core::readKeys<ArrayFile>(document));
     FoundDevice found{.kind = "wts", .name = file.name, .where = file.address};
@@ -127,8 +163,13 @@ core::Expected<FoundDevice> probeArray(const core::TomlDocument& document) {
     const auto opened = wts::WtsDevice::open(std::move(config));
     found.error = errorOf(opened);
     if (opened) {
+        found.frameRate_Hz = measuredRate_Hz(**opened);
+        if (!found.frameRate_Hz)
+            found.error = core::Error{core::ErrorKind::unavailable,
+                                      DevicesText::tr("it answers, but sends no frames").toStdString(),
+                                      {},
+                                      {file.address}};
         const core::SourceDescription& array = (*opened)->description();
-        found.frameRate_Hz = array.nominalRate_Hz;
         found.values = {{"rows", static_cast<double>(array.layout.rows), "1"},
                         {"columns", static_cast<double>(array.layout.columns), "1"},
                         {"pitch", array.layout.pitch_m, "m"}};
@@ -218,7 +259,9 @@ core::Expected<void> printTable(const std::vector<FoundDevice>& devices) {
                                          : DevicesText::tr("connected"));
         if (device.frameRate_Hz)
             fields.emplace_back(DevicesText::tr("Frames"),
-                                DevicesText::tr("up to %1 Hz").arg(forPeople(*device.frameRate_Hz)));
+                                device.kind == "wts"
+                                    ? DevicesText::tr("%1 Hz").arg(forPeople(*device.frameRate_Hz))
+                                    : DevicesText::tr("up to %1 Hz").arg(forPeople(*device.frameRate_Hz)));
         if (device.inputRate_Hz)
             fields.emplace_back(DevicesText::tr("Inputs"),
                                 DevicesText::tr("up to %1 Hz").arg(forPeople(*device.inputRate_Hz)));

@@ -6,6 +6,7 @@
 #include "app/cli/commands/scenes/scene_commands.h"
 #include "app/cli/commands/scenes/study_fit.h"
 #include "app/cli/commands/scenes/study_papers.h"
+#include "app/cli/commands/scenes/study_people.h"
 #include "app/cli/commands/scenes/study_plan.h"
 #include "backend/core/failure.h"
 #include "backend/figure/figure_file.h"
@@ -16,6 +17,7 @@
 #include "backend/study/comparison/task_comparisons.h"
 #include "backend/study/methods/results/level_trial_source.h"
 #include "backend/study/report/exclusion_report.h"
+#include "backend/study/report/exports/shared_files.h"
 #include "backend/study/report/exports/study_export.h"
 #include "backend/study/report/study_figures.h"
 #include "backend/study/report/study_report.h"
@@ -216,6 +218,14 @@ public:
         declareExport(addPart(app, "export",
                               StudyText::tr("Write the trials of a study as files into its folder"),
                               [this] { return exportTrials(); }));
+        m_people.declareList(addPart(app, "participants",
+                                     StudyText::tr("List the participants of a study, and who was deleted"),
+                                     [this] { return m_people.list(); }));
+        m_people.declareEnrol(addPart(app, "enrol", StudyText::tr("Enrol a participant under a pseudonym"),
+                                      [this] { return m_people.enrol(); }));
+        m_people.declareDelete(addPart(app, "delete",
+                                       StudyText::tr("Delete a participant with everything that was kept"),
+                                       [this] { return m_people.remove(); }));
         m_papers.declareReport(addPart(app, "report",
                                        StudyText::tr("Write one participant's results as a page"),
                                        [this] { return m_papers.writeReport(); }));
@@ -291,7 +301,14 @@ private:
                           "binomial_model.csv, response_times.csv, exclusions.csv, figures"),
             "DIR")
             ->required();
+        declareShared(app);
         declareJson(app, m_json);
+    }
+
+    void declareShared(CLI::App& app) {
+        addFlag(app, "--shared", m_shared,
+                StudyText::tr(
+                    "Let others read what is written, as the umask allows; otherwise it is for you alone"));
     }
 
     void declareExport(CLI::App& app) {
@@ -301,6 +318,7 @@ private:
                                 "sign of the locale"),
                   {"psychds", "bids", "excel"})
             ->capture_default_str();
+        declareShared(app);
         declareStore(app);
         declareJson(app, m_json);
     }
@@ -500,6 +518,11 @@ private:
         const std::vector<study::TaskResults> results = study::studyResults(tally);
         const study::ExclusionReport excluded = study::exclusionReport(exclusions);
         TELETA_CHECK(writeAll(results, modes, tally.frames(), excluded, exclusions));
+        if (m_shared) {
+            std::vector<std::string> written = study::resultFiles();
+            written.insert(written.end(), {"codebook.csv", "analysis.R"});
+            TELETA_CHECK(study::shareFiles(m_outFolder, written));
+        }
         const QString report =
             QDir(QString::fromStdString(m_outFolder)).filePath(QStringLiteral("report.html"));
         if (m_json) {
@@ -543,6 +566,10 @@ private:
         const core::Expected<std::size_t> sessions =
             store.ownFolder().and_then([&] { return study::exportStudy(store, format); });
         TELETA_CHECK(sessions);
+        if (m_shared)
+            TELETA_CHECK(study::shareFiles(store.folder(), {m_format == "psychds" ? "data" : m_format,
+                                                            "dataset_description.json", "analysis.R",
+                                                            "codebook.csv", "questionnaire_scores.csv"}));
         if (m_json)
             return printDocument({{"study", store.folder()}, {"format", m_format}, {"sessions", *sessions}});
         return printFields({{StudyText::tr("Study"), QString::fromStdString(store.folder())},
@@ -550,6 +577,7 @@ private:
                             {StudyText::tr("Sessions"), QString::number(*sessions)}});
     }
 
+    StudyPeople m_people;
     StudyPapers m_papers;
     StudyPlan m_plan;
     std::string m_server;
@@ -567,6 +595,7 @@ private:
     std::vector<std::string> m_figures = {"svg"};
     std::string m_format = "psychds";
     double m_level_dBFS = -20.0;
+    bool m_shared = false;
     bool m_json = false;
 };
 

@@ -6,6 +6,7 @@
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/private_files.h"
 #include "backend/core/failure.h"
 #include "backend/figure/figure_file.h"
 #include "backend/study/methods/figures/threshold_figures.h"
@@ -341,6 +342,7 @@ core::Expected<void> StudyFit::run() const {
                 {m_input});
     }
     if (!m_outFolder.empty()) {
+        const core::PrivateFiles forOwner;
         TELETA_CHECK(core::makeFolder(m_outFolder));
         TELETA_TRY(const std::string script, study::analysisScript());
         TELETA_CHECK(writeLevels(analysis, m_outFolder, modes.seen, {"svg"}));

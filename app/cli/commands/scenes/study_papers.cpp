@@ -4,6 +4,7 @@
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/options.h"
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/private_files.h"
 #include "backend/core/device/trigger_port.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
@@ -81,6 +82,7 @@ core::Expected<void> StudyPapers::writeReport() const {
         TELETA_TRY(const std::string label, fileLabel(store, m_participant));
         path = store.folder() + "/report-" + label + (theirs ? "-participant.html" : ".html");
     }
+    const core::PrivateFiles forOwner;
     TELETA_CHECK(core::writeFile(path, page));
     if (m_json)
         return printDocument({{"participant", m_participant}, {"for", m_reader}, {"report", path}});

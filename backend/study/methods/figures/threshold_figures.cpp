@@ -2,6 +2,7 @@
 #include "backend/study/methods/figures/threshold_figures.h"
 
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/private_files.h"
 #include "backend/study/methods/figures/level_chart.h"
 
 #include <QCoreApplication>
@@ -397,6 +398,7 @@ core::Expected<void> writeThresholdFigures(const ThresholdResults& thresholds,
                                            const std::vector<ThresholdFigureFormat>& formats) {
     if (thresholds.empty())
         return {};
+    const core::PrivateFiles forOwner;
     const std::string figures = folder + "/figures";
     TELETA_CHECK(core::makeFolder(figures));
     for (const ThresholdFigure& figure : thresholdFigures(thresholds, detection, mode)) {

@@ -2,6 +2,7 @@
 #include "backend/study/methods/results/threshold_files.h"
 
 #include "backend/core/data/csv_writer.h"
+#include "backend/core/data/private_files.h"
 #include "backend/core/number_text.h"
 
 #include <optional>
@@ -123,6 +124,7 @@ core::Expected<void> writeThresholds(const ThresholdResults& thresholds, const D
                                      const std::string& folder) {
     if (thresholds.empty())
         return {};
+    const core::PrivateFiles forOwner;
     TELETA_CHECK(writeThresholdTable(thresholds, folder + "/thresholds.csv"));
     TELETA_CHECK(writeLevelTable(thresholds, folder + "/levels.csv"));
     if (detection.empty())

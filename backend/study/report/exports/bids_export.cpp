@@ -40,7 +40,8 @@ struct Person {
 
 core::Expected<void> writeTsv(const std::string& path, const std::vector<TrialRow>& rows,
                               std::span<const std::string_view> columns) {
-    const TableFormat format{'\t', "n/a", '.', false, false, false};
+    // Free text must be no formula of a spreadsheet, as in Psych-DS.
+    const TableFormat format{'\t', "n/a", '.', false, false, true};
     return writeChecked(path, tableText(rows, format, columns));
 }
 

@@ -2,6 +2,7 @@
 #include "backend/study/report/exports/export_parts.h"
 
 #include "backend/core/data/output_file.h"
+#include "backend/core/data/private_files.h"
 #include "backend/core/failure.h"
 #include "backend/study/protocol/standard_questionnaire.h"
 #include "backend/study/protocol/stimulus_set.h"
@@ -35,6 +36,7 @@ constexpr std::array<std::string_view, 8> kScoreColumns{"participant_id", "sessi
 } // namespace
 
 core::Expected<void> writeChecked(const std::string& path, const std::string& content) {
+    const core::PrivateFiles forOwner;
     const QString name = QString::fromStdString(path);
     TELETA_CHECK(core::makeFolder(QFileInfo(name).path().toStdString()));
     TELETA_CHECK(core::writeFile(path, content));
@@ -53,11 +55,13 @@ std::string alphanumeric(const std::string& text) {
     return kept;
 }
 
-std::vector<std::string> alphanumericLabels(const std::vector<std::string>& texts) {
+std::vector<std::string> alphanumericLabels(const std::vector<std::string>& texts,
+                                            const std::vector<std::size_t>& numbers) {
     std::set<std::string> used;
     std::vector<std::string> labels;
     for (const std::string& text : texts) {
-        const std::string number = 'x' + std::to_string(labels.size() + 1);
+        const std::string number =
+            'x' + std::to_string(numbers.empty() ? labels.size() + 1 : numbers.at(labels.size()));
         std::string label = alphanumeric(text);
         if (label != text)
             label += number;

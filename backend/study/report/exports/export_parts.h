@@ -30,9 +30,10 @@ template <typename Number>
 [[nodiscard]] std::string alphanumeric(const std::string& text);
 
 /// Alphanumeric names of texts for files, one each: where a text has other characters, or one before has the
-/// name, x and its number from 1 are appended. Later texts do not change the names of earlier ones, and no
-/// two differ by case alone.
-[[nodiscard]] std::vector<std::string> alphanumericLabels(const std::vector<std::string>& texts);
+/// name, x and its number are appended: of numbers, one per text, or else its place from 1. Later texts do
+/// not change the names of earlier ones, and no two differ by case alone.
+[[nodiscard]] std::vector<std::string> alphanumericLabels(const std::vector<std::string>& texts,
+                                                          const std::vector<std::size_t>& numbers = {});
 
 /// What both formats say about a session: task, condition, stimuli, times, seed.
 [[nodiscard]] nlohmann::ordered_json sessionSidecar(const StudyHead& head, const PlannedSession& plan);

@@ -89,7 +89,11 @@ core::Expected<void> writeTable(const StudyStore& store, const std::string& path
                                 const std::vector<TrialRow>& rows, std::span<const std::string_view> columns,
                                 std::string_view kind, ExportFormat format, ordered_json more = {}) {
     const std::string whole = store.folder() + '/' + path;
-    TELETA_CHECK(writeChecked(whole + ".csv", tableText(rows, tableFormat(format), columns)));
+    TableFormat table = tableFormat(format);
+    // Tables of trials hold words of the protocol, keys and participants' names, none of which is a formula.
+    // Free text may be one.
+    table.guarded = table.guarded || kind != "trials";
+    TELETA_CHECK(writeChecked(whole + ".csv", tableText(rows, table, columns)));
     if (format == ExportFormat::excel)
         return {};
     ordered_json sidecar{{"@context", "https://schema.org/"},
@@ -202,9 +206,12 @@ core::Expected<std::string> labelOf(const StudyStore& store, const Participant& 
 
 std::vector<std::string> fileLabels(const std::vector<Participant>& participants) {
     std::vector<std::string> ids;
-    for (const Participant& participant : participants)
+    std::vector<std::size_t> numbers;
+    for (const Participant& participant : participants) {
         ids.push_back(participant.id);
-    return alphanumericLabels(ids);
+        numbers.push_back(participant.enrolment + 1);
+    }
+    return alphanumericLabels(ids, numbers);
 }
 
 core::Expected<std::size_t> exportStudy(const StudyStore& store, ExportFormat format) {

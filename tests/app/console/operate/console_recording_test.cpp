@@ -417,12 +417,21 @@ private slots:
         QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
         std::signal(SIGXFSZ, ignored);
         QCOMPARE(page().messages().count(), 1);
+        // The status bar, which is below every page, tells it until there is another recording.
+        auto* indicator = m_window->findChild<chrome::RecordingIndicator*>();
+        QTRY_COMPARE(indicator->text(), QStringLiteral("Recording failed"));
+        QVERIFY(indicator->isVisible());
+        QVERIFY(!indicator->findChild<QToolButton*>("record")->toolTip().startsWith("Record all"));
         const std::uint64_t processed = m_window->sources().active()->channel->framesProcessed();
         QTRY_VERIFY(m_window->sources().active()->channel->framesProcessed() > processed);
         const auto recording = recording::Recording::open(path.toStdString());
         QVERIFY2(recording, recording ? "" : core::describe(recording.error()).c_str());
         QVERIFY(!recording->isComplete());
         QVERIFY(framesOf(*recording, "tactile-indenter-frames").sourceTime_s.size() >= 50);
+        station().start(m_folder.filePath("after.teleta"));
+        waitForFrames(10);
+        end();
+        QTRY_COMPARE(indicator->text(), QStringLiteral("Record"));
     }
 
     void aFolderThatCannotBeMadeIsToldAndNothingIsLost() {
