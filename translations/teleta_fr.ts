@@ -5276,6 +5276,19 @@ Aire %6</translation>
         <source>%1 participants reach %2 %.</source>
         <translation>%1 participants atteignent %2&#xa0;%.</translation>
     </message>
+    <message>
+        <source>threshold</source>
+        <translation>seuil</translation>
+    </message>
+    <message>
+        <source>Narrow enough: %1</source>
+        <comment>test</comment>
+        <translation>Assez étroit&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>studies with an interval narrow enough, %</source>
+        <translation>études à l’intervalle assez étroit,&#xa0;%</translation>
+    </message>
 </context>
 <context>
     <name>ProgramText</name>
@@ -15431,6 +15444,22 @@ Run %2 --help for more.
         <source>Add a task with &amp;levels</source>
         <translation>Ajouter une tâche à ni&amp;veaux</translation>
     </message>
+    <message>
+        <source>Re&amp;cord each session</source>
+        <translation>Enregistrer c&amp;haque session</translation>
+    </message>
+    <message>
+        <source>names with ; between them, for the descriptions of exported data</source>
+        <translation>noms séparés par&#xa0;;, pour les descriptions des données exportées</translation>
+    </message>
+    <message>
+        <source>Aut&amp;hors</source>
+        <translation>Auteurs (&amp;p)</translation>
+    </message>
+    <message>
+        <source>Tr&amp;iggers</source>
+        <translation>Déc&amp;lencheurs</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::QuestionnaireEditor</name>
@@ -16379,6 +16408,43 @@ Run %2 --help for more.
     <message>
         <source>a protocol that names a file for each pattern that is not built in</source>
         <translation>un protocole qui nomme un fichier pour chaque motif qui n’est pas fourni avec le programme</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::TriggerEditor</name>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>serial port</source>
+        <translation>port série</translation>
+    </message>
+    <message>
+        <source>OSC by UDP</source>
+        <translation>OSC par UDP</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Port série</translation>
+    </message>
+    <message>
+        <source>back to 0 after </source>
+        <comment>before a number of milliseconds</comment>
+        <translation>retour à 0 après </translation>
+    </message>
+    <message>
+        <source>not back to 0</source>
+        <translation>pas de retour à 0</translation>
+    </message>
+    <message>
+        <source>Name or address of the receiver</source>
+        <translation>Nom ou adresse du récepteur</translation>
+    </message>
+    <message>
+        <source>port </source>
+        <comment>before a number</comment>
+        <translation>port </translation>
     </message>
 </context>
 <context>
@@ -17638,10 +17704,6 @@ Run %2 --help for more.
         <translation>D’un &amp;fichier…</translation>
     </message>
     <message>
-        <source>A TOML file with shares of right answers and spreads</source>
-        <translation>Un fichier TOML avec des parts de réponses correctes et des dispersions</translation>
-    </message>
-    <message>
         <source>From this st&amp;udy</source>
         <translation>De cette ét&amp;ude</translation>
     </message>
@@ -17693,10 +17755,6 @@ Run %2 --help for more.
         <translation>Puissance selon le nombre de participants</translation>
     </message>
     <message>
-        <source>This protocol has no task in which patterns are told apart. The number of participants is planned for comparisons of such tasks.</source>
-        <translation>Ce protocole n’a aucune tâche où l’on distingue des motifs. Le nombre de participants se planifie pour des comparaisons de telles tâches.</translation>
-    </message>
-    <message>
         <source>The power over the number of participants will be shown here.
 Enter what you assume on the left, and choose Plan.</source>
         <translation>La puissance selon le nombre de participants sera affichée ici.
@@ -17705,6 +17763,22 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>There is nothing to plan.</source>
         <translation>Il n’y a rien à planifier.</translation>
+    </message>
+    <message>
+        <source>The middle participant has this threshold.</source>
+        <translation>Le participant médian a ce seuil.</translation>
+    </message>
+    <message>
+        <source>The protocol has no task to plan for.</source>
+        <translation>Le protocole n’a pas de tâche à planifier.</translation>
+    </message>
+    <message>
+        <source>A TOML file with shares of right answers or thresholds, and spreads</source>
+        <translation>Un fichier TOML avec des parts de bonnes réponses ou des seuils, et des dispersions</translation>
+    </message>
+    <message>
+        <source>Targ&amp;et</source>
+        <translation>Cibl&amp;e</translation>
     </message>
 </context>
 <context>
@@ -18085,6 +18159,57 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>&amp;Delete the participant…</source>
         <translation>&amp;Supprimer le participant…</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::study::ThresholdForm</name>
+    <message>
+        <source>log10 units</source>
+        <translation>unités log10</translation>
+    </message>
+    <message>
+        <source>Spread of &amp;participants</source>
+        <translation>Dispersion entre &amp;participants</translation>
+    </message>
+    <message>
+        <source>How far the 95 % interval of the mean threshold may reach to each side</source>
+        <translation>Jusqu’où l’intervalle à 95&#xa0;% du seuil moyen peut s’étendre de chaque côté</translation>
+    </message>
+    <message>
+        <source>as in the protocol</source>
+        <translation>comme dans le protocole</translation>
+    </message>
+    <message>
+        <source>Of constant stimuli: at each level</source>
+        <translation>Des stimuli constants&#xa0;: à chaque niveau</translation>
+    </message>
+    <message>
+        <source>Th&amp;reshold</source>
+        <translation>Seui&amp;l</translation>
+    </message>
+    <message>
+        <source>Slope (Wei&amp;bull)</source>
+        <translation>Pente (Wei&amp;bull)</translation>
+    </message>
+    <message>
+        <source>Spread of the fu&amp;nction</source>
+        <translation>Étalement de la fo&amp;nction</translation>
+    </message>
+    <message>
+        <source>L&amp;apses</source>
+        <translation>L&amp;apses</translation>
+    </message>
+    <message>
+        <source>&amp;Yes without a stimulus</source>
+        <translation>&amp;Oui sans stimulus</translation>
+    </message>
+    <message>
+        <source>Interval at &amp;most ±</source>
+        <translation>Intervalle d’au plus ± (&amp;m)</translation>
+    </message>
+    <message>
+        <source>Trials of a trac&amp;k</source>
+        <translation>Essais d’une série (&amp;k)</translation>
     </message>
 </context>
 <context>

@@ -5262,6 +5262,19 @@ x %4, y %5
         <source>%1 participants reach %2 %.</source>
         <translation>%1名の参加者で%2 %に達します。</translation>
     </message>
+    <message>
+        <source>threshold</source>
+        <translation>閾値</translation>
+    </message>
+    <message>
+        <source>Narrow enough: %1</source>
+        <comment>test</comment>
+        <translation>十分に狭い: %1</translation>
+    </message>
+    <message>
+        <source>studies with an interval narrow enough, %</source>
+        <translation>区間が十分に狭い実験、%</translation>
+    </message>
 </context>
 <context>
     <name>ProgramText</name>
@@ -15384,6 +15397,22 @@ Run %2 --help for more.
         <source>Add a task with &amp;levels</source>
         <translation>レベルのある課題を追加(&amp;L)</translation>
     </message>
+    <message>
+        <source>Re&amp;cord each session</source>
+        <translation>各セッションを記録(&amp;C)</translation>
+    </message>
+    <message>
+        <source>names with ; between them, for the descriptions of exported data</source>
+        <translation>「;」で区切った名前。エクスポートしたデータの説明に使います</translation>
+    </message>
+    <message>
+        <source>Aut&amp;hors</source>
+        <translation>著者(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Tr&amp;iggers</source>
+        <translation>トリガー(&amp;I)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::QuestionnaireEditor</name>
@@ -16327,6 +16356,43 @@ Run %2 --help for more.
     <message>
         <source>a protocol that names a file for each pattern that is not built in</source>
         <translation>プログラムに付属していない各パターンのファイルを指定したプロトコル</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::TriggerEditor</name>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>serial port</source>
+        <translation>シリアルポート</translation>
+    </message>
+    <message>
+        <source>OSC by UDP</source>
+        <translation>UDPのOSC</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>シリアルポート</translation>
+    </message>
+    <message>
+        <source>back to 0 after </source>
+        <comment>before a number of milliseconds</comment>
+        <translation>0に戻すまで </translation>
+    </message>
+    <message>
+        <source>not back to 0</source>
+        <translation>0に戻さない</translation>
+    </message>
+    <message>
+        <source>Name or address of the receiver</source>
+        <translation>受信側の名前またはアドレス</translation>
+    </message>
+    <message>
+        <source>port </source>
+        <comment>before a number</comment>
+        <translation>ポート </translation>
     </message>
 </context>
 <context>
@@ -17585,10 +17651,6 @@ Run %2 --help for more.
         <translation>ファイルから(&amp;F)…</translation>
     </message>
     <message>
-        <source>A TOML file with shares of right answers and spreads</source>
-        <translation>正答の割合とばらつきを記したTOMLファイル</translation>
-    </message>
-    <message>
         <source>From this st&amp;udy</source>
         <translation>この実験から(&amp;U)</translation>
     </message>
@@ -17640,10 +17702,6 @@ Run %2 --help for more.
         <translation>参加者数に対する検定力</translation>
     </message>
     <message>
-        <source>This protocol has no task in which patterns are told apart. The number of participants is planned for comparisons of such tasks.</source>
-        <translation>このプロトコルには、パターンを区別する課題がありません。参加者数は、そのような課題の比較のために計画します。</translation>
-    </message>
-    <message>
         <source>The power over the number of participants will be shown here.
 Enter what you assume on the left, and choose Plan.</source>
         <translation>参加者数に対する検出力がここに表示されます。
@@ -17652,6 +17710,22 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>There is nothing to plan.</source>
         <translation>計画するものがありません。</translation>
+    </message>
+    <message>
+        <source>The middle participant has this threshold.</source>
+        <translation>中央の参加者がこの閾値を持ちます。</translation>
+    </message>
+    <message>
+        <source>The protocol has no task to plan for.</source>
+        <translation>プロトコルに計画できる課題がありません。</translation>
+    </message>
+    <message>
+        <source>A TOML file with shares of right answers or thresholds, and spreads</source>
+        <translation>正答率または閾値と、ばらつきを書いたTOMLファイル</translation>
+    </message>
+    <message>
+        <source>Targ&amp;et</source>
+        <translation>目標(&amp;E)</translation>
     </message>
 </context>
 <context>
@@ -18032,6 +18106,57 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>&amp;Delete the participant…</source>
         <translation>参加者を削除(&amp;D)…</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::study::ThresholdForm</name>
+    <message>
+        <source>log10 units</source>
+        <translation>log10単位</translation>
+    </message>
+    <message>
+        <source>Spread of &amp;participants</source>
+        <translation>参加者間のばらつき(&amp;P)</translation>
+    </message>
+    <message>
+        <source>How far the 95 % interval of the mean threshold may reach to each side</source>
+        <translation>平均閾値の95 %区間が両側に広がってよい幅</translation>
+    </message>
+    <message>
+        <source>as in the protocol</source>
+        <translation>プロトコルのとおり</translation>
+    </message>
+    <message>
+        <source>Of constant stimuli: at each level</source>
+        <translation>恒常刺激: 各レベルで</translation>
+    </message>
+    <message>
+        <source>Th&amp;reshold</source>
+        <translation>閾値(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Slope (Wei&amp;bull)</source>
+        <translation>傾き (Weibull)(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Spread of the fu&amp;nction</source>
+        <translation>関数の広がり(&amp;N)</translation>
+    </message>
+    <message>
+        <source>L&amp;apses</source>
+        <translation>ラプス率(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Yes without a stimulus</source>
+        <translation>刺激なしでの「はい」(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Interval at &amp;most ±</source>
+        <translation>区間の上限 ±(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Trials of a trac&amp;k</source>
+        <translation>トラックの試行数(&amp;K)</translation>
     </message>
 </context>
 <context>

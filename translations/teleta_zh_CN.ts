@@ -5262,6 +5262,19 @@ x %4，y %5
         <source>%1 participants reach %2 %.</source>
         <translation>%1 名被试可达到 %2 %。</translation>
     </message>
+    <message>
+        <source>threshold</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>Narrow enough: %1</source>
+        <comment>test</comment>
+        <translation>足够窄：%1</translation>
+    </message>
+    <message>
+        <source>studies with an interval narrow enough, %</source>
+        <translation>区间足够窄的研究，%</translation>
+    </message>
 </context>
 <context>
     <name>ProgramText</name>
@@ -15384,6 +15397,22 @@ Run %2 --help for more.
         <source>Add a task with &amp;levels</source>
         <translation>添加带刺激水平的任务(&amp;L)</translation>
     </message>
+    <message>
+        <source>Re&amp;cord each session</source>
+        <translation>记录每个场次(&amp;C)</translation>
+    </message>
+    <message>
+        <source>names with ; between them, for the descriptions of exported data</source>
+        <translation>以 ; 分隔的姓名，用于导出数据的说明</translation>
+    </message>
+    <message>
+        <source>Aut&amp;hors</source>
+        <translation>作者(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Tr&amp;iggers</source>
+        <translation>触发信号(&amp;I)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::QuestionnaireEditor</name>
@@ -16327,6 +16356,43 @@ Run %2 --help for more.
     <message>
         <source>a protocol that names a file for each pattern that is not built in</source>
         <translation>为每个未随程序提供的图案指定了文件的方案</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::TriggerEditor</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>OSC by UDP</source>
+        <translation>UDP 上的 OSC</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>back to 0 after </source>
+        <comment>before a number of milliseconds</comment>
+        <translation>归零前 </translation>
+    </message>
+    <message>
+        <source>not back to 0</source>
+        <translation>不归零</translation>
+    </message>
+    <message>
+        <source>Name or address of the receiver</source>
+        <translation>接收方的名称或地址</translation>
+    </message>
+    <message>
+        <source>port </source>
+        <comment>before a number</comment>
+        <translation>端口 </translation>
     </message>
 </context>
 <context>
@@ -17585,10 +17651,6 @@ Run %2 --help for more.
         <translation>来自文件(&amp;F)…</translation>
     </message>
     <message>
-        <source>A TOML file with shares of right answers and spreads</source>
-        <translation>含正确回答比例和离散度的 TOML 文件</translation>
-    </message>
-    <message>
         <source>From this st&amp;udy</source>
         <translation>来自此研究(&amp;U)</translation>
     </message>
@@ -17640,10 +17702,6 @@ Run %2 --help for more.
         <translation>检验力随被试人数的变化</translation>
     </message>
     <message>
-        <source>This protocol has no task in which patterns are told apart. The number of participants is planned for comparisons of such tasks.</source>
-        <translation>此方案中没有区分模式的任务。参与者人数是针对此类任务的比较来规划的。</translation>
-    </message>
-    <message>
         <source>The power over the number of participants will be shown here.
 Enter what you assume on the left, and choose Plan.</source>
         <translation>此处将显示检验功效随参与者人数的变化。
@@ -17652,6 +17710,22 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>There is nothing to plan.</source>
         <translation>没有可规划的内容。</translation>
+    </message>
+    <message>
+        <source>The middle participant has this threshold.</source>
+        <translation>居中的被试具有此阈值。</translation>
+    </message>
+    <message>
+        <source>The protocol has no task to plan for.</source>
+        <translation>方案中没有可规划的任务。</translation>
+    </message>
+    <message>
+        <source>A TOML file with shares of right answers or thresholds, and spreads</source>
+        <translation>含正确率或阈值以及离散度的 TOML 文件</translation>
+    </message>
+    <message>
+        <source>Targ&amp;et</source>
+        <translation>目标(&amp;E)</translation>
     </message>
 </context>
 <context>
@@ -18032,6 +18106,57 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>&amp;Delete the participant…</source>
         <translation>删除被试(&amp;D)…</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::study::ThresholdForm</name>
+    <message>
+        <source>log10 units</source>
+        <translation>log10 单位</translation>
+    </message>
+    <message>
+        <source>Spread of &amp;participants</source>
+        <translation>被试间的离散度(&amp;P)</translation>
+    </message>
+    <message>
+        <source>How far the 95 % interval of the mean threshold may reach to each side</source>
+        <translation>平均阈值的 95 % 区间可向两侧延伸的最大距离</translation>
+    </message>
+    <message>
+        <source>as in the protocol</source>
+        <translation>按方案</translation>
+    </message>
+    <message>
+        <source>Of constant stimuli: at each level</source>
+        <translation>恒定刺激：每个水平</translation>
+    </message>
+    <message>
+        <source>Th&amp;reshold</source>
+        <translation>阈值(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Slope (Wei&amp;bull)</source>
+        <translation>斜率 (Weibull)(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Spread of the fu&amp;nction</source>
+        <translation>函数的展宽(&amp;N)</translation>
+    </message>
+    <message>
+        <source>L&amp;apses</source>
+        <translation>失误率(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Yes without a stimulus</source>
+        <translation>无刺激时答“是”(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Interval at &amp;most ±</source>
+        <translation>区间最多 ±(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Trials of a trac&amp;k</source>
+        <translation>一条轨迹的试次数(&amp;K)</translation>
     </message>
 </context>
 <context>

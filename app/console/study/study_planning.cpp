@@ -2,17 +2,34 @@
 #include "app/console/study/study_planning.h"
 
 #include "app/console/study/study_writing.h"
+#include "backend/core/failure.h"
 #include "backend/study/planning/identification_plan.h"
+#include "backend/study/planning/threshold_plan.h"
 #include "widgets/base/background.h"
 #include "widgets/base/file_dialog.h"
 
 #include <QFileInfo>
+
+#include <utility>
 
 namespace teleta::console {
 
 namespace {
 
 constexpr int kProgress_ms = 100;
+
+core::Expected<std::shared_ptr<const study::PossibleStudy>> possibleStudy(const study::Protocol& protocol,
+                                                                          const study::PlanRequest& request) {
+    const std::string test = request.test.toStdString();
+    if (request.wish) {
+        TELETA_TRY(study::ThresholdPlan plan,
+                   study::ThresholdPlan::make(protocol, request.truth, test, *request.wish));
+        return std::make_shared<const study::ThresholdPlan>(std::move(plan));
+    }
+    TELETA_TRY(study::IdentificationPlan plan,
+               study::IdentificationPlan::make(protocol, request.truth, test));
+    return std::make_shared<const study::IdentificationPlan>(std::move(plan));
+}
 
 } // namespace
 
@@ -50,7 +67,7 @@ void StudyPlanning::plan() {
         m_panel.setProblem(tr("There is no number of participants to try: \"from\" is above \"to\"."));
         return;
     }
-    auto possible = study::IdentificationPlan::make(m_protocol, request->truth, request->test.toStdString());
+    auto possible = possibleStudy(m_protocol, *request);
     if (!possible) {
         m_panel.setProblem(QString::fromStdString(core::describe(possible.error())));
         return;
@@ -61,15 +78,15 @@ void StudyPlanning::plan() {
     base::runInBackground(
         this,
         [run = m_run, settings = request->settings, study = std::move(*possible)] {
-            return study::planPower(study, settings, [&](double done) {
+            return study::planPower(*study, settings, [&](double done) {
                 run->done = done;
                 return !run->cancelled.load();
             });
         },
-        [this, settings = request->settings](const study::PowerPlan& plan) {
+        [this, request = *request](const study::PowerPlan& plan) {
             m_ticks.stop();
             m_run.reset();
-            m_panel.setPlan(plan, settings);
+            m_panel.setPlan(plan, request);
         });
 }
 
@@ -91,7 +108,9 @@ void StudyPlanning::takePilot() {
         this,
         [location = m_location]() -> core::Expected<study::StudyTruth> {
             TELETA_TRY(const StudyResults results, resultsOf(location));
-            return study::truthOf(results.tasks, location.folder);
+            if (!results.levels)
+                return study::truthOf(results.tasks, location.folder);
+            return study::truthOf(results.tasks, results.levels->thresholds, location.folder);
         },
         [this](const core::Expected<study::StudyTruth>& truth) { showTruth(truth, tr("this study")); });
 }

@@ -358,9 +358,12 @@ core::Expected<QSqlQuery> StudyConnection::execute(const QString& sql, const QVa
     for (const QVariant& value : values)
         query.addBindValue(value);
     done = done && (values.isEmpty() ? query.exec(sql) : query.exec());
-    if (!done)
-        return failed(ConnectionText::tr("cannot use the study: %1"), query.lastError());
-    return query;
+    if (done)
+        return query;
+    const core::Unexpected error = failed(ConnectionText::tr("cannot use the study: %1"), query.lastError());
+    if (m_inTransaction)
+        m_failed.push_back(std::move(query));
+    return error;
 }
 
 core::Expected<void> StudyConnection::inTransaction(const std::function<core::Expected<void>()>& work) {
@@ -371,6 +374,7 @@ core::Expected<void> StudyConnection::inTransaction(const std::function<core::Ex
     if (!done)
         (void)execute(QStringLiteral("ROLLBACK"), {});
     m_inTransaction = false;
+    m_failed.clear();
     return done;
 }
 

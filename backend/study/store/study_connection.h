@@ -115,6 +115,9 @@ private:
     std::set<long long> m_locks;
     std::optional<Backend> m_backend; ///< server only
     std::vector<Backend> m_orphans;   ///< server only: broken ones that may still exist
+    /// Statements of the transaction that failed. A server would not free them before its end, about which Qt
+    /// writes to standard error.
+    std::vector<QSqlQuery> m_failed;
     std::size_t m_reconnections = 0;
     bool m_inTransaction = false;
     bool m_isReadOnly = false;

@@ -102,8 +102,12 @@ TEST_F(ParticipantDeletionTest, leavesNoTraceButTheRecordThatItHappened) {
     // Not even in the pages and the log of the database.
     EXPECT_EQ(filesWith(std::string(kSecret) + " of Anna").size(),
               filesWith(std::string(kSecret) + " of Annabel").size());
-    for (const std::string& file : filesWith("Anna"))
-        EXPECT_NE(readAll(file).find("Annabel"), std::string::npos) << file;
+    for (const std::string& file : filesWith("Anna")) {
+        std::string all = file + readAll(file);
+        for (std::size_t at = all.find("Annabel"); at != std::string::npos; at = all.find("Annabel"))
+            all.erase(at, 7);
+        EXPECT_EQ(all.find("Anna"), std::string::npos) << file;
+    }
     EXPECT_FALSE(std::filesystem::exists(folder() + "/report-Anna-participant.html"));
     EXPECT_FALSE(std::filesystem::exists(folder() + "/recordings/Anna_20261103T142233.teleta"));
     EXPECT_TRUE(std::filesystem::exists(folder() + "/recordings/Annabel_20261103T142233.teleta"));

@@ -227,7 +227,8 @@ TEST_F(ReadOnlyStudyTest, ofAnOlderProgramIsRefusedThereAndBroughtUpToDateElsewh
             // Schema 3 had no notes, no frame statistics, and no custom patterns.
             QSqlQuery query(database);
             for (const char* step :
-                 {"DROP TABLE stimulus", "DROP TABLE note", "ALTER TABLE trial DROP COLUMN frame_write_ms",
+                 {"DROP TABLE deletion", "DROP TABLE stimulus", "DROP TABLE note",
+                  "ALTER TABLE trial DROP COLUMN frame_write_ms",
                   "ALTER TABLE trial DROP COLUMN frames_missed", "ALTER TABLE trial DROP COLUMN track",
                   "ALTER TABLE trial DROP COLUMN level", "ALTER TABLE trial DROP COLUMN target",
                   "ALTER TABLE trial DROP COLUMN trigger_ms", "ALTER TABLE trial DROP COLUMN recording",

@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -79,6 +81,27 @@ TrialResult trialNumber(std::size_t number) {
 }
 
 /// One server for all tests; each has a study of its own.
+/// While one exists, warnings of Qt are counted instead of written.
+class Warnings {
+public:
+    Warnings()
+        : m_before(qInstallMessageHandler(&Warnings::take)) {
+        s_count = 0;
+    }
+    ~Warnings() { qInstallMessageHandler(m_before); }
+    Warnings(const Warnings&) = delete;
+    Warnings& operator=(const Warnings&) = delete;
+    [[nodiscard]] static int count() { return s_count; }
+
+private:
+    static void take(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QString& text) {
+        ++s_count;
+        std::fprintf(stderr, "Qt: %s\n", qPrintable(text));
+    }
+    static inline std::atomic<int> s_count = 0;
+    QtMessageHandler m_before;
+};
+
 class StudyServerTest : public testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -206,8 +229,8 @@ TEST_F(StudyServerTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
     }
     // As schema 2 left it.
     s_server->sql(
-        "DROP TABLE " + m_study + ".answer, " + m_study + ".note, " + m_study + ".stimulus; ALTER TABLE " +
-        m_study +
+        "DROP TABLE " + m_study + ".answer, " + m_study + ".note, " + m_study + ".stimulus, " + m_study +
+        ".deletion; ALTER TABLE " + m_study +
         ".trial DROP COLUMN frame_write_ms, DROP COLUMN frames_missed, DROP COLUMN track, DROP COLUMN "
         "level, DROP COLUMN target, DROP COLUMN trigger_ms, DROP COLUMN recording, DROP COLUMN "
         "recording_s; ALTER TABLE " +
@@ -239,6 +262,25 @@ TEST_F(StudyServerTest, keepsAnswersOfAQuestionnaireTogetherAndOnce) {
     EXPECT_EQ(answers[0].value, "very");
     EXPECT_EQ(answers[0].session, session.key);
     EXPECT_FALSE(answers[1].value);
+}
+
+TEST_F(StudyServerTest, ofStationsThatCreateItAtOnceOneDoesAndQtWritesNothing) {
+    const Warnings warnings;
+    constexpr int kStations = 6;
+    std::atomic<int> created = 0;
+    std::atomic<int> refused = 0;
+    {
+        std::vector<std::jthread> stations;
+        for (int i = 0; i < kStations; ++i)
+            stations.emplace_back([&, i] {
+                const auto store = StudyStore::create(at("station" + std::to_string(i)), head());
+                created += store ? 1 : 0;
+                refused += !store && store.error().kind == core::ErrorKind::refused ? 1 : 0;
+            });
+    }
+    EXPECT_EQ(created, 1);
+    EXPECT_EQ(refused, kStations - 1);
+    EXPECT_EQ(warnings.count(), 0);
 }
 
 TEST_F(StudyServerTest, stationsThatEnrolAtOnceGetNumbersOfTheirOwn) {

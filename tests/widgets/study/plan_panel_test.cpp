@@ -32,6 +32,18 @@ study::Protocol protocol() {
     return two;
 }
 
+study::Protocol levels() {
+    study::Protocol one;
+    one.name = "levels";
+    study::StudyTask task;
+    task.id = task.name = "detection";
+    task.design = study::Design::yesNo;
+    task.conditions = {"rest"};
+    task.levels.range = {study::LevelScale::log10, 0.01, 1.0};
+    one.tasks = {task};
+    return one;
+}
+
 study::PowerPlan planOf(std::optional<std::size_t> answer, std::optional<std::size_t> other = {}) {
     study::PowerPlan plan;
     plan.points = {{6, 1000, 400, 0}, {8, 1000, 930, 0}};
@@ -51,20 +63,19 @@ private slots:
         QCOMPARE(tests.size(), std::size_t(3 + 1));
         QCOMPARE(tests[0].id, QStringLiteral("shape:condition"));
         QCOMPARE(tests[3].id, QStringLiteral("stiffness:pattern"));
-        study::Protocol levels = protocol();
-        for (study::StudyTask& task : levels.tasks)
-            task.design = study::Design::yesNo;
-        QVERIFY(PlanContent::tests(levels).empty());
+        const auto thresholds = PlanContent::tests(levels());
+        QCOMPARE(thresholds.size(), std::size_t(1));
+        QCOMPARE(thresholds[0].id, QStringLiteral("detection:threshold"));
+        QVERIFY(PlanContent::tests({}).empty());
     }
 
     void saysWhatIsMissingWhileThereIsNoPlan() {
         PlanPanel panel;
         auto* curve = panel.findChild<study::CurveView*>("planCurve");
         auto* spread = panel.findChild<QDoubleSpinBox*>("planParticipantSd");
-        study::Protocol levels = protocol();
-        for (study::StudyTask& task : levels.tasks)
-            task.design = study::Design::yesNo;
-        panel.setProtocol(levels);
+        study::Protocol nothing;
+        nothing.name = "nothing";
+        panel.setProtocol(nothing);
         QVERIFY(!spread->isEnabled());
         QVERIFY(!panel.findChild<QLabel*>("planAnswer")->text().isEmpty());
         QVERIFY(!curve->content().nothing.isEmpty());
@@ -72,13 +83,13 @@ private slots:
         QVERIFY(spread->isEnabled());
         QVERIFY(panel.findChild<QLabel*>("planAnswer")->text().isEmpty());
         QVERIFY(curve->content().nothing.contains("power"));
-        panel.setPlan(planOf(8), panel.request()->settings);
+        panel.setPlan(planOf(8), *panel.request());
         QVERIFY(!curve->content().series[0].points.empty());
         // Another language does not take it away, another protocol does.
         QEvent language(QEvent::LanguageChange);
         QCoreApplication::sendEvent(&panel, &language);
         QVERIFY(!curve->content().series.empty());
-        panel.setProtocol(levels);
+        panel.setProtocol(levels());
         QVERIFY(curve->content().series.empty());
     }
 
@@ -103,6 +114,61 @@ private slots:
         QCOMPARE(truth->conditions[1].correct, 0.85);
         panel.findChild<QSpinBox*>("planFrom")->setValue(20);
         QVERIFY(!panel.request().has_value());
+    }
+
+    void aTaskWithLevelsAsksForItsThreshold() {
+        PlanPanel panel;
+        panel.setProtocol(levels());
+        panel.show();
+        auto* threshold = panel.findChild<QDoubleSpinBox*>("planThreshold");
+        QVERIFY(threshold->isVisible());
+        QVERIFY(!panel.findChild<QDoubleSpinBox*>("planParticipantSd")->isVisible());
+        QVERIFY(panel.findChild<QDoubleSpinBox*>("planShare0") == nullptr);
+        QCOMPARE(threshold->value(), 0.1); // the middle of the logarithms
+        panel.findChild<QDoubleSpinBox*>("planGuess")->setValue(5.0);
+        panel.findChild<QDoubleSpinBox*>("planWidth")->setValue(0.08);
+        auto request = panel.request();
+        QVERIFY(request && request->wish);
+        QCOMPARE(request->test, QStringLiteral("detection:threshold"));
+        QCOMPARE(request->wish->halfWidth, 0.08);
+        QVERIFY(!request->wish->trials);
+        QCOMPARE(request->settings.studies, std::size_t(1000));
+        QCOMPARE(request->settings.mostStudies, std::size_t(4000));
+        const study::TaskTruth* truth = request->truth.find("detection");
+        QVERIFY(truth != nullptr && truth->threshold);
+        QCOMPARE(truth->threshold->guess, 0.05);
+        QCOMPARE(truth->threshold->slope, 3.5);
+        panel.findChild<QSpinBox*>("planTrials")->setValue(60);
+        QCOMPARE(panel.request()->wish->trials, std::optional<std::size_t>(60));
+        panel.setPlan(planOf(8U), *panel.request());
+        QVERIFY(panel.findChild<study::CurveView*>("planCurve")->content().title.contains("Narrow enough"));
+        // What a file says is not what the form says, but the wish is.
+        study::StudyTruth read;
+        read.tasks.push_back({"detection", 0.0, 0.0, {}, study::ThresholdTruth{0.3, 2.0, 0.0, 0.0, 0.1}});
+        panel.setTruth(read, QStringLiteral("truth.toml"));
+        QVERIFY(!threshold->isEnabled());
+        QVERIFY(panel.findChild<QDoubleSpinBox*>("planWidth")->isEnabled());
+        QCOMPARE(panel.request()->truth.tasks[0].threshold->threshold, 0.3);
+        // Patterns again.
+        panel.setProtocol(protocol());
+        QVERIFY(!threshold->isVisible());
+        QVERIFY(panel.findChild<QDoubleSpinBox*>("planParticipantSd")->isVisible());
+        QCOMPARE(panel.request()->settings.studies, std::size_t(10'000));
+        QVERIFY(!panel.request()->wish);
+    }
+
+    void aStraightScaleHasSpreadsInItsUnit() {
+        study::Protocol times = levels();
+        times.tasks[0].design = study::Design::compare;
+        times.tasks[0].levels.vary = study::Vary::onset;
+        times.tasks[0].levels.range = {study::LevelScale::linear, 0.1, 0.5};
+        PlanPanel panel;
+        panel.setProtocol(times);
+        panel.show();
+        QCOMPARE(panel.findChild<QDoubleSpinBox*>("planThreshold")->value(), 0.3);
+        QCOMPARE(panel.findChild<QDoubleSpinBox*>("planWidth")->suffix(), QStringLiteral(" s"));
+        QCOMPARE(panel.findChild<QDoubleSpinBox*>("planSlope")->value(), 0.04);
+        QVERIFY(!panel.findChild<QDoubleSpinBox*>("planGuess")->isVisible());
     }
 
     void aTaskWithOneConditionHasOneShare() {
@@ -143,7 +209,7 @@ private slots:
         QCOMPARE(panel.findChild<QProgressBar*>("planProgress")->value(), 250);
         QTest::mouseClick(cancel, Qt::LeftButton);
         QCOMPARE(cancelled.count(), 1);
-        panel.setPlan(planOf(8U), {{6, 8}, 1000});
+        panel.setPlan(planOf(8U), *panel.request());
         QVERIFY(start->isEnabled());
         const study::CurveContent& curve = panel.findChild<study::CurveView*>("planCurve")->content();
         QCOMPARE(curve.series[0].points.size(), std::size_t(2));

@@ -19,13 +19,15 @@ std::vector<PlanTest> PlanContent::tests(const Protocol& protocol) {
     std::vector<PlanTest> tests;
     for (std::size_t i = 0; i < protocol.tasks.size(); ++i) {
         const StudyTask& task = protocol.tasks[i];
-        if (task.design != Design::identification)
-            continue;
         const QString name = displayName(task);
         const auto add = [&](const char* effect, const QString& shown) {
             tests.push_back({i, QString::fromStdString(task.id) + QLatin1Char(':') + QLatin1String(effect),
                              tr("%1: %2", "task, test").arg(name, shown)});
         };
+        if (task.design != Design::identification) {
+            add("threshold", tr("threshold"));
+            continue;
+        }
         if (task.conditions.size() > 1)
             add("condition", tr("conditions"));
         add("pattern", tr("patterns"));
@@ -35,12 +37,15 @@ std::vector<PlanTest> PlanContent::tests(const Protocol& protocol) {
     return tests;
 }
 
-CurveContent PlanContent::curve(const PowerPlan& plan, const PlanSettings& settings, const QString& test) {
+CurveContent PlanContent::curve(const PowerPlan& plan, const PlanRequest& request, const QString& test) {
+    const PlanSettings& settings = request.settings;
     CurveContent chart;
     chart.name = QStringLiteral("plan");
-    chart.title = tr("Power: %1", "test").arg(test);
+    chart.title =
+        request.wish ? tr("Narrow enough: %1", "test").arg(test) : tr("Power: %1", "test").arg(test);
     chart.xAxis = tr("participants");
-    chart.yAxis = tr("significant studies, %");
+    chart.yAxis =
+        request.wish ? tr("studies with an interval narrow enough, %") : tr("significant studies, %");
     chart.highest = kPowerToPercent;
     chart.reference = kPowerToPercent * settings.target;
     chart.referenceName = tr("target");

@@ -2,12 +2,15 @@
 #pragma once
 
 #include "backend/study/planning/power.h"
+#include "backend/study/planning/study_truth.h"
+#include "backend/study/planning/threshold_plan.h"
 #include "backend/study/protocol/protocol.h"
 #include "widgets/study/results/curve_picture.h"
 
 #include <QCoreApplication>
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace teleta::study {
@@ -19,15 +22,24 @@ struct PlanTest {
     QString name;
 };
 
+/// What to plan.
+struct PlanRequest {
+    QString test; ///< "shape:condition"
+    PlanSettings settings;
+    StudyTruth truth;
+    std::optional<ThresholdWish> wish = {}; ///< of a threshold
+};
+
 /// Contents of the plan view. Thread: any (pure).
 class PlanContent {
     Q_DECLARE_TR_FUNCTIONS(PlanContent)
 
 public:
-    /// The lines of the analyses of tasks in which patterns are told apart.
+    /// The lines of the analyses of tasks in which patterns are told apart, and the thresholds of the others.
     [[nodiscard]] static std::vector<PlanTest> tests(const Protocol& protocol);
-    /// Power over the number of participants, with Wilson's intervals and the target.
-    [[nodiscard]] static CurveContent curve(const PowerPlan& plan, const PlanSettings& settings,
+    /// Power, or the share of studies whose interval is narrow enough, over the number of participants, with
+    /// Wilson's intervals and the target. test: as shown.
+    [[nodiscard]] static CurveContent curve(const PowerPlan& plan, const PlanRequest& request,
                                             const QString& test);
     /// How many participants the test needs.
     [[nodiscard]] static QString answer(const PowerPlan& plan, const PlanSettings& settings);

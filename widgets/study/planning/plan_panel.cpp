@@ -3,7 +3,7 @@
 
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
-#include "widgets/study/planning/plan_content.h"
+#include "widgets/study/planning/threshold_form.h"
 #include "widgets/study/results/curve_view.h"
 #include "widgets/study/study_names.h"
 
@@ -20,6 +20,10 @@ namespace teleta::study {
 namespace {
 
 constexpr int kMostInForm = 200;
+constexpr int kTestStudies = 10'000;
+constexpr int kThresholdStudies = 1000;
+/// The most studies of a threshold that are drawn to decide between two numbers, as in teleta study plan.
+constexpr std::size_t kMostThresholdStudies = 4000;
 constexpr double kPercentOf = 100.0;
 constexpr double kUsualShare = 70.0;
 constexpr double kUsualTarget = 90.0;
@@ -30,6 +34,7 @@ constexpr double kUsualConditionSd = 0.2;
 
 PlanPanel::PlanPanel(QWidget* parent)
     : QWidget(parent)
+    , m_threshold(base::named<ThresholdForm>("planThresholdForm", this))
     , m_curve(base::named<CurveView>("planCurve", this)) {
     for (QDoubleSpinBox* spread : {m_participantSd, m_conditionSd}) {
         spread->setRange(0.0, 5.0);
@@ -48,7 +53,7 @@ PlanPanel::PlanPanel(QWidget* parent)
     m_target_percent->setDecimals(1);
     m_target_percent->setValue(kUsualTarget);
     m_target_percent->setSuffix(QStringLiteral(" %"));
-    for (const int studies : {1000, 10'000, 40'000})
+    for (const int studies : {kThresholdStudies, kTestStudies, 40'000})
         m_studies->addItem(QString(), studies);
     m_studies->setCurrentIndex(1);
 
@@ -59,6 +64,7 @@ PlanPanel::PlanPanel(QWidget* parent)
     sources->addStretch(1);
     m_form->addRow(m_testLabel, m_test);
     m_form->addRow(m_shares);
+    m_form->addRow(m_threshold);
     m_form->addRow(m_participantLabel, m_participantSd);
     m_form->addRow(m_conditionLabel, m_conditionSd);
     m_form->addRow(m_sourceLabel);
@@ -99,7 +105,10 @@ PlanPanel::PlanPanel(QWidget* parent)
     connect(m_file, &QPushButton::clicked, this, &PlanPanel::truthFileRequested);
     connect(m_pilot, &QPushButton::clicked, this, &PlanPanel::pilotRequested);
     connect(m_own, &QPushButton::clicked, this, [this] { setTruth({}, {}); });
-    connect(m_test, &QComboBox::currentIndexChanged, this, &PlanPanel::showConditions);
+    connect(m_test, &QComboBox::currentIndexChanged, this, [this] {
+        showConditions();
+        useUsualStudies();
+    });
     connect(m_curve, &CurveView::exportFailed, this, &PlanPanel::figureFailed);
     base::keepTranslated(this, &PlanPanel::retranslate);
 }
@@ -112,6 +121,16 @@ const StudyTask* PlanPanel::task() const {
                : nullptr;
 }
 
+bool PlanPanel::isOfThreshold() const {
+    const StudyTask* chosen = task();
+    return chosen != nullptr && chosen->design != Design::identification;
+}
+
+/// A threshold takes a fit of every participant, and so longer.
+void PlanPanel::useUsualStudies() {
+    m_studies->setCurrentIndex(m_studies->findData(isOfThreshold() ? kThresholdStudies : kTestStudies));
+}
+
 void PlanPanel::setProtocol(const Protocol& protocol) {
     if (protocolText(protocol) == protocolText(m_protocol))
         return;
@@ -120,6 +139,7 @@ void PlanPanel::setProtocol(const Protocol& protocol) {
     m_answer->clear();
     m_isPlanned = false;
     retranslate();
+    useUsualStudies();
 }
 
 void PlanPanel::setTruth(const StudyTruth& truth, const QString& source) {
@@ -140,10 +160,16 @@ std::optional<PlanRequest> PlanPanel::request() const {
         return std::nullopt;
     request.settings.studies = static_cast<std::size_t>(m_studies->currentData().toInt());
     request.settings.target = m_target_percent->value() / kPercentOf;
-    if (m_truth) {
-        request.truth = *m_truth;
-        return request;
+    if (isOfThreshold()) {
+        request.wish = m_threshold->wish();
+        request.settings.mostStudies = std::max(kMostThresholdStudies, request.settings.studies);
+        if (!m_truth)
+            request.truth.tasks.push_back(m_threshold->truth());
     }
+    if (m_truth)
+        request.truth = *m_truth;
+    if (m_truth || isOfThreshold())
+        return request;
     TaskTruth assumed;
     assumed.id = chosen->id;
     assumed.participantSd = m_participantSd->value();
@@ -157,7 +183,7 @@ std::optional<PlanRequest> PlanPanel::request() const {
 /// A share for each condition of the chosen task. Shares that were filled in stay with their conditions.
 void PlanPanel::showConditions() {
     const StudyTask* chosen = task();
-    const std::size_t wanted = chosen == nullptr ? 0 : chosen->conditions.size();
+    const std::size_t wanted = chosen == nullptr || isOfThreshold() ? 0 : chosen->conditions.size();
     while (m_share_percent.size() > wanted) {
         m_shares->removeRow(static_cast<int>(m_share_percent.size()) - 1);
         m_share_percent.pop_back();
@@ -181,14 +207,25 @@ void PlanPanel::showConditions() {
         label->setText(tr("Right answers, %1", "condition").arg(name));
         m_share_percent[i]->setAccessibleName(label->text());
     }
+    if (isOfThreshold())
+        m_threshold->setTask(*chosen);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_participantLabel, m_participantSd,
+                                                           m_conditionLabel, m_conditionSd})
+        widget->setVisible(!isOfThreshold());
+    m_threshold->setVisible(isOfThreshold());
+    m_targetLabel->setText(isOfThreshold() ? tr("Targ&et") : tr("Target po&wer"));
     showSource();
 }
 
 void PlanPanel::showSource() {
     const bool isOwn = !m_truth;
     m_sourceLabel->setVisible(task() != nullptr);
-    m_sourceLabel->setText(isOwn ? tr("The middle participant has these shares; the spreads are in logits.")
-                                 : tr("Assumed: what %1 says.").arg(m_source));
+    m_sourceLabel->setText(!isOwn ? tr("Assumed: what %1 says.").arg(m_source)
+                           : isOfThreshold()
+                               ? tr("The middle participant has this threshold.")
+                               : tr("The middle participant has these shares; the spreads are in logits."));
+    m_threshold->setEnabled(!m_running);
+    m_threshold->setTruthEnabled(isOwn);
     for (QDoubleSpinBox* share : m_share_percent)
         share->setEnabled(isOwn && !m_running);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_participantSd, m_conditionSd})
@@ -202,8 +239,7 @@ void PlanPanel::showSource() {
     m_cancel->setEnabled(m_running);
     m_progress->setVisible(m_running);
     if (task() == nullptr)
-        m_answer->setText(tr("This protocol has no task in which patterns are told apart. The number of "
-                             "participants is planned for comparisons of such tasks."));
+        m_answer->setText(tr("The protocol has no task to plan for."));
 }
 
 /// What will be where the curve is.
@@ -228,12 +264,12 @@ void PlanPanel::setRunning(double done) {
     m_progress->setValue(static_cast<int>(1000.0 * done));
 }
 
-void PlanPanel::setPlan(const PowerPlan& plan, const PlanSettings& settings) {
+void PlanPanel::setPlan(const PowerPlan& plan, const PlanRequest& request) {
     m_running = false;
     showSource();
-    m_curve->setContent(PlanContent::curve(plan, settings, m_test->currentText()));
+    m_curve->setContent(PlanContent::curve(plan, request, m_test->currentText()));
     m_isPlanned = true;
-    m_answer->setText(PlanContent::answer(plan, settings));
+    m_answer->setText(PlanContent::answer(plan, request.settings));
 }
 
 void PlanPanel::setProblem(const QString& text) {
@@ -255,7 +291,7 @@ void PlanPanel::retranslate() {
     m_participantLabel->setText(tr("Spread of &participants"));
     m_conditionLabel->setText(tr("Spread under one &condition"));
     m_file->setText(tr("From a &file\u2026"));
-    m_file->setToolTip(tr("A TOML file with shares of right answers and spreads"));
+    m_file->setToolTip(tr("A TOML file with shares of right answers or thresholds, and spreads"));
     m_pilot->setText(tr("From this st&udy"));
     m_pilot->setToolTip(tr("Assumes what the results of this study show; at least 5 participants"));
     m_own->setText(tr("From this f&orm"));
@@ -263,7 +299,6 @@ void PlanPanel::retranslate() {
     m_from->setPrefix(tr("from ", "number of participants"));
     m_to->setPrefix(tr("to ", "number of participants"));
     m_step->setPrefix(tr("step ", "of the number of participants"));
-    m_targetLabel->setText(tr("Target po&wer"));
     m_studiesLabel->setText(tr("&Studies drawn"));
     for (int i = 0; i < m_studies->count(); ++i)
         m_studies->setItemText(i, QLocale().toString(m_studies->itemData(i).toInt()));

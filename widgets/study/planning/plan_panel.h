@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/study/planning/power.h"
-#include "backend/study/planning/study_truth.h"
-#include "backend/study/protocol/protocol.h"
 #include "widgets/base/compose.h"
+#include "widgets/study/planning/plan_content.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -21,13 +19,7 @@
 namespace teleta::study {
 
 class CurveView;
-
-/// What to plan.
-struct PlanRequest {
-    QString test; ///< "shape:condition"
-    PlanSettings settings;
-    StudyTruth truth;
-};
+class ThresholdForm;
 
 /// How many participants does a test need? A form of what is assumed on the left, the power over the number
 /// of participants on the right. It computes nothing. Thread: GUI.
@@ -46,7 +38,7 @@ public:
 
     /// While a plan is computed the form is locked. done: 0 .. 1.
     void setRunning(double done);
-    void setPlan(const PowerPlan& plan, const PlanSettings& settings);
+    void setPlan(const PowerPlan& plan, const PlanRequest& request);
     /// Why there is no plan.
     void setProblem(const QString& text);
 
@@ -62,7 +54,9 @@ private:
     void showConditions();
     void showSource();
     void showNoPlan();
+    void useUsualStudies();
     [[nodiscard]] const StudyTask* task() const;
+    [[nodiscard]] bool isOfThreshold() const;
 
     Protocol m_protocol;
     std::optional<StudyTruth> m_truth; ///< of a file or a pilot
@@ -75,6 +69,7 @@ private:
     QComboBox* m_test = base::named<QComboBox>("planTest", this);
     QFormLayout* m_shares = new QFormLayout;
     std::vector<QDoubleSpinBox*> m_share_percent; ///< one per condition
+    ThresholdForm* m_threshold;
     QLabel* m_participantLabel = new QLabel(this);
     QDoubleSpinBox* m_participantSd = base::named<QDoubleSpinBox>("planParticipantSd", this);
     QLabel* m_conditionLabel = new QLabel(this);

@@ -5,6 +5,7 @@
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/commands/scenes/scene_commands.h"
 #include "app/cli/commands/scenes/study_fit.h"
+#include "app/cli/commands/scenes/study_noise.h"
 #include "app/cli/commands/scenes/study_papers.h"
 #include "app/cli/commands/scenes/study_people.h"
 #include "app/cli/commands/scenes/study_plan.h"
@@ -21,7 +22,6 @@
 #include "backend/study/report/exports/study_export.h"
 #include "backend/study/report/study_figures.h"
 #include "backend/study/report/study_report.h"
-#include "backend/study/session/pink_noise.h"
 #include "backend/study/session/rehearsal.h"
 #include "backend/study/session/simulated_observer.h"
 #include "backend/study/store/study_store.h"
@@ -238,8 +238,8 @@ public:
         m_plan.declare(addPart(
             app, "plan", StudyText::tr("How many participants a test needs: power by simulated studies"),
             [this] { return m_plan.run(); }));
-        declareNoise(addPart(app, "noise", StudyText::tr("Write pink noise that can be played in a loop"),
-                             [this] { return writeNoise(); }));
+        m_noise.declare(addPart(app, "noise", StudyText::tr("Write pink noise that can be played in a loop"),
+                                [this] { return m_noise.write(); }));
     }
 
 private:
@@ -320,17 +320,6 @@ private:
             ->capture_default_str();
         declareShared(app);
         declareStore(app);
-        declareJson(app, m_json);
-    }
-
-    void declareNoise(CLI::App& app) {
-        addOption(app, "-o,--out", m_outFolder, StudyText::tr("The sound file"), "FILE.wav")->required();
-        addOption(
-            app, "--level", m_level_dBFS,
-            StudyText::tr("Root mean square against full scale, dB; how loud it is at the ear has to be "
-                          "measured"),
-            between(-90, 0), "DBFS");
-        addOption(app, "-s,--seed", m_seed, StudyText::tr("Seed of the noise"), seed(), "S");
         declareJson(app, m_json);
     }
 
@@ -539,24 +528,6 @@ private:
         return printFields(fields);
     }
 
-    [[nodiscard]] core::Expected<void> writeNoise() const {
-        study::PinkNoiseSettings settings;
-        settings.level_dBFS = m_level_dBFS;
-        settings.seed = m_seed;
-        TELETA_TRY(const std::vector<float> samples, study::pinkNoise(settings));
-        TELETA_CHECK(study::writeMonoWav(samples, settings.rate_Hz, m_outFolder));
-        const double duration_s = static_cast<double>(settings.samples) / settings.rate_Hz;
-        if (m_json)
-            return printDocument({{"file", m_outFolder},
-                                  {"duration_s", duration_s},
-                                  {"rate_hz", settings.rate_Hz},
-                                  {"level_dbfs", settings.level_dBFS}});
-        return printFields(
-            {{StudyText::tr("File"), QString::fromStdString(m_outFolder)},
-             {StudyText::tr("Period"), StudyText::tr("%1 s").arg(forPeople(duration_s))},
-             {StudyText::tr("Level"), StudyText::tr("%1 dBFS").arg(forPeople(settings.level_dBFS))}});
-    }
-
     [[nodiscard]] core::Expected<void> exportTrials() const {
         TELETA_TRY(const study::StudyStore store,
                    study::StudyStore::openForReading({m_studyFolder, m_server}));
@@ -578,6 +549,7 @@ private:
     }
 
     StudyPeople m_people;
+    StudyNoise m_noise;
     StudyPapers m_papers;
     StudyPlan m_plan;
     std::string m_server;
@@ -594,7 +566,6 @@ private:
     std::vector<std::string> m_exclude;
     std::vector<std::string> m_figures = {"svg"};
     std::string m_format = "psychds";
-    double m_level_dBFS = -20.0;
     bool m_shared = false;
     bool m_json = false;
 };

@@ -5,6 +5,7 @@
 #include "app/console/study/forms/form_text.h"
 #include "app/console/study/forms/level_task_form.h"
 #include "app/console/study/forms/questionnaire_editor.h"
+#include "app/console/study/forms/trigger_editor.h"
 #include "backend/core/data/output_file.h"
 #include "backend/study/protocol/stimulus_set.h"
 #include "widgets/base/background.h"
@@ -76,10 +77,10 @@ study::Protocol asSavedIn(const QDir& folder, study::Protocol protocol) {
 
 ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     : QDialog(parent)
-    , m_unshown(protocol)
     , m_content(new QWidget(this))
     , m_name(base::named<QLineEdit>("protocolName", QString::fromStdString(protocol.name), this))
     , m_description(new QLineEdit(QString::fromStdString(protocol.description), this))
+    , m_authors(base::named<QLineEdit>("protocolAuthors", this))
     , m_stimulus_s(makeNumber(protocol.stimulus_s, kShortest_s, kLongest_s, 3, QStringLiteral(" s")))
     , m_limit_s(makeNumber(protocol.responseLimit_s, kShortest_s, kLongest_s, 3, QStringLiteral(" s")))
     , m_window(new QComboBox(this))
@@ -91,6 +92,8 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     , m_rest_s(makeNumber(protocol.rest.atLeast_s, 0.0, kLongest_s, 1, QStringLiteral(" s")))
     , m_noise(new QComboBox(this))
     , m_level_dBA(makeNumber(protocol.noise_dBA, 0.0, kLoudest_dBA, 1, QStringLiteral(" dBA")))
+    , m_trigger(base::named<TriggerEditor>("protocolTrigger", protocol.trigger, this))
+    , m_record(base::named<QCheckBox>("recordSessions", tr("Re&cord each session"), this))
     , m_taskRows(new QVBoxLayout)
     , m_questionnaireRows(new QVBoxLayout)
     , m_exclusions(new ExclusionEditor(protocol.exclusions, m_content))
@@ -115,6 +118,12 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     m_rest_s.box->setPrefix(tr("at least ", "before a number of seconds"));
     m_noise->addItems({tr("pink"), tr("none")});
     m_noise->setCurrentIndex(protocol.noiseColour == "none" ? 1 : 0);
+    QStringList authors;
+    for (const std::string& author : protocol.authors)
+        authors << QString::fromStdString(author);
+    m_authors->setText(authors.join(QStringLiteral("; ")));
+    m_authors->setPlaceholderText(tr("names with ; between them, for the descriptions of exported data"));
+    m_record->setChecked(protocol.recordSessions);
     m_verdict->setWordWrap(true);
 
     auto* form = new QFormLayout;
@@ -127,6 +136,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     };
     form->addRow(tr("&Name"), m_name);
     form->addRow(tr("D&escription"), m_description);
+    form->addRow(tr("Aut&hors"), m_authors);
     addRow(tr("&Stimulus, at most"), {m_stimulus_s.box});
     addRow(tr("Answer &within"), {m_limit_s.box, m_window});
     addRow(tr("May be felt a&gain"), {m_replays});
@@ -135,6 +145,8 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     addRow(tr("&Test"), {m_test.repetitions, m_test.feedback, m_test.diagram});
     addRow(tr("Rests"), {m_restEvery, m_rest_s.box});
     addRow(tr("&Masking noise"), {m_noise, m_level_dBA.box});
+    addRow(tr("Tr&iggers"), {m_trigger});
+    form->addRow(m_record);
 
     auto* column = new QVBoxLayout(m_content);
     column->addLayout(form);
@@ -192,7 +204,8 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
         if (valid)
             emit studyRequested(*valid);
     });
-    for (QLineEdit* edit : {m_name, m_description})
+    connect(m_trigger, &TriggerEditor::changed, this, &ProtocolDialog::check);
+    for (QLineEdit* edit : {m_name, m_description, m_authors})
         connect(edit, &QLineEdit::textChanged, this, &ProtocolDialog::check);
     for (QSpinBox* box : {m_practice.repetitions, m_test.repetitions, m_restEvery})
         connect(box, &QSpinBox::valueChanged, this, &ProtocolDialog::check);
@@ -384,9 +397,10 @@ void ProtocolDialog::askForPattern(const TaskRow& row) {
 
 core::Expected<study::Protocol> ProtocolDialog::protocol() const {
     study::Protocol protocol;
-    protocol.authors = m_unshown.authors;
-    protocol.trigger = m_unshown.trigger;
-    protocol.recordSessions = m_unshown.recordSessions;
+    for (const QString& author : parts(m_authors->text(), QLatin1Char(';')))
+        protocol.authors.push_back(author.toStdString());
+    protocol.trigger = m_trigger->settings();
+    protocol.recordSessions = m_record->isChecked();
     protocol.name = m_name->text().trimmed().toStdString();
     protocol.description = m_description->text().trimmed().toStdString();
     protocol.stimulus_s = m_stimulus_s.value();

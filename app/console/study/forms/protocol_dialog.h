@@ -26,6 +26,7 @@ namespace teleta::console {
 class ExclusionEditor;
 class LevelTaskForm;
 class QuestionnaireEditor;
+class TriggerEditor;
 
 /// A protocol as a form. Input is checked by the reader of protocol files while it is typed. The protocol can
 /// be saved as a file and used for a new study; existing studies keep theirs. Unsaved changes are discarded
@@ -95,10 +96,10 @@ private:
     /// goOn: called once everything is saved.
     void save(std::function<void()> goOn);
 
-    study::Protocol m_unshown; ///< as it was opened; what the form does not show stays
-    QWidget* m_content;        ///< holds all fields
+    QWidget* m_content; ///< holds all fields
     QLineEdit* m_name;
     QLineEdit* m_description;
+    QLineEdit* m_authors; ///< with semicolons between them
     NumberField m_stimulus_s;
     NumberField m_limit_s;
     QComboBox* m_window;
@@ -110,6 +111,8 @@ private:
     NumberField m_rest_s;
     QComboBox* m_noise;
     NumberField m_level_dBA;
+    TriggerEditor* m_trigger;
+    QCheckBox* m_record;
     QVBoxLayout* m_taskRows;
     std::vector<TaskRow> m_tasks;
     QVBoxLayout* m_questionnaireRows;

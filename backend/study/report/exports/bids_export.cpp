@@ -38,10 +38,10 @@ struct Person {
     std::vector<StoredAnswer> answers;
 };
 
+/// isFree: people's own words are in it, which must be no formula of a spreadsheet.
 core::Expected<void> writeTsv(const std::string& path, const std::vector<TrialRow>& rows,
-                              std::span<const std::string_view> columns) {
-    // Free text must be no formula of a spreadsheet, as in Psych-DS.
-    const TableFormat format{'\t', "n/a", '.', false, false, true};
+                              std::span<const std::string_view> columns, bool isFree = false) {
+    const TableFormat format{'\t', "n/a", '.', false, false, isFree};
     return writeChecked(path, tableText(rows, format, columns));
 }
 
@@ -219,7 +219,7 @@ core::Expected<void> writePhenotype(const Questionnaire& questionnaire, const st
     for (const Person& person : people)
         rows.push_back(phenotypeRow(questionnaire, place, person));
     const std::string path = bids + "/phenotype/" + name + place.suffix;
-    TELETA_CHECK(writeTsv(path + ".tsv", rows, columns));
+    TELETA_CHECK(writeTsv(path + ".tsv", rows, columns, true));
     return writeJson(path + ".json", sidecar);
 }
 

@@ -9,6 +9,7 @@
 #include "backend/recording/csv_export.h"
 #include "backend/recording/recording_database.h"
 #include "backend/simulation/array/simulated_array.h"
+#include "tests/app/console/operate/recorded_frames.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/chrome/playback_bar.h"
@@ -37,40 +38,13 @@ using console::ConsoleSettings;
 using console::MainWindow;
 using console::RecordingMark;
 using console::RecordingService;
+using test::Frames;
+using test::framesOf;
+using test::referencesIn;
 
 namespace {
 
 constexpr int kPatience_ms = 60'000;
-
-/// All frames of a stream in one row.
-struct Frames {
-    std::vector<double> sourceTime_s;
-    std::vector<std::byte> values;
-};
-
-Frames framesOf(const recording::Recording& recording, const std::string& name) {
-    Frames all;
-    for (std::size_t i = 0; i < recording.streams().size(); ++i) {
-        if (recording.streams()[i].name != name)
-            continue;
-        recording::StreamReader reader = recording.reader(i);
-        core::TappedFrames block;
-        while (reader.next(block).value_or(false)) {
-            all.sourceTime_s.insert(all.sourceTime_s.end(), block.sourceTime_s.begin(),
-                                    block.sourceTime_s.end());
-            all.values.insert(all.values.end(), block.values.begin(), block.values.end());
-        }
-    }
-    return all;
-}
-
-std::uint64_t referencesIn(const QString& path) {
-    const auto recording = recording::Recording::open(path.toStdString());
-    for (std::size_t i = 0; recording && i < recording->streams().size(); ++i)
-        if (recording->streams()[i].name.ends_with("-reference"))
-            return recording->extent(i).value().value_or(recording::Recording::Extent()).frames;
-    return 0;
-}
 
 std::vector<std::string> marksOf(const recording::Recording& recording) {
     std::vector<std::string> marks;

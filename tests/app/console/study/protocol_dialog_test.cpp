@@ -217,7 +217,37 @@ private slots:
         QCOMPARE(again.protocol()->questionnaires.back().use, study::StandardQuestionnaire::nasaTlxWeighted);
     }
 
-    void whatTheFormDoesNotShowStays() {
+    void authorsTriggersAndRecordingsAreAskedFor() {
+        using Kind = core::TriggerSettings::Kind;
+        ProtocolDialog dialog(paper());
+        dialog.show();
+        QTest::keyClicks(dialog.findChild<QLineEdit*>("protocolAuthors"), "A. Writer; B. Reader");
+        auto* kind = dialog.findChild<QComboBox*>("triggerKind");
+        auto* device = dialog.findChild<QLineEdit*>("triggerDevice");
+        auto* port = dialog.findChild<QSpinBox*>("triggerPort");
+        QVERIFY(!device->isVisible() && !port->isVisible());
+        QTest::keyClick(kind, Qt::Key_Down);
+        QVERIFY(device->isVisible() && !port->isVisible());
+        QVERIFY2(!dialog.protocol(), "a serial port has a name");
+        QTest::keyClicks(device, "/dev/ttyUSB1");
+        QTest::keyClick(dialog.findChild<QCheckBox*>("recordSessions"), Qt::Key_Space);
+        auto made = dialog.protocol();
+        QVERIFY(made.has_value());
+        QCOMPARE(made->authors, (std::vector<std::string>{"A. Writer", "B. Reader"}));
+        QVERIFY(made->trigger.kind == Kind::serial);
+        QCOMPARE(made->trigger.device, std::string("/dev/ttyUSB1"));
+        QVERIFY(made->recordSessions);
+        QVERIFY(dialog.isChanged());
+        QTest::keyClick(kind, Qt::Key_Down);
+        QVERIFY(!device->isVisible() && port->isVisible());
+        port->setValue(9100);
+        made = dialog.protocol();
+        QVERIFY(made->trigger.kind == Kind::osc);
+        QCOMPARE(made->trigger.port, std::uint16_t(9100));
+        QCOMPARE(made->trigger.host, std::string("127.0.0.1"));
+    }
+
+    void whatIsNotEditedStays() {
         study::Protocol protocol = paper();
         protocol.authors = {"A. Writer"};
         protocol.trigger.kind = core::TriggerSettings::Kind::osc;

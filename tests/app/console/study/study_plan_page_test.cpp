@@ -4,6 +4,7 @@
 #include "widgets/study/results/curve_view.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
@@ -48,6 +49,31 @@ private slots:
         QTest::mouseClick(find<QPushButton>("planCancel"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatience_ms);
         QVERIFY(find<QLabel>("planAnswer")->text().startsWith(QStringLiteral("Cancelled")));
+    }
+
+    void aThresholdIsPlannedForToo() {
+        openPage();
+        study::StudyHead levels = head(study::Mode::pilot, 0.1);
+        levels.protocol = study::readNamedProtocol("tactor-detection").value();
+        controller().create(studyFolder().toStdString(), levels);
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
+        m_page->bringForward(QStringLiteral("plan"));
+        QCOMPARE(find<QComboBox>("planTest")->currentData().toString(),
+                 QStringLiteral("detection:threshold"));
+        find<QSpinBox>("planTrials")->setValue(10);
+        find<QDoubleSpinBox>("planWidth")->setValue(2.0);
+        find<QSpinBox>("planFrom")->setValue(3);
+        find<QSpinBox>("planTo")->setValue(3);
+        auto* start = find<QPushButton>("planStart");
+        QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatience_ms);
+        QTest::mouseClick(start, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), 10 * kPatience_ms);
+        const study::CurveContent& curve = find<study::CurveView>("planCurve")->content();
+        QCOMPARE(curve.series[0].points.size(), std::size_t(1));
+        const study::CurvePoint& point = curve.series[0].points[0];
+        QCOMPARE(point.x, 3.0);
+        QVERIFY(point.y > 0.0 && point.y < 100.0 && point.interval);
+        QVERIFY(find<QLabel>("planAnswer")->text().contains(QStringLiteral("up to 3")));
     }
 
     void aPilotWithTooFewParticipantsSaysWhatItNeeds() {
