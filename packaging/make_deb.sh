@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds the Debian packages of both programs and of the Python module, and prints their paths.
+# Builds the Debian packages of both programs and of the Python module, with a list of what the programs are made of
+# (CycloneDX), and prints their paths.
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
@@ -14,4 +15,7 @@ log=$(cpack -G DEB 2>&1) || {
     printf '%s\n' "$log" >&2
     exit 1
 }
+version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' CMakeCache.txt)
+"$root/packaging/make_sbom.py" --version "$version" --out "teleta-console_$version.cdx.json" app/cli/teleta app/console/teleta-console
+printf 'What it is made of: %s\n' "$root/build/package/teleta-console_$version.cdx.json"
 printf 'A package is %s\n' "$root"/build/package/*.deb

@@ -199,13 +199,16 @@ void ResultsView::refresh() {
     showLevels();
 }
 
-/// The tabs of a task: comparisons where there are some, and those of levels.
+/// The tabs of a task: comparisons where there are some, and those of levels. Shares of right answers depend
+/// on the levels that were shown, so they are compared only without levels.
 void ResultsView::showLevels() {
     const std::shared_ptr<const LevelResults>& levels = m_scene.levels;
     const bool any = levels && levels->has(task());
     const bool detects = levels && levels->hasDetection(task());
-    const bool compares = supplement() != nullptr;
+    const bool compares = supplement() != nullptr && !any;
     const bool isOfBracelet = any && BraceletContent::has(*levels, task());
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_anovaTitle, m_anova, m_anovaNote})
+        widget->setVisible(!any);
     m_tabs->tabBar()->setVisible(any || compares);
     m_tabs->setTabVisible(m_tabs->indexOf(m_comparisons), compares);
     m_tabs->setTabVisible(m_tabs->indexOf(m_thresholds), any);
