@@ -157,6 +157,21 @@ private slots:
         QVERIFY(!panel.request()->wish);
     }
 
+    void theFieldsOfAThresholdHaveRoomWheneverTheTaskComes() {
+        PlanPanel panel;
+        panel.resize(1200, 800);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        for (const study::Protocol& one : {levels(), protocol(), levels()}) {
+            panel.setProtocol(one);
+            QCoreApplication::processEvents();
+            const bool ofThreshold = one.tasks[0].design != study::Design::identification;
+            const char* name = ofThreshold ? "planWidth" : "planParticipantSd";
+            auto* field = panel.findChild<QWidget*>(name);
+            QVERIFY(field->visibleRegion().boundingRect().height() >= field->sizeHint().height());
+        }
+    }
+
     void aStraightScaleHasSpreadsInItsUnit() {
         study::Protocol times = levels();
         times.tasks[0].design = study::Design::compare;

@@ -209,10 +209,11 @@ void PlanPanel::showConditions() {
     }
     if (isOfThreshold())
         m_threshold->setTask(*chosen);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_participantLabel, m_participantSd,
-                                                           m_conditionLabel, m_conditionSd})
-        widget->setVisible(!isOfThreshold());
-    m_threshold->setVisible(isOfThreshold());
+    // The whole rows: a form keeps no room for a widget that was hidden when it was laid out.
+    m_form->setRowVisible(m_shares, !isOfThreshold());
+    for (QWidget* field : {m_participantSd, m_conditionSd})
+        m_form->setRowVisible(field, !isOfThreshold());
+    m_form->setRowVisible(m_threshold, isOfThreshold());
     m_targetLabel->setText(isOfThreshold() ? tr("Targ&et") : tr("Target po&wer"));
     showSource();
 }

@@ -67,8 +67,7 @@ void ThresholdForm::setTask(const StudyTask& task) {
     m_sd->setRange(0.0, whole);
     m_width->setRange(0.0001, whole);
     const bool hasGuess = task.design == Design::yesNo || task.design == Design::sameDifferent;
-    m_guessLabel->setVisible(hasGuess);
-    m_guess_percent->setVisible(hasGuess);
+    m_form->setRowVisible(m_guess_percent, hasGuess);
     if (!isSame) {
         m_threshold->setValue(fromScale(range.scale, onScale(range.scale, range.lowest) + 0.5 * whole));
         m_slope->setValue(isWeibull(task) ? kWeibullSlope : kUsualSlopeShare * levels);
