@@ -141,7 +141,9 @@ TEST(TomlDocument, placesASyntaxErrorAndTellsAMissingFileFromAnEmptyOne) {
     const auto missing = TomlDocument::open("/nonexistent/scene.toml");
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().kind, ErrorKind::notFound);
-    EXPECT_TRUE(TomlDocument::open("/dev/null"));
+    const teleta::test::TemporaryFolder folder;
+    EXPECT_TRUE(TomlDocument::open(folder.write("empty.toml", "")));
+    EXPECT_EQ(TomlDocument::open("/dev/null").error().kind, ErrorKind::badInput) << "a device is no file";
     EXPECT_FALSE(TomlDocument::open(TELETA_SOURCE_DIR)) << "a folder is no file";
 }
 
