@@ -27,7 +27,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -130,6 +129,7 @@ std::optional<double> measuredRate_Hz(core::TactileSource& array) {
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::seconds kLongestWait{3};
     constexpr std::chrono::seconds kMeasured{1};
+    constexpr std::chrono::milliseconds kLook{50}; // for an interruption, while no frame comes
     core::Wakeup wakeup;
     array.start(wakeup);
     auto end = Clock::now() + kLongestWait;
@@ -147,7 +147,7 @@ std::optional<double> measuredRate_Hz(core::TactileSource& array) {
                 last_ns = time_ns;
             }
         }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        (void)wakeup.waitFor(kLook);
     }
     array.stop();
     if (frames < 2 || last_ns <= first_ns)
