@@ -39,9 +39,11 @@ QString range(const std::optional<TransferEstimate>& transfer) {
 
 class TaskSection {
 public:
-    TaskSection(const TaskResults& task, std::optional<Mode> mode)
+    /// hasLevels: shares of right answers depend on the levels that were shown, and are not compared.
+    TaskSection(const TaskResults& task, std::optional<Mode> mode, bool hasLevels)
         : m_task(task)
-        , m_mode(mode) {}
+        , m_mode(mode)
+        , m_hasLevels(hasLevels) {}
 
     [[nodiscard]] QString html() const {
         const QString head =
@@ -50,7 +52,8 @@ public:
         if (m_task.groups.empty())
             return head + paragraph(ReportText::tr("There are no test trials.")) + end;
         return head + accuracy() + confusions() + patterns() + times() + timeSection(m_task, m_mode) +
-               transfer() + participants() + anova() + comparisonSection(m_task) + end;
+               transfer() + participants() + (m_hasLevels ? QString() : anova() + comparisonSection(m_task)) +
+               end;
     }
 
 private:
@@ -276,6 +279,7 @@ private:
 
     const TaskResults& m_task;
     std::optional<Mode> m_mode;
+    bool m_hasLevels;
 };
 
 QString framesText(const TrialTally::Frames& frames) {
@@ -304,8 +308,11 @@ std::string reportHtml(const std::vector<TaskResults>& results, const ReportHead
     if (heading.frames.trials > 0)
         body += paragraph(framesText(heading.frames));
     body += exclusionSection(results, heading.exclusions);
-    for (const TaskResults& task : results)
-        body += TaskSection(task, heading.mode).html();
+    for (const TaskResults& task : results) {
+        const bool hasLevels = std::ranges::find(heading.thresholds.lines, task.task, &ThresholdLine::task) !=
+                               heading.thresholds.lines.end();
+        body += TaskSection(task, heading.mode, hasLevels).html();
+    }
     body += thresholdSection(heading.thresholds, heading.detection, heading.mode);
     body += QStringLiteral("<section>\n<h2>%1</h2>\n<p>%2</p>\n</section>\n")
                 .arg(ReportText::tr("Compute it again"),

@@ -89,6 +89,18 @@ TEST(StudyReport, hasASectionAboutThresholds) {
     EXPECT_TRUE(has(page, "2 intervals"));
 }
 
+TEST(StudyReport, comparesNoSharesOfATaskWithLevels) {
+    ReportHeading page = heading();
+    EXPECT_TRUE(has(reportHtml(results(), page), "Analysis of variance within participants"));
+    for (const TaskResults& task : results()) {
+        page.thresholds.lines.emplace_back();
+        page.thresholds.lines.back().task = task.task;
+    }
+    const std::string levels = reportHtml(results(), page);
+    EXPECT_FALSE(has(levels, "Analysis of variance within participants"));
+    EXPECT_TRUE(has(levels, "Participants"));
+}
+
 TEST(StudyReport, hasEveryFigureWithATableBesideIt) {
     auto elements = elementsOf(reportHtml(results(), heading()));
     // Accuracy, two confusion matrices, patterns, times, cumulative times, transfer. Participants, ANOVA,
