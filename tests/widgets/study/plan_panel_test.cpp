@@ -141,7 +141,7 @@ private slots:
         panel.findChild<QSpinBox*>("planTrials")->setValue(60);
         QCOMPARE(panel.request()->wish->trials, std::optional<std::size_t>(60));
         panel.setPlan(planOf(8U), *panel.request());
-        QVERIFY(panel.findChild<study::CurveView*>("planCurve")->content().title.contains("Narrow enough"));
+        QVERIFY(panel.findChild<study::CurveView*>("planCurve")->content().title.startsWith("Precision: "));
         // What a file says is not what the form says, but the wish is.
         study::StudyTruth read;
         read.tasks.push_back({"detection", 0.0, 0.0, {}, study::ThresholdTruth{0.3, 2.0, 0.0, 0.0, 0.1}});
@@ -170,6 +170,25 @@ private slots:
             auto* field = panel.findChild<QWidget*>(name);
             QVERIFY(field->visibleRegion().boundingRect().height() >= field->sizeHint().height());
         }
+    }
+
+    void theNumberOfStudiesStaysWithinOneKindOfTest() {
+        study::Protocol mixed = protocol();
+        mixed.tasks.push_back(levels().tasks[0]);
+        PlanPanel panel;
+        panel.setProtocol(mixed);
+        auto* tests = panel.findChild<QComboBox*>("planTest");
+        auto* studies = panel.findChild<QComboBox*>("planStudies");
+        studies->setCurrentIndex(studies->findData(40'000));
+        tests->setCurrentIndex(1);
+        QCOMPARE(panel.request()->settings.studies, std::size_t(40'000));
+        tests->setCurrentIndex(tests->findData("detection:threshold"));
+        QCOMPARE(panel.request()->settings.studies, std::size_t(1000));
+        auto* curve = panel.findChild<study::CurveView*>("planCurve");
+        QVERIFY(curve->content().nothing.contains("narrow enough"));
+        tests->setCurrentIndex(0);
+        QCOMPARE(panel.request()->settings.studies, std::size_t(10'000));
+        QVERIFY(curve->content().nothing.contains("power"));
     }
 
     void aStraightScaleHasSpreadsInItsUnit() {

@@ -41,8 +41,7 @@ CurveContent PlanContent::curve(const PowerPlan& plan, const PlanRequest& reques
     const PlanSettings& settings = request.settings;
     CurveContent chart;
     chart.name = QStringLiteral("plan");
-    chart.title =
-        request.wish ? tr("Narrow enough: %1", "test").arg(test) : tr("Power: %1", "test").arg(test);
+    chart.title = request.wish ? tr("Precision: %1", "test").arg(test) : tr("Power: %1", "test").arg(test);
     chart.xAxis = tr("participants");
     chart.yAxis =
         request.wish ? tr("studies with an interval narrow enough, %") : tr("significant studies, %");

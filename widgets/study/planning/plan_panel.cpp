@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 namespace teleta::study {
 
@@ -105,10 +106,7 @@ PlanPanel::PlanPanel(QWidget* parent)
     connect(m_file, &QPushButton::clicked, this, &PlanPanel::truthFileRequested);
     connect(m_pilot, &QPushButton::clicked, this, &PlanPanel::pilotRequested);
     connect(m_own, &QPushButton::clicked, this, [this] { setTruth({}, {}); });
-    connect(m_test, &QComboBox::currentIndexChanged, this, [this] {
-        showConditions();
-        useUsualStudies();
-    });
+    connect(m_test, &QComboBox::currentIndexChanged, this, &PlanPanel::showConditions);
     connect(m_curve, &CurveView::exportFailed, this, &PlanPanel::figureFailed);
     base::keepTranslated(this, &PlanPanel::retranslate);
 }
@@ -126,11 +124,6 @@ bool PlanPanel::isOfThreshold() const {
     return chosen != nullptr && chosen->design != Design::identification;
 }
 
-/// A threshold takes a fit of every participant, and so longer.
-void PlanPanel::useUsualStudies() {
-    m_studies->setCurrentIndex(m_studies->findData(isOfThreshold() ? kThresholdStudies : kTestStudies));
-}
-
 void PlanPanel::setProtocol(const Protocol& protocol) {
     if (protocolText(protocol) == protocolText(m_protocol))
         return;
@@ -139,7 +132,6 @@ void PlanPanel::setProtocol(const Protocol& protocol) {
     m_answer->clear();
     m_isPlanned = false;
     retranslate();
-    useUsualStudies();
 }
 
 void PlanPanel::setTruth(const StudyTruth& truth, const QString& source) {
@@ -214,8 +206,14 @@ void PlanPanel::showConditions() {
     for (QWidget* field : {m_participantSd, m_conditionSd})
         m_form->setRowVisible(field, !isOfThreshold());
     m_form->setRowVisible(m_threshold, isOfThreshold());
+    // A threshold takes a fit of every participant, and so longer. What was chosen stays while the kind does.
+    if (const bool wasOfThreshold = std::exchange(m_wasOfThreshold, isOfThreshold());
+        wasOfThreshold != isOfThreshold())
+        m_studies->setCurrentIndex(m_studies->findData(isOfThreshold() ? kThresholdStudies : kTestStudies));
     m_targetLabel->setText(isOfThreshold() ? tr("Targ&et") : tr("Target po&wer"));
     showSource();
+    if (!m_isPlanned)
+        showNoPlan();
 }
 
 void PlanPanel::showSource() {
@@ -246,7 +244,10 @@ void PlanPanel::showSource() {
 /// What will be where the curve is.
 void PlanPanel::showNoPlan() {
     CurveContent content;
-    if (task() != nullptr)
+    if (isOfThreshold())
+        content.nothing = tr("The share of studies with an interval narrow enough will be shown here.\nEnter "
+                             "what you assume on the left, and choose Plan.");
+    else if (task() != nullptr)
         content.nothing = tr("The power over the number of participants will be shown here.\nEnter what you "
                              "assume on the left, and choose Plan.");
     else
@@ -307,8 +308,6 @@ void PlanPanel::retranslate() {
     m_cancel->setText(tr("Cancel"));
     m_curve->setAccessibleName(tr("Power over the number of participants"));
     showConditions();
-    if (!m_isPlanned)
-        showNoPlan();
 }
 
 } // namespace teleta::study

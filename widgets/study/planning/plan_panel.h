@@ -54,7 +54,6 @@ private:
     void showConditions();
     void showSource();
     void showNoPlan();
-    void useUsualStudies();
     [[nodiscard]] const StudyTask* task() const;
     [[nodiscard]] bool isOfThreshold() const;
 
@@ -62,7 +61,8 @@ private:
     std::optional<StudyTruth> m_truth; ///< of a file or a pilot
     QString m_source;
     bool m_running = false;
-    bool m_isPlanned = false; ///< the curve shows a plan of this protocol
+    bool m_wasOfThreshold = false; ///< the test before
+    bool m_isPlanned = false;      ///< the curve shows a plan of this protocol
 
     QFormLayout* m_form = new QFormLayout;
     QLabel* m_testLabel = new QLabel(this);
