@@ -5281,13 +5281,13 @@ Aire %6</translation>
         <translation>seuil</translation>
     </message>
     <message>
-        <source>Narrow enough: %1</source>
-        <comment>test</comment>
-        <translation>Assez étroit&#xa0;:&#xa0;%1</translation>
-    </message>
-    <message>
         <source>studies with an interval narrow enough, %</source>
         <translation>études à l’intervalle assez étroit,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Precision: %1</source>
+        <comment>test</comment>
+        <translation>Précision&#xa0;:&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -8621,7 +8621,7 @@ Run %2 --help for more.
         <translation>Personne n’est inscrit.</translation>
     </message>
     <message>
-        <source>a key is missing, which would keep it: --key with a file apart from the study</source>
+        <source>the key that keeps it is missing: --key with a file apart from the study</source>
         <translation>il manque une clé qui le garderait&#xa0;: --key avec un fichier à part de l’étude</translation>
     </message>
     <message>
@@ -8649,7 +8649,7 @@ Run %2 --help for more.
         <translation>la personne a été supprimée</translation>
     </message>
     <message>
-        <source>had no such person</source>
+        <source>has no such person</source>
         <translation>n’avait pas cette personne</translation>
     </message>
     <message>
@@ -13433,7 +13433,7 @@ Run %2 --help for more.
         <translation>Par exemple&#xa0;: consentement retiré</translation>
     </message>
     <message>
-        <source>It is recorded; write nothing that tells who it was</source>
+        <source>It is recorded. Write nothing that tells who it was</source>
         <translation>La raison est gardée&#xa0;; n’écrivez rien qui dise qui c’était</translation>
     </message>
     <message>
@@ -13449,7 +13449,7 @@ Run %2 --help for more.
         <translation>Supprimer</translation>
     </message>
     <message>
-        <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study keeps that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
+        <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study records that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
         <comment>a participant</comment>
         <translation>Toutes les sessions, réponses, notes, enregistrements et fichiers exportés de&#xa0;%1 sont supprimés. C’est irréversible. L’étude garde la trace que quelqu’un a été supprimé, et quand. Les résultats calculés auparavant, et les copies ailleurs, restent tels quels.</translation>
     </message>
@@ -15449,7 +15449,7 @@ Run %2 --help for more.
         <translation>Enregistrer c&amp;haque session</translation>
     </message>
     <message>
-        <source>names with ; between them, for the descriptions of exported data</source>
+        <source>names separated by semicolons, for the description of exported data</source>
         <translation>noms séparés par&#xa0;;, pour les descriptions des données exportées</translation>
     </message>
     <message>
@@ -17779,6 +17779,12 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>Targ&amp;et</source>
         <translation>Cibl&amp;e</translation>
+    </message>
+    <message>
+        <source>The share of studies with an interval narrow enough will be shown here.
+Enter what you assume on the left, and choose Plan.</source>
+        <translation>La part des études à l’intervalle assez étroit sera affichée ici.
+Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
 </context>
 <context>

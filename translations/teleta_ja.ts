@@ -5267,13 +5267,13 @@ x %4, y %5
         <translation>閾値</translation>
     </message>
     <message>
-        <source>Narrow enough: %1</source>
-        <comment>test</comment>
-        <translation>十分に狭い: %1</translation>
-    </message>
-    <message>
         <source>studies with an interval narrow enough, %</source>
         <translation>区間が十分に狭い実験、%</translation>
+    </message>
+    <message>
+        <source>Precision: %1</source>
+        <comment>test</comment>
+        <translation>精度: %1</translation>
     </message>
 </context>
 <context>
@@ -8598,7 +8598,7 @@ Run %2 --help for more.
         <translation>登録されている人はいません。</translation>
     </message>
     <message>
-        <source>a key is missing, which would keep it: --key with a file apart from the study</source>
+        <source>the key that keeps it is missing: --key with a file apart from the study</source>
         <translation>それを保存する鍵がありません: --keyに実験とは別のファイルを指定してください</translation>
     </message>
     <message>
@@ -8626,7 +8626,7 @@ Run %2 --help for more.
         <translation>本人を削除しました</translation>
     </message>
     <message>
-        <source>had no such person</source>
+        <source>has no such person</source>
         <translation>該当する人はいませんでした</translation>
     </message>
     <message>
@@ -13391,7 +13391,7 @@ Run %2 --help for more.
         <translation>例: 同意の撤回</translation>
     </message>
     <message>
-        <source>It is recorded; write nothing that tells who it was</source>
+        <source>It is recorded. Write nothing that tells who it was</source>
         <translation>記録されます。誰であったかがわかることは書かないでください</translation>
     </message>
     <message>
@@ -13407,7 +13407,7 @@ Run %2 --help for more.
         <translation>削除</translation>
     </message>
     <message>
-        <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study keeps that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
+        <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study records that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
         <comment>a participant</comment>
         <translation>%1のすべてのセッション、回答、メモ、記録、エクスポートされたファイルが削除されます。元に戻せません。実験には、誰かが削除されたことと日時だけが残ります。以前に計算された結果や、ほかの場所のコピーはそのまま残ります。</translation>
     </message>
@@ -15402,7 +15402,7 @@ Run %2 --help for more.
         <translation>各セッションを記録(&amp;C)</translation>
     </message>
     <message>
-        <source>names with ; between them, for the descriptions of exported data</source>
+        <source>names separated by semicolons, for the description of exported data</source>
         <translation>「;」で区切った名前。エクスポートしたデータの説明に使います</translation>
     </message>
     <message>
@@ -17726,6 +17726,12 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Targ&amp;et</source>
         <translation>目標(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The share of studies with an interval narrow enough will be shown here.
+Enter what you assume on the left, and choose Plan.</source>
+        <translation>区間が十分に狭い実験の割合がここに表示されます。
+左に仮定を入力し、「計画」を選んでください。</translation>
     </message>
 </context>
 <context>

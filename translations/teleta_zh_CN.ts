@@ -5267,13 +5267,13 @@ x %4，y %5
         <translation>阈值</translation>
     </message>
     <message>
-        <source>Narrow enough: %1</source>
-        <comment>test</comment>
-        <translation>足够窄：%1</translation>
-    </message>
-    <message>
         <source>studies with an interval narrow enough, %</source>
         <translation>区间足够窄的研究，%</translation>
+    </message>
+    <message>
+        <source>Precision: %1</source>
+        <comment>test</comment>
+        <translation>精度：%1</translation>
     </message>
 </context>
 <context>
@@ -8598,7 +8598,7 @@ Run %2 --help for more.
         <translation>没有登记任何人。</translation>
     </message>
     <message>
-        <source>a key is missing, which would keep it: --key with a file apart from the study</source>
+        <source>the key that keeps it is missing: --key with a file apart from the study</source>
         <translation>缺少用于保存的密钥：--key 加上与研究分开的文件</translation>
     </message>
     <message>
@@ -8626,7 +8626,7 @@ Run %2 --help for more.
         <translation>已删除此人</translation>
     </message>
     <message>
-        <source>had no such person</source>
+        <source>has no such person</source>
         <translation>没有此人</translation>
     </message>
     <message>
@@ -13391,7 +13391,7 @@ Run %2 --help for more.
         <translation>例如：撤回同意</translation>
     </message>
     <message>
-        <source>It is recorded; write nothing that tells who it was</source>
+        <source>It is recorded. Write nothing that tells who it was</source>
         <translation>会被记录；不要写能看出是谁的内容</translation>
     </message>
     <message>
@@ -13407,7 +13407,7 @@ Run %2 --help for more.
         <translation>删除</translation>
     </message>
     <message>
-        <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study keeps that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
+        <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study records that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
         <comment>a participant</comment>
         <translation>%1 的全部场次、回答、备注、记录和导出文件都会被删除，且无法撤销。研究只保留“有人被删除”及其时间。以前算出的结果以及别处的副本保持不变。</translation>
     </message>
@@ -15402,7 +15402,7 @@ Run %2 --help for more.
         <translation>记录每个场次(&amp;C)</translation>
     </message>
     <message>
-        <source>names with ; between them, for the descriptions of exported data</source>
+        <source>names separated by semicolons, for the description of exported data</source>
         <translation>以 ; 分隔的姓名，用于导出数据的说明</translation>
     </message>
     <message>
@@ -17726,6 +17726,12 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Targ&amp;et</source>
         <translation>目标(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The share of studies with an interval narrow enough will be shown here.
+Enter what you assume on the left, and choose Plan.</source>
+        <translation>这里将显示区间足够窄的研究所占的比例。
+请在左侧输入假设，然后选择“规划”。</translation>
     </message>
 </context>
 <context>

@@ -128,9 +128,8 @@ core::Expected<void> StudyPeople::list() const {
 
 core::Expected<void> StudyPeople::enrol() const {
     if (m_keyPath.empty() && !(m_name.empty() && m_note.empty()))
-        refuse(
-            "--name",
-            PeopleText::tr("a key is missing, which would keep it: --key with a file apart from the study"));
+        refuse("--name",
+               PeopleText::tr("the key that keeps it is missing: --key with a file apart from the study"));
     if (!m_keyPath.empty() && m_name.empty())
         refuse("--key", PeopleText::tr("the name of the person is missing: --name"));
     TELETA_TRY(study::StudyStore store, study::StudyStore::open({m_folder, m_server}));
@@ -192,7 +191,7 @@ core::Expected<void> StudyPeople::remove() const {
         {PeopleText::tr("Removed"), PeopleText::tr("%n file(s)", nullptr, static_cast<int>(deleted.files))}};
     if (key)
         fields.emplace_back(PeopleText::tr("Key"), wasInKey ? PeopleText::tr("the person was deleted")
-                                                            : PeopleText::tr("had no such person"));
+                                                            : PeopleText::tr("has no such person"));
     for (const std::string& path : deleted.stale)
         fields.emplace_back(PeopleText::tr("Still counts the participant"), QString::fromStdString(path));
     if (!deleted.stale.empty())

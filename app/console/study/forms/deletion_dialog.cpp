@@ -22,7 +22,7 @@ DeletionDialog::DeletionDialog(const QString& participant, QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     auto* text =
         new QLabel(tr("All sessions, answers, notes, recordings and exported files of %1 are deleted. "
-                      "This cannot be undone. The study keeps that somebody was deleted, and when. "
+                      "This cannot be undone. The study records that somebody was deleted, and when. "
                       "Results that were computed before, and copies elsewhere, stay as they are.",
                       "a participant")
                        .arg(participant),
@@ -31,7 +31,7 @@ DeletionDialog::DeletionDialog(const QString& participant, QWidget* parent)
     text->setWordWrap(true);
     text->setMinimumWidth(base::em(this, 32));
     m_reason->setPlaceholderText(tr("For example: consent withdrawn"));
-    m_reason->setToolTip(tr("It is recorded; write nothing that tells who it was"));
+    m_reason->setToolTip(tr("It is recorded. Write nothing that tells who it was"));
     auto* form = new QFormLayout;
     form->addRow(tr("&Reason"), m_reason);
     form->addRow(tr("&Name of the participant, once more"), m_name);

@@ -122,7 +122,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     for (const std::string& author : protocol.authors)
         authors << QString::fromStdString(author);
     m_authors->setText(authors.join(QStringLiteral("; ")));
-    m_authors->setPlaceholderText(tr("names with ; between them, for the descriptions of exported data"));
+    m_authors->setPlaceholderText(tr("names separated by semicolons, for the description of exported data"));
     m_record->setChecked(protocol.recordSessions);
     m_verdict->setWordWrap(true);
 
