@@ -128,18 +128,21 @@ bool ArmChannel::takeCommands() {
     if (const auto settings = m_changes.take()) {
         m_estimator.setSettings(settings->touch);
         m_found.setSettings(settings->contour);
+        m_history.settingsChanged();
         ++m_objectsRevision;
         m_settingsInUse.set(*settings);
         changed = true;
     }
     if (m_contourReset.exchange(false, std::memory_order_acq_rel)) {
         m_found.closeAll();
+        m_history.closeObject();
         changed = true;
     }
     return changed;
 }
 
 void ArmChannel::take(TouchRecord&& touch) {
+    addToObjects(touch);
     for (const auto& taps : {m_tapsInUse, m_watchedInUse}) {
         if (!taps)
             continue;
@@ -149,14 +152,21 @@ void ArmChannel::take(TouchRecord&& touch) {
     const std::shared_ptr<TactileFeedback> feedback = m_feedback.get();
     if (feedback)
         feedback->onTouch(touch);
-    if (touch.located) {
-        if (m_found.add(touch) != nullptr)
-            ++m_objectsRevision;
-        if (feedback)
-            feedback->onContour(touch, m_found.contour());
-    }
+    if (touch.located && feedback)
+        feedback->onContour(touch, m_found.contour());
     m_lastTouch = touch;
     m_touches.push(std::move(touch));
+}
+
+void ArmChannel::addToObjects(TouchRecord& touch) {
+    using Kind = TouchHistory::Kind;
+    const Kind kind = m_arm->description().recorded ? m_history.add(touch) : Kind::first;
+    if (kind == Kind::better) {
+        m_history.fill(m_found);
+        ++m_objectsRevision;
+    } else if (kind == Kind::first && m_found.add(touch) != nullptr) {
+        ++m_objectsRevision;
+    }
 }
 
 void ArmChannel::beginAnew(std::int64_t time_ns) {

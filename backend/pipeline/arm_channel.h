@@ -10,6 +10,7 @@
 #include "backend/pipeline/touch/found_objects.h"
 #include "backend/pipeline/touch/tactile_feedback.h"
 #include "backend/pipeline/touch/touch_estimator.h"
+#include "backend/pipeline/touch/touch_history.h"
 #include "backend/pipeline/touch_channel.h"
 
 #include <atomic>
@@ -127,6 +128,8 @@ public:
 private:
     bool takeCommands(); ///< true when a view may see a change
     void take(TouchRecord&& touch);
+    /// Adds it to the objects. Of a recording, a touch that is played again is not another one.
+    void addToObjects(TouchRecord& touch);
     /// What was found before is of another run.
     void beginAnew(std::int64_t time_ns);
     void publish();
@@ -135,6 +138,7 @@ private:
     std::shared_ptr<TouchChannel> m_skin;
     TouchEstimator m_estimator;
     FoundObjects m_found;
+    TouchHistory m_history; ///< of a recording
     std::uint64_t m_objectsRevision = 0;
     std::int64_t m_begun_ns = 0; ///< see ArmSnapshot
     std::optional<double> m_sourceTime_s;

@@ -38,9 +38,10 @@ BraceletService::BraceletService(core::StopSwitch& stop, QObject* parent, playba
           [slot = m_slot, felt = m_felt](playback::Program program) {
               const auto session = slot->get();
               if (!session)
-                  return;
+                  return false;
               const double begin_s = playback::promptBegin_s(program, session->player().rate_Hz());
               felt->set({session, session->player().play(std::move(program), /*loop=*/false, begin_s)});
+              return true;
           }))
     , m_library(builtIn) {
     connect(&m_keeper, &LimitsKeeper::failed, this, &BraceletService::strongestFailed);
@@ -66,6 +67,15 @@ void BraceletService::letGo() {
 }
 
 void BraceletService::choose(BraceletChoice choice, const QString& deviceFile) {
+    // It has to be let go of before, since both may be the same device.
+    if (choice == BraceletChoice::none)
+        m_working.reset();
+    else if (m_session)
+        m_working = {m_choice, m_deviceFile};
+    open(choice, deviceFile);
+}
+
+void BraceletService::open(BraceletChoice choice, const QString& deviceFile) {
     letGo();
     m_choice = choice;
     m_deviceFile = choice == BraceletChoice::file ? deviceFile : QString();
@@ -79,6 +89,7 @@ void BraceletService::takeOpened() {
         return;
     if (*opened) {
         m_session = std::move(**opened);
+        m_working.reset();
         m_slot->set(m_reserved ? nullptr : m_session);
         m_calibration = m_session->calibration();
         m_limits = m_session->limits();
@@ -90,8 +101,14 @@ void BraceletService::takeOpened() {
         if (m_session->calibrationError())
             emit calibrationFailed(*m_session->calibrationError());
     } else {
-        m_choice = BraceletChoice::none;
-        emit chosen(m_choice);
+        // One that does not open takes the place of none that worked.
+        const auto working = std::exchange(m_working, std::nullopt);
+        if (working) {
+            open(working->first, working->second);
+        } else {
+            m_choice = BraceletChoice::none;
+            emit chosen(m_choice);
+        }
         emit failed(opened->error());
     }
 }

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace teleta::console {
 
@@ -36,7 +37,8 @@ public:
                              std::int64_t staleAfter_ns = core::staleAfter_ns(10.0));
     ~BraceletService() override;
 
-    /// Replaces the bracelet. deviceFile: describes the device.
+    /// Replaces the bracelet. deviceFile: describes the device. When it cannot be opened, failed() is emitted
+    /// and the one that worked before is opened again.
     void choose(BraceletChoice choice, const QString& deviceFile = {});
     [[nodiscard]] BraceletChoice choice() const { return m_choice; }
     [[nodiscard]] const QString& deviceFile() const { return m_deviceFile; }
@@ -136,6 +138,7 @@ signals:
     void felt(const FeedbackEvent& event);
 
 private:
+    void open(BraceletChoice choice, const QString& deviceFile);
     void letGo();
     void takeOpened();
     void applyCalibration();
@@ -144,6 +147,8 @@ private:
     core::StopSwitch& m_stop;
     BraceletOpener m_opener;
     std::int64_t m_staleAfter_ns;
+    /// The one that worked before the one that is being opened.
+    std::optional<std::pair<BraceletChoice, QString>> m_working;
     BraceletChoice m_choice = BraceletChoice::none;
     QString m_deviceFile;
     motors::MotorCalibration m_calibration;

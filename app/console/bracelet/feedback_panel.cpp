@@ -141,6 +141,8 @@ void FeedbackPanel::writeLast(const FeedbackEvent& event) {
     const QString pattern = nameOf(event.sent.patternId);
     m_lastText = event.sent.missing
                      ? tr("%1: %2 is missing", "what was recognised: id of a pattern").arg(what, pattern)
+                 : event.sent.refused
+                     ? tr("%1: %2, not played", "what was recognised: id of a pattern").arg(what, pattern)
                  : pattern.isEmpty()
                      ? tr("%1: no pattern", "what was recognised").arg(what)
                      : tr("%1: %2", "what was recognised: id of a pattern").arg(what, pattern);
@@ -150,6 +152,10 @@ void FeedbackPanel::writeLast(const FeedbackEvent& event) {
         m_last->setText(
             tr("Touch %1: %2. Its pattern %3 is missing: nothing was played. Choose another one, or "
                "put it back among your patterns.")
+                .arg(touch, what, pattern));
+    else if (event.sent.refused)
+        m_last->setText(
+            tr("Touch %1: %2. %3 was not played: there is no bracelet, or a study or a calibration uses it.")
                 .arg(touch, what, pattern));
     else if (event.onset_s)
         m_last->setText(

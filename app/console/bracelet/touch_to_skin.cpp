@@ -14,7 +14,8 @@ void TouchToSkin::begin(pipeline::FeedbackSent sent) {
 }
 
 bool TouchToSkin::isOpen() const {
-    return m_last && !m_last->onset_s && !m_last->sent.patternId.empty() && !m_last->sent.missing;
+    return m_last && !m_last->onset_s && !m_last->sent.patternId.empty() && !m_last->sent.missing &&
+           !m_last->sent.refused;
 }
 
 bool TouchToSkin::update(const playback::PlayerCounters& counters) {

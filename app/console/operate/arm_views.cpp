@@ -215,6 +215,8 @@ void ArmViews::takeTouches() {
 
 void ArmViews::showTouch(const pipeline::TouchRecord& record) {
     m_touches->append(record);
+    // A recording that is played again tells its touches again.
+    std::erase_if(m_shownTouches, [&](const auto& shown) { return shown.number == record.number; });
     if (m_shownTouches.size() >= touch::TouchTable::kCapacity)
         m_shownTouches.erase(m_shownTouches.begin());
     m_shownTouches.push_back(record);

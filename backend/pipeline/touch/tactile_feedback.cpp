@@ -69,9 +69,8 @@ void TactileFeedback::onTouch(const TouchRecord& record) {
     const Entry* entry = ofStiffness(*settings, record);
     if (entry == nullptr)
         return;
-    if (entry->program.evaluate)
-        m_play(entry->program);
-    FeedbackSent sent = messageOf(record, *entry);
+    const bool taken = entry->program.evaluate && m_play(entry->program);
+    FeedbackSent sent = messageOf(record, *entry, taken);
     if (record.stiffness->materialKnown())
         sent.material = record.stiffness->material;
     else
@@ -86,22 +85,21 @@ void TactileFeedback::onContour(const TouchRecord& record, const ExploredContour
         return;
     const Entry& entry = settings->shape[static_cast<std::size_t>(*shape)];
     const Entry* before = ofStiffness(*settings, record);
-    if (entry.program.evaluate) {
-        // The pattern of the stiffness has begun a moment ago: it begins again, with the shape behind it.
-        m_play(before != nullptr && before->program.evaluate
-                   ? oneAfterTheOther(before->program, entry.program)
-                   : entry.program);
-    }
-    FeedbackSent sent = messageOf(record, entry);
+    // The pattern of the stiffness has begun a moment ago: it begins again, with the shape behind it.
+    const bool taken = entry.program.evaluate && m_play(before != nullptr && before->program.evaluate
+                                                            ? oneAfterTheOther(before->program, entry.program)
+                                                            : entry.program);
+    FeedbackSent sent = messageOf(record, entry, taken);
     sent.shape = shape;
     m_sent.push(std::move(sent));
 }
 
-FeedbackSent TactileFeedback::messageOf(const TouchRecord& record, const Entry& entry) {
+FeedbackSent TactileFeedback::messageOf(const TouchRecord& record, const Entry& entry, bool taken) {
     FeedbackSent sent;
     sent.touch = record.number;
     sent.patternId = entry.id;
     sent.missing = !entry.id.empty() && !entry.program.evaluate;
+    sent.refused = !entry.id.empty() && !sent.missing && !taken;
     sent.felt_ns = record.ready_ns;
     return sent;
 }

@@ -29,7 +29,8 @@ struct FeedbackSent {
     bool unknownStiffness = false; ///< the touch has a stiffness that is not reliable: no material is told
     std::string patternId;         ///< empty: the map has none for it, nothing was sent
     bool missing = false;          ///< the map has this id, but there is no such pattern: nothing was sent
-    std::int64_t felt_ns = 0;      ///< steady time of the sample that completed the touch
+    bool refused = false;     ///< there is no bracelet, or it is used for something else: nothing was sent
+    std::int64_t felt_ns = 0; ///< steady time of the sample that completed the touch
 };
 
 /// Turns what was recognised into patterns on the bracelet: the material of every touch that has a stiffness,
@@ -43,8 +44,8 @@ public:
     static constexpr double kPause_s = 0.3;
     static constexpr std::size_t kSentKept = 256;
 
-    /// Hands a program to the player; returns at once.
-    using Play = std::function<void(playback::Program)>;
+    /// Hands a program to the player; returns at once. False: there is none that takes it.
+    using Play = std::function<bool(playback::Program)>;
     /// Pattern of an id, ready to be played; without evaluate when there is none.
     using Library = std::function<playback::Program(const std::string& id)>;
 
@@ -78,7 +79,8 @@ private:
     [[nodiscard]] std::optional<contour::Shape> newShape(const ExploredContour& contour);
     /// Null when the stiffness of this touch is not to be told.
     [[nodiscard]] static const Entry* ofStiffness(const Settings& settings, const TouchRecord& record);
-    [[nodiscard]] static FeedbackSent messageOf(const TouchRecord& record, const Entry& entry);
+    /// taken: whether the player took the entry's program.
+    [[nodiscard]] static FeedbackSent messageOf(const TouchRecord& record, const Entry& entry, bool taken);
 
     Play m_play;
     core::LatestCopy<std::shared_ptr<const Settings>> m_settings;

@@ -113,6 +113,23 @@ TEST_F(ArmChannelTest, publishesATouchWithEverythingThatIsKnownOfIt) {
     EXPECT_EQ(m_touchChannel->framesProcessed(), 62U);
 }
 
+TEST_F(ArmChannelTest, countsATouchOfARecordingOnceHoweverOftenItIsPlayed) {
+    m_source->setRecorded();
+    for (int pass = 0; pass < 3; ++pass) {
+        m_arm = ScriptedArm(kDistance_m, std::numbers::pi, 1325.9); // its time begins anew
+        touch();
+        m_channel.process();
+        m_channel.update();
+        ASSERT_EQ(m_channel.snapshot().objects.size(), 1U) << pass;
+        EXPECT_EQ(m_channel.snapshot().objects[0].touches, 1U) << pass;
+        EXPECT_EQ(m_channel.snapshot().contour.points_m.size(), 1U) << pass;
+        TouchRecord record;
+        ASSERT_TRUE(m_channel.popTouch(record)) << pass;
+        EXPECT_EQ(record.number, 1U) << pass;
+        EXPECT_FALSE(m_channel.popTouch(record)) << pass;
+    }
+}
+
 TEST_F(ArmChannelTest, showsTheContactWhileItTouches) {
     for (int i = 0; i < 100; ++i)
         step(0.0);
@@ -188,8 +205,8 @@ TEST_F(ArmChannelTest, usesNewSettingsFromTheNextSamplesOn) {
 
 TEST_F(ArmChannelTest, tellsTheFeedbackOfEveryTouch) {
     int played = 0;
-    const auto feedback =
-        std::make_shared<pipeline::TactileFeedback>([&played](const playback::Program&) { ++played; });
+    const auto feedback = std::make_shared<pipeline::TactileFeedback>(
+        [&played](const playback::Program&) { return ++played > 0; });
     feedback->setMap(pattern::PatternMap::defaults(), builtInProgram);
     touch();
     m_channel.process();

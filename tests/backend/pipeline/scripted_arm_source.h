@@ -25,6 +25,8 @@ public:
     void setProgramRunning(bool) override {}
     void restartProgram() override {}
 
+    /// As if it were played from a recording. Before anything is processed.
+    void setRecorded() { m_description.recorded = true; }
     bool push(core::JointSample sample) {
         const bool fits = m_joints.push(std::move(sample));
         if (m_consumer != nullptr)

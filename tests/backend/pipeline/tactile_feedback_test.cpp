@@ -55,7 +55,11 @@ protected:
     }
 
     std::vector<playback::Program> m_played;
-    TactileFeedback m_feedback{[this](playback::Program program) { m_played.push_back(std::move(program)); }};
+    bool m_takes = true;
+    TactileFeedback m_feedback{[this](playback::Program program) {
+        m_played.push_back(std::move(program));
+        return m_takes;
+    }};
 };
 
 } // namespace
@@ -155,6 +159,18 @@ TEST_F(TactileFeedbackTest, playsPatternsOfTheUsersOwn) {
     EXPECT_EQ(m_played[0].duration_s, 1.5);
     EXPECT_EQ(m_played[0].evaluate(0.0)[0], 0.25);
     EXPECT_FALSE(sent().front().missing);
+}
+
+TEST_F(TactileFeedbackTest, saysWhenNobodyTakesThePattern) {
+    m_feedback.onTouch(touchOf(1, Material::sponge));
+    m_takes = false;
+    felt(touchOf(2, Material::sponge), contourOf(9, Shape::circle, 0.95));
+    const auto messages = sent();
+    ASSERT_EQ(messages.size(), 3U);
+    EXPECT_FALSE(messages[0].refused);
+    EXPECT_TRUE(messages[1].refused);
+    EXPECT_TRUE(messages[2].refused);
+    EXPECT_FALSE(messages[2].missing);
 }
 
 TEST_F(TactileFeedbackTest, offPlaysNothing) {

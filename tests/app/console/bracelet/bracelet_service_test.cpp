@@ -115,6 +115,23 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(failures.size(), 2, 20'000);
     }
 
+    void aBraceletThatCannotBeOpenedDoesNotCostTheOneThatWorks() {
+        QSignalSpy failures(m_station.get(), &BraceletService::failed);
+        m_station->choose(BraceletChoice::simulated);
+        QTRY_COMPARE_WITH_TIMEOUT(state(), DeviceState::live, 20'000);
+        m_station->choose(BraceletChoice::file, m_folder.filePath(QStringLiteral("none.toml")));
+        QTRY_COMPARE_WITH_TIMEOUT(failures.size(), 1, 20'000);
+        QCOMPARE(m_station->choice(), BraceletChoice::simulated);
+        QTRY_COMPARE_WITH_TIMEOUT(state(), DeviceState::live, 20'000);
+        QVERIFY(m_station->play(playback::programOf(*pattern::findBuiltIn("stiffness.E.static")), false) !=
+                0);
+        // None that is chosen is none.
+        m_station->choose(BraceletChoice::none);
+        m_station->choose(BraceletChoice::file, m_folder.filePath(QStringLiteral("none.toml")));
+        QTRY_COMPARE_WITH_TIMEOUT(failures.size(), 2, 20'000);
+        QCOMPARE(m_station->choice(), BraceletChoice::none);
+    }
+
     void theMenuRemembersDriversAndTheCommandLineNamesOne() {
         ConsoleSettings settings(true);
         QWidget window;
