@@ -92,9 +92,7 @@ pattern::MotorProfiles MotorCalibration::profiles() const {
 }
 
 bool MotorCalibration::measured() const {
-    return std::ranges::any_of(motors, [](const CalibratedMotor& motor) {
-        return motor.startFrom != Origin::assumed || motor.lagFrom != Origin::assumed;
-    });
+    return std::ranges::any_of(motors, &CalibratedMotor::measured);
 }
 
 pattern::MotorProfile withStart(pattern::MotorProfile motor, double start) {

@@ -24,6 +24,8 @@ struct CalibratedMotor {
     double riseError_s = 0.0;
     double fallError_s = 0.0;
 
+    /// Whether at least one value was measured.
+    [[nodiscard]] bool measured() const { return startFrom != Origin::assumed || lagFrom != Origin::assumed; }
     bool operator==(const CalibratedMotor&) const = default;
 };
 
@@ -35,7 +37,7 @@ struct MotorCalibration {
     bool operator==(const MotorCalibration&) const = default;
 
     [[nodiscard]] pattern::MotorProfiles profiles() const;
-    /// Whether at least one value was measured.
+    /// Whether at least one motor was measured.
     [[nodiscard]] bool measured() const;
 };
 

@@ -31,6 +31,7 @@ struct ServoReport {
     std::array<Eigen::Vector3d, kLwrJoints> p_Base_Joint{};
     double normalCompliance_mPerN = 1.0;       ///< of the running task; force is d_z divided by it
     ServoTuning tuning;                        ///< in use
+    ServoTuning planned;                       ///< of the plan itself, before anybody changed it
     TuningBounds bounds;                       ///< limits of what an operator can set
     bool stopped = false;                      ///< STOP is engaged
     std::array<TaskKind, kLongestPlan> plan{}; ///< the tasks

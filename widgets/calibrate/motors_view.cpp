@@ -280,6 +280,17 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
     verdict()->setText(text);
 }
 
+QString MotorsView::calibratedText() const {
+    const auto measured = std::ranges::count_if(m_calibration.motors, &motors::CalibratedMotor::measured);
+    const auto all = static_cast<std::ptrdiff_t>(m_calibration.motors.size());
+    if (measured < all)
+        return (isSaved() ? tr("%1 of %2 motors calibrated, saved")
+                          : tr("%1 of %2 motors calibrated, not saved"))
+            .arg(measured)
+            .arg(all);
+    return isSaved() ? tr("calibrated, saved") : tr("calibrated, not saved");
+}
+
 void MotorsView::refresh() {
     const std::size_t motor = m_table->selectedMotor();
     m_steps->setCurrentIndex(m_measuring ? kMeasuring : m_felt->task() != nullptr ? kFelt : kSteps);
@@ -287,8 +298,7 @@ void MotorsView::refresh() {
     const bool measured = m_calibration.measured();
     QString state = m_facts.serial.isEmpty() ? tr("Choose a bracelet in the menu Bracelet.")
                     : !measured              ? tr("not calibrated: the motors use assumed values")
-                    : isSaved()              ? tr("calibrated, saved")
-                                             : tr("calibrated, not saved");
+                                             : calibratedText();
     if (m_facts.reserved)
         state += QStringLiteral(" \u00b7 ") + tr("a study uses the bracelet: its motors cannot be changed");
     if (const QString limits = limitsText(m_facts.strongest); !limits.isEmpty())

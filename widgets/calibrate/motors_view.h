@@ -83,6 +83,8 @@ private:
     void undo() override;
     void redo() override;
     void refresh() override;
+    /// How many motors are calibrated, and whether that is saved.
+    [[nodiscard]] QString calibratedText() const;
     void showChart();
     void retranslate();
 

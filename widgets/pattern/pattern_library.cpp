@@ -61,7 +61,15 @@ PatternLibrary::PatternLibrary(QWidget* parent)
     connect(m_filter, &QLineEdit::textChanged, this, &PatternLibrary::applyFilter);
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
         const QString key = item->data(0, kKey).toString();
-        if (!key.isEmpty())
+        if (!key.isEmpty() && key != m_current)
+            emit openRequested(key);
+    });
+    // What is highlighted by a click is what plays: the click opens it. A damaged one opens only on demand,
+    // with its reason.
+    connect(m_tree, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
+        const QString key = item->data(0, kKey).toString();
+        const OwnPattern* own = ownOf(key);
+        if (!key.isEmpty() && key != m_current && (!own || own->problem.isEmpty()))
             emit openRequested(key);
     });
     connect(m_tree, &QTreeWidget::currentItemChanged, this, [this] { m_wanted.clear(); });
@@ -119,7 +127,7 @@ void PatternLibrary::fill() {
     m_undo->setToolTip(tr("Undo the last change to the library (Ctrl+Z in the list)"));
     m_tree->setAccessibleName(tr("Patterns"));
     const QString keys =
-        tr("<p>Double-click or <b>Enter</b> opens a pattern. Built-in patterns cannot be changed: the first "
+        tr("<p>A click or <b>Enter</b> opens a pattern. Built-in patterns cannot be changed: the first "
            "edit creates a copy. Your own patterns: <b>F2</b> renames, <b>Ctrl+D</b> duplicates, "
            "<b>Delete</b> deletes, <b>Ctrl+Z</b> undoes that.</p>");
     m_tree->setWhatsThis(keys + tr("<p>The pattern in bold, with a sign in front of it, is open in the "

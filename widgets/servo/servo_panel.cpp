@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/servo/servo_panel.h"
 
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/servo/force_strip.h"
@@ -14,7 +15,10 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
+#include <QPushButton>
 #include <QSignalBlocker>
+#include <QStringList>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -56,7 +60,9 @@ ServoPanel::ServoPanel(QWidget* parent)
     , m_force(spinBox(this, ServoTuning::kLeastForce_N, ServoTuning::kHighestForce_N, 0.5, 1))
     , m_slide(spinBox(this, 0.0, 1e3 * ServoTuning::kHighestSlide_mPerS, 0.5, 1))
     , m_gain(spinBox(this, 100.0 * ServoTuning::kLeastGain, 100.0 * ServoTuning::kHighestGain, 10.0, 0))
-    , m_moment(new QCheckBox(this)) {
+    , m_moment(new QCheckBox(this))
+    , m_changes(new QLabel(this))
+    , m_planned(new QPushButton(this)) {
     m_provenance->setFont(base::bold(base::sized(font(), base::kSmallText)));
     m_provenance->hide();
     m_state->setFont(base::sized(font(), base::kLargeText));
@@ -73,6 +79,10 @@ ServoPanel::ServoPanel(QWidget* parent)
     m_slide->setObjectName(QStringLiteral("servoSlide"));
     m_gain->setObjectName(QStringLiteral("servoGain"));
     m_moment->setObjectName(QStringLiteral("servoMoment"));
+    m_changes->setObjectName(QStringLiteral("servoChanges"));
+    m_changes->setWordWrap(true);
+    m_planned->setObjectName(QStringLiteral("servoPlanned"));
+    m_planned->setAutoDefault(false);
     m_tasks->setObjectName(QStringLiteral("servoTask"));
     m_force->setSuffix(QStringLiteral(" N"));
     m_slide->setSuffix(QStringLiteral(" mm/s"));
@@ -101,6 +111,8 @@ ServoPanel::ServoPanel(QWidget* parent)
     }
     m_form->addRow(m_moment);
     layout->addLayout(m_form);
+    layout->addWidget(m_changes);
+    layout->addWidget(m_planned, 0, Qt::AlignLeft);
     layout->addWidget(m_cost);
     layout->addStretch(1);
 
@@ -109,12 +121,17 @@ ServoPanel::ServoPanel(QWidget* parent)
         connect(field, signalOf, this, [this, change](auto value) {
             if (!m_report)
                 return;
-            ServoTuning wish = m_wish.value_or(m_report->tuning);
-            change(wish, value);
-            m_wish = wish;
-            emit tuningChanged(wish);
+            ServoTuning changed = m_wish.value_or(m_report->tuning);
+            change(changed, value);
+            wish(changed);
         });
     };
+    connect(m_planned, &QPushButton::clicked, this, [this] {
+        if (!m_report)
+            return;
+        wish(m_report->planned);
+        showTuning(m_report->planned, m_report->bounds);
+    });
     wishes(&QDoubleSpinBox::valueChanged, m_force,
            [](ServoTuning& wish, double value) { wish.force_N = value; });
     wishes(&QDoubleSpinBox::valueChanged, m_slide,
@@ -153,6 +170,40 @@ void ServoPanel::setReport(const std::optional<ServoReport>& report) {
         m_wish.reset();
     if (!m_wish)
         showTuning(report->tuning, report->bounds);
+    showChanges();
+}
+
+void ServoPanel::wish(const ServoTuning& tuning) {
+    m_wish = tuning;
+    showChanges();
+    emit tuningChanged(tuning);
+}
+
+void ServoPanel::showChanges() {
+    QStringList changes;
+    if (m_report) {
+        const ServoTuning& planned = m_report->planned;
+        const ServoTuning used = m_wish.value_or(m_report->tuning);
+        const QLocale locale;
+        const auto isOther = [](double a, double b) { return std::abs(a - b) > 1e-9; };
+        if (isOther(used.force_N, planned.force_N))
+            changes << tr("force %1", "as planned")
+                           .arg(base::withUnit(locale.toString(planned.force_N), QStringLiteral("N")));
+        if (isOther(used.slide_mPerS, planned.slide_mPerS))
+            changes << tr("sliding speed %1", "as planned")
+                           .arg(base::withUnit(locale.toString(1e3 * planned.slide_mPerS),
+                                               QStringLiteral("mm/s")));
+        if (isOther(used.gain, planned.gain))
+            changes << tr("gains %1", "as planned")
+                           .arg(base::withUnit(locale.toString(100.0 * planned.gain), QStringLiteral("%")));
+        if (used.moment != planned.moment)
+            changes << (planned.moment ? tr("moment balanced") : tr("moment not balanced"));
+    }
+    m_changes->setVisible(!changes.isEmpty());
+    m_planned->setVisible(!changes.isEmpty());
+    if (!changes.isEmpty())
+        m_changes->setText(
+            tr("Changed, also after a restart. The scene has: %1.").arg(changes.join(QStringLiteral(", "))));
 }
 
 void ServoPanel::setStopEngaged(bool engaged) {
@@ -252,6 +303,9 @@ void ServoPanel::retranslate() {
     label(m_gain, tr("&Gains"), tr("All controller gains, in percent of those in the scene"));
     m_moment->setText(tr("Balance the &moment (DZMP)"));
     m_moment->setToolTip(tr("Off: the controller without the distance to the zero-moment point"));
+    m_planned->setText(tr("Settings of the scene"));
+    m_planned->setToolTip(tr("Undo all changes of force, speed, gains and moment"));
+    showChanges();
     showTexts();
     showTasks();
 }

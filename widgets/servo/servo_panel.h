@@ -14,6 +14,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
+class QPushButton;
 
 namespace teleta::servo {
 
@@ -46,6 +47,9 @@ private:
     void showVerdict();
     void showTasks();
     void showTuning(const ServoTuning& tuning, const TuningBounds& bounds);
+    /// Says which settings are not those of the scene.
+    void showChanges();
+    void wish(const ServoTuning& tuning);
 
     QLabel* m_provenance;
     QLabel* m_state;
@@ -61,6 +65,8 @@ private:
     QDoubleSpinBox* m_slide;
     QDoubleSpinBox* m_gain;
     QCheckBox* m_moment;
+    QLabel* m_changes;
+    QPushButton* m_planned; ///< back to the scene's settings
     bool m_stopEngaged = true;
     base::Provenance m_shownProvenance = base::Provenance::live;
     std::optional<ServoReport> m_report;

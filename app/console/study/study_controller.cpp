@@ -78,8 +78,9 @@ StudyController::StudyController(BraceletService& station, core::StopSwitch& sto
     connect(&m_questionnaires, &QuestionnaireSequence::changed, this, &StudyController::changed);
     connect(&m_runner, &StudyRunner::changed, this, &StudyController::followSimulated);
     connect(&m_runner, &StudyRunner::changed, this, &StudyController::changed);
-    // During a session nothing else may play on the bracelet.
-    connect(&m_runner, &StudyRunner::changed, this, [this] { m_station.reserve(m_runner.isActive()); });
+    // During a session nothing else may play on the bracelet. A fast rehearsal plays nothing on it.
+    connect(&m_runner, &StudyRunner::changed, this,
+            [this] { m_station.reserve(m_runner.isActive() && !isFast()); });
     m_runner.observe(&m_marks);
     connect(&m_runner, &StudyRunner::changed, this,
             [this] { m_marks.setPaused(m_runner.hold() != study::Hold::none, now_ns()); });

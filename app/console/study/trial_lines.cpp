@@ -33,7 +33,7 @@ std::pair<QString, Tone> outcomeText(study::Outcome outcome) {
     case study::Outcome::deviceError:
         break;
     }
-    return {LineText::tr("device fault, will be repeated"), Tone::alarm};
+    return {LineText::tr("interrupted, will be repeated"), Tone::alarm};
 }
 
 } // namespace

@@ -90,6 +90,7 @@ private:
         report.p_Base_Joint = m_loop->world().arm().posture().p_Base_Joint;
         report.normalCompliance_mPerN = m_plan.tasks[output.phase].normalCompliance_mPerN;
         report.tuning = m_tuning;
+        report.planned = servo::tuningOf(m_plan);
         report.bounds = m_bounds;
         report.stopped = stopped;
         report.tasks = std::min(m_plan.tasks.size(), report.plan.size());

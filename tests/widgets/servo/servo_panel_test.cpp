@@ -12,6 +12,7 @@
 #include <QHelpEvent>
 #include <QImage>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolTip>
@@ -105,6 +106,35 @@ private slots:
                                 "\u201cend of a joint\u201d"));
         panel.setReport(std::nullopt);
         QVERIFY(!verdict->isVisible());
+    }
+
+    void whatDiffersFromTheSceneIsNamedAndTakenBackByAButton() {
+        ServoPanel panel;
+        panel.resize(500, 900);
+        panel.show();
+        ServoReport report = exploring();
+        panel.setReport(report);
+        auto* changes = panel.findChild<QLabel*>(QStringLiteral("servoChanges"));
+        auto* planned = panel.findChild<QPushButton*>(QStringLiteral("servoPlanned"));
+        QVERIFY(!changes->isVisible() && !planned->isVisible());
+        ServoTuning wished;
+        connect(&panel, &ServoPanel::tuningChanged, &panel,
+                [&](const ServoTuning& tuning) { wished = tuning; });
+        panel.findChild<QDoubleSpinBox*>(QStringLiteral("servoForce"))->setValue(8.0);
+        auto* moment = panel.findChild<QCheckBox*>(QStringLiteral("servoMoment"));
+        QTest::mouseClick(moment, Qt::LeftButton, {}, QPoint(5, moment->height() / 2));
+        QVERIFY(changes->isVisible());
+        // After a restart, too.
+        report.tuning = wished;
+        ++report.restarts;
+        panel.setReport(report);
+        QVERIFY(changes->text().contains(QStringLiteral("force 5")));
+        QVERIFY(changes->text().contains(QStringLiteral("moment balanced")));
+        QTest::mouseClick(planned, Qt::LeftButton);
+        QCOMPARE(wished, ServoTuning{});
+        QVERIFY(!changes->isVisible() && !planned->isVisible());
+        QCOMPARE(panel.findChild<QDoubleSpinBox*>(QStringLiteral("servoForce"))->value(), 5.0);
+        QVERIFY(moment->isChecked());
     }
 
     void taskContactAndLimitsAreNamed() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/arm/arm4_kinematics.h"
 #include "tests/widgets/test_registry.h"
 #include "tests/widgets/touch/sample_arm.h"
 #include "widgets/touch/jog/drive_sign.h"
@@ -9,6 +10,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
@@ -16,6 +18,9 @@
 #include <QSlider>
 #include <QTest>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace teleta;
 using namespace teleta::touch;
@@ -408,6 +413,47 @@ private slots:
         sample.angle_rad = {1.5, 0.0, 0.0, 1.0};
         desk.panel->setSample(sample);
         QVERIFY(desk.panel->findChild<touch::JointRange*>("range0")->text().endsWith("limit"));
+    }
+
+    void saysThatTheKeysNeedAClickFirst() {
+        Desk desk;
+        QVERIFY(desk.active);
+        const auto says = [&](const char* words) {
+            const auto labels = desk.panel->findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+                return label->isVisible() && label->text().contains(QLatin1String(words));
+            });
+        };
+        QVERIFY(says("Hold Shift") && !says("Click here first"));
+        QTest::mouseClick(desk.line, Qt::LeftButton);
+        QVERIFY(says("Click here first") && says("Hold Shift"));
+        QTest::mouseClick(desk.panel, Qt::LeftButton);
+        QVERIFY(says("Hold Shift") && !says("Click here first"));
+    }
+
+    void theTipIsShownInMillimetresWhereItIsMoved() {
+        Desk desk;
+        desk.panel->setMode(JogPanel::Mode::tip);
+        core::JointSample sample;
+        sample.angle_rad = {0.1, -0.2, 0.3, 1.5};
+        desk.panel->setSample(sample);
+        const core::ArmDescription sampled = test::sampleArm();
+        const arm::Arm4Kinematics kinematics({.upperArmLength_m = sampled.upperArmLength_m,
+                                              .forearmLength_m = sampled.forearmLength_m,
+                                              .halfThickness_m = sampled.halfThickness_m});
+        const Eigen::Vector3d tip_m =
+            kinematics.X_Base_Link(arm::Link::forearm, arm::JointVector(0.1, -0.2, 0.3, 1.5)) *
+            Eigen::Vector3d(sampled.forearmLength_m, 0.0, 0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto* place = desk.panel->findChild<QLabel*>(QStringLiteral("place%1").arg(axis));
+            QVERIFY(place->isVisible());
+            QVERIFY2(place->text().contains(QString::number(std::abs(1e3 * tip_m[axis]), 'f', 1)),
+                     qPrintable(place->text()));
+        }
+        QVERIFY(!desk.panel->findChild<touch::JointRange*>("range0")->isVisible());
+        desk.panel->setMode(JogPanel::Mode::joints);
+        QVERIFY(desk.panel->findChild<touch::JointRange*>("range3")->isVisible());
+        QVERIFY(!desk.panel->findChild<QLabel*>("place0")->isVisible());
     }
 
     void theDriveIsAWord() {

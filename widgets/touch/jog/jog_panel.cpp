@@ -4,6 +4,7 @@
 #include "backend/arm/jog_rates.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/jog/drive_sign.h"
 #include "widgets/touch/jog/hold_button.h"
@@ -141,6 +142,7 @@ JogPanel::JogPanel(QWidget* parent)
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         if (now != this && !(now && isAncestorOf(now)))
             releaseAll();
+        showHint();
     });
     retranslate();
     enableParts();
@@ -155,10 +157,13 @@ JogPanel::~JogPanel() {
 void JogPanel::addRows() {
     while (m_rows.size() < std::max(joints(), kTipKeys.size())) {
         const int row = static_cast<int>(m_rows.size());
-        Row& added = m_rows.emplace_back(Row{new QLabel(this), new JointRange(this), {}});
+        Row& added = m_rows.emplace_back(Row{new QLabel(this), new JointRange(this), new QLabel(this), {}});
         added.range->setObjectName(QStringLiteral("range%1").arg(row));
         m_grid->addWidget(added.name, row, 0);
+        added.place->setObjectName(QStringLiteral("place%1").arg(row));
+        added.place->hide();
         m_grid->addWidget(added.range, row, 1);
+        m_grid->addWidget(added.place, row, 1);
         for (const int side : {0, 1}) {
             auto* button = new HoldButton(this);
             button->setObjectName((side == 1 ? QStringLiteral("up%1") : QStringLiteral("down%1")).arg(row));
@@ -225,7 +230,7 @@ void JogPanel::retranslate() {
     const bool tip = m_mode == Mode::tip;
     for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
         const QString joint = TouchTexts::joint(axis, joints());
-        m_rows[axis].name->setText(joint);
+        m_rows[axis].name->setText(tip && axis < axes() ? tr("tip %1").arg(QChar(kAxes[axis])) : joint);
         m_rows[axis].range->setAccessibleName(tr("Angle of %1").arg(joint));
         if (axis >= axes())
             continue;
@@ -278,20 +283,16 @@ void JogPanel::enableParts() {
         releaseAll();
     }
     const bool tip = m_mode == Mode::tip;
-    m_message->setText(
-        !able        ? reason
-        : isGuided() ? tr("Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.")
-        : tip        ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
-                     : tr("Hold Shift and a button, or Shift with %1 (up), %2 (down).")
-                    .arg(lettersOf(joints(), &KeyPair::up), lettersOf(joints(), &KeyPair::down)));
+    showHint();
     base::setTextColour(m_message, able || isRecorded ? palette().color(QPalette::PlaceholderText)
                                                       : base::statusColours(palette()).lost);
     m_deadMan->setEnabled(able);
     m_clutch->setEnabled(able && m_way == Way::position);
     for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
         const Row& row = m_rows[axis];
-        row.name->setVisible(axis < joints());
-        row.range->setVisible(axis < joints());
+        row.name->setVisible(axis < (tip ? axes() : joints()));
+        row.range->setVisible(!tip && axis < joints());
+        row.place->setVisible(tip && axis < axes());
         row.range->setEnabled(m_arm.has_value());
         for (HoldButton* button : row.buttons) {
             button->setEnabled(able);
@@ -302,6 +303,39 @@ void JogPanel::enableParts() {
         button->setEnabled(able && m_arm->hasProgram);
     // What can only make it safer stays possible.
     m_hold->setEnabled(m_arm && m_arm->hasProgram && !isRecorded && !m_stopEngaged);
+}
+
+bool JogPanel::hasKeyboard() const {
+    const QWidget* focus = QApplication::focusWidget();
+    return focus == this || (focus != nullptr && isAncestorOf(focus));
+}
+
+/// The keys act in this panel alone, so that nobody moves the arm by typing elsewhere.
+void JogPanel::showHint() {
+    const QString reason = refusal();
+    if (!reason.isEmpty()) {
+        m_message->setText(reason);
+        return;
+    }
+    const QString how =
+        isGuided() ? tr("Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.")
+        : m_mode == Mode::tip
+            ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
+            : tr("Hold Shift and a button, or Shift with %1 (up), %2 (down).")
+                  .arg(lettersOf(joints(), &KeyPair::up), lettersOf(joints(), &KeyPair::down));
+    m_message->setText(hasKeyboard() ? how
+                                     : tr("Click here first: the keys work only in this view. %1").arg(how));
+}
+
+void JogPanel::showTip() {
+    const bool isKnown = m_mode == Mode::tip && m_arm && m_hasSample && arm::canMoveTip(joints());
+    const Eigen::Vector3d tip_m =
+        isKnown ? arm::tipPosition(*m_arm, m_sample.angle_rad) : Eigen::Vector3d::Zero().eval();
+    for (std::size_t axis = 0; axis < std::min(m_rows.size(), kTipKeys.size()); ++axis)
+        m_rows[axis].place->setText(
+            isKnown ? base::withUnit(base::fixedDigits(1e3 * tip_m[static_cast<Eigen::Index>(axis)], 1),
+                                     QStringLiteral("mm"))
+                    : QStringLiteral("\u2013"));
 }
 
 void JogPanel::setArm(const std::optional<core::ArmDescription>& arm) {
@@ -334,6 +368,7 @@ void JogPanel::setSample(const core::JointSample& sample) {
     m_hasSample = true;
     for (std::size_t joint = 0; joint < std::min(joints(), sample.angle_rad.size()); ++joint)
         m_rows[joint].range->setAngle(sample.angle_rad[joint]);
+    showTip();
 }
 
 void JogPanel::setDrive(core::ArmDrive drive) {
@@ -369,6 +404,7 @@ void JogPanel::setMode(Mode mode) {
     m_mode = mode;
     m_modeBox->setCurrentIndex(mode == Mode::tip ? 1 : 0);
     retranslate();
+    showTip();
 }
 
 void JogPanel::setWay(Way way) {

@@ -111,8 +111,12 @@ private:
     struct Row {
         QLabel* name;
         JointRange* range;
+        QLabel* place;                      ///< of the tip along this axis, instead of the range
         std::array<HoldButton*, 2> buttons; ///< 0 down, 1 up
     };
+    void showHint();
+    void showTip();
+    [[nodiscard]] bool hasKeyboard() const;
     /// Who guides the tip by position.
     enum class Leader { nobody, keys, hand };
 
