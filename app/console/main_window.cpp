@@ -22,15 +22,18 @@
 #include "app/console/sources/camera_dialog.h"
 #include "app/console/sources/demo_scenes.h"
 #include "app/console/study/study_page.h"
+#include "backend/core/steady_time.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/pattern/files/pattern_json.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
+#include "widgets/chrome/message_log.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/recent_list.h"
 #include "widgets/chrome/recording_indicator.h"
+#include "widgets/chrome/stop_banner.h"
 #include "widgets/chrome/stop_button.h"
 #include "widgets/pattern/pattern_editor.h"
 
@@ -42,9 +45,11 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -70,6 +75,9 @@ constexpr std::array kFeedbackModes{FeedbackName{pipeline::FeedbackMode::both, "
 
 /// Two presses of Escape within this time are STOP.
 constexpr int kDoubleEscape_ms = 600;
+
+/// Room for the frame and the title that a desktop draws around the window.
+constexpr QSize kFrame_px(16, 48);
 
 } // namespace
 
@@ -104,6 +112,8 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_hand(std::make_unique<HandStation>())
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
+    , m_stopBanner(new chrome::StopBanner(this))
+    , m_stopCause(chrome::StopCause::program)
     , m_questions(*this, *m_patterns, *m_calibrate, *m_study) {
     m_study->controller().setRecording(&m_sessionRecorder);
     setAcceptDrops(true);
@@ -123,6 +133,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     auto* right = new QVBoxLayout;
     right->setSpacing(0);
     right->addWidget(m_pages, 1);
+    right->addWidget(m_stopBanner);
     right->addWidget(status);
     auto* central = new QWidget(this);
     auto* row = new QHBoxLayout(central);
@@ -137,10 +148,8 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
         if (index < static_cast<int>(m_sources.items().size()))
             m_sources.activate(m_sources.items()[static_cast<std::size_t>(index)].key);
     });
-    connect(m_stopButton, &chrome::StopButton::stopRequested, this, [this] {
-        m_stop.engage();
-        showStop();
-    });
+    connect(m_stopButton, &chrome::StopButton::stopRequested, this,
+            [this] { engageStop(chrome::StopCause::button); });
     connect(m_stopButton, &chrome::StopButton::releaseRequested, this, [this] {
         m_stop.release();
         showStop();
@@ -156,6 +165,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
         m_operate->messages().post({chrome::Message::Severity::error, tr("The live view has ended."),
                                     tr("Choose another port with --foxglove."), why});
     });
+    connect(m_recording.get(), &RecordingControls::playRequested, m_opener, &FileOpener::openRecording);
     connect(m_recordings, &RecordingFiles::opened, this, &MainWindow::addRecent);
     connect(m_recordings, &RecordingFiles::imported, this, &MainWindow::onImported);
     connect(m_opener, &FileOpener::failed, this, &MainWindow::onFailed);
@@ -181,6 +191,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
             m_escapeDown = false;
     });
     connect(m_operate.get(), &OperatePage::demoRequested, this, &MainWindow::openDemo);
+    connect(m_operate.get(), &OperatePage::closeRequested, this, &MainWindow::closeSource);
     connect(m_operate.get(), &OperatePage::firstStepsRequested, m_help, &HelpMenu::openFirstSteps);
     connect(m_operate.get(), &OperatePage::openRecordingRequested, this, [this] {
         askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv *.mcap)"), &FileOpener::openRecording,
@@ -229,7 +240,8 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     base::keepTranslated(this, &MainWindow::retranslate);
     qApp->installEventFilter(this);
 
-    resize(base::em(this, 96), base::em(this, 60));
+    // STOP is at the lower right: a window that is larger than its screen would hide it.
+    resize(QSize(base::em(this, 96), base::em(this, 60)).boundedTo(screen()->availableSize() - kFrame_px));
     if (!m_settings.geometry().isEmpty())
         restoreGeometry(m_settings.geometry());
     if (options.size.isValid())
@@ -326,6 +338,12 @@ void MainWindow::openCamera() {
     dialog->open();
 }
 
+void MainWindow::closeSource(std::uint64_t key) {
+    const SourceManager::Item* item = m_sources.find(key);
+    if (item != nullptr)
+        m_calibrate->whenGainsSettled(key, item->name, [this, key] { m_sources.close(key); });
+}
+
 void MainWindow::addRecent(const QString& path) {
     m_settings.addRecentFile(path);
     showRecent();
@@ -371,8 +389,34 @@ void MainWindow::onFailed(const QString& name, const core::Error& error) {
                                 tr("%1 could not be opened.", "a file").arg(name), details, QString()});
 }
 
+void MainWindow::engageStop(chrome::StopCause cause) {
+    const bool wasEngaged = m_stop.engaged();
+    m_stop.engage();
+    if (!wasEngaged)
+        m_stopCause = cause;
+    showStop();
+}
+
 void MainWindow::showStop() {
-    m_stopButton->setEngaged(m_stop.engaged());
+    using Severity = chrome::Message::Severity;
+    const std::int64_t since_ns = m_stop.engagedSince_ns();
+    m_stopButton->setEngaged(since_ns != 0);
+    if (since_ns == m_stoppedSince_ns)
+        return;
+    const std::int64_t before_ns = std::exchange(m_stoppedSince_ns, since_ns);
+    chrome::MessageLog& log = chrome::MessageLog::instance();
+    const auto ago_ms = [](std::int64_t time_ns) { return (core::steadyNow_ns() - time_ns) / 1'000'000; };
+    if (before_ns != 0)
+        log.append(Severity::information,
+                   tr("STOP was released after %1 s.")
+                       .arg(QLocale().toString(static_cast<double>(ago_ms(before_ns)) * 1e-3, 'f', 1)));
+    if (since_ns == 0) {
+        m_stopCause = chrome::StopCause::program;
+        m_stopBanner->release();
+        return;
+    }
+    log.append(Severity::warning, tr("STOP. %1", "cause").arg(chrome::StopBanner::sentence(m_stopCause)));
+    m_stopBanner->engage(m_stopCause, QDateTime::currentDateTime().addMSecs(-ago_ms(since_ns)));
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
@@ -385,7 +429,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
         if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
             onEscape(down);
         } else if (down && key->key() == Qt::Key_Period && key->modifiers() & Qt::ControlModifier) {
-            emit m_stopButton->stopRequested();
+            engageStop(chrome::StopCause::keys);
             return true;
         }
     }
@@ -400,8 +444,7 @@ void MainWindow::onEscape(bool down) {
         return;
     if (m_lastEscape.isValid() && m_lastEscape.elapsed() < kDoubleEscape_ms) {
         m_lastEscape.invalidate();
-        m_stop.engage();
-        showStop();
+        engageStop(chrome::StopCause::escape);
     } else {
         m_lastEscape.start();
     }

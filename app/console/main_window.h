@@ -16,13 +16,16 @@
 #include <QElapsedTimer>
 #include <QMainWindow>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace teleta::chrome {
 class DeviceStrip;
 class PageRail;
+class StopBanner;
 class StopButton;
+enum class StopCause;
 } // namespace teleta::chrome
 
 namespace teleta::console {
@@ -100,12 +103,16 @@ private:
     void onTick();
     void onFailed(const QString& name, const core::Error& error);
     void onEscape(bool down);
+    void engageStop(chrome::StopCause cause);
+    /// Shows whether STOP is engaged, and logs each change.
     void showStop();
     void setTheme(const QString& theme);
     void addRecent(const QString& path);
     void askForFile(const QString& title, const QString& filter, void (FileOpener::*open)(const QString&),
                     const QString& folder = {});
     void openCamera();
+    /// Asks first when something of the source would be lost.
+    void closeSource(std::uint64_t key);
     void openLastSession();
     void offerLastSession();
     [[nodiscard]] QStringList session();
@@ -146,6 +153,9 @@ private:
     std::unique_ptr<HandStation> m_hand;
     chrome::DeviceStrip* m_devices;
     chrome::StopButton* m_stopButton;
+    chrome::StopBanner* m_stopBanner;
+    chrome::StopCause m_stopCause;
+    std::int64_t m_stoppedSince_ns = 0; ///< as shown; 0: not stopped
     ClosingQuestions m_questions;
     QString m_record; ///< file to record into as soon as all that was asked for is open; empty: none
     QElapsedTimer m_lastEscape;

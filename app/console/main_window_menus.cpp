@@ -41,7 +41,7 @@ void MainWindow::buildMenus() {
     file->addMenu(open);
     QAction* close = file->addAction(tr("&Close source"), QKeySequence::Close, this, [this] {
         if (const auto* item = m_sources.active())
-            m_sources.close(item->key);
+            closeSource(item->key);
     });
     close->setToolTip(tr("Close the source that is shown"));
     addRecentMenu(*file);

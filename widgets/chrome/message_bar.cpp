@@ -3,6 +3,7 @@
 
 #include "widgets/base/icons.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/free_corner.h"
 #include "widgets/chrome/message_log.h"
 
 #include <QAccessible>
@@ -21,8 +22,10 @@ namespace teleta::chrome {
 
 namespace {
 
-/// Wide enough for a sentence, but clear of the controls on the left of a view.
+/// Wide enough for a sentence, but clear of the controls on the other side of a view.
 constexpr double kWidest_em = 44.0;
+/// Steps in which the time that notices are seen is counted.
+constexpr std::chrono::milliseconds kAgeStep{100};
 
 using Severity = Message::Severity;
 
@@ -92,6 +95,7 @@ MessageBar::MessageBar(QWidget* parent)
     setAutoFillBackground(true);
     if (parent != nullptr)
         parent->installEventFilter(this);
+    connect(&m_age, &QTimer::timeout, this, &MessageBar::age);
     rebuild();
 }
 
@@ -102,11 +106,13 @@ void MessageBar::post(const Message& message) {
     });
     if (same != m_entries.end()) {
         ++same->repeats;
+        same->seen = {};
+        same->message.actions = message.actions;
         std::rotate(same, same + 1, m_entries.end());
     } else {
         if (m_entries.size() == kKept)
             m_entries.erase(m_entries.begin());
-        m_entries.push_back({message, QDateTime::currentDateTime(), 1, false});
+        m_entries.push_back({message, QDateTime::currentDateTime(), 1, false, {}});
     }
     rebuild();
     // Screen readers announce new notices.
@@ -117,6 +123,20 @@ void MessageBar::post(const Message& message) {
 void MessageBar::clear() {
     m_entries.clear();
     rebuild();
+}
+
+void MessageBar::age() {
+    const QWidget* focus = QApplication::focusWidget();
+    if (!isVisible() || underMouse() || (focus != nullptr && isAncestorOf(focus)))
+        return;
+    const std::size_t shown = std::min<std::size_t>(m_entries.size(), kShown);
+    for (std::size_t back = 0; back < shown; ++back)
+        m_entries[m_entries.size() - 1 - back].seen += kAgeStep;
+    const auto leaves = [this](const Entry& entry) {
+        return entry.message.severity == Severity::information && !entry.open && entry.seen >= m_showing;
+    };
+    if (std::erase_if(m_entries, leaves) > 0)
+        rebuild();
 }
 
 void MessageBar::settle() {
@@ -133,7 +153,7 @@ void MessageBar::settle() {
     const int width = std::min(seen.width(), base::em(this, kWidest_em));
     const int height =
         m_layout->hasHeightForWidth() ? m_layout->heightForWidth(width) : m_layout->sizeHint().height();
-    setGeometry(seen.right() + 1 - width, seen.top(), width, std::min(height, seen.height()));
+    setGeometry(freeCorner(*view, seen, QSize(width, height), *this));
     raise();
 }
 
@@ -188,8 +208,12 @@ void MessageBar::rebuild() {
     if (!m_entries.empty())
         settle();
     setVisible(!m_entries.empty());
-    if (shown == 0)
+    if (shown == 0) {
+        m_age.stop();
         return;
+    }
+    if (!m_age.isActive())
+        m_age.start(kAgeStep);
     QWidget* before = m_tabStop;
     QWidget* next = m_layout->itemAt(std::min(place, static_cast<int>(shown) - 1))->widget();
     for (std::size_t index = 0; index < shown; ++index) {
@@ -272,6 +296,24 @@ QWidget* MessageBar::makeRow(std::size_t index) {
     addLine(entry.message.advice);
     if (entry.open)
         addLine(entry.message.details);
+    if (!entry.message.actions.empty()) {
+        auto* actions = new QHBoxLayout;
+        actions->setContentsMargins(base::em(this, 1.25) + base::grid(this), 0, 0, 0);
+        for (const Message::Action& action : entry.message.actions) {
+            auto* button = new QToolButton(row);
+            button->setObjectName(QStringLiteral("action"));
+            button->setText(action.text);
+            button->setAccessibleDescription(entry.message.text);
+            connect(button, &QToolButton::clicked, this, [this, index, run = action.run] {
+                m_entries.erase(m_entries.begin() + static_cast<std::ptrdiff_t>(index));
+                rebuild();
+                run();
+            });
+            actions->addWidget(button);
+        }
+        actions->addStretch(1);
+        column->addLayout(actions);
+    }
     row->setAccessibleName(entry.message.text);
     row->setAccessibleDescription(entry.message.advice);
     return row;

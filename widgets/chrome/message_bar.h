@@ -3,9 +3,12 @@
 
 #include <QDateTime>
 #include <QString>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QWidget>
 
+#include <chrono>
+#include <functional>
 #include <vector>
 
 namespace teleta::chrome {
@@ -18,12 +21,21 @@ struct Message {
     QString text;    ///< what happened
     QString advice;  ///< what to do
     QString details; ///< shown on demand: file, line, column, expected value
+
+    /// Something that can be done about it at once, as a button. It closes the notice.
+    struct Action {
+        QString text;
+        std::function<void()> run;
+    };
+    std::vector<Action> actions = {};
 };
 
-/// Notices over the upper right corner of a view, newest first: what happened, when, what to do, details on
-/// demand. A repeated notice is counted instead of added; at most three are shown, older ones follow when
-/// these are closed. The bar takes no room in a layout, so nothing moves under the mouse, and it never
-/// blocks. All notices are kept in the MessageLog. Thread: GUI.
+/// Notices over a corner of a view, newest first: what happened, when, what to do, details on demand. The
+/// corner is the one where they cover the fewest controls, see freeCorner(). Information leaves by itself
+/// after it has been seen for a while, unless the pointer or the keyboard is on it; warnings and errors stay
+/// until they are closed. A repeated notice is counted instead of added; at most three are shown, older ones
+/// follow when these are closed. The bar takes no room in a layout, so nothing moves under the mouse, and it
+/// never blocks. All notices are kept in the MessageLog. Thread: GUI.
 class MessageBar : public QWidget {
     Q_OBJECT
 
@@ -35,6 +47,8 @@ public:
 
     void post(const Message& message);
     void clear();
+    /// How long information is shown, for tests. Default: 6 s.
+    void setShowing(std::chrono::milliseconds time) { m_showing = time; }
     [[nodiscard]] int count() const { return static_cast<int>(m_entries.size()); }
     /// How often the newest message has occurred.
     [[nodiscard]] int repeats() const { return m_entries.empty() ? 0 : m_entries.back().repeats; }
@@ -49,7 +63,10 @@ private:
         QDateTime since;
         int repeats = 1;
         bool open = false;
+        std::chrono::milliseconds seen{0}; ///< how long it has been shown
     };
+    /// Counts the time that notices are seen, and takes away those that leave by themselves.
+    void age();
     void rebuild();
     /// Moves it to its place over the view.
     void settle();
@@ -58,6 +75,8 @@ private:
     QVBoxLayout* m_layout = new QVBoxLayout(this);
     QWidget* m_tabStop = new QWidget(this); ///< precedes the buttons in the tab order
     std::vector<Entry> m_entries;
+    std::chrono::milliseconds m_showing{6000};
+    QTimer m_age;
 };
 
 } // namespace teleta::chrome

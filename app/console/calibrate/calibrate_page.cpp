@@ -129,6 +129,26 @@ void CalibratePage::settle(int part) {
     ask->open();
 }
 
+void CalibratePage::whenGainsSettled(pipeline::ChannelKey key, const QString& name,
+                                     std::function<void()> goOn) {
+    if (m_gains->isSaved(key)) {
+        goOn();
+        return;
+    }
+    auto* ask = new QMessageBox(QMessageBox::Question, tr("Unsaved calibration"),
+                                tr("The taxel gains of %1 are not saved.", "a source").arg(name),
+                                QMessageBox::Discard | QMessageBox::Cancel, window());
+    ask->setObjectName(QStringLiteral("unsavedGains"));
+    ask->setInformativeText(tr("They are lost when the source is closed. The page Calibrate saves them."));
+    ask->setAttribute(Qt::WA_DeleteOnClose);
+    ask->setDefaultButton(QMessageBox::Cancel);
+    connect(ask, &QMessageBox::finished, this, [goOn = std::move(goOn)](int answer) {
+        if (answer == QMessageBox::Discard)
+            goOn();
+    });
+    ask->open();
+}
+
 void CalibratePage::retranslate() {
     m_parts->setAccessibleName(tr("What can be calibrated"));
     m_parts->item(motorsPart)->setText(tr("Bracelet motors"));

@@ -42,6 +42,8 @@ public:
     /// and asks whether it may be lost; goOn is not called if the user refuses. The page must exist until
     /// then.
     void whenSettled(std::function<void()> goOn);
+    /// Calls goOn when the taxel gains of this source are saved, or the person discards them.
+    void whenGainsSettled(pipeline::ChannelKey key, const QString& name, std::function<void()> goOn);
 
 signals:
     /// A scene to try the calibration with.

@@ -117,6 +117,13 @@ bool GainCalibrator::isSaved() const {
            });
 }
 
+bool GainCalibrator::isSaved(pipeline::ChannelKey key) const {
+    if (m_channel && key == m_key)
+        return m_view->isSaved();
+    const auto left = m_left.find(key);
+    return left == m_left.end() || left->second.isSaved;
+}
+
 void GainCalibrator::tick() {
     if (m_collector) {
         m_collector->update();

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] calibrate::GainsView& view() { return *m_view; }
     /// Whether the gains of all open arrays are saved.
     [[nodiscard]] bool isSaved() const;
+    /// Whether those of this source are; true when it has none.
+    [[nodiscard]] bool isSaved(pipeline::ChannelKey key) const;
     void tick();
 
     void collect();

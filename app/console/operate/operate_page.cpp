@@ -124,7 +124,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     connect(&m_sources, &SourceManager::activeChanged, this, &OperatePage::onActiveChanged);
     connect(&m_sources, &SourceManager::itemsChanged, this, &OperatePage::onSourcesChanged);
     connect(m_chooser, &chrome::SourceChooser::sourceChosen, &m_sources, &SourceManager::activate);
-    connect(m_chooser, &chrome::SourceChooser::closeRequested, &m_sources, &SourceManager::close);
+    connect(m_chooser, &chrome::SourceChooser::closeRequested, this, &OperatePage::closeRequested);
     connect(m_settings, &tactile::ChannelSettingsPanel::settingsChanged, this,
             [this](const pipeline::ChannelSettings& settings) {
                 if (const auto array = shownArray())

@@ -15,6 +15,7 @@
 
 #include <QWidget>
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -75,6 +76,8 @@ public:
     void retranslate();
 
 signals:
+    /// A source shall be closed, see SourceManager::close().
+    void closeRequested(std::uint64_t key);
     void demoRequested();
     void firstStepsRequested();
     void openRecordingRequested();

@@ -10,10 +10,12 @@
 #include "widgets/chrome/recording_indicator.h"
 
 #include <QAction>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
 #include <QMenu>
 #include <QStringList>
+#include <QUrl>
 
 #include <variant>
 
@@ -81,9 +83,12 @@ RecordingControls::RecordingControls(RecordingService& service, SourceManager& s
     connect(&m_service, &RecordingService::stateChanged, this, &RecordingControls::update);
     connect(&m_service, &RecordingService::failed, this, &RecordingControls::onFailed);
     connect(&m_service, &RecordingService::finished, this, [this](const QString& path) {
-        m_page.messages().post({chrome::Message::Severity::information,
-                                tr("%1 was recorded.", "a file").arg(QFileInfo(path).fileName()),
-                                tr("Open > Open recording plays it."), path});
+        m_page.messages().post(
+            {chrome::Message::Severity::information,
+             tr("%1 was recorded.", "a file").arg(QFileInfo(path).fileName()),
+             QString(),
+             path,
+             {{tr("Play it"), [this, path] { emit playRequested(path); }}, showInFolder(path)}});
     });
     connect(&m_service.marks(), &RecordingMarks::notKept, this, [this](const core::Error& error) {
         m_page.messages().post({chrome::Message::Severity::error,
@@ -146,7 +151,18 @@ void RecordingControls::onExported(const QString& text, int damaged, bool comple
         missing << tr("The recording was cut off; what had been written is there.");
     m_page.messages().post(
         {missing.isEmpty() ? chrome::Message::Severity::information : chrome::Message::Severity::warning,
-         text, missing.join(QLatin1Char(' ')), place});
+         text,
+         missing.join(QLatin1Char(' ')),
+         place,
+         {showInFolder(place)}});
+}
+
+chrome::Message::Action RecordingControls::showInFolder(const QString& place) {
+    return {tr("Show in folder"), [place] {
+                const QFileInfo file(place);
+                const QString folder = file.isDir() ? place : file.absolutePath();
+                QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
+            }};
 }
 
 QString RecordingControls::suggestedForExport() {

@@ -4,6 +4,7 @@
 #include "app/console/base/console_settings.h"
 #include "app/console/operate/recording/recording_export.h"
 #include "app/console/operate/recording/recording_service.h"
+#include "widgets/chrome/message_bar.h"
 
 #include <QObject>
 #include <QString>
@@ -43,7 +44,13 @@ public:
     /// Folder of the recordings.
     [[nodiscard]] QString folder() const;
 
+signals:
+    /// The recording that has just been made shall be opened.
+    void playRequested(const QString& path);
+
 private:
+    /// Shows the folder of a file, or a folder, in the desktop's file manager.
+    [[nodiscard]] static chrome::Message::Action showInFolder(const QString& place);
     void mark(std::int64_t time_ns);
     void askForFolder();
     [[nodiscard]] QString suggestedForExport();

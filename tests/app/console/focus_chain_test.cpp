@@ -9,6 +9,7 @@
 #include <QAccessible>
 #include <QApplication>
 #include <QComboBox>
+#include <QCommandLinkButton>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMainWindow>
@@ -204,6 +205,26 @@ private slots:
             QVERIFY2(!letter.isEmpty() && !letters.contains(letter), qPrintable(action->text()));
             letters.insert(letter);
         }
+    }
+
+    // The last one: its window takes the keyboard away from the other.
+    void theCardsOfTheStartPageAreReachedByTab() {
+        ConsoleSettings settings(true);
+        MainWindow window(ConsoleOptions(), settings, m_stop);
+        window.resize(1500, 950);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        const auto cards = window.operatePage().findChildren<QCommandLinkButton*>();
+        QVERIFY(cards.size() > 10);
+        std::set<QWidget*> left(cards.begin(), cards.end());
+        constexpr int kMostStops = 200;
+        for (int i = 0; i < kMostStops && !left.empty(); ++i) {
+            QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : &window,
+                            Qt::Key_Tab);
+            left.erase(QApplication::focusWidget());
+        }
+        QVERIFY2(left.empty(), qPrintable(QString::number(left.size())));
     }
 };
 

@@ -187,6 +187,28 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
     }
 
+    void gainsThatAreNotSavedKeepTheirSourceOpen() {
+        ConsoleOptions options = withoutBracelet();
+        options.scenes << QStringLiteral("tactile-even-load");
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_window->sources().active() != nullptr && m_window->sources().active()->isOpen(), kPatience_ms);
+        auto& gains = m_window->calibratePage().gains().view();
+        gains.take({});
+        QVERIFY(!gains.isSaved());
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QTest::keyClick(m_window.get(), Qt::Key_W, Qt::ControlModifier);
+        QTRY_VERIFY(question("unsavedGains") != nullptr);
+        choose("unsavedGains", QMessageBox::RejectRole);
+        QTRY_VERIFY_WITH_TIMEOUT(question("unsavedGains") == nullptr, kPatience_ms);
+        QVERIFY(m_window->sources().active() != nullptr && !gains.isSaved());
+        QTest::keyClick(m_window.get(), Qt::Key_W, Qt::ControlModifier);
+        QTRY_VERIFY(question("unsavedGains") != nullptr);
+        choose("unsavedGains", QMessageBox::DestructiveRole);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->sources().active() == nullptr, kPatience_ms);
+    }
+
     void aProtocolThatIsNotSavedIsAskedAbout() {
         openWindow(withoutBracelet());
         QFile file(m_folder->filePath(QStringLiteral("short.toml")));

@@ -8,8 +8,10 @@
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
 #include "widgets/chrome/device_strip.h"
+#include "widgets/chrome/message_log.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/playback_bar.h"
+#include "widgets/chrome/stop_banner.h"
 #include "widgets/chrome/stop_button.h"
 #include "widgets/servo/servo_panel.h"
 #include "widgets/servo/servo_runs_view.h"
@@ -28,6 +30,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -269,6 +272,48 @@ private slots:
         m_stop->release();
         QTest::keyClick(&dialog, Qt::Key_Period, Qt::ControlModifier);
         QVERIFY(m_stop->engaged());
+    }
+
+    void saysOnEachPageWhatStoppedAndLogsIt() {
+        openWindow();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto* banner = child<chrome::StopBanner>();
+        QVERIFY(!banner->isVisible());
+        const auto says = [banner](const char* words) {
+            const auto labels = banner->findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+                return label->isVisible() && label->text().contains(QLatin1String(words));
+            });
+        };
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QVERIFY(banner->isVisible());
+        QVERIFY(says("Esc was pressed twice."));
+        QVERIFY(says("hold the button STOPPED"));
+        // The first cause remains.
+        QTest::keyClick(m_window.get(), Qt::Key_Period, Qt::ControlModifier);
+        QVERIFY(says("Esc was pressed twice."));
+        for (const Qt::Key page : {Qt::Key_2, Qt::Key_5}) {
+            QTest::keyClick(m_window.get(), page, Qt::ControlModifier);
+            QVERIFY(banner->isVisible());
+        }
+        m_stop->release();
+        QTRY_VERIFY(!banner->isVisible());
+        // Something else than this window.
+        m_stop->engage();
+        QTRY_VERIFY(says("The program engaged STOP."));
+        m_stop->release();
+        QTRY_VERIFY(!banner->isVisible());
+        QTRY_VERIFY(chrome::MessageLog::instance().asText().contains("STOP. Esc was pressed twice."));
+        QTRY_VERIFY(chrome::MessageLog::instance().asText().contains("STOP was released after"));
+    }
+
+    void opensNoLargerThanItsScreen() {
+        openWindow();
+        const QRect room = m_window->screen()->availableGeometry();
+        QVERIFY(m_window->frameGeometry().width() <= room.width());
+        QVERIFY(m_window->frameGeometry().height() <= room.height());
     }
 
     void restoresALayoutAndFallsBackFromADamagedOne() {

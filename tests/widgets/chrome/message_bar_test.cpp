@@ -2,6 +2,7 @@
 #include "widgets/chrome/message_bar.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QFrame>
 #include <QLabel>
 #include <QPushButton>
@@ -12,6 +13,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 
 using teleta::chrome::Message;
 using teleta::chrome::MessageBar;
@@ -127,7 +130,6 @@ private slots:
         QCOMPARE(view.before->geometry(), before);
         QCOMPARE(view.after->geometry(), after);
         QVERIFY(view.rect().contains(view.bar->geometry()));
-        QCOMPARE(view.bar->geometry().topRight(), view.rect().topRight());
         for (const QWidget* row : rows(*view.bar))
             QVERIFY(row->height() >= row->minimumSizeHint().height());
     }
@@ -147,10 +149,87 @@ private slots:
         };
         QVERIFY(room.viewport()->rect().contains(seen()));
         room.verticalScrollBar()->setValue(line * 20);
-        QTRY_COMPARE(seen().top(), 0);
+        QTRY_VERIFY(room.viewport()->rect().contains(seen()));
+        room.resize(line * 50, line * 30);
+        QTRY_COMPARE(seen().bottom(), room.viewport()->rect().bottom());
         QVERIFY(room.viewport()->rect().contains(seen()));
-        room.resize(line * 40, line * 30);
-        QTRY_COMPARE(seen().right(), room.viewport()->rect().right());
+    }
+
+    void coversNoControlWhereACornerIsFree() {
+        QWidget view;
+        const int line = view.fontMetrics().height();
+        view.resize(line * 100, line * 30);
+        MessageBar bar(&view);
+        QPushButton play(QStringLiteral("Play"), &view);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        const std::array corners{QRect(0, line * 28, line * 5, line),
+                                 QRect(line * 94, line * 28, line * 5, line), QRect(0, line, line * 5, line),
+                                 QRect(line * 94, line, line * 5, line)};
+        for (const QRect& corner : corners) {
+            play.setGeometry(corner);
+            bar.clear();
+            bar.post(message("one"));
+            QVERIFY(bar.isVisible());
+            QVERIFY2(!bar.geometry().intersects(play.geometry()), qPrintable(QString::number(corner.x())));
+        }
+    }
+
+    void informationLeavesByItselfAndTroubleStays() {
+        View view;
+        view.bar->setShowing(std::chrono::milliseconds(300));
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        view.bar->post(message("trouble"));
+        view.bar->post({Message::Severity::warning, QStringLiteral("a warning"), {}, {}});
+        view.bar->post({Message::Severity::information, QStringLiteral("done"), {}, {}});
+        QCOMPARE(view.bar->count(), 3);
+        QTRY_COMPARE(view.bar->count(), 2);
+        QVERIFY(showsText(rows(*view.bar).first(), "a warning"));
+        // What nobody can see does not leave.
+        view.hide();
+        view.bar->post({Message::Severity::information, QStringLiteral("unseen"), {}, {}});
+        QElapsedTimer hidden;
+        hidden.start();
+        QTRY_VERIFY(hidden.elapsed() > 700);
+        QCOMPARE(view.bar->count(), 3);
+    }
+
+    void informationStaysWhileItIsUsed() {
+        View view;
+        view.bar->setShowing(std::chrono::milliseconds(300));
+        view.show();
+        view.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&view));
+        view.bar->post({Message::Severity::information, QStringLiteral("done"), {}, QStringLiteral("/file")});
+        auto* details = rows(*view.bar).first()->findChild<QToolButton*>(QStringLiteral("details"));
+        details->setFocus(Qt::TabFocusReason);
+        QElapsedTimer used;
+        used.start();
+        QTRY_VERIFY(used.elapsed() > 700);
+        QCOMPARE(view.bar->count(), 1);
+        view.before->setFocus(Qt::TabFocusReason);
+        QTRY_COMPARE(view.bar->count(), 0);
+    }
+
+    void doesWhatItsButtonsSayAndGoes() {
+        View view;
+        view.show();
+        view.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&view));
+        QStringList done;
+        view.bar->post({Message::Severity::information,
+                        QStringLiteral("a.teleta was recorded."),
+                        {},
+                        {},
+                        {{QStringLiteral("Play it"), [&] { done << QStringLiteral("play"); }},
+                         {QStringLiteral("Show in folder"), [&] { done << QStringLiteral("show"); }}}});
+        const auto buttons = rows(*view.bar).first()->findChildren<QToolButton*>(QStringLiteral("action"));
+        QCOMPARE(buttons.size(), 2);
+        QCOMPARE(buttons[1]->text(), QStringLiteral("Show in folder"));
+        QTest::mouseClick(buttons[1], Qt::LeftButton);
+        QCOMPARE(done, QStringList{QStringLiteral("show")});
+        QCOMPARE(view.bar->count(), 0);
     }
 
     void isReachedByTheKeyboardWhichItKeeps() {

@@ -184,6 +184,8 @@ private slots:
         QVERIFY(view().calibration().gains == nullptr);
         QVERIFY(view().isSaved());
         QVERIFY(!m_calibrator->isSaved());
+        QVERIFY(!m_calibrator->isSaved(key));
+        QVERIFY(m_calibrator->isSaved(m_sources->active()->key));
         m_sources->activate(key);
         QTRY_COMPARE(view().calibration().presses.size(), std::size_t(1));
         QVERIFY(gainsAreRight());

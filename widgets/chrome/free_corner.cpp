@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/chrome/free_corner.h"
+
+#include "widgets/base/theme.h"
+
+#include <QWidget>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace teleta::chrome {
+
+namespace {
+
+/// A control that is not higher than this is covered as a whole by a notice.
+constexpr double kSmallControl_em = 4.0;
+
+struct Covered {
+    int small = 0;
+    qint64 area_px2 = 0;
+    friend auto operator<=>(const Covered&, const Covered&) = default;
+};
+
+} // namespace
+
+QRect freeCorner(const QWidget& view, const QRect& seen, QSize size, const QWidget& ignored) {
+    size = size.boundedTo(seen.size());
+    const int right = seen.right() + 1 - size.width();
+    const int bottom = seen.bottom() + 1 - size.height();
+    const std::array corners{QPoint(seen.left(), bottom), QPoint(right, bottom), seen.topLeft(),
+                             QPoint(right, seen.top())};
+    std::array<Covered, corners.size()> covered;
+    const int smallHeight_px = base::em(&view, kSmallControl_em);
+    for (const QWidget* each : view.findChildren<QWidget*>()) {
+        const bool isControl = each->isVisibleTo(&view) && each->isEnabled() &&
+                               (each->focusPolicy() & Qt::TabFocus) != 0 && !each->isWindow() &&
+                               each != &ignored && !ignored.isAncestorOf(each);
+        if (!isControl)
+            continue;
+        const QRect place(each->mapTo(&view, QPoint()), each->size());
+        for (std::size_t index = 0; index < corners.size(); ++index) {
+            const QRect common = place & QRect(corners[index], size);
+            if (common.isEmpty())
+                continue;
+            covered[index].small += place.height() <= smallHeight_px ? 1 : 0;
+            covered[index].area_px2 += qint64{common.width()} * common.height();
+        }
+    }
+    const auto best = std::min_element(covered.begin(), covered.end()) - covered.begin();
+    return {corners[static_cast<std::size_t>(best)], size};
+}
+
+} // namespace teleta::chrome
