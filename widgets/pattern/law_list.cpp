@@ -32,6 +32,7 @@ LawList::LawList(PatternDocument* document, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(top);
     layout->addWidget(m_list, 1);
+    layout->addStretch(0); // without a list the line stays at the top
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestOfLaws_ms);
     connect(&m_rest, &QTimer::timeout, this, &LawList::check);
@@ -111,6 +112,7 @@ void LawList::showFindings() {
                                          how.isEmpty() ? what : what + QLatin1Char('\n') + how, m_list);
         item->setToolTip(item->text());
     }
+    m_list->setVisible(!m_findings.empty());
     if (!m_findings.empty())
         m_list->setCurrentRow(std::clamp(row, 0, m_list->count() - 1));
     takeCurrent();

@@ -29,6 +29,8 @@ namespace {
 constexpr double kLeastSnap_ms = 1.0;
 constexpr double kMostSnap_ms = 1000.0;
 constexpr double kMsPerS = 1e3;
+/// Width of the editor in which laws and properties stand beside each other.
+constexpr double kRoomForBoth_em = 80.0;
 
 } // namespace
 
@@ -40,11 +42,11 @@ PatternEditor::PatternEditor(QWidget* parent)
     fillFileMenu();
     makeBar();
     makeComparison();
-    auto* numbers = new QSplitter(Qt::Horizontal, this);
-    numbers->addWidget(m_laws);
-    numbers->addWidget(m_inspector);
+    m_numbers->addWidget(m_laws);
+    m_numbers->addWidget(m_inspector);
+    m_numbers->setStretchFactor(1, 1);
     m_below->addWidget(m_stroke);
-    m_below->addWidget(numbers);
+    m_below->addWidget(m_numbers);
     m_below->setStretchFactor(0, 2);
     m_below->setStretchFactor(1, 3);
     auto* above = new QWidget(this);
@@ -64,7 +66,7 @@ PatternEditor::PatternEditor(QWidget* parent)
     all->addWidget(right);
     all->setStretchFactor(1, 1);
     all->setSizes({base::em(this, 19), base::em(this, 60)});
-    for (QSplitter* splitter : {numbers, m_below, right, all})
+    for (QSplitter* splitter : {m_numbers, m_below, right, all})
         splitter->setChildrenCollapsible(false);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -119,6 +121,16 @@ bool PatternEditor::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     return QWidget::eventFilter(watched, event);
+}
+
+void PatternEditor::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    // Beside each other they would be too narrow for the fields.
+    const auto wanted = width() < base::em(this, kRoomForBoth_em) ? Qt::Vertical : Qt::Horizontal;
+    if (wanted == m_numbers->orientation())
+        return;
+    m_numbers->setOrientation(wanted);
+    m_numbers->setSizes(wanted == Qt::Vertical ? QList<int>{0, height()} : QList<int>{1, 2});
 }
 
 void PatternEditor::makeActions() {

@@ -65,6 +65,7 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void makeActions();
@@ -88,6 +89,7 @@ private:
     QToolBar* m_bar = new QToolBar(this);
     QLabel* m_title = new QLabel(this);
     QSplitter* m_below = new QSplitter(Qt::Horizontal, this);
+    QSplitter* m_numbers = new QSplitter(Qt::Horizontal, this); ///< laws and properties
     QWidget* m_comparison = new QWidget(this);
     QLabel* m_comparisonText = base::named<QLabel>("comparison", m_comparison);
     QPushButton* m_endComparison = new QPushButton(m_comparison);

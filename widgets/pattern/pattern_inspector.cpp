@@ -12,6 +12,10 @@
 
 namespace teleta::pattern {
 
+namespace {
+constexpr double kLeastWidth_em = 15.0; ///< room for the names and for fields that can be read
+}
+
 PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document) {
@@ -64,6 +68,7 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(inside);
+    scroll->setMinimumWidth(base::em(this, kLeastWidth_em));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scroll);

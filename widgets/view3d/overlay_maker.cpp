@@ -67,8 +67,10 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& ca
         if (request.contactLabels)
             addContacts(scene, content);
     }
-    if (request.contactLabels)
+    if (request.contactLabels) {
         addTubeMarks(scene, content);
+        addObjects(scene, content);
+    }
     if (!contour.isEmpty() && !request.shapeLabel.isEmpty()) {
         const Eigen::Vector3d above(contour.center().x(), contour.center().y(), contour.max().z());
         if (const auto place = placeInPicture(*scene.renderer(), above))
@@ -97,6 +99,21 @@ void OverlayMaker::addContacts(const TouchScene& scene, OverlayContent& content)
         return std::none_of(marks.begin(), marks.end(),
                             [&](const ContactMark& mark) { return mark.contact.id == known.first; });
     });
+}
+
+/// The newest ones, when there are many.
+void OverlayMaker::addObjects(const TouchScene& scene, OverlayContent& content) {
+    const std::vector<DrawnObject>& objects = scene.objects().objects();
+    const std::size_t first = objects.size() > kMostLabels ? objects.size() - kMostLabels : 0;
+    for (std::size_t i = first; i < objects.size(); ++i) {
+        Eigen::AlignedBox3d box;
+        for (const Eigen::Vector3d& p : objects[i].points_m)
+            box.extend(p);
+        const Eigen::Vector3d above(box.center().x(), box.center().y(), box.max().z());
+        const auto place = placeInPicture(*scene.renderer(), above);
+        if (place && !objects[i].label.isEmpty())
+            content.labels.push_back({*place, objects[i].label, scene.objects().colourOf(objects[i]), true});
+    }
 }
 
 void OverlayMaker::addTubeMarks(const TouchScene& scene, OverlayContent& content) {

@@ -40,6 +40,7 @@ public:
 
 private:
     void addContacts(const TouchScene& scene, OverlayContent& content);
+    static void addObjects(const TouchScene& scene, OverlayContent& content);
     void addTubeMarks(const TouchScene& scene, OverlayContent& content);
     [[nodiscard]] static QStringList legendOf(const TouchScene& scene, bool grid);
 

@@ -375,6 +375,12 @@ void Scene3dView::setContour(std::span<const Eigen::Vector3d> points_m,
     sceneMoved(wasEmpty != m_parts->scene.contourBox_m().isEmpty());
 }
 
+void Scene3dView::setObjects(std::span<const DrawnObject> objects) {
+    const bool wasEmpty = m_parts->scene.objects().objects().empty();
+    m_parts->scene.setObjects(objects);
+    sceneMoved(wasEmpty != m_parts->scene.objects().objects().empty());
+}
+
 void Scene3dView::setArmLinks(std::span<const ArmLink> links) {
     const bool wasEmpty = m_parts->scene.armBox_m().isEmpty();
     m_parts->scene.setArmLinks(links);

@@ -50,6 +50,8 @@ public:
     /// world frame, m. Points that are not finite are left out. All empty: nothing is shown.
     void setContour(std::span<const Eigen::Vector3d> points_m, std::span<const Eigen::Vector3d> curve_m,
                     std::span<const Eigen::Vector3d> vertices_m, const QString& label);
+    /// The objects that were found before the one whose contour is shown, each with its outline and label.
+    void setObjects(std::span<const DrawnObject> objects);
     /// The arm, starting at its base; empty: none.
     void setArmLinks(std::span<const ArmLink> links);
     /// Bounding box of the arm shown; empty: none. World frame, m.

@@ -66,6 +66,11 @@ ArmViews::ArmViews(core::StopSwitch& stop, BraceletService& bracelet, view3d::Sc
     connect(m_gauge, &touch::StiffnessGauge::exportFailed, this, &ArmViews::exportFailed);
     connect(m_touches, &touch::TouchTable::exportFailed, this, &ArmViews::exportFailed);
     connect(m_sheet, &touch::RunSheet::exportFailed, this, &ArmViews::exportFailed);
+    const touch::RunSheetModel& objects = m_sheet->model();
+    connect(&objects, &QAbstractItemModel::dataChanged, this, &ArmViews::showObjects);
+    connect(&objects, &QAbstractItemModel::modelReset, this, &ArmViews::showObjects);
+    connect(&objects, &QAbstractItemModel::rowsInserted, this, &ArmViews::showObjects);
+    connect(&objects, &QAbstractItemModel::rowsRemoved, this, &ArmViews::showObjects);
     connect(m_contour, &touch::ContourView::exportFailed, this, &ArmViews::exportFailed);
     connect(m_contour, &touch::ContourView::forgetRequested, this, &ArmViews::forgetContour);
     connect(m_joints, &charts::JointChartView::exportFailed, this, &ArmViews::exportFailed);
@@ -133,6 +138,7 @@ void ArmViews::clear() {
     m_contour->clear();
     m_scene.setArmLinks({});
     m_scene.setContour({}, {}, {}, {});
+    m_scene.setObjects({});
     m_scene.setSensorPose(Eigen::Isometry3d::Identity());
     if (m_arm)
         m_scene.setSurface(view3d::Surface::plate);
@@ -266,6 +272,26 @@ void ArmViews::showContour(const pipeline::ExploredContour& contour) {
     m_scene.setContour(atHeight(contour.points_m, contour.height_m),
                        atHeight(contour.curve_m, contour.height_m), atHeight(vertices_m, contour.height_m),
                        label);
+    showObjects();
+}
+
+void ArmViews::showObjects() {
+    std::vector<view3d::DrawnObject> drawn;
+    const touch::RunSheetModel& sheet = m_sheet->model();
+    const bool hasContour = m_arm && m_arm->generation() > 0;
+    for (int row = 0; row < sheet.rowCount(); ++row) {
+        const pipeline::FoundObject& object = sheet.object(row);
+        const pipeline::ExploredContour& contour = object.contour;
+        if (hasContour && contour.points_m == m_arm->snapshot().contour.points_m)
+            continue;
+        const QString name = sheet.nameOf(object.number);
+        drawn.push_back({object.number,
+                         name.isEmpty() ? QString::number(object.number)
+                                        : QStringLiteral("%1 %2").arg(object.number).arg(name),
+                         atHeight(contour.points_m, contour.height_m),
+                         atHeight(contour.curve_m, contour.height_m)});
+    }
+    m_scene.setObjects(drawn);
 }
 
 void ArmViews::retranslate() {

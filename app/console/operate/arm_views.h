@@ -87,6 +87,8 @@ private:
     void show(const pipeline::ArmSnapshot& snapshot);
     void showContour(const pipeline::ExploredContour& contour);
     void showArm(const pipeline::ArmSnapshot& snapshot);
+    /// Draws the objects of the run sheet, but for the one whose contour is drawn.
+    void showObjects();
     void clear();
     /// Drops the touches of the previous run.
     void beginAnew(std::int64_t begun_ns);

@@ -118,7 +118,8 @@ const FoundObject* FoundObjects::add(const TouchRecord& touch) {
                                      .upper95_NPerM = ifFinite(core::medianOf(upper))};
         object.material = stiffness::classify(value);
     }
-    object.recognition = open->explorer.contour().recognition;
+    object.contour = open->explorer.contour();
+    object.recognition = object.contour.recognition;
     m_shown = static_cast<std::size_t>(open - m_open.data());
     showContour(open->explorer);
     return &object;
@@ -140,7 +141,8 @@ void FoundObjects::setSettings(const ContourSettings& settings) {
     m_settings = settings;
     for (Open& open : m_open) {
         open.explorer.setSettings(settings);
-        m_objects[open.index].recognition = open.explorer.contour().recognition;
+        m_objects[open.index].contour = open.explorer.contour();
+        m_objects[open.index].recognition = m_objects[open.index].contour.recognition;
     }
     if (m_shown)
         showContour(m_open[*m_shown].explorer);

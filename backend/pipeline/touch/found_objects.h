@@ -27,6 +27,7 @@ struct FoundObject {
     std::optional<stiffness::Stiffness> stiffness;
     std::optional<stiffness::Material> material; ///< of that stiffness
     std::optional<contour::Recognition> recognition;
+    ExploredContour contour; ///< its own; the revision counts its touches
 };
 
 /// Tells the objects apart that an arm has touched, by the place of the contact: a touch belongs to the

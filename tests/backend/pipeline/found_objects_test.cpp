@@ -53,6 +53,9 @@ TEST(FoundObjects, haveAContourAndAShapeOfTheirOwn) {
     ASSERT_EQ(found.objects().size(), 2U);
     EXPECT_EQ(found.objects()[0].recognition->shape, contour::Shape::circle);
     EXPECT_EQ(found.objects()[1].recognition->shape, contour::Shape::line);
+    EXPECT_EQ(found.objects()[0].contour.points_m.size(), 12U);
+    EXPECT_EQ(found.objects()[0].contour.points_m.front().x(), 0.03);
+    EXPECT_NEAR(found.objects()[0].contour.height_m, -0.3, 1e-15);
     EXPECT_EQ(found.contour().points_m.size(), 12U); // of the one touched last
     EXPECT_EQ(found.contour().points_m.front().x(), 0.5);
     EXPECT_EQ(found.contour().revision, 24U);

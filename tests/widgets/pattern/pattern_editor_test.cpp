@@ -80,6 +80,31 @@ private slots:
         }
     }
 
+    void theFieldsOfThePropertiesHaveRoomInASmallWindow() {
+        PatternEditor editor;
+        const int line = editor.fontMetrics().height();
+        for (const int width : {60 * line, 75 * line, 110 * line}) {
+            editor.resize(width, 38 * line);
+            editor.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&editor));
+            auto* inspector = editor.findChild<PatternInspector*>();
+            QCoreApplication::processEvents();
+            const auto fields = inspector->findChildren<QLineEdit*>();
+            QVERIFY(!fields.isEmpty());
+            for (const QLineEdit* field : fields) {
+                if (!field->isVisible())
+                    continue;
+                const QRect place(field->mapTo(inspector, QPoint()), field->size());
+                QVERIFY2(place.right() <= inspector->width() && place.width() > 2 * line,
+                         qPrintable(QStringLiteral("%1: %2 of %3")
+                                        .arg(width)
+                                        .arg(place.right())
+                                        .arg(inspector->width())));
+            }
+            QVERIFY(editor.findChild<LawList*>()->isVisible());
+        }
+    }
+
     void aLawIsFixedByItsButtonAndUndone() {
         PatternEditor editor;
         Pattern fast;

@@ -169,6 +169,40 @@ TEST(TouchScene, linksAndPointsThatAreNotFiniteAreLeftOut) {
     EXPECT_FALSE(scene.corners().empty());
 }
 
+TEST(TouchScene, objectsThatWereFoundBeforeAreDrawnAndCovered) {
+    TouchScene scene = makeScene();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<view3d::DrawnObject> objects{
+        {1, QStringLiteral("1"), {{0, 0, 0}, {0.1, 0, 0}, {nan, 0, 0}}, {{0, 0, 0}, {0.1, 0, 0}}},
+        {2, QStringLiteral("2"), {{nan, 0, 0}}, {}}};
+    EXPECT_TRUE(scene.isEmpty());
+    scene.setObjects(objects);
+    EXPECT_FALSE(scene.isEmpty());
+    ASSERT_EQ(scene.objects().objects().size(), 1U);
+    EXPECT_EQ(scene.objects().objects()[0].points_m.size(), 2U);
+    EXPECT_EQ(scene.objects().box_m().max(), Eigen::Vector3d(0.1, 0, 0));
+    EXPECT_EQ(scene.worldMeshes().size(), 2U);
+    scene.setObjects({});
+    EXPECT_TRUE(scene.isEmpty());
+    EXPECT_TRUE(scene.worldMeshes().empty());
+}
+
+TEST(TouchScene, theArmStandsOnABaseWhereThereIsGroundBelowIt) {
+    TouchScene scene = makeScene();
+    view3d::ArmLink link;
+    link.X_World_Link = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 0.5));
+    link.length_m = 0.3;
+    link.radius_m = 0.03;
+    scene.setArmLinks(std::vector{link});
+    scene.setContour(std::vector<Eigen::Vector3d>{{0.2, 0.0, 0.0}}, {}, {}); // the ground is at or below 0
+    double low_m = 1.0;
+    for (const auto& mesh : scene.worldMeshes())
+        low_m = std::min(low_m, mesh->GetBounds()[4]);
+    EXPECT_LE(low_m, 0.0);
+    // The camera is fitted to what was measured, not to the base.
+    EXPECT_NEAR(scene.armBox_m().min().z(), 0.5 - 1.25 * 0.03, 1e-12);
+}
+
 TEST(GeometryExport, aStlFileHoldsTheTrianglesOfThePlateInMillimetres) {
     TouchScene scene = makeScene();
     auto snapshot = test::pressed(kLayout, {});

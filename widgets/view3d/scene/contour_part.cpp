@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/scene/contour_part.h"
 
-#include "widgets/base/theme.h"
-
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -21,11 +19,6 @@ void keepFinite(std::span<const Eigen::Vector3d> from, std::vector<Eigen::Vector
             box.extend(p);
         }
     }
-}
-
-bool isDrawableLink(const ArmLink& link) {
-    return link.X_World_Link.matrix().allFinite() && std::isfinite(link.length_m) &&
-           std::isfinite(link.radius_m) && link.length_m >= 0.0 && link.radius_m > 0.0;
 }
 
 } // namespace
@@ -73,37 +66,6 @@ void ContourPart::rebuild() {
 void ContourPart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
     meshes.push_back(m_solids.data());
     meshes.push_back(m_curve.data());
-}
-
-void ArmPart::applyColours(const SceneColours& colours) {
-    m_colours = colours;
-    rebuild();
-}
-
-void ArmPart::set(std::span<const ArmLink> links) {
-    m_links.clear();
-    std::copy_if(links.begin(), links.end(), std::back_inserter(m_links), isDrawableLink);
-    rebuild();
-}
-
-void ArmPart::rebuild() {
-    const QRgb tube = m_colours.arm.rgb();
-    const QRgb joint = base::mixed(m_colours.arm, m_colours.text, 0.35).rgb();
-    m_solids.clear();
-    m_box_m.setEmpty();
-    for (const ArmLink& link : m_links) {
-        const Eigen::Vector3d from = link.X_World_Link.translation();
-        const Eigen::Vector3d to = link.X_World_Link * Eigen::Vector3d(link.length_m, 0.0, 0.0);
-        const Eigen::Vector3d around = Eigen::Vector3d::Constant(1.25 * link.radius_m);
-        for (const Eigen::Vector3d& end : {from, to}) {
-            m_box_m.extend(end - around);
-            m_box_m.extend(end + around);
-        }
-        m_solids.cone(from, to, link.radius_m, link.radius_m, tube);
-        m_solids.sphere(from, 1.25 * link.radius_m, joint);
-        m_solids.sphere(to, link.radius_m, tube);
-    }
-    m_solids.finish();
 }
 
 } // namespace teleta::view3d

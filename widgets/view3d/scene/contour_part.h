@@ -3,7 +3,6 @@
 
 #include "widgets/view3d/mesh/mesh_actor.h"
 #include "widgets/view3d/scene/scene_colours.h"
-#include "widgets/view3d/scene/scene_types.h"
 
 #include <Eigen/Geometry>
 #include <vtkRenderer.h>
@@ -37,26 +36,6 @@ private:
     SceneColours m_colours;
     Mesh m_solids{Mesh::Shading::smooth};
     Mesh m_curve{Mesh::Shading::none};
-};
-
-/// The arm as tubes and balls, in the world frame. Links with an unusable transform, length or radius are
-/// left out. Thread: one.
-class ArmPart {
-public:
-    void addTo(vtkRenderer* renderer) { renderer->AddActor(m_solids.actor); }
-    void applyColours(const SceneColours& colours);
-
-    void set(std::span<const ArmLink> links);
-    [[nodiscard]] const Eigen::AlignedBox3d& box_m() const { return m_box_m; }
-    void appendMeshes(std::vector<vtkPolyData*>& meshes) const { meshes.push_back(m_solids.data()); }
-
-private:
-    void rebuild();
-
-    std::vector<ArmLink> m_links;
-    Eigen::AlignedBox3d m_box_m;
-    SceneColours m_colours;
-    Mesh m_solids{Mesh::Shading::smooth};
 };
 
 } // namespace teleta::view3d

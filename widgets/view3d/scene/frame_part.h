@@ -8,6 +8,7 @@
 #include <vtkRenderer.h>
 
 #include <array>
+#include <limits>
 
 class vtkMatrix4x4;
 
@@ -25,6 +26,10 @@ public:
     /// kept, so that it does not change while an arm moves. Returns whether it changed.
     bool cover(const Eigen::AlignedBox3d& box_m, bool always);
     [[nodiscard]] double spacing_m() const { return m_spacing_m; }
+    /// NaN while it covers nothing.
+    [[nodiscard]] double height_m() const {
+        return m_box_m.isEmpty() ? std::numeric_limits<double>::quiet_NaN() : m_box_m.min().z();
+    }
 
 private:
     void rebuild();

@@ -23,7 +23,8 @@ struct SceneColours {
     QColor cylinder;
     QColor cylinderRing;
     std::array<QColor, 3> axes; ///< x, y, z
-    QColor arm;
+    QColor arm;                 ///< shells
+    QColor armJoint;            ///< joints and base
     QColor contourPoint;
     QColor contourCurve;
     QColor contourVertex;

@@ -34,6 +34,7 @@ TouchScene::TouchScene(const SceneColours& colours)
     m_ground.addTo(m_renderer);
     m_axes.addTo(m_renderer);
     m_contour.addTo(m_renderer);
+    m_objects.addTo(m_renderer);
     m_arm.addTo(m_renderer);
     m_tube.addTo(m_renderer);
     m_sensor.setPose(m_poseMatrix);
@@ -176,6 +177,11 @@ void TouchScene::setContour(std::span<const Eigen::Vector3d> points_m,
     coverGround(false);
 }
 
+void TouchScene::setObjects(std::span<const DrawnObject> objects) {
+    m_objects.set(objects);
+    coverGround(false);
+}
+
 void TouchScene::setArmLinks(std::span<const ArmLink> links) {
     m_arm.set(links);
     coverGround(false);
@@ -207,6 +213,7 @@ void TouchScene::applyColours(const SceneColours& colours) {
     m_sensor.applyColours(colours);
     m_ground.applyColours(colours);
     m_contour.applyColours(colours);
+    m_objects.applyColours(colours);
     m_arm.applyColours(colours);
     m_tube.applyColours(colours);
     m_bodyStale = m_bodyStale || m_hasSensor;
@@ -217,6 +224,7 @@ void TouchScene::applyPixelScale(double scale) {
     m_contacts.applyPixelScale(scale);
     m_ground.applyPixelScale(scale);
     m_contour.applyPixelScale(scale);
+    m_objects.applyPixelScale(scale);
     m_tube.applyPixelScale(scale);
 }
 
@@ -244,6 +252,7 @@ std::vector<Eigen::Vector3d> TouchScene::corners() const {
         add(box, m_X_World_Sensor);
     }
     add(m_contour.box_m(), Eigen::Isometry3d::Identity());
+    add(m_objects.box_m(), Eigen::Isometry3d::Identity());
     add(m_arm.box_m(), Eigen::Isometry3d::Identity());
     add(m_tube.box_m(), Eigen::Isometry3d::Identity());
     if (corners.empty()) {
@@ -258,6 +267,7 @@ void TouchScene::coverGround(bool always) {
     for (const Eigen::Vector3d& corner : corners())
         box.extend(corner);
     m_ground.cover(box, always);
+    m_arm.setGround(m_ground.height_m());
 }
 
 std::vector<vtkSmartPointer<vtkPolyData>> TouchScene::worldMeshes() const {
@@ -286,6 +296,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> TouchScene::worldMeshes() const {
     add(meshes, m_tube.pose());
     meshes.clear();
     m_contour.appendMeshes(meshes);
+    m_objects.appendMeshes(meshes);
     m_arm.appendMeshes(meshes);
     const vtkNew<vtkMatrix4x4> identity;
     add(meshes, identity);

@@ -3,9 +3,11 @@
 
 #include "backend/pipeline/touch/touch_snapshot.h"
 #include "widgets/base/numbers/calm_range.h"
+#include "widgets/view3d/scene/arm_part.h"
 #include "widgets/view3d/scene/contact_part.h"
 #include "widgets/view3d/scene/contour_part.h"
 #include "widgets/view3d/scene/frame_part.h"
+#include "widgets/view3d/scene/objects_part.h"
 #include "widgets/view3d/scene/scene_colours.h"
 #include "widgets/view3d/scene/sensor_part.h"
 #include "widgets/view3d/scene/tube_part.h"
@@ -45,6 +47,8 @@ public:
     void setSensorPose(const Eigen::Isometry3d& X_World_Sensor);
     void setContour(std::span<const Eigen::Vector3d> points_m, std::span<const Eigen::Vector3d> curve_m,
                     std::span<const Eigen::Vector3d> vertices_m);
+    /// The objects that were found before.
+    void setObjects(std::span<const DrawnObject> objects);
     void setArmLinks(std::span<const ArmLink> links);
     void setGridShown(bool shown) { m_ground.setVisible(shown); }
     void setAxesShown(bool shown);
@@ -82,10 +86,12 @@ public:
     [[nodiscard]] double forceRange_N() const { return m_forceRange.high(); }
     [[nodiscard]] double gridSpacing_m() const { return m_ground.spacing_m(); }
     [[nodiscard]] const Eigen::AlignedBox3d& contourBox_m() const { return m_contour.box_m(); }
+    [[nodiscard]] const ObjectsPart& objects() const { return m_objects; }
     [[nodiscard]] const Eigen::AlignedBox3d& armBox_m() const { return m_arm.box_m(); }
     [[nodiscard]] const Eigen::Isometry3d& X_World_Sensor() const { return m_X_World_Sensor; }
     [[nodiscard]] bool isEmpty() const {
-        return !m_hasSensor && !m_tube.isShown() && contourBox_m().isEmpty() && armBox_m().isEmpty();
+        return !m_hasSensor && !m_tube.isShown() && contourBox_m().isEmpty() && armBox_m().isEmpty() &&
+               m_objects.objects().empty();
     }
 
     /// Corners of everything the camera should show, in the world frame. Independent of the loads. Never
@@ -121,6 +127,7 @@ private:
     GridPart m_ground;
     AxesPart m_axes;
     ContourPart m_contour;
+    ObjectsPart m_objects;
     ArmPart m_arm;
     TubePart m_tube;
 };
