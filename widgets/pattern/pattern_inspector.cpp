@@ -13,7 +13,7 @@
 namespace teleta::pattern {
 
 namespace {
-constexpr double kLeastWidth_em = 15.0; ///< room for the names and for fields that can be read
+constexpr double kLeastWidth_em = 19.0; ///< room for the names and for fields that can be read
 }
 
 PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
