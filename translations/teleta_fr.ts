@@ -10727,13 +10727,13 @@ Run %2 --help for more.
         <translation>test %1</translation>
     </message>
     <message>
-        <source>device fault, will be repeated</source>
-        <translation>panne de l’appareil, sera repris</translation>
-    </message>
-    <message>
         <source>%1: %2 %3</source>
         <comment>track, level, unit</comment>
         <translation>%1&#xa0;:&#xa0;%2&#xa0;%3</translation>
+    </message>
+    <message>
+        <source>interrupted, will be repeated</source>
+        <translation>interrompu, sera repris</translation>
     </message>
 </context>
 <context>
@@ -11922,6 +11922,14 @@ Run %2 --help for more.
         <source>The computer was busy: %1 % of the time has no readings. Measure again with fewer programs running.</source>
         <translation>L’ordinateur était occupé&#xa0;: %1&#xa0;% du temps est sans mesures. Mesurez à nouveau avec moins de programmes en cours.</translation>
     </message>
+    <message>
+        <source>%1 of %2 motors calibrated, saved</source>
+        <translation>%1 moteurs sur&#xa0;%2 étalonnés, enregistré</translation>
+    </message>
+    <message>
+        <source>%1 of %2 motors calibrated, not saved</source>
+        <translation>%1 moteurs sur&#xa0;%2 étalonnés, non enregistré</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::CameraPanel</name>
@@ -12796,6 +12804,34 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::StopBanner</name>
+    <message>
+        <source>The STOP button was pressed.</source>
+        <translation>Le bouton STOP a été pressé.</translation>
+    </message>
+    <message>
+        <source>Ctrl+. was pressed.</source>
+        <translation>Ctrl+. a été pressé.</translation>
+    </message>
+    <message>
+        <source>Esc was pressed twice.</source>
+        <translation>Esc a été pressé deux fois.</translation>
+    </message>
+    <message>
+        <source>The program engaged STOP.</source>
+        <translation>Le programme a déclenché STOP.</translation>
+    </message>
+    <message>
+        <source>STOPPED since %1. %2</source>
+        <comment>time, cause</comment>
+        <translation>ARRÊTÉ depuis&#xa0;%1.&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>Motors are off and arms are held. To go on, hold the button STOPPED for a second.</source>
+        <translation>Les moteurs sont à l’arrêt et les bras maintenus. Pour reprendre, maintenez le bouton ARRÊTÉ pendant une seconde.</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::StopButton</name>
     <message>
         <source>STOP</source>
@@ -12903,6 +12939,15 @@ Run %2 --help for more.
     <message>
         <source>Discarded values must be measured again.</source>
         <translation>Ce qui est abandonné devra être mesuré à nouveau.</translation>
+    </message>
+    <message>
+        <source>The taxel gains of %1 are not saved.</source>
+        <comment>a source</comment>
+        <translation>Les gains des taxels de&#xa0;%1 ne sont pas enregistrés.</translation>
+    </message>
+    <message>
+        <source>They are lost when the source is closed. The page Calibrate saves them.</source>
+        <translation>Ils sont perdus quand la source est fermée. La page Étalonnage les enregistre.</translation>
     </message>
 </context>
 <context>
@@ -13670,6 +13715,15 @@ Run %2 --help for more.
     <message>
         <source>Unknown stiffness</source>
         <translation>Raideur inconnue</translation>
+    </message>
+    <message>
+        <source>%1: %2, not played</source>
+        <comment>what was recognised: id of a pattern</comment>
+        <translation>%1&#xa0;:&#xa0;%2, non joué</translation>
+    </message>
+    <message>
+        <source>Touch %1: %2. %3 was not played: there is no bracelet, or a study or a calibration uses it.</source>
+        <translation>Toucher&#xa0;%1&#xa0;:&#xa0;%2.&#xa0;%3 n’a pas été joué&#xa0;: il n’y a pas de bracelet, ou une étude ou un étalonnage s’en sert.</translation>
     </message>
 </context>
 <context>
@@ -14545,6 +14599,15 @@ Run %2 --help for more.
     <message>
         <source>Reopen the &amp;last session</source>
         <translation>Rouvrir la &amp;dernière session</translation>
+    </message>
+    <message>
+        <source>STOP was released after %1 s.</source>
+        <translation>STOP a été relâché après&#xa0;%1 s.</translation>
+    </message>
+    <message>
+        <source>STOP. %1</source>
+        <comment>cause</comment>
+        <translation>STOP.&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -15628,10 +15691,6 @@ Run %2 --help for more.
         <translation>%1 a été enregistré.</translation>
     </message>
     <message>
-        <source>Open &gt; Open recording plays it.</source>
-        <translation>Ouvrir &gt; Ouvrir un enregistrement permet de le lire.</translation>
-    </message>
-    <message>
         <source>Nothing is recorded now.</source>
         <translation>Aucun enregistrement n’est en cours.</translation>
     </message>
@@ -15708,6 +15767,14 @@ Run %2 --help for more.
     <message>
         <source>Ex&amp;port recording as MCAP…</source>
         <translation>Ex&amp;porter un enregistrement en MCAP…</translation>
+    </message>
+    <message>
+        <source>Play it</source>
+        <translation>Le lire</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Afficher dans le dossier</translation>
     </message>
 </context>
 <context>
@@ -17148,12 +17215,12 @@ Run %2 --help for more.
         <translation>Annuler la dernière action sur la bibliothèque (Ctrl+Z dans la liste)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Un double clic ou &lt;b&gt;Entrée&lt;/b&gt; ouvre un motif. Les motifs intégrés restent tels quels&#xa0;: la première modification en fait une copie. Parmi les vôtres&#xa0;: &lt;b&gt;F2&lt;/b&gt; renomme, &lt;b&gt;Ctrl+D&lt;/b&gt; duplique, &lt;b&gt;Suppr&lt;/b&gt; supprime, &lt;b&gt;Ctrl+Z&lt;/b&gt; annule cela.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Le motif en gras, précédé d’un signe, est ouvert dans l’éditeur&#xa0;; les touches valent pour celui qui est en surbrillance.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;A click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Un clic ou &lt;b&gt;Entrée&lt;/b&gt; ouvre un motif. Les motifs intégrés restent tels quels&#xa0;: la première modification en fait une copie. Parmi les vôtres&#xa0;: &lt;b&gt;F2&lt;/b&gt; renomme, &lt;b&gt;Ctrl+D&lt;/b&gt; duplique, &lt;b&gt;Suppr&lt;/b&gt; supprime, &lt;b&gt;Ctrl+Z&lt;/b&gt; annule cela.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -17311,6 +17378,41 @@ Run %2 --help for more.
     <message>
         <source>Last run: %1</source>
         <translation>Dernière exécution&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <comment>as planned</comment>
+        <translation>force&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>sliding speed %1</source>
+        <comment>as planned</comment>
+        <translation>vitesse de glissement&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>gains %1</source>
+        <comment>as planned</comment>
+        <translation>gains&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>moment balanced</source>
+        <translation>moment équilibré</translation>
+    </message>
+    <message>
+        <source>moment not balanced</source>
+        <translation>moment non équilibré</translation>
+    </message>
+    <message>
+        <source>Changed, also after a restart. The scene has: %1.</source>
+        <translation>Modifié, aussi après un redémarrage. La scène a&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Settings of the scene</source>
+        <translation>Réglages de la scène</translation>
+    </message>
+    <message>
+        <source>Undo all changes of force, speed, gains and moment</source>
+        <translation>Annuler toutes les modifications de force, de vitesse, de gains et de moment</translation>
     </message>
 </context>
 <context>
@@ -18681,6 +18783,14 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Hold Shift and a button, or Shift with %1 (up), %2 (down).</source>
         <translation>Maintenez Shift et un bouton, ou Shift avec %1 (augmenter), %2 (diminuer).</translation>
+    </message>
+    <message>
+        <source>tip %1</source>
+        <translation>pointe&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Click here first: the keys work only in this view. %1</source>
+        <translation>Cliquez d’abord ici&#xa0;: les touches n’agissent que dans cette vue.&#xa0;%1</translation>
     </message>
 </context>
 <context>

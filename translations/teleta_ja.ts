@@ -10699,13 +10699,13 @@ Run %2 --help for more.
         <translation>テスト %1</translation>
     </message>
     <message>
-        <source>device fault, will be repeated</source>
-        <translation>デバイス障害、再提示</translation>
-    </message>
-    <message>
         <source>%1: %2 %3</source>
         <comment>track, level, unit</comment>
         <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>interrupted, will be repeated</source>
+        <translation>中断、再提示</translation>
     </message>
 </context>
 <context>
@@ -11889,6 +11889,14 @@ Run %2 --help for more.
         <source>The computer was busy: %1 % of the time has no readings. Measure again with fewer programs running.</source>
         <translation>コンピューターがビジーでした: 時間の%1 %に測定値がありません。実行中のプログラムを減らして測定し直してください。</translation>
     </message>
+    <message>
+        <source>%1 of %2 motors calibrated, saved</source>
+        <translation>%2個中%1個のモーターをキャリブレーション済み、保存済み</translation>
+    </message>
+    <message>
+        <source>%1 of %2 motors calibrated, not saved</source>
+        <translation>%2個中%1個のモーターをキャリブレーション済み、未保存</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::CameraPanel</name>
@@ -12758,6 +12766,34 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::StopBanner</name>
+    <message>
+        <source>The STOP button was pressed.</source>
+        <translation>STOPボタンが押されました。</translation>
+    </message>
+    <message>
+        <source>Ctrl+. was pressed.</source>
+        <translation>Ctrl+.が押されました。</translation>
+    </message>
+    <message>
+        <source>Esc was pressed twice.</source>
+        <translation>Escが2回押されました。</translation>
+    </message>
+    <message>
+        <source>The program engaged STOP.</source>
+        <translation>プログラムがSTOPを作動させました。</translation>
+    </message>
+    <message>
+        <source>STOPPED since %1. %2</source>
+        <comment>time, cause</comment>
+        <translation>停止中 (%1から)。%2</translation>
+    </message>
+    <message>
+        <source>Motors are off and arms are held. To go on, hold the button STOPPED for a second.</source>
+        <translation>モーターはオフで、アームは保持されています。続けるには「停止中」のボタンを1秒間押し続けてください。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::StopButton</name>
     <message>
         <source>STOP</source>
@@ -12865,6 +12901,15 @@ Run %2 --help for more.
     <message>
         <source>Discarded values must be measured again.</source>
         <translation>破棄したものは、測定し直す必要があります。</translation>
+    </message>
+    <message>
+        <source>The taxel gains of %1 are not saved.</source>
+        <comment>a source</comment>
+        <translation>%1のタクセルのゲインは保存されていません。</translation>
+    </message>
+    <message>
+        <source>They are lost when the source is closed. The page Calibrate saves them.</source>
+        <translation>ソースを閉じると失われます。「キャリブレーション」ページで保存できます。</translation>
     </message>
 </context>
 <context>
@@ -13628,6 +13673,15 @@ Run %2 --help for more.
     <message>
         <source>Unknown stiffness</source>
         <translation>硬さ不明</translation>
+    </message>
+    <message>
+        <source>%1: %2, not played</source>
+        <comment>what was recognised: id of a pattern</comment>
+        <translation>%1: %2 (再生されず)</translation>
+    </message>
+    <message>
+        <source>Touch %1: %2. %3 was not played: there is no bracelet, or a study or a calibration uses it.</source>
+        <translation>タッチ%1: %2。%3は再生されませんでした。ブレスレットがないか、実験またはキャリブレーションで使用中です。</translation>
     </message>
 </context>
 <context>
@@ -14501,6 +14555,15 @@ Run %2 --help for more.
     <message>
         <source>Reopen the &amp;last session</source>
         <translation>前回のセッションを再び開く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>STOP was released after %1 s.</source>
+        <translation>STOPは%1 s後に解除されました。</translation>
+    </message>
+    <message>
+        <source>STOP. %1</source>
+        <comment>cause</comment>
+        <translation>STOP。%1</translation>
     </message>
 </context>
 <context>
@@ -15579,10 +15642,6 @@ Run %2 --help for more.
         <translation>%1 を記録しました。</translation>
     </message>
     <message>
-        <source>Open &gt; Open recording plays it.</source>
-        <translation>「開く」&gt;「記録を開く」で再生できます。</translation>
-    </message>
-    <message>
         <source>Nothing is recorded now.</source>
         <translation>現在、何も記録していません。</translation>
     </message>
@@ -15659,6 +15718,14 @@ Run %2 --help for more.
     <message>
         <source>Ex&amp;port recording as MCAP…</source>
         <translation>記録をMCAPとしてエクスポート(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Play it</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>フォルダーを開く</translation>
     </message>
 </context>
 <context>
@@ -17096,12 +17163,12 @@ Run %2 --help for more.
         <translation>ライブラリへの最後の操作を元に戻します (一覧でCtrl+Z)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;ダブルクリックまたは&lt;b&gt;Enter&lt;/b&gt;でパターンを開きます。組み込みパターンは変更されず、最初の編集でコピーが作られます。自作パターンでは、&lt;b&gt;F2&lt;/b&gt;で名前の変更、&lt;b&gt;Ctrl+D&lt;/b&gt;で複製、&lt;b&gt;Delete&lt;/b&gt;で削除、&lt;b&gt;Ctrl+Z&lt;/b&gt;で元に戻します。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
         <translation>&lt;p&gt;太字で、前に印のあるパターンがエディターで開いています。キー操作は、強調表示されているパターンに対するものです。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;A click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;クリックまたは&lt;b&gt;Enter&lt;/b&gt;でパターンを開きます。組み込みパターンは変更されず、最初の編集でコピーが作られます。自作パターンでは、&lt;b&gt;F2&lt;/b&gt;で名前の変更、&lt;b&gt;Ctrl+D&lt;/b&gt;で複製、&lt;b&gt;Delete&lt;/b&gt;で削除、&lt;b&gt;Ctrl+Z&lt;/b&gt;で元に戻します。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -17259,6 +17326,41 @@ Run %2 --help for more.
     <message>
         <source>Last run: %1</source>
         <translation>前回の実行: %1</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <comment>as planned</comment>
+        <translation>力 %1</translation>
+    </message>
+    <message>
+        <source>sliding speed %1</source>
+        <comment>as planned</comment>
+        <translation>滑り速度 %1</translation>
+    </message>
+    <message>
+        <source>gains %1</source>
+        <comment>as planned</comment>
+        <translation>ゲイン %1</translation>
+    </message>
+    <message>
+        <source>moment balanced</source>
+        <translation>モーメントの釣り合いあり</translation>
+    </message>
+    <message>
+        <source>moment not balanced</source>
+        <translation>モーメントの釣り合いなし</translation>
+    </message>
+    <message>
+        <source>Changed, also after a restart. The scene has: %1.</source>
+        <translation>変更済みです。再開後も有効です。シーンの値: %1。</translation>
+    </message>
+    <message>
+        <source>Settings of the scene</source>
+        <translation>シーンの設定</translation>
+    </message>
+    <message>
+        <source>Undo all changes of force, speed, gains and moment</source>
+        <translation>力・速度・ゲイン・モーメントの変更をすべて元に戻します</translation>
     </message>
 </context>
 <context>
@@ -18627,6 +18729,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>Hold Shift and a button, or Shift with %1 (up), %2 (down).</source>
         <translation>Shiftとボタンを押し続けるか、Shiftと %1 (増)、%2 (減) を押し続けてください。</translation>
+    </message>
+    <message>
+        <source>tip %1</source>
+        <translation>先端 %1</translation>
+    </message>
+    <message>
+        <source>Click here first: the keys work only in this view. %1</source>
+        <translation>先にここをクリックしてください。キーはこのビューでのみ働きます。%1</translation>
     </message>
 </context>
 <context>

@@ -10699,13 +10699,13 @@ Run %2 --help for more.
         <translation>测试 %1</translation>
     </message>
     <message>
-        <source>device fault, will be repeated</source>
-        <translation>设备故障，将重新呈现</translation>
-    </message>
-    <message>
         <source>%1: %2 %3</source>
         <comment>track, level, unit</comment>
         <translation>%1：%2 %3</translation>
+    </message>
+    <message>
+        <source>interrupted, will be repeated</source>
+        <translation>已中断，将重新呈现</translation>
     </message>
 </context>
 <context>
@@ -11889,6 +11889,14 @@ Run %2 --help for more.
         <source>The computer was busy: %1 % of the time has no readings. Measure again with fewer programs running.</source>
         <translation>计算机繁忙：%1 % 的时间没有读数。请减少运行的程序后重新测量。</translation>
     </message>
+    <message>
+        <source>%1 of %2 motors calibrated, saved</source>
+        <translation>%2 个电机中已标定 %1 个，已保存</translation>
+    </message>
+    <message>
+        <source>%1 of %2 motors calibrated, not saved</source>
+        <translation>%2 个电机中已标定 %1 个，未保存</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::CameraPanel</name>
@@ -12758,6 +12766,34 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::StopBanner</name>
+    <message>
+        <source>The STOP button was pressed.</source>
+        <translation>按下了 STOP 按钮。</translation>
+    </message>
+    <message>
+        <source>Ctrl+. was pressed.</source>
+        <translation>按下了 Ctrl+.。</translation>
+    </message>
+    <message>
+        <source>Esc was pressed twice.</source>
+        <translation>连按了两次 Esc。</translation>
+    </message>
+    <message>
+        <source>The program engaged STOP.</source>
+        <translation>程序触发了 STOP。</translation>
+    </message>
+    <message>
+        <source>STOPPED since %1. %2</source>
+        <comment>time, cause</comment>
+        <translation>已停止，自 %1 起。%2</translation>
+    </message>
+    <message>
+        <source>Motors are off and arms are held. To go on, hold the button STOPPED for a second.</source>
+        <translation>电机已关闭，机械臂保持不动。要继续，请按住“已停止”按钮一秒。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::StopButton</name>
     <message>
         <source>STOP</source>
@@ -12865,6 +12901,15 @@ Run %2 --help for more.
     <message>
         <source>Discarded values must be measured again.</source>
         <translation>丢弃的内容须重新测量。</translation>
+    </message>
+    <message>
+        <source>The taxel gains of %1 are not saved.</source>
+        <comment>a source</comment>
+        <translation>%1 的触元增益尚未保存。</translation>
+    </message>
+    <message>
+        <source>They are lost when the source is closed. The page Calibrate saves them.</source>
+        <translation>关闭该来源后将丢失。可在“标定”页保存。</translation>
     </message>
 </context>
 <context>
@@ -13628,6 +13673,15 @@ Run %2 --help for more.
     <message>
         <source>Unknown stiffness</source>
         <translation>刚度未知</translation>
+    </message>
+    <message>
+        <source>%1: %2, not played</source>
+        <comment>what was recognised: id of a pattern</comment>
+        <translation>%1：%2，未播放</translation>
+    </message>
+    <message>
+        <source>Touch %1: %2. %3 was not played: there is no bracelet, or a study or a calibration uses it.</source>
+        <translation>触碰 %1：%2。%3 未播放：没有手环，或研究或标定正在使用它。</translation>
     </message>
 </context>
 <context>
@@ -14501,6 +14555,15 @@ Run %2 --help for more.
     <message>
         <source>Reopen the &amp;last session</source>
         <translation>重新打开上次的内容(&amp;L)</translation>
+    </message>
+    <message>
+        <source>STOP was released after %1 s.</source>
+        <translation>STOP 在 %1 s 后被解除。</translation>
+    </message>
+    <message>
+        <source>STOP. %1</source>
+        <comment>cause</comment>
+        <translation>STOP。%1</translation>
     </message>
 </context>
 <context>
@@ -15579,10 +15642,6 @@ Run %2 --help for more.
         <translation>已记录 %1。</translation>
     </message>
     <message>
-        <source>Open &gt; Open recording plays it.</source>
-        <translation>可通过“打开”&gt;“打开记录”回放。</translation>
-    </message>
-    <message>
         <source>Nothing is recorded now.</source>
         <translation>当前没有在记录。</translation>
     </message>
@@ -15659,6 +15718,14 @@ Run %2 --help for more.
     <message>
         <source>Ex&amp;port recording as MCAP…</source>
         <translation>将记录导出为 MCAP(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Play it</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>打开所在文件夹</translation>
     </message>
 </context>
 <context>
@@ -17096,12 +17163,12 @@ Run %2 --help for more.
         <translation>撤销对图案库的上一次操作（在列表中按 Ctrl+Z）</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Double-click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;双击或按 &lt;b&gt;Enter&lt;/b&gt; 打开图案。内置图案保持不变：首次编辑时生成副本。对自己的图案：&lt;b&gt;F2&lt;/b&gt; 重命名，&lt;b&gt;Ctrl+D&lt;/b&gt; 创建副本，&lt;b&gt;Delete&lt;/b&gt; 删除，&lt;b&gt;Ctrl+Z&lt;/b&gt; 撤回。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
         <translation>&lt;p&gt;粗体且前有标记的图案已在编辑器中打开；按键作用于突出显示的图案。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;A click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;单击或按 &lt;b&gt;Enter&lt;/b&gt; 打开图案。内置图案保持不变：首次编辑时生成副本。对自己的图案：&lt;b&gt;F2&lt;/b&gt; 重命名，&lt;b&gt;Ctrl+D&lt;/b&gt; 创建副本，&lt;b&gt;Delete&lt;/b&gt; 删除，&lt;b&gt;Ctrl+Z&lt;/b&gt; 撤回。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -17259,6 +17326,41 @@ Run %2 --help for more.
     <message>
         <source>Last run: %1</source>
         <translation>上一次运行：%1</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <comment>as planned</comment>
+        <translation>力 %1</translation>
+    </message>
+    <message>
+        <source>sliding speed %1</source>
+        <comment>as planned</comment>
+        <translation>滑动速度 %1</translation>
+    </message>
+    <message>
+        <source>gains %1</source>
+        <comment>as planned</comment>
+        <translation>增益 %1</translation>
+    </message>
+    <message>
+        <source>moment balanced</source>
+        <translation>力矩平衡</translation>
+    </message>
+    <message>
+        <source>moment not balanced</source>
+        <translation>力矩不平衡</translation>
+    </message>
+    <message>
+        <source>Changed, also after a restart. The scene has: %1.</source>
+        <translation>已更改，重新开始后仍然有效。场景的设置：%1。</translation>
+    </message>
+    <message>
+        <source>Settings of the scene</source>
+        <translation>场景的设置</translation>
+    </message>
+    <message>
+        <source>Undo all changes of force, speed, gains and moment</source>
+        <translation>撤销对力、速度、增益和力矩的全部更改</translation>
     </message>
 </context>
 <context>
@@ -18627,6 +18729,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>Hold Shift and a button, or Shift with %1 (up), %2 (down).</source>
         <translation>按住 Shift 和一个按钮，或按 Shift 加 %1（正向）、%2（负向）。</translation>
+    </message>
+    <message>
+        <source>tip %1</source>
+        <translation>末端 %1</translation>
+    </message>
+    <message>
+        <source>Click here first: the keys work only in this view. %1</source>
+        <translation>请先单击此处：按键只在此视图中有效。%1</translation>
     </message>
 </context>
 <context>
