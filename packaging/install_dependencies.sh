@@ -55,6 +55,8 @@ test_packages+=(postgresql python3-html5lib poppler-utils locales zsh)
 test_packages+=(python3-pymodbus python3-serial-asyncio python3-dbusmock dbus socat qemu-system-x86 busybox-static cpio)
 # The simulator with which kinematics are compared.
 test_packages+=(libmujoco-dev)
+# The other DDS of a robot on ROS 2.
+test_packages+=(libfastrtps-dev fastddsgen libtinyxml2-dev)
 # Independent readers and writers of MCAP, which npm installs.
 command -v npm >/dev/null || test_packages+=(nodejs npm)
 # For building and testing the Python module.

@@ -106,8 +106,9 @@ TEST(SourceFilesTest, findPlantedViolations) {
 /// file.
 bool isPartOfThisBuild(const std::string& path) {
     const auto isBelow = [&](const char* folder) { return path.starts_with(folder); };
-    if (!TELETA_HAS_GUI && (isBelow("widgets/") || isBelow("app/console/") || isBelow("tests/widgets/") ||
-                            isBelow("tests/app/console/") || isBelow("tests/peer/console/")))
+    if (!TELETA_HAS_GUI &&
+        (isBelow("widgets/") || isBelow("app/console/") || isBelow("tests/widgets/") ||
+         isBelow("tests/app/console/") || isBelow("tests/peer/console/") || isBelow("tests/peer/ros/")))
         return false;
     if (!TELETA_HAS_PYTHON && isBelow("app/python/"))
         return false;
