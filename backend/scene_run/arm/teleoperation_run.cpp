@@ -32,7 +32,10 @@ public:
         , m_summary(summary)
         , m_estimator(arm.description())
         , m_reader(scene)
-        , m_feedback([this](playback::Program program) { m_player.play(std::move(program)); }) {
+        , m_feedback([this](playback::Program program) {
+            m_player.play(std::move(program));
+            return true;
+        }) {
         m_feedback.setMap(pattern::PatternMap::defaults(), [](const std::string& id) {
             const pattern::Pattern* pattern = pattern::findBuiltIn(id);
             return pattern != nullptr ? playback::programOf(*pattern) : playback::Program{};
