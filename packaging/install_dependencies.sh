@@ -38,6 +38,8 @@ build_packages=(
     libmodbus-dev
     # descriptions of robots
     liburdfdom-dev
+    # robots over ROS 2
+    cyclonedds-dev cyclonedds-tools
 )
 # Build and run. GoogleTest and Google Benchmark are here because every preset configures the tests.
 packages=(

@@ -18,6 +18,8 @@ find_path(TELETA_READERWRITERQUEUE readerwriterqueue/readerwritercircularbuffer.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
 pkg_check_modules(LIBMODBUS REQUIRED IMPORTED_TARGET libmodbus)
+pkg_check_modules(CYCLONEDDS REQUIRED IMPORTED_TARGET CycloneDDS>=0.10)
+find_program(TELETA_IDLC idlc REQUIRED)
 pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom)
 pkg_check_modules(LIBLZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)

@@ -42,6 +42,7 @@ const std::map<std::string, Target> kTargets{
     {"pattern_tact", teleta::fuzz::patternTact},
     {"recording", teleta::fuzz::recording},
     {"register_map", teleta::fuzz::registerMap},
+    {"ros_joint_states", teleta::fuzz::rosJointStates},
     {"scene", teleta::fuzz::scene},
     {"servo_csv", teleta::fuzz::servoCsv},
     {"study_protocol", teleta::fuzz::studyProtocol},

@@ -57,6 +57,7 @@ bool urdf(Bytes bytes);
 // What devices send.
 bool wtsFrames(Bytes bytes);
 bool hidReports(Bytes bytes);
+bool rosJointStates(Bytes bytes); ///< messages in a form of the test, as the middleware hands them over
 
 [[nodiscard]] inline std::string textOf(Bytes bytes) {
     return {bytes.begin(), bytes.end()};

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/dds/participant.h"
+
+#include "backend/core/failure.h"
+#include "devices/dds/dds_error.h"
+#include "devices/dds/log_lines.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <dds/dds.h>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace teleta::dds {
+
+namespace {
+
+struct ParticipantText {
+    Q_DECLARE_TR_FUNCTIONS(DdsParticipant)
+};
+
+/// Opens a domain with this configuration unless it is open with it already.
+core::Expected<void> openDomain(const DomainConfig& config) {
+    static std::mutex mutex;
+    static std::map<int, DomainConfig> open;
+    const std::scoped_lock lock(mutex);
+    if (const auto found = open.find(config.domain); found != open.end()) {
+        if (found->second == config)
+            return {};
+        return core::refused(ParticipantText::tr("domain %1 is open with another interface or other peers")
+                                 .arg(config.domain));
+    }
+    limitLog();
+    const CollectedLog log;
+    const dds_entity_t domain =
+        dds_create_domain(static_cast<dds_domainid_t>(config.domain), configurationOf(config).c_str());
+    if (domain < 0) {
+        const QString reason = log.text().empty() ? QString::fromLatin1(dds_strretcode(domain))
+                                                  : QString::fromStdString(log.text());
+        return core::failed(
+            core::ErrorKind::unavailable,
+            ParticipantText::tr("domain %1 of DDS cannot be opened: %2").arg(config.domain).arg(reason),
+            config.interface.empty()
+                ? QString()
+                : ParticipantText::tr("\"%1\" to be the name or the address of a network interface")
+                      .arg(QString::fromStdString(config.interface)));
+    }
+    open.emplace(config.domain, config);
+    return {};
+}
+
+} // namespace
+
+Participant::Participant(std::int32_t entity, DomainConfig config)
+    : m_entity(entity)
+    , m_config(std::move(config)) {
+    dds_guid_t guid{};
+    (void)dds_get_guid(entity, &guid);
+    std::ranges::copy(guid.v, m_guid.begin());
+}
+
+core::Expected<std::shared_ptr<const Participant>> Participant::open(const DomainConfig& config) {
+    TELETA_CHECK(openDomain(config));
+    const CollectedLog log;
+    const dds_entity_t entity =
+        dds_create_participant(static_cast<dds_domainid_t>(config.domain), nullptr, nullptr);
+    if (entity < 0) {
+        if (!log.text().empty())
+            return core::failed(core::ErrorKind::unavailable,
+                                ParticipantText::tr("domain %1 of DDS cannot be joined: %2")
+                                    .arg(config.domain)
+                                    .arg(QString::fromStdString(log.text())));
+        return ddsFailure(ParticipantText::tr("domain %1 of DDS cannot be joined").arg(config.domain),
+                          entity);
+    }
+    return std::shared_ptr<const Participant>(new Participant(entity, config));
+}
+
+Participant::~Participant() {
+    struct End {
+        std::mutex mutex;
+        std::condition_variable condition;
+        bool reached = false;
+    };
+    const auto end = std::make_shared<End>();
+    std::thread([end, entity = m_entity] {
+        (void)dds_delete(entity);
+        const std::scoped_lock lock(end->mutex);
+        end->reached = true;
+        end->condition.notify_all();
+    }).detach();
+    std::unique_lock lock(end->mutex);
+    end->condition.wait_for(lock, std::chrono::nanoseconds(kLongestEnd_ns), [&] { return end->reached; });
+}
+
+} // namespace teleta::dds

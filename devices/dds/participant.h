@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "devices/dds/domain_config.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+namespace teleta::dds {
+
+/// Names a program, reader or writer in a domain.
+using Guid = std::array<std::uint8_t, 16>;
+
+/// This program in a domain of DDS. Readers, writers and discovery live below it and keep it alive. The
+/// domain stays open until the program ends, so that traffic comes back with an interface that was lost.
+/// Thread: any.
+class Participant {
+public:
+    /// The configuration is the one given; CYCLONEDDS_URI is ignored. Failure: unavailable, with what the
+    /// middleware says of the interface; refused, the program uses this domain in another way already.
+    [[nodiscard]] static core::Expected<std::shared_ptr<const Participant>> open(const DomainConfig& config);
+    /// Leaves the domain on a thread of its own and waits kLongestEnd_ns for that: it may never happen where
+    /// an interface has lost its address. What hangs then hangs until the program ends.
+    ~Participant();
+    Participant(const Participant&) = delete;
+    Participant& operator=(const Participant&) = delete;
+
+    static constexpr std::int64_t kLongestEnd_ns = 2'000'000'000;
+
+    [[nodiscard]] std::int32_t entity() const { return m_entity; }
+    [[nodiscard]] const Guid& guid() const { return m_guid; }
+    [[nodiscard]] const DomainConfig& config() const { return m_config; }
+
+private:
+    Participant(std::int32_t entity, DomainConfig config);
+
+    std::int32_t m_entity;
+    DomainConfig m_config;
+    Guid m_guid{};
+};
+
+} // namespace teleta::dds
