@@ -8,6 +8,7 @@
 #include "app/cli/commands/arm/arm_commands.h"
 #include "app/cli/commands/camera/camera_commands.h"
 #include "app/cli/commands/devices/devices_commands.h"
+#include "app/cli/commands/ros/ros_commands.h"
 #include "app/cli/commands/scenes/scene_commands.h"
 #include "app/cli/commands/tactile/tactile_commands.h"
 #include "app/common/version.h"
@@ -28,7 +29,7 @@ std::vector<Command> allCommands() {
     return {featuresCommand(),  contactsCommand(), gainsCommand(),   stiffnessCommand(), contourCommand(),
             calibrateCommand(), locateCommand(),   trackCommand(),   simulateCommand(),  replayCommand(),
             exportCommand(),    importCommand(),   patternCommand(), studyCommand(),     tradeoffCommand(),
-            armCommand(),       devicesCommand()};
+            armCommand(),       devicesCommand(),  rosCommand()};
 }
 
 struct ProgramText {
