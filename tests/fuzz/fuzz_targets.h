@@ -18,7 +18,10 @@ using Bytes = std::span<const std::uint8_t>;
 // Readers of tables.
 bool csv(Bytes bytes);
 bool frameCsv(Bytes bytes);
-bool gainCsv(Bytes bytes); ///< of a 2 x 3 array
+bool frameNumpy(Bytes bytes); ///< npy and npz
+bool frameTekscan(Bytes bytes);
+bool frameTable(Bytes bytes); ///< of another program
+bool gainCsv(Bytes bytes);    ///< of a 2 x 3 array
 bool contourCsv(Bytes bytes);
 bool touchCsv(Bytes bytes);
 bool cameraPairs(Bytes bytes);

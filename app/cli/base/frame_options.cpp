@@ -5,8 +5,9 @@
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/base/standard_streams.h"
-#include "backend/core/data/frame_file.h"
+#include "backend/core/data/input_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
+#include "backend/frames/rest_values.h"
 
 #include <QCoreApplication>
 
@@ -22,27 +23,86 @@ struct FrameOptionText {
     Q_DECLARE_TR_FUNCTIONS(FrameOptionText)
 };
 
+constexpr char kMedian[] = "median";
+constexpr char kFirst[] = "first";
+
 /// What the options say of the array and its taxels.
-core::Expected<contact::ConditioningSettings> conditioning(const FrameOptions& options) {
-    TELETA_TRY(contact::ConditioningSettings settings, options.array.conditioning());
+core::Expected<contact::ConditioningSettings> conditioning(const FrameOptions& options,
+                                                           const core::ArrayLayout& layout) {
+    TELETA_TRY(contact::ConditioningSettings settings, options.array.conditioning(layout, options.path));
     settings.gain = options.gain;
     if (!options.gainsPath.empty()) {
-        TELETA_TRY(const auto gains, equilibration::readTaxelGains(options.gainsPath, options.layout()));
+        TELETA_TRY(const auto gains, equilibration::readTaxelGains(options.gainsPath, layout));
         settings.taxelGain = gains.values();
     }
     return settings;
 }
 
+core::Error interruptedInstead(core::Error error) {
+    return error.kind == core::ErrorKind::cancelled ? interruption() : std::move(error);
+}
+
+void refuseDeadOutside(const std::vector<int>& dead, std::size_t taxels) {
+    for (const int taxel : dead) {
+        if (taxel < 0 || static_cast<std::size_t>(taxel) >= taxels)
+            refuse("--dead", FrameOptionText::tr("%1 is given, a taxel from 0 to %2 is expected")
+                                 .arg(taxel)
+                                 .arg(taxels - 1));
+    }
+}
+
+bool isRange(const std::string& columns) {
+    return columns.find_first_of(".,") != std::string::npos;
+}
+
+/// A number of columns of the array, or columns of a table.
+CLI::Validator columnsOption() {
+    CLI::Validator side = between(1, core::ArrayLayout::kMaximumSide);
+    CLI::Validator validator(std::string{});
+    validator.operation([side](std::string& text) -> std::string {
+        if (isRange(text) && frames::columnRangesOf(text))
+            return {};
+        if (text.find_first_not_of("0123456789") == std::string::npos)
+            return side(text);
+        return FrameOptionText::tr("%1 is given, a number of columns, or columns such as 2..85 are expected")
+            .arg(QString::fromStdString(text))
+            .toStdString();
+    });
+    return validator;
+}
+
 } // namespace
 
 void ArrayOptions::declare(CLI::App& app) {
-    const CLI::Validator side = between(1, core::ArrayLayout::kMaximumSide);
-    addOption(app, "--rows", rows, FrameOptionText::tr("Rows of the array"), side);
-    addOption(app, "--columns", columns, FrameOptionText::tr("Columns of the array"), side);
-    addOption(app, "--pitch-mm", pitch_mm, FrameOptionText::tr("Distance of neighbouring taxels in mm"),
-              positive());
-    addOption(app, "--tare", tarePath,
-              FrameOptionText::tr("Frames of the unloaded array; their mean is subtracted"), "FILE");
+    m_rowsOption = addOption(app, "--rows", m_rows, FrameOptionText::tr("Rows of the array"),
+                             between(1, core::ArrayLayout::kMaximumSide));
+    addOption(app, "--columns", m_columns,
+              FrameOptionText::tr("Columns of the array; or columns of a table of another program that are "
+                                  "taxels, from 1, such as 2..85"),
+              "INT|RANGES")
+        ->check(columnsOption())
+        ->default_str(std::to_string(core::ArrayLayout{}.columns));
+    m_pitchOption = addOption(app, "--pitch-mm", pitch_mm,
+                              FrameOptionText::tr("Distance of neighbouring taxels in mm"), positive());
+    addOption(app, "--rate", m_rate_Hz, FrameOptionText::tr("Frames per second of a file without times"),
+              "HZ")
+        ->check(positive());
+    addOption(app, "--array", m_array, FrameOptionText::tr("Name of the frames in a file of several arrays"),
+              "NAME");
+    addChoice(app, "--frame-axis", m_axis,
+              FrameOptionText::tr("Dimension of the array that counts the frames"), {"auto", "first", "last"})
+        ->capture_default_str();
+    addOption(
+        app, "--tare", tare,
+        FrameOptionText::tr("Frames of the unloaded array, whose mean is subtracted; or of the recording "
+                            "itself the median of each taxel, or the mean of the first half second"),
+        "FILE|median|first");
+    addOption(app, "--time-column", m_timeColumn,
+              FrameOptionText::tr("Name or number of the column of the times in a table of another program"),
+              "NAME");
+    addChoice(app, "--time-unit", m_timeUnit,
+              FrameOptionText::tr("Unit of these times; default: as the name of the column ends"),
+              {"s", "ms", "us", "ns", "iso"});
     addFlag(app, "--invert", inverted, FrameOptionText::tr("The raw values fall under load"));
     addOption(app, "--dead", dead, FrameOptionText::tr("Numbers of taxels to leave out, such as 0,17"),
               "LIST")
@@ -50,23 +110,62 @@ void ArrayOptions::declare(CLI::App& app) {
         ->allow_extra_args(false);
 }
 
-core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning() const {
+frames::FrameRequest ArrayOptions::request(const std::string& path) const {
+    frames::FrameRequest request{.path = path};
+    if (m_rowsOption->count() > 0)
+        request.rows = m_rows;
+    if (isRange(m_columns))
+        request.taxelColumns = frames::columnRangesOf(m_columns).value_or(std::vector<frames::ColumnRange>());
+    else if (!m_columns.empty())
+        request.columns = std::stoi(m_columns);
+    if (m_pitchOption->count() > 0)
+        request.pitch_m = pitch_mm * 1e-3;
+    // What is wrong already is said before a file is read.
+    constexpr auto kMost = static_cast<std::size_t>(core::ArrayLayout::kMaximumSide);
+    refuseDeadOutside(dead, request.rows && request.columns ? static_cast<std::size_t>(*request.rows) *
+                                                                  static_cast<std::size_t>(*request.columns)
+                                                            : kMost * kMost);
+    request.rate_Hz = m_rate_Hz;
+    request.array = m_array;
+    request.timeColumn = m_timeColumn;
+    request.timeUnit = m_timeUnit;
+    request.axis = m_axis == "first"  ? frames::FrameAxis::first
+                   : m_axis == "last" ? frames::FrameAxis::last
+                                      : frames::FrameAxis::automatic;
+    return request;
+}
+
+std::string ArrayOptions::tarePath() const {
+    return tare == kMedian || tare == kFirst ? std::string() : tare;
+}
+
+core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning(const core::ArrayLayout& layout,
+                                                                         const std::string& path) const {
     contact::ConditioningSettings settings;
     settings.inverted = inverted;
-    const std::size_t taxels = layout().taxels();
+    const std::size_t taxels = layout.taxels();
     if (!dead.empty())
         settings.dead.assign(taxels, 0);
-    for (const int taxel : dead) {
-        if (taxel < 0 || static_cast<std::size_t>(taxel) >= taxels)
-            refuse("--dead", FrameOptionText::tr("%1 is given, a taxel from 0 to %2 is expected")
-                                 .arg(taxel)
-                                 .arg(taxels - 1));
+    refuseDeadOutside(dead, taxels);
+    for (const int taxel : dead)
         settings.dead[static_cast<std::size_t>(taxel)] = 1;
-    }
-    if (!tarePath.empty()) {
-        TELETA_TRY(std::vector<float> tare, core::readTare(tarePath, layout()));
-        settings.tare = std::move(tare);
-    }
+    if (tare.empty())
+        return settings;
+    const std::string file = tarePath();
+    frames::FrameRequest unloaded = request(file.empty() ? path : file);
+    unloaded.rows = layout.rows;
+    unloaded.columns = layout.columns;
+    unloaded.needsTimes = file.empty();
+    if (file.empty())
+        TELETA_CHECK(core::requireFile(path)); // it is read twice
+    else
+        unloaded.rate_Hz.reset();
+    auto series = frames::readFrames(unloaded, [] { return !interrupted(); });
+    if (!series)
+        return core::Unexpected(interruptedInstead(std::move(series).error()));
+    settings.tare = frames::restValues(*series, tare == kMedian  ? frames::RestRule::median
+                                                : tare == kFirst ? frames::RestRule::first
+                                                                 : frames::RestRule::mean);
     return settings;
 }
 
@@ -80,8 +179,10 @@ void refuseToReplace(const std::string& output, std::span<const std::string> inp
 }
 
 void FrameOptions::declare(CLI::App& app) {
-    addOption(app, "FRAMES.csv", path,
-              FrameOptionText::tr("Recorded frames: time_s,t0,t1,... with one row a frame, row-major"), "")
+    addOption(app, "FRAMES", path,
+              FrameOptionText::tr("Recorded frames: CSV time_s,t0,t1,... with one row a frame, row-major, or "
+                                  "a file of another program"),
+              "")
         ->required();
     array.declare(app);
     addOption(app, "-t,--threshold", threshold_N,
@@ -118,25 +219,36 @@ contact::SegmentationSettings FrameOptions::segmentationSettings() const {
     return {.threshold_N = threshold_N, .noiseHeight = noiseHeight, .minimumTaxels = minimumTaxels};
 }
 
-core::Expected<void> processFrames(const FrameOptions& options, std::span<const std::string_view> columns,
-                                   const std::function<void(const ConditionedFrame&, RowOutput&)>& write) {
+core::Expected<frames::FrameReader> openFrames(const FrameOptions& options) {
     refuseToReplace(options.output.outPath,
-                    std::array{options.path, options.array.tarePath, options.gainsPath});
-    TELETA_TRY(contact::ConditioningSettings settings, conditioning(options));
-    TELETA_TRY(core::FrameFile file, core::FrameFile::open(options.path, options.layout()));
+                    std::array{options.path, options.array.tarePath(), options.gainsPath});
+    auto reader =
+        frames::FrameReader::open(options.array.request(options.path), [] { return !interrupted(); });
+    if (!reader)
+        return core::Unexpected(interruptedInstead(std::move(reader).error()));
+    if (!reader->unit().empty() && reader->unit() != "N" && options.gain == 1.0)
+        warn(FrameOptionText::tr("The values are in %1, not in N: give the N of one unit with --gain.")
+                 .arg(QString::fromStdString(reader->unit())));
+    return reader;
+}
+
+core::Expected<void> processFrames(const FrameOptions& options, frames::FrameReader frames,
+                                   std::span<const std::string_view> columns,
+                                   const std::function<void(const ConditionedFrame&, RowOutput&)>& write) {
+    TELETA_TRY(contact::ConditioningSettings settings, conditioning(options, frames.layout()));
     TELETA_TRY(RowOutput rows, RowOutput::open(columns, options.output));
 
-    const std::size_t taxels = options.layout().taxels();
+    const std::size_t taxels = frames.layout().taxels();
     const contact::FrameConditioner conditioner(taxels, std::move(settings));
     std::vector<float> raw(taxels);
     std::vector<float> load_N(taxels);
     std::vector<std::uint8_t> dead(taxels);
     double time_s = 0.0;
-    const auto total = static_cast<double>(file.bytesTotal());
+    const auto total = static_cast<double>(frames.bytesTotal());
     ProgressBar progress(ProgressBar::Unit::bytes, rows.onTerminal());
     bool stopped = false;
     while (!(stopped = interrupted()) && !rows.failed()) {
-        const core::Expected<bool> any = file.next(time_s, raw);
+        const core::Expected<bool> any = frames.next(time_s, raw);
         if (!any) {
             stopped = any.error().kind == core::ErrorKind::cancelled;
             if (stopped)
@@ -149,7 +261,7 @@ core::Expected<void> processFrames(const FrameOptions& options, std::span<const 
         conditioner.apply(raw, load_N, dead);
         write({time_s, load_N, dead}, rows);
         rows.flushIfDue();
-        progress.update(static_cast<double>(file.offset()), total);
+        progress.update(static_cast<double>(frames.bytesRead()), total);
     }
     return unlessCut(rows.finish(), stopped);
 }

@@ -7,9 +7,12 @@
 #include "backend/contact/tactile_features.h"
 #include "backend/core/data/array_layout.h"
 #include "backend/core/error.h"
+#include "backend/frames/frame_reader.h"
+#include "backend/frames/frame_request.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,25 +20,39 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+} // namespace CLI
 
 namespace teleta::cli {
 
-/// Options that say what the array of some frames is, the same for all commands that read frames.
+/// Options that say what the frames in some files are, the same for all commands that read frames.
 struct ArrayOptions {
-    int rows = core::ArrayLayout{}.rows;
-    int columns = core::ArrayLayout{}.columns;
     double pitch_mm = 3.4;
-    std::string tarePath;
+    std::string tare; ///< a file, or a word of --tare
     bool inverted = false;
     std::vector<int> dead; ///< numbers of taxels that are not used
 
     void declare(CLI::App& app);
 
-    [[nodiscard]] core::ArrayLayout layout() const { return {rows, columns, pitch_mm * 1e-3}; }
-    /// Tare, direction and dead taxels. Reads the tare's file. Throws CLI::ValidationError when a dead taxel
-    /// is none of the array.
-    [[nodiscard]] core::Expected<contact::ConditioningSettings> conditioning() const;
+    /// What is known of a file of frames. Throws CLI::ValidationError when the options do not fit each other.
+    [[nodiscard]] frames::FrameRequest request(const std::string& path) const;
+    /// The file of --tare; empty: there is none.
+    [[nodiscard]] std::string tarePath() const;
+    /// Tare, direction and dead taxels of an array. Reads the tare's file, or path, the recording, for the
+    /// tare. Throws CLI::ValidationError when a dead taxel is none of the array.
+    [[nodiscard]] core::Expected<contact::ConditioningSettings> conditioning(const core::ArrayLayout& layout,
+                                                                             const std::string& path) const;
+
+private:
+    int m_rows = core::ArrayLayout{}.rows;
+    std::string m_columns; ///< of the array: a number; or of a table: ranges
+    std::optional<double> m_rate_Hz;
+    std::string m_array;
+    std::string m_axis = "auto";
+    std::string m_timeColumn;
+    std::string m_timeUnit;
+    CLI::Option* m_rowsOption = nullptr;
+    CLI::Option* m_pitchOption = nullptr;
 };
 
 /// Throws CLI::ValidationError that names the option when the output would replace one of the inputs.
@@ -58,7 +75,6 @@ struct FrameOptions {
 
     void declare(CLI::App& app);
 
-    [[nodiscard]] core::ArrayLayout layout() const { return array.layout(); }
     [[nodiscard]] contact::FeatureSettings featureSettings() const;
     [[nodiscard]] contact::SegmentationSettings segmentationSettings() const;
 };
@@ -70,12 +86,17 @@ struct ConditionedFrame {
     std::span<const std::uint8_t> dead; ///< 1: the taxel is left out
 };
 
+/// Opens the recording that the options name, and warns where its values are no forces. Error: as
+/// frames::FrameReader::open(). Throws CLI::ValidationError when the options do not fit each other.
+[[nodiscard]] core::Expected<frames::FrameReader> openFrames(const FrameOptions& options);
+
 /// Reads the recording frame by frame, conditions each frame and hands it to write(), which adds rows of the
-/// given columns; memory stays constant. Ends at the end of the file, at the first error, with an
-/// interruption (the output is completed, the error is ErrorKind::cancelled), or when the output fails.
-/// Throws CLI::ValidationError when the options do not fit each other.
+/// given columns. Ends at the end of the file, at the first error, with an interruption (the output is
+/// completed, the error is ErrorKind::cancelled), or when the output fails. Throws CLI::ValidationError when
+/// the options do not fit each other.
 [[nodiscard]] core::Expected<void>
-processFrames(const FrameOptions& options, std::span<const std::string_view> columns,
+processFrames(const FrameOptions& options, frames::FrameReader frames,
+              std::span<const std::string_view> columns,
               const std::function<void(const ConditionedFrame&, RowOutput&)>& write);
 
 } // namespace teleta::cli

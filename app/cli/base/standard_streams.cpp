@@ -47,7 +47,8 @@ bool isOutput(std::string_view name) {
 }
 
 bool isRead(std::string_view name, std::string_view type) {
-    return name.ends_with(".csv") || type.find(".csv") != std::string_view::npos || type == "FILE";
+    return name == "FRAMES" || name.ends_with(".csv") || type.find(".csv") != std::string_view::npos ||
+           type.substr(0, type.find('|')) == "FILE";
 }
 
 std::string error(const QString& text) {
@@ -104,6 +105,8 @@ void acceptDash(CLI::Option& option, std::string_view name, std::string_view typ
             return error(StandardStreamText::tr("- is given, a folder is expected"));
         if (name == "RECORDING" || name == "--mcap" || type.find(".teleta") != std::string::npos)
             return error(StandardStreamText::tr("a recording is a database, which is no stream"));
+        if (name == "--npz")
+            return error(StandardStreamText::tr("an npz file is an archive, which is no stream"));
         if (name == "video")
             return error(StandardStreamText::tr("a video cannot be read from standard input"));
         if (isOutput(name))

@@ -5,8 +5,7 @@
 #include "app/python/core/contact_columns.h"
 #include "app/python/core/core_bindings.h"
 #include "app/python/core/frame_settings.h"
-#include "backend/core/data/array_guess.h"
-#include "backend/core/data/frame_file.h"
+#include "backend/frames/frame_reader.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -133,49 +132,63 @@ py::object contacts(const py::object& frames, double pitch_m, const py::dict& ar
     return py::make_tuple(table, arrayOf(std::move(labels), shape));
 }
 
-py::tuple readFrames(const py::object& file, const py::object& rows, const py::object& columns) {
-    const std::string path = pathOf(file);
-    std::vector<double> times_s;
-    std::vector<float> values;
-    core::ArrayLayout layout;
-    LongWork work;
-    core::Expected<void> done;
-    const auto wanted = [](const py::object& side) {
-        return side.is_none() ? std::optional<long long>() : py::cast<long long>(side);
-    };
-    const std::optional<long long> givenRows = wanted(rows);
-    const std::optional<long long> givenColumns = wanted(columns);
-    if (givenRows.has_value() != givenColumns.has_value())
+/// A number that was given, or none.
+template <typename Number>
+std::optional<Number> numberIn(const py::dict& arguments, const char* name) {
+    const py::object value = arguments[name];
+    return value.is_none() ? std::optional<Number>() : py::cast<Number>(value);
+}
+
+std::string textIn(const py::dict& arguments, const char* name) {
+    const py::object value = arguments[name];
+    return value.is_none() ? std::string() : py::cast<std::string>(value);
+}
+
+frames::FrameAxis axisIn(const py::dict& arguments) {
+    const std::string axis = textIn(arguments, "frame_axis");
+    if (axis == "first")
+        return frames::FrameAxis::first;
+    if (axis == "last")
+        return frames::FrameAxis::last;
+    if (!axis.empty())
+        throw py::value_error("frame_axis: expected 'first', 'last' or None, got '" + axis + "'");
+    return frames::FrameAxis::automatic;
+}
+
+py::tuple readFrames(const py::object& file, const py::dict& arguments) {
+    frames::FrameRequest request{.path = pathOf(file)};
+    request.guessesShape = true;
+    const auto rows = numberIn<long long>(arguments, "rows");
+    const auto columns = numberIn<long long>(arguments, "columns");
+    if (rows.has_value() != columns.has_value())
         throw py::value_error("rows: expected both rows and columns, or neither");
-    if (givenRows)
-        layout = layoutOf(*givenRows, *givenColumns, layout.pitch_m);
-    const auto read = [&]() -> core::Expected<void> {
-        if (!givenRows) {
-            TELETA_TRY(const std::size_t taxels, core::FrameFile::countTaxels(path));
-            const core::ArrayGuess guess = core::guessArray(taxels);
-            layout.rows = guess.layout.rows;
-            layout.columns = guess.layout.columns;
-        }
-        TELETA_TRY(core::FrameFile frames, core::FrameFile::open(path, layout));
-        std::vector<float> frame(layout.taxels());
-        for (double time_s = 0.0; work.goOn();) {
-            TELETA_TRY(const bool any, frames.next(time_s, frame));
-            if (!any)
-                break;
-            times_s.push_back(time_s);
-            values.insert(values.end(), frame.begin(), frame.end());
-        }
-        return {};
-    };
-    {
-        const py::gil_scoped_release released;
-        done = read();
+    if (rows) {
+        const core::ArrayLayout layout = layoutOf(*rows, *columns, core::ArrayLayout{}.pitch_m);
+        request.rows = layout.rows;
+        request.columns = layout.columns;
     }
-    work.rethrow();
-    valueOf(done);
-    const auto count = static_cast<py::ssize_t>(times_s.size());
-    return py::make_tuple(arrayOf(std::move(times_s)),
-                          arrayOf(std::move(values), {count, layout.rows, layout.columns}));
+    request.rate_Hz = numberIn<double>(arguments, "rate_hz");
+    if (request.rate_Hz)
+        request.rate_Hz = positive(*request.rate_Hz, "rate_hz");
+    request.array = textIn(arguments, "array");
+    request.axis = axisIn(arguments);
+    request.timeColumn = textIn(arguments, "time_column");
+    request.timeUnit = textIn(arguments, "time_unit");
+    if (const std::string text = textIn(arguments, "taxel_columns"); !text.empty()) {
+        const auto ranges = frames::columnRangesOf(text);
+        if (!ranges)
+            throw py::value_error("taxel_columns: expected columns such as '2..85', got '" + text + "'");
+        request.taxelColumns = *ranges;
+    }
+    LongWork work;
+    frames::FrameSeries series = work.valueOf([&] {
+        const py::gil_scoped_release released;
+        return frames::readFrames(request, [&work] { return work.goOn(); });
+    }());
+    const auto count = static_cast<py::ssize_t>(series.frames());
+    return py::make_tuple(
+        arrayOf(std::move(series.time_s)),
+        arrayOf(std::move(series.values), {count, series.layout.rows, series.layout.columns}), series.unit);
 }
 
 } // namespace

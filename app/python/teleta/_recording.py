@@ -415,15 +415,40 @@ def open(path: Path) -> Recording:
     return Recording(path)
 
 
-def read_frames(path: Path, *, rows: int | None = None, columns: int | None = None) -> Data:
+def read_frames(
+    path: Path,
+    *,
+    rows: int | None = None,
+    columns: int | None = None,
+    rate_hz: float | None = None,
+    array: str | None = None,
+    frame_axis: str | None = None,
+    taxel_columns: str | None = None,
+    time_column: str | None = None,
+    time_unit: str | None = None,
+) -> Data:
     """Read the frames of a tactile array from a file, whatever its name.
 
     Parameters
     ----------
     path : str or os.PathLike
-        CSV with the columns time_s,t0,t1,..., or a recording, whose first array is read.
+        CSV with the columns time_s,t0,t1,...; a recording, whose first array is read; npy, npz,
+        a recording of Tekscan in ASCII, or a table of another program.
     rows, columns : int, optional
-        Size of the array. None: a known array with as many taxels, or the most nearly square one.
+        Size of the array. None: that of the file, or a known array with as many taxels, or the most
+        nearly square one.
+    rate_hz : float, optional
+        Frames per second of a file without times.
+    array : str, optional
+        Name of the frames in a file of several arrays. None: frames, or the only one of three dimensions.
+    frame_axis : {"first", "last"}, optional
+        Dimension that counts the frames. None: the first, or the one with as many entries as time_s.
+    taxel_columns : str, optional
+        Columns of a table of another program that are taxels, from 1, such as "2..85".
+    time_column : str, optional
+        Name or number of its column of times.
+    time_unit : {"s", "ms", "us", "ns", "iso"}, optional
+        Unit of these times. None: as the name of the column ends.
 
     Returns
     -------
@@ -454,6 +479,18 @@ def read_frames(path: Path, *, rows: int | None = None, columns: int | None = No
             if not arrays:
                 raise KeyError(f"path: the recording has no array; its streams are {recording._names}")
             return recording.read(arrays[0])
-    time_s, values = _core.read_frames(path, rows, columns)
+    time_s, values, unit = _core.read_frames(
+        path,
+        {
+            "rows": rows,
+            "columns": columns,
+            "rate_hz": rate_hz,
+            "array": array,
+            "frame_axis": frame_axis,
+            "taxel_columns": taxel_columns,
+            "time_column": time_column,
+            "time_unit": time_unit,
+        },
+    )
     time_ns = np.rint(time_s * 1e9).astype(np.int64)
-    return Data(time_s, time_ns, time_s.copy(), values, "", (), 0)
+    return Data(time_s, time_ns, time_s.copy(), values, unit, (), 0)

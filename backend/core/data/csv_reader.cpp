@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/csv_reader.h"
 
+#include "backend/core/data/file_kind.h"
 #include "backend/core/failure.h"
 
 #include <QCoreApplication>
@@ -190,6 +191,11 @@ Expected<void> CsvReader::openFile() {
 }
 
 Expected<void> CsvReader::readHeader() {
+    TELETA_CHECK(fill());
+    const FileKind kind = fileKindOf({m_buffer.data(), std::min(m_end, kFileKindBytes)});
+    if (kind != FileKind::text && kind != FileKind::utf16)
+        return badInput(CsvReaderText::tr("the file is %1").arg(describe(kind)),
+                        CsvReaderText::tr("a CSV file"), {m_path});
     TELETA_TRY(const bool any, readRow());
     if (!any)
         return badInput(CsvReaderText::tr("the file is empty"),

@@ -4,6 +4,7 @@
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/commands/devices/devices_commands.h"
+#include "backend/frames/recorded/npz_export.h"
 #include "backend/mcap/chunk_compression.h"
 #include "backend/mcap/recorded/mcap_export.h"
 #include "backend/recording/csv_export.h"
@@ -94,6 +95,26 @@ core::Expected<void> printTopics(const Recording& recording, const mcap::McapExp
     return printFields(fields);
 }
 
+core::Expected<void> printArray(const Recording& recording, const frames::NpzExport& file, bool json) {
+    if (json)
+        return printDocument({{"recording", recording.path()},
+                              {"complete", recording.isComplete()},
+                              {"scene", recording.head().scene},
+                              {"app_version", recording.head().appVersion},
+                              {"path", file.path},
+                              {"stream", file.stream},
+                              {"shape", file.shape},
+                              {"damaged_blocks", file.damagedBlocks}});
+    Fields fields{{QString::fromStdString(file.path),
+                   ExportText::tr("%n frame(s)", nullptr, static_cast<int>(file.shape.front()))}};
+    const auto note = [&fields](const QString& text) { fields.emplace_back(ExportText::tr("Note"), text); };
+    if (file.damagedBlocks > 0)
+        note(ExportText::tr("%n damaged block(s) left out", nullptr, static_cast<int>(file.damagedBlocks)));
+    if (!recording.isComplete())
+        note(ExportText::tr("The recording was cut off; what had been written is there."));
+    return printFields(fields);
+}
+
 core::Expected<void> listStreams(const Recording& recording) {
     std::string text;
     for (const recording::StreamInfo& stream : recording.streams())
@@ -113,7 +134,10 @@ public:
         addFlag(app, "--utc", m_utc,
                 ExportText::tr("Add a last column utc_s: Unix time in s with nine decimals"));
         addOption(app, "--mcap", m_mcapPath, ExportText::tr("MCAP file for Foxglove and ROS 2"), "FILE");
-        addOption(app, "--stream", m_streams, ExportText::tr("Only these streams into the MCAP file"),
+        addOption(app, "--npz", m_npzPath,
+                  ExportText::tr("NumPy file with the arrays frames and time_s of a tactile array"), "FILE");
+        addOption(app, "--stream", m_streams,
+                  ExportText::tr("Only these streams into the MCAP file; the array of the NumPy file"),
                   "NAME");
         addChoice(app, "--compression", m_compression, ExportText::tr("Compression of the MCAP file"),
                   {"zstd", "lz4", "none"})
@@ -125,13 +149,19 @@ public:
     }
 
     [[nodiscard]] core::Expected<void> run() {
-        if (!m_list && m_folder.empty() == m_mcapPath.empty())
-            refuse("--csv", ExportText::tr("either a folder here or a file after --mcap is needed"));
-        if (m_mcapPath.empty() && !m_streams.empty())
-            refuse("--stream", ExportText::tr("only with --mcap"));
+        const int outputs = static_cast<int>(!m_folder.empty()) + static_cast<int>(!m_mcapPath.empty()) +
+                            static_cast<int>(!m_npzPath.empty());
+        if (!m_list && outputs != 1)
+            refuse("--csv", ExportText::tr("either a folder here or a file after --mcap or --npz is needed"));
+        if (!m_folder.empty() && !m_streams.empty())
+            refuse("--stream", ExportText::tr("only with --mcap or --npz"));
+        if (!m_npzPath.empty() && m_streams.size() > 1)
+            refuse("--stream", ExportText::tr("only one with --npz"));
         TELETA_TRY(const Recording recording, Recording::open(m_path));
         if (m_list)
             return listStreams(recording);
+        if (!m_npzPath.empty())
+            return writeNpz(recording);
         return m_mcapPath.empty() ? writeCsv(recording) : writeMcap(recording);
     }
 
@@ -157,6 +187,27 @@ private:
             return core::Unexpected(std::move(error));
         }
         return m_json ? printJson(recording, *exported) : printTopics(recording, *exported);
+    }
+
+    [[nodiscard]] core::Expected<void> writeNpz(const Recording& recording) {
+        ProgressBar progress(ProgressBar::Unit::frames, false);
+        frames::NpzExportOptions options;
+        if (!m_streams.empty())
+            options.stream = m_streams.front();
+        options.overwrite = m_force;
+        options.goOn = [&](double done, double all) {
+            progress.update(done, all);
+            return !interrupted();
+        };
+        const auto exported = frames::exportNpz(recording, m_npzPath, options);
+        progress.erase();
+        if (!exported) {
+            core::Error error = exported.error();
+            if (error.kind == core::ErrorKind::refused && error.where.file == m_npzPath)
+                error.expected = ExportText::tr("another name, or --force").toStdString();
+            return core::Unexpected(std::move(error));
+        }
+        return printArray(recording, *exported, m_json);
     }
 
     [[nodiscard]] core::Expected<void> writeCsv(const Recording& recording) {
@@ -186,6 +237,7 @@ private:
     std::string m_path;
     std::string m_folder;
     std::string m_mcapPath;
+    std::string m_npzPath;
     std::vector<std::string> m_streams;
     std::string m_compression = "zstd";
     double m_chunk_MB = 4.0;
@@ -198,11 +250,12 @@ private:
 } // namespace
 
 Command exportCommand() {
-    return makeCommand<ExportCommand>("export",
-                                      ExportText::tr("Write the streams of a recording as CSV or MCAP files"),
-                                      "teleta simulate tactile-indenter --out run\n"
-                                      "  teleta export run/recording.teleta --csv run/csv\n"
-                                      "  teleta export run/recording.teleta --mcap run/recording.mcap");
+    return makeCommand<ExportCommand>(
+        "export", ExportText::tr("Write the streams of a recording as CSV, MCAP or NumPy files"),
+        "teleta simulate tactile-indenter --out run\n"
+        "  teleta export run/recording.teleta --csv run/csv\n"
+        "  teleta export run/recording.teleta --mcap run/recording.mcap\n"
+        "  teleta export run/recording.teleta --npz run/array.npz");
 }
 
 } // namespace teleta::cli

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <array>
+#include <utility>
 
 namespace teleta::cli {
 
@@ -16,25 +17,28 @@ struct ContactsCommand : FrameOptions {
         constexpr std::array<std::string_view, 7> kColumns{"time_s",  "contact_id", "x_m",    "y_m",
                                                            "force_n", "peak_n",     "area_m2"};
         contact::SegmentationSettings settings = segmentationSettings();
-        contact::ContactSegmenter segmenter(layout(), settings);
-        contact::FeatureExtractor extractor(layout(), featureSettings());
-        contact::ContactTracker tracker(contact::trackingFor(layout()));
-        return processFrames(*this, kColumns, [&](const ConditionedFrame& frame, RowOutput& rows) {
-            if (automaticThreshold) {
-                settings.threshold_N = extractor.compute(frame.load_N, frame.dead).threshold_N;
-                segmenter.setSettings(settings);
-            }
-            const std::span<contact::Contact> contacts = segmenter.segment(frame.load_N, frame.dead);
-            tracker.assign(contacts, frame.time_s);
-            for (const contact::Contact& contact : contacts) {
-                rows.number(frame.time_s);
-                rows.integer(contact.id);
-                for (const double value :
-                     {contact.x_m, contact.y_m, contact.force_N, contact.peak_N, contact.area_m2})
-                    rows.number(value);
-                rows.endRow();
-            }
-        });
+        TELETA_TRY(frames::FrameReader frames, openFrames(*this));
+        const core::ArrayLayout layout = frames.layout();
+        contact::ContactSegmenter segmenter(layout, settings);
+        contact::FeatureExtractor extractor(layout, featureSettings());
+        contact::ContactTracker tracker(contact::trackingFor(layout));
+        return processFrames(
+            *this, std::move(frames), kColumns, [&](const ConditionedFrame& frame, RowOutput& rows) {
+                if (automaticThreshold) {
+                    settings.threshold_N = extractor.compute(frame.load_N, frame.dead).threshold_N;
+                    segmenter.setSettings(settings);
+                }
+                const std::span<contact::Contact> contacts = segmenter.segment(frame.load_N, frame.dead);
+                tracker.assign(contacts, frame.time_s);
+                for (const contact::Contact& contact : contacts) {
+                    rows.number(frame.time_s);
+                    rows.integer(contact.id);
+                    for (const double value :
+                         {contact.x_m, contact.y_m, contact.force_N, contact.peak_N, contact.area_m2})
+                        rows.number(value);
+                    rows.endRow();
+                }
+            });
     }
 };
 

@@ -5,16 +5,20 @@
 
 #include <QCoreApplication>
 
+#include <utility>
+
 namespace teleta::cli {
 
 namespace {
 
 struct FeaturesCommand : FrameOptions {
     [[nodiscard]] core::Expected<void> run() const {
-        contact::FeatureExtractor extractor(layout(), featureSettings());
-        return processFrames(*this, kFeatureColumns, [&](const ConditionedFrame& frame, RowOutput& rows) {
-            writeFeatures(rows, frame.time_s, extractor.compute(frame.load_N, frame.dead));
-        });
+        TELETA_TRY(frames::FrameReader frames, openFrames(*this));
+        contact::FeatureExtractor extractor(frames.layout(), featureSettings());
+        return processFrames(
+            *this, std::move(frames), kFeatureColumns, [&](const ConditionedFrame& frame, RowOutput& rows) {
+                writeFeatures(rows, frame.time_s, extractor.compute(frame.load_N, frame.dead));
+            });
     }
 };
 

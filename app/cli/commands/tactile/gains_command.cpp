@@ -4,8 +4,8 @@
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
 #include "app/cli/commands/tactile/tactile_commands.h"
-#include "backend/core/data/frame_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
+#include "backend/frames/frame_reader.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -98,7 +98,7 @@ void warnOf(const TaxelGains& gains) {
 class GainsCommand {
 public:
     void declare(CLI::App& app) {
-        addOption(app, "FRAMES.csv", m_paths,
+        addOption(app, "FRAMES", m_paths,
                   GainsText::tr("Recorded frames in which an even load presses on the whole array, a file a "
                                 "press: time_s,t0,t1,..."),
                   "")
@@ -110,21 +110,28 @@ public:
 
     [[nodiscard]] core::Expected<void> run() {
         std::vector<std::string> inputs = m_paths;
-        inputs.push_back(m_array.tarePath);
+        inputs.push_back(m_array.tarePath());
         refuseToReplace(m_output.outPath, inputs);
-        TELETA_TRY(const contact::ConditioningSettings settings, m_array.conditioning());
-        std::vector<std::vector<float>> presses;
+        std::vector<frames::FrameSeries> presses;
+        std::vector<contact::ConditioningSettings> settings;
         for (const std::string& path : m_paths) {
-            core::Expected<std::vector<float>> press =
-                core::readFrames(path, m_array.layout(), [] { return !interrupted(); });
+            frames::FrameRequest request = m_array.request(path);
+            request.needsTimes = false;
+            if (!presses.empty()) {
+                request.rows = presses.front().layout.rows;
+                request.columns = presses.front().layout.columns;
+            }
+            auto press = frames::readFrames(request, [] { return !interrupted(); });
             if (!press)
                 return core::Unexpected(interrupted() ? interruption() : press.error());
+            TELETA_TRY(contact::ConditioningSettings conditioning, m_array.conditioning(press->layout, path));
             presses.push_back(std::move(*press));
+            settings.push_back(std::move(conditioning));
         }
         std::vector<equilibration::GainPress> read;
-        for (const std::vector<float>& press : presses)
-            read.push_back({press, settings});
-        TELETA_TRY(const TaxelGains gains, equilibration::findTaxelGains(m_array.layout(), read));
+        for (std::size_t i = 0; i < presses.size(); ++i)
+            read.push_back({presses[i].values, settings[i]});
+        TELETA_TRY(const TaxelGains gains, equilibration::findTaxelGains(presses.front().layout, read));
         if (interrupted())
             return core::Unexpected(interruption());
         warnOf(gains);

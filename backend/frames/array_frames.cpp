@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/array_guess.h"
+#include "backend/core/failure.h"
+#include "backend/frames/frame_series.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace teleta::frames {
+
+namespace {
+
+struct ArrayFramesText {
+    Q_DECLARE_TR_FUNCTIONS(ArrayFramesText)
+};
+
+constexpr std::size_t kMostNamed = 12;
+
+core::Unexpected wrong(const std::string& path, const QString& message, const QString& expected) {
+    return core::failed(core::ErrorKind::badInput, message, expected, {path});
+}
+
+QString quoted(const std::string& name) {
+    return QStringLiteral("\"%1\"").arg(QString::fromStdString(name).left(60));
+}
+
+/// "frames (2000 x 6 x 14), time_s (2000)".
+QString listOf(const std::vector<ArrayHead>& arrays) {
+    QStringList names;
+    for (const ArrayHead& head : arrays) {
+        if (names.size() == static_cast<qsizetype>(kMostNamed)) {
+            names << QStringLiteral("…");
+            break;
+        }
+        names << QStringLiteral("%1 (%2)").arg(QString::fromStdString(head.name).left(60),
+                                               QString::fromStdString(shapeText(head.shape)));
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+/// The number of dimensions without those of one entry in front and behind, as MAT files add them.
+bool isVector(const ArrayHead& head) {
+    return std::ranges::count_if(head.shape, [](std::uint64_t side) { return side != 1; }) <= 1 &&
+           !head.shape.empty() && head.shape.size() <= 2;
+}
+
+std::optional<std::size_t> named(const ArrayFile& file, const std::string& name) {
+    for (std::size_t i = 0; i < file.arrays().size(); ++i)
+        if (file.arrays()[i].name == name)
+            return i;
+    return std::nullopt;
+}
+
+core::Expected<std::size_t> choose(const ArrayFile& file, const FrameRequest& request) {
+    const std::vector<ArrayHead>& arrays = file.arrays();
+    if (arrays.empty())
+        return wrong(file.path(), ArrayFramesText::tr("the file has no arrays"),
+                     ArrayFramesText::tr("frames of an array"));
+    if (!request.array.empty()) {
+        if (const auto found = named(file, request.array))
+            return *found;
+        return wrong(file.path(),
+                     ArrayFramesText::tr("there is no array %1; the file has: %2")
+                         .arg(quoted(request.array), listOf(arrays)),
+                     ArrayFramesText::tr("one of these"));
+    }
+    if (arrays.size() == 1)
+        return std::size_t{0};
+    if (const auto found = named(file, "frames"))
+        return *found;
+    std::vector<std::size_t> found;
+    for (const std::size_t dimensions : {3U, 2U}) {
+        for (std::size_t i = 0; found.size() < 2 && i < arrays.size(); ++i)
+            if (arrays[i].shape.size() == dimensions && !isVector(arrays[i]))
+                found.push_back(i);
+        if (found.size() == 1)
+            return found.front();
+        if (found.size() > 1)
+            break;
+    }
+    return wrong(
+        file.path(),
+        found.empty()
+            ? ArrayFramesText::tr("no array can be frames; the file has: %1").arg(listOf(arrays))
+            : ArrayFramesText::tr("several arrays can be the frames; the file has: %1").arg(listOf(arrays)),
+        found.empty() ? ArrayFramesText::tr("an array of 3 dimensions: frames x rows x columns")
+                      : ArrayFramesText::tr("the name of one (--array NAME)"));
+}
+
+core::Expected<std::vector<double>> readVector(ArrayFile& file, std::size_t array) {
+    std::vector<double> values;
+    TELETA_CHECK(file.read(array, [&values](std::span<const double> piece) {
+        values.insert(values.end(), piece.begin(), piece.end());
+        return true;
+    }));
+    return values;
+}
+
+/// The value of an array of one entry, such as pitch_m.
+core::Expected<std::optional<double>> scalar(ArrayFile& file, const std::string& name) {
+    const auto found = named(file, name);
+    if (!found || !file.arrays()[*found].problem.empty() || valuesOf(file.arrays()[*found].shape) != 1U)
+        return std::optional<double>();
+    TELETA_TRY(const std::vector<double> values, readVector(file, *found));
+    const double value = values.empty() ? 0.0 : values.front();
+    return std::isfinite(value) && value > 0.0 ? std::optional<double>(value) : std::nullopt;
+}
+
+/// The times that the file tells; empty: none.
+core::Expected<std::vector<double>> fileTimes(ArrayFile& file, std::size_t array) {
+    const auto found = named(file, "time_s");
+    if (!found || *found == array)
+        return std::vector<double>();
+    const ArrayHead& head = file.arrays()[*found];
+    if (!head.problem.empty())
+        return wrong(file.path(),
+                     ArrayFramesText::tr("the array %1: %2")
+                         .arg(quoted(head.name), QString::fromStdString(head.problem)),
+                     ArrayFramesText::tr("a time in s for each frame"));
+    const std::vector<std::uint64_t>& shape = file.arrays()[array].shape;
+    const std::optional<std::uint64_t> times = valuesOf(head.shape);
+    if (!isVector(head) || (times != shape.front() && times != shape.back()))
+        return wrong(
+            file.path(),
+            ArrayFramesText::tr("time_s has the shape %1, the frames have %2")
+                .arg(QString::fromStdString(shapeText(head.shape)), QString::fromStdString(shapeText(shape))),
+            ArrayFramesText::tr("a time in s for each frame"));
+    return readVector(file, *found);
+}
+
+core::Expected<FrameAxis> axisOf(const ArrayFile& file, const ArrayHead& head, const FrameRequest& request,
+                                 std::span<const double> times_s) {
+    if (request.axis != FrameAxis::automatic)
+        return request.axis;
+    const std::uint64_t first = head.shape.front();
+    const std::uint64_t last = head.shape.back();
+    if (!times_s.empty() && times_s.size() == last && last != first)
+        return FrameAxis::last;
+    if (!file.hasOwnOrder() || (!times_s.empty() && times_s.size() == first && last != first))
+        return FrameAxis::first;
+    return wrong(file.path(),
+                 ArrayFramesText::tr("the array %1 of %2 does not say which dimension counts the frames")
+                     .arg(quoted(head.name), QString::fromStdString(shapeText(head.shape))),
+                 ArrayFramesText::tr("--frame-axis first or last, or times in time_s"));
+}
+
+/// Where each dimension goes in frames x rows x columns, in the order in which the file has them, the
+/// quickest one first.
+struct Way {
+    std::array<std::uint64_t, 3> sides{1, 1, 1};
+    std::array<std::uint64_t, 3> steps{0, 0, 0};
+};
+
+Way wayOf(const ArrayHead& head, FrameAxis axis, std::uint64_t taxels, int columns) {
+    const std::size_t dimensions = head.shape.size();
+    std::array<std::uint64_t, 3> steps{};
+    if (dimensions == 3)
+        steps = axis == FrameAxis::first
+                    ? std::array<std::uint64_t, 3>{taxels, static_cast<std::uint64_t>(columns), 1}
+                    : std::array<std::uint64_t, 3>{static_cast<std::uint64_t>(columns), 1, taxels};
+    else
+        steps = axis == FrameAxis::first ? std::array<std::uint64_t, 3>{taxels, 1, 0}
+                                         : std::array<std::uint64_t, 3>{1, taxels, 0};
+    Way way;
+    for (std::size_t i = 0; i < dimensions; ++i) {
+        const std::size_t from = head.isColumnMajor ? i : dimensions - 1 - i;
+        way.sides[i] = head.shape[from];
+        way.steps[i] = steps[from];
+    }
+    return way;
+}
+
+/// Values in the order of the file as frames x rows x columns.
+std::vector<float> turned(std::vector<float> values, const Way& way) {
+    if (way.steps[0] == 1 && way.steps[1] == way.sides[0] &&
+        (way.sides[2] == 1 || way.steps[2] == way.sides[0] * way.sides[1]))
+        return values;
+    std::vector<float> result(values.size());
+    std::size_t from = 0;
+    for (std::uint64_t k = 0; k < way.sides[2]; ++k)
+        for (std::uint64_t j = 0; j < way.sides[1]; ++j)
+            for (std::uint64_t i = 0; i < way.sides[0]; ++i)
+                result[i * way.steps[0] + j * way.steps[1] + k * way.steps[2]] = values[from++];
+    return result;
+}
+
+/// As many values as the head says. They are counted while they come, because a damaged head may say any
+/// number.
+core::Expected<std::vector<float>> readValues(ArrayFile& file, std::size_t array, std::uint64_t count,
+                                              const GoOn& goOn) {
+    std::vector<float> values;
+    TELETA_CHECK(file.read(array, [&](std::span<const double> piece) {
+        if (goOn && !goOn())
+            return false;
+        for (const double value : piece)
+            values.push_back(static_cast<float>(value));
+        return true;
+    }));
+    if (values.size() != count)
+        return wrong(
+            file.path(),
+            ArrayFramesText::tr("the array has %1 instead of %2 values").arg(values.size()).arg(count),
+            ArrayFramesText::tr("a whole file"));
+    return values;
+}
+
+/// Rows and columns of the frames of an array.
+core::Expected<core::ArrayLayout> sidesOf(const ArrayFile& file, const ArrayHead& head, FrameAxis axis,
+                                          const FrameRequest& request) {
+    if (head.shape.size() == 2) {
+        auto layout = layoutOf(request, axis == FrameAxis::first ? head.shape[1] : head.shape[0],
+                               ArrayFramesText::tr("a frame of the array"));
+        if (!layout)
+            layout.error().where.file = file.path();
+        return layout;
+    }
+    const std::size_t first = axis == FrameAxis::first ? 1 : 0;
+    constexpr std::uint64_t kMost = core::ArrayLayout::kMaximumSide;
+    for (const std::uint64_t side : {head.shape[first], head.shape[first + 1]})
+        if (side < 1 || side > kMost)
+            return wrong(file.path(),
+                         ArrayFramesText::tr("a frame of %1 has %2 x %3 taxels")
+                             .arg(quoted(head.name))
+                             .arg(head.shape[first])
+                             .arg(head.shape[first + 1]),
+                         ArrayFramesText::tr("from 1 to %1 rows and columns").arg(kMost));
+    core::ArrayLayout layout;
+    layout.rows = static_cast<int>(head.shape[first]);
+    layout.columns = static_cast<int>(head.shape[first + 1]);
+    if ((request.rows && *request.rows != layout.rows) ||
+        (request.columns && *request.columns != layout.columns))
+        return wrong(
+            file.path(),
+            ArrayFramesText::tr("the frames have %1 rows x %2 columns").arg(layout.rows).arg(layout.columns),
+            ArrayFramesText::tr("%1 rows x %2 columns")
+                .arg(request.rows.value_or(layout.rows))
+                .arg(request.columns.value_or(layout.columns)));
+    return layout;
+}
+
+} // namespace
+
+std::optional<std::uint64_t> valuesOf(std::span<const std::uint64_t> shape) {
+    std::uint64_t count = 1;
+    bool isEmpty = false;
+    for (const std::uint64_t side : shape) {
+        isEmpty = isEmpty || side == 0;
+        if (side != 0 && count > kMostValues / side)
+            return std::nullopt;
+        count *= side == 0 ? 1 : side;
+    }
+    return isEmpty ? 0 : count;
+}
+
+std::string shapeText(std::span<const std::uint64_t> shape) {
+    if (shape.empty())
+        return "1";
+    std::string text;
+    for (const std::uint64_t side : shape)
+        text += (text.empty() ? "" : " x ") + std::to_string(side);
+    return text;
+}
+
+core::Expected<core::ArrayLayout> layoutOf(const FrameRequest& request, std::uint64_t taxels,
+                                           const QString& what) {
+    core::ArrayLayout layout;
+    const auto has = [&] { return ArrayFramesText::tr("%1 has %2 taxels").arg(what).arg(taxels); };
+    if (!request.rows && !request.columns && request.guessesShape) {
+        layout = core::guessArray(taxels).layout;
+        constexpr int kMost = core::ArrayLayout::kMaximumSide;
+        if (taxels < 1 || layout.rows > kMost || layout.columns > kMost ||
+            taxels > static_cast<std::uint64_t>(kMost) * kMost)
+            return wrong({}, has(), ArrayFramesText::tr("from 1 to %1 rows and columns").arg(kMost));
+        layout.pitch_m = core::ArrayLayout{}.pitch_m;
+        return layout;
+    }
+    layout.rows = request.rows.value_or(layout.rows);
+    layout.columns = request.columns.value_or(layout.columns);
+    if (!request.taxelColumns.empty() && !request.columns && taxels > 0 &&
+        taxels % static_cast<std::uint64_t>(layout.rows) == 0 &&
+        taxels / static_cast<std::uint64_t>(layout.rows) <= core::ArrayLayout::kMaximumSide)
+        layout.columns = static_cast<int>(taxels / static_cast<std::uint64_t>(layout.rows));
+    if (layout.taxels() != taxels)
+        return wrong({}, has(),
+                     ArrayFramesText::tr("%1 = %2 rows x %3 columns; others with --rows and --columns")
+                         .arg(layout.taxels())
+                         .arg(layout.rows)
+                         .arg(layout.columns));
+    return layout;
+}
+
+core::Expected<std::vector<double>> timesAt(std::optional<double> rate_Hz, std::size_t frames,
+                                            const std::string& path) {
+    if (!rate_Hz)
+        return wrong(path, ArrayFramesText::tr("the file does not say when its frames were taken"),
+                     ArrayFramesText::tr("frames per second (--rate HZ), or times in time_s"));
+    std::vector<double> times_s(frames);
+    for (std::size_t i = 0; i < frames; ++i)
+        times_s[i] = static_cast<double>(i) / *rate_Hz;
+    return times_s;
+}
+
+core::Expected<void> checkTimes(std::span<const double> time_s, const std::string& path) {
+    for (std::size_t i = 0; i < time_s.size(); ++i) {
+        if (!std::isfinite(time_s[i]))
+            return wrong(path, ArrayFramesText::tr("the time of frame %1 is not a finite number").arg(i + 1),
+                         ArrayFramesText::tr("a finite time in s"));
+        if (i > 0 && time_s[i] < time_s[i - 1])
+            return wrong(path,
+                         ArrayFramesText::tr("the time goes back at frame %1, from %2 s to %3 s")
+                             .arg(i + 1)
+                             .arg(time_s[i - 1])
+                             .arg(time_s[i]),
+                         ArrayFramesText::tr("times that do not decrease"));
+    }
+    return {};
+}
+
+core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& request, const GoOn& goOn) {
+    TELETA_TRY(const std::size_t array, choose(file, request));
+    const ArrayHead head = file.arrays()[array];
+    if (!head.problem.empty())
+        return wrong(file.path(),
+                     head.name.empty() ? QString::fromStdString(head.problem)
+                                       : ArrayFramesText::tr("the array %1: %2")
+                                             .arg(quoted(head.name), QString::fromStdString(head.problem)),
+                     ArrayFramesText::tr("an array of real numbers"));
+    if (head.shape.size() != 2 && head.shape.size() != 3)
+        return wrong(file.path(),
+                     ArrayFramesText::tr("the array has the shape %1")
+                         .arg(QString::fromStdString(shapeText(head.shape))),
+                     ArrayFramesText::tr("frames x rows x columns, or frames x taxels"));
+    const std::optional<std::uint64_t> count = valuesOf(head.shape);
+    if (!count)
+        return wrong(file.path(),
+                     ArrayFramesText::tr("the array is too large: %1")
+                         .arg(QString::fromStdString(shapeText(head.shape))),
+                     ArrayFramesText::tr("at most %1 values").arg(kMostValues));
+    TELETA_TRY(auto times_s, fileTimes(file, array));
+    TELETA_TRY(const FrameAxis axis, axisOf(file, head, request, times_s));
+
+    FrameSeries series;
+    TELETA_TRY(series.layout, sidesOf(file, head, axis, request));
+    const std::uint64_t frames = axis == FrameAxis::first ? head.shape.front() : head.shape.back();
+    if (frames == 0)
+        return wrong(file.path(), ArrayFramesText::tr("the recording has no frames"),
+                     ArrayFramesText::tr("at least one frame"));
+    if (!times_s.empty() && times_s.size() != frames)
+        return wrong(file.path(),
+                     ArrayFramesText::tr("time_s has %1 times for %2 frames").arg(times_s.size()).arg(frames),
+                     ArrayFramesText::tr("a time in s for each frame"));
+    if (!times_s.empty() && request.rate_Hz)
+        return wrong(file.path(), ArrayFramesText::tr("the file has times of its own, in time_s"),
+                     ArrayFramesText::tr("no rate"));
+    TELETA_TRY(std::optional<double> rate_Hz, scalar(file, "rate_hz"));
+    TELETA_TRY(std::optional<double> pitch_m, scalar(file, "pitch_m"));
+    if (request.rate_Hz)
+        rate_Hz = request.rate_Hz;
+    else if (head.rate_Hz)
+        rate_Hz = head.rate_Hz;
+    if (!rate_Hz && !request.needsTimes)
+        rate_Hz = 1.0;
+    if (head.pitch_m)
+        pitch_m = head.pitch_m;
+    if (request.pitch_m)
+        pitch_m = request.pitch_m;
+    if (!times_s.empty()) {
+        series.time_s = std::move(times_s);
+    } else {
+        TELETA_TRY(series.time_s, timesAt(rate_Hz, frames, file.path()));
+    }
+    TELETA_CHECK(checkTimes(series.time_s, file.path()));
+    series.hasPitch = pitch_m.has_value();
+    series.layout.pitch_m = pitch_m.value_or(series.layout.pitch_m);
+    series.unit = head.unit;
+    TELETA_TRY(std::vector<float> values, readValues(file, array, *count, goOn));
+    series.values =
+        turned(std::move(values), wayOf(head, axis, series.layout.taxels(), series.layout.columns));
+    return series;
+}
+
+} // namespace teleta::frames

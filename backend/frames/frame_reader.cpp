@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/frames/frame_reader.h"
+
+#include "backend/core/data/file_kind.h"
+#include "backend/core/failure.h"
+#include "backend/frames/numpy_file.h"
+#include "backend/frames/table_file.h"
+#include "backend/frames/tekscan_file.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace teleta::frames {
+
+namespace {
+
+struct FrameReaderText {
+    Q_DECLARE_TR_FUNCTIONS(FrameReaderText)
+};
+
+using core::FileKind;
+
+/// Whether the content can be looked at before it is read: pipes are for our own tables only.
+bool isPipe(const std::string& path) {
+    const QFileInfo info(QString::fromStdString(path));
+    return info.exists() && !info.isFile() && !info.isDir();
+}
+
+core::Expected<FrameSeries> framesOf(core::Expected<std::unique_ptr<ArrayFile>> file,
+                                     const FrameRequest& request, const GoOn& goOn) {
+    if (!file)
+        return core::Unexpected(std::move(file).error());
+    return framesOf(**file, request, goOn);
+}
+
+/// All files but our own tables.
+core::Expected<FrameSeries> load(FileKind kind, const FrameRequest& request, const GoOn& goOn) {
+    switch (kind) {
+    case FileKind::text:
+        return isTekscan(request.path) ? readTekscan(request, goOn) : readTable(request, goOn);
+    case FileKind::npy:
+        return framesOf(openNpy(request.path), request, goOn);
+    case FileKind::zip:
+        return framesOf(openNpz(request.path), request, goOn);
+    default:
+        return core::failed(core::ErrorKind::badInput,
+                            FrameReaderText::tr("the file is %1").arg(describe(kind)),
+                            FrameReaderText::tr("frames as CSV, npy, npz, or Tekscan ASCII"), {request.path});
+    }
+}
+
+core::Expected<FrameSeries> loadWithinMemory(FileKind kind, const FrameRequest& request, const GoOn& goOn) {
+    try {
+        return load(kind, request, goOn);
+    } catch (const std::bad_alloc&) {
+        return core::failed(core::ErrorKind::badInput,
+                            FrameReaderText::tr("the frames do not fit into the memory"), {}, {request.path});
+    }
+}
+
+/// Whether a text is read as a whole: it is no table of our own, or the request says how to read it.
+core::Expected<bool> isForeign(const FrameRequest& request) {
+    if (isTekscan(request.path) || !request.taxelColumns.empty() || !request.timeColumn.empty() ||
+        !request.timeUnit.empty())
+        return true;
+    if (!request.rate_Hz)
+        return false;
+    if (core::FrameFile::countTaxels(request.path))
+        return core::failed(core::ErrorKind::badInput,
+                            FrameReaderText::tr("the file has times of its own, in time_s"),
+                            FrameReaderText::tr("no rate"), {request.path});
+    return true;
+}
+
+/// The error of a table that is not our own, with what to say so that it is read.
+core::Unexpected withOptions(core::Error error, const std::string& path, bool isPipe) {
+    if (isPipe || error.kind != core::ErrorKind::badInput || core::FrameFile::countTaxels(path))
+        return core::Unexpected(std::move(error));
+    const QString options = tableOptions(path);
+    if (!options.isEmpty())
+        error.expected = FrameReaderText::tr("%1; a table of another program is read with %2")
+                             .arg(QString::fromStdString(error.expected), options)
+                             .toStdString();
+    return core::Unexpected(std::move(error));
+}
+
+} // namespace
+
+core::Expected<FrameReader> FrameReader::open(const FrameRequest& request, const GoOn& goOn) {
+    const bool fromPipe = isPipe(request.path);
+    FileKind kind = FileKind::text;
+    if (!fromPipe) {
+        TELETA_TRY(kind, core::fileKind(request.path));
+    }
+    bool isLoaded = kind != FileKind::text;
+    if (!isLoaded && !fromPipe) {
+        TELETA_TRY(isLoaded, isForeign(request));
+    }
+    if (isLoaded) {
+        TELETA_TRY(FrameSeries series, loadWithinMemory(kind, request, goOn));
+        FrameReader reader{Loaded{std::move(series)}};
+        const FrameSeries& read = std::get<Loaded>(reader.m_source).series;
+        reader.m_layout = read.layout;
+        reader.m_hasPitch = read.hasPitch;
+        reader.m_unit = read.unit;
+        return reader;
+    }
+    core::ArrayLayout layout;
+    if (request.guessesShape && !request.rows && !request.columns) {
+        const core::Expected<std::size_t> taxels = core::FrameFile::countTaxels(request.path);
+        if (!taxels)
+            return withOptions(taxels.error(), request.path, fromPipe);
+        TELETA_TRY(layout, layoutOf(request, *taxels, FrameReaderText::tr("the file")));
+    }
+    layout.rows = request.rows.value_or(layout.rows);
+    layout.columns = request.columns.value_or(layout.columns);
+    layout.pitch_m = request.pitch_m.value_or(layout.pitch_m);
+    core::Expected<core::FrameFile> file = core::FrameFile::open(request.path, layout);
+    if (!file)
+        return withOptions(file.error(), request.path, fromPipe);
+    FrameReader reader{*std::move(file)};
+    reader.m_layout = layout;
+    reader.m_hasPitch = request.pitch_m.has_value();
+    return reader;
+}
+
+core::Expected<bool> FrameReader::next(double& time_s, std::span<float> values) {
+    if (auto* file = std::get_if<core::FrameFile>(&m_source))
+        return file->next(time_s, values);
+    auto& loaded = std::get<Loaded>(m_source);
+    if (loaded.next == loaded.series.frames())
+        return false;
+    time_s = loaded.series.time_s[loaded.next];
+    std::ranges::copy(loaded.series.frame(loaded.next), values.begin());
+    ++loaded.next;
+    return true;
+}
+
+std::uint64_t FrameReader::bytesRead() const {
+    if (const auto* file = std::get_if<core::FrameFile>(&m_source))
+        return file->offset();
+    const auto& loaded = std::get<Loaded>(m_source);
+    return loaded.next * m_layout.taxels() * sizeof(float);
+}
+
+std::uint64_t FrameReader::bytesTotal() const {
+    if (const auto* file = std::get_if<core::FrameFile>(&m_source))
+        return file->bytesTotal();
+    return std::get<Loaded>(m_source).series.values.size() * sizeof(float);
+}
+
+core::Expected<FrameSeries> readFrames(const FrameRequest& request, const GoOn& goOn) {
+    TELETA_TRY(FrameReader reader, FrameReader::open(request, goOn));
+    FrameSeries series;
+    series.layout = reader.layout();
+    series.hasPitch = reader.hasPitch();
+    series.unit = reader.unit();
+    std::vector<float> frame(series.layout.taxels());
+    for (double time_s = 0.0;;) {
+        TELETA_TRY(const bool any, reader.next(time_s, frame));
+        if (!any)
+            return series;
+        if (goOn && !goOn())
+            return core::Unexpected(core::Error{core::ErrorKind::cancelled, {}, {}, {}});
+        series.time_s.push_back(time_s);
+        series.values.insert(series.values.end(), frame.begin(), frame.end());
+    }
+}
+
+} // namespace teleta::frames

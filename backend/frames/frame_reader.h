@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/data/array_layout.h"
+#include "backend/core/data/frame_file.h"
+#include "backend/core/error.h"
+#include "backend/frames/frame_request.h"
+#include "backend/frames/frame_series.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace teleta::frames {
+
+/// Reads recorded frames of an array, whatever program wrote them; what the file is, its content says. Own
+/// CSV files (time_s,t0,t1,...) are read row by row with constant memory, also from a pipe. All other files
+/// are read as a whole when they are opened, so that a damaged one gives no frame. Thread: one.
+class FrameReader {
+public:
+    /// Error: notFound, ioFailed; badInput with place and reason, also when memory does not suffice;
+    /// cancelled by goOn.
+    [[nodiscard]] static core::Expected<FrameReader> open(const FrameRequest& request, const GoOn& goOn = {});
+
+    /// The next frame into values, layout().taxels() entries; a time in s. False after the last frame; a file
+    /// without frames is an error.
+    [[nodiscard]] core::Expected<bool> next(double& time_s, std::span<float> values);
+
+    [[nodiscard]] const core::ArrayLayout& layout() const { return m_layout; }
+    /// Whether the file or the request tells layout().pitch_m.
+    [[nodiscard]] bool hasPitch() const { return m_hasPitch; }
+    /// Of the values, as the file tells it; empty: it does not.
+    [[nodiscard]] const std::string& unit() const { return m_unit; }
+    /// How far reading has come, and what there is; in bytes.
+    [[nodiscard]] std::uint64_t bytesRead() const;
+    [[nodiscard]] std::uint64_t bytesTotal() const;
+
+private:
+    struct Loaded {
+        FrameSeries series{};
+        std::size_t next = 0;
+    };
+    using Source = std::variant<Loaded, core::FrameFile>;
+
+    explicit FrameReader(Source source)
+        : m_source(std::move(source)) {}
+
+    core::ArrayLayout m_layout{};
+    bool m_hasPitch = false;
+    std::string m_unit{};
+    Source m_source;
+};
+
+/// All frames of a file. Error: as FrameReader::open() and next().
+[[nodiscard]] core::Expected<FrameSeries> readFrames(const FrameRequest& request, const GoOn& goOn = {});
+
+} // namespace teleta::frames

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace teleta::frames {
+
+/// Which dimension of an array counts the frames.
+enum class FrameAxis {
+    automatic, ///< the first; of a MAT file, what time_s says
+    first,     ///< frames x rows x columns, or frames x taxels
+    last,      ///< rows x columns x frames, or taxels x frames
+};
+
+/// Columns of a table, counted from 1; both ends belong to it.
+struct ColumnRange {
+    std::size_t first = 1;
+    std::size_t last = 1;
+};
+
+/// What is known of a file of frames. What is left out follows from the file.
+struct FrameRequest {
+    std::string path{};        ///< a file; for HDF5 also FILE:/group/dataset
+    std::optional<int> rows{}; ///< of the array
+    std::optional<int> columns{};
+    /// Where neither the file nor rows and columns say the shape: the likely array of so many taxels;
+    /// otherwise 6 x 14.
+    bool guessesShape = false;
+    std::optional<double> pitch_m{}; ///< instead of the file's
+    std::optional<double> rate_Hz{}; ///< frames per second, of files without times
+    bool needsTimes = true;          ///< false: frames without times are a second apart
+    std::string array{};             ///< name of the frames among several arrays
+    FrameAxis axis = FrameAxis::automatic;
+    std::vector<ColumnRange> taxelColumns{}; ///< of a table of another program
+    std::string timeColumn{};                ///< of such a table: its name, or its number from 1
+    std::string timeUnit{};                  ///< s, ms, us, ns, or iso; empty: as the name says
+};
+
+/// Columns of a table as text, "2..85" or "2..10,12"; nothing for another text. Thread: any (pure).
+[[nodiscard]] std::optional<std::vector<ColumnRange>> columnRangesOf(std::string_view text);
+
+} // namespace teleta::frames

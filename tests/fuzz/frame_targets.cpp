@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/frames/frame_reader.h"
+#include "tests/fuzz/memory_file.h"
+
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace teleta::fuzz {
+
+namespace {
+
+/// Whether the file is read; what it gives is sound.
+bool readsFrames(const MemoryFile& file, frames::FrameRequest request) {
+    request.path = file.path();
+    request.guessesShape = true;
+    const core::Expected<frames::FrameSeries> series = frames::readFrames(request);
+    if (!series) {
+        require(!series.error().message.empty(), "an error has a text");
+        return false;
+    }
+    require(series->frames() > 0, "there is a frame");
+    require(series->values.size() == series->frames() * series->layout.taxels(), "each frame has all taxels");
+    require(series->layout.pitch_m > 0.0 && std::isfinite(series->layout.pitch_m), "the pitch is positive");
+    for (std::size_t i = 0; i < series->frames(); ++i)
+        require(std::isfinite(series->time_s[i]) && (i == 0 || series->time_s[i] >= series->time_s[i - 1]),
+                "times never decrease");
+    return true;
+}
+
+} // namespace
+
+bool frameNumpy(Bytes bytes) {
+    const bool isNumpy = bytes.size() >= 4 && (std::memcmp(bytes.data(), "\x93NUM", 4) == 0 ||
+                                               std::memcmp(bytes.data(), "PK", 2) == 0);
+    if (!isNumpy)
+        return false;
+    const MemoryFile file(bytes);
+    frames::FrameRequest request;
+    const bool isRead = readsFrames(file, request);
+    request.rate_Hz = 100.0;
+    request.axis = frames::FrameAxis::last;
+    return readsFrames(file, request) || isRead;
+}
+
+bool frameTekscan(Bytes bytes) {
+    return readsFrames(MemoryFile(bytes), {});
+}
+
+bool frameTable(Bytes bytes) {
+    const MemoryFile file(bytes);
+    frames::FrameRequest request;
+    const bool isOwn = readsFrames(file, request);
+    request.rate_Hz = 100.0;
+    const bool isRead = readsFrames(file, request);
+    request.rate_Hz.reset();
+    request.timeColumn = "1";
+    return readsFrames(file, std::move(request)) || isRead || isOwn;
+}
+
+} // namespace teleta::fuzz
