@@ -35,6 +35,7 @@ const std::map<std::string, Target> kTargets{
     {"mcap_message", teleta::fuzz::mcapMessage},
     {"motor_profile", teleta::fuzz::motorProfile},
     {"motor_recording", teleta::fuzz::motorRecording},
+    {"pattern_ahap", teleta::fuzz::patternAhap},
     {"pattern_export", teleta::fuzz::patternExport},
     {"pattern_haptic", teleta::fuzz::patternHaptic},
     {"pattern_haptic_zip", teleta::fuzz::patternHapticZip},

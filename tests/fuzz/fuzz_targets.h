@@ -39,6 +39,7 @@ bool mcapMessage(Bytes bytes); ///< in CDR
 // Patterns.
 bool patternJson(Bytes bytes);
 bool patternExport(Bytes bytes); ///< own format in, every other format out
+bool patternAhap(Bytes bytes);
 bool patternHjif(Bytes bytes);
 bool patternHaptic(Bytes bytes);
 bool patternHapticZip(Bytes bytes);

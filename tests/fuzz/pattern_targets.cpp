@@ -69,6 +69,17 @@ void requireSound(const Pattern& pattern) {
     require(bin.low >= 0.0F && bin.low <= bin.high && bin.high <= 1.0F, "predictions are 0..1");
 }
 
+bool isSound(const core::Expected<PatternImport>& import) {
+    if (!import) {
+        requireExplained(import.error());
+        return false;
+    }
+    requireSound(import->pattern);
+    for (const Loss& loss : import->losses)
+        require(!describe(loss).empty() && *toString(loss.kind) != '\0', "a loss is described");
+    return true;
+}
+
 bool isSound(const core::Expected<Pattern>& pattern) {
     if (!pattern) {
         requireExplained(pattern.error());
@@ -79,9 +90,9 @@ bool isSound(const core::Expected<Pattern>& pattern) {
 }
 
 /// Whatever is written can be read and is valid.
-void requireReadable(const core::Expected<Pattern>& pattern) {
-    require(pattern.has_value(), pattern ? "" : describe(pattern.error()));
-    requireSound(*pattern);
+void requireReadable(const core::Expected<PatternImport>& import) {
+    require(import.has_value(), import ? "" : describe(import.error()));
+    requireSound(import->pattern);
 }
 
 std::vector<ZipEntry> unpacked(const std::vector<ZipEntry>& entries) {
@@ -116,7 +127,7 @@ bool patternExport(Bytes bytes) {
     if (const auto haptics = patternToHaptics(*pattern))
         requireReadable(patternFromHaptics(unpacked(*haptics), kInput));
     if (const auto ahaps = patternToAhaps(*pattern))
-        (void)unpacked(*ahaps);
+        requireReadable(patternFromAhaps(unpacked(*ahaps), kInput));
     if (pattern->duration_s <= kSampled_s) {
         static const test::TemporaryFolder folder;
         const SampleOptions options{.rate_Hz = 100.0, .motors = assumedMotors()};
@@ -124,6 +135,10 @@ bool patternExport(Bytes bytes) {
         require(writeWav(*pattern, folder.path("a.wav"), options).has_value(), "samples become sound");
     }
     return true;
+}
+
+bool patternAhap(Bytes bytes) {
+    return isSound(patternFromAhap(textOf(bytes), kInput));
 }
 
 bool patternHjif(Bytes bytes) {

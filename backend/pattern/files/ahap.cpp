@@ -60,8 +60,8 @@ core::Expected<std::string> tactorToAhap(const Pattern& pattern, std::size_t tac
     const ordered_json root{{"Version", 1.0},
                             {"Metadata",
                              {{"Project", pattern.name},
-                              {"Created", "TeleTA Console"},
-                              {"Description", "tactor " + std::to_string(tactor + 1)}}},
+                              {"Created", kEditorName},
+                              {"Description", std::string(kSourceTactor) + std::to_string(tactor + 1)}}},
                             {"Pattern", std::move(parts)}};
     return core::jsonText(root);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/json_document.h"
-#include "backend/core/failure.h"
 #include "backend/pattern/files/foreign_formats.h"
 #include "backend/pattern/model/bake.h"
 #include "backend/pattern/model/track_builder.h"
@@ -8,7 +7,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -41,23 +40,62 @@ Track wholeEnvelope(const Track& lines, double duration_s) {
     return whole;
 }
 
-std::optional<std::size_t> tactorOfName(std::string_view name) {
-    if (!name.ends_with(kEnding))
-        return std::nullopt;
-    name.remove_suffix(kEnding.size());
-    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-    if (name.size() - digits != 1 || name[digits] < '1' || name[digits] > '6')
-        return std::nullopt;
-    return static_cast<std::size_t>(name[digits] - '1');
+/// Says whether the frequencies are those of the program: equal to the amplitudes.
+bool followsAmplitude(JsonReader& reader, const ordered_json& frequencies, const Track& lines) {
+    std::size_t k = 0;
+    for (const ordered_json& point : frequencies) {
+        const double time_s = reader.number(point, "time", 0.0, Pattern::kLongest_s, 0.0);
+        const double frequency = reader.number(point, "frequency", 0.0, 1.0, 0.0);
+        if (k >= lines.size() || lines[k].time_s != time_s || lines[k].intensity != frequency)
+            return false;
+        ++k;
+    }
+    return k == lines.size();
 }
 
-/// Adds the envelope of one file and extends the pattern to its length.
-core::Expected<void> addEnvelope(std::string text, const std::string& file, std::size_t tactor,
-                                 Pattern& pattern) {
+void readFrequencies(JsonReader& reader, const ordered_json& envelopes, const Track& lines,
+                     LossCounter& losses) {
+    const ordered_json* const found = reader.find(envelopes, "frequency");
+    if (found == nullptr)
+        return;
+    const ordered_json& frequencies = reader.array(*found, 0, Pattern::kMostBreakpoints);
+    if (frequencies.empty() || followsAmplitude(reader, frequencies, lines))
+        return;
+    losses.add(LossKind::frequency, reader.number(frequencies.front(), "time", 0.0, Pattern::kLongest_s, 0.0),
+               frequencies.size());
+}
+
+/// An emphasis on the envelope's last point so far.
+void addEmphasis(JsonReader& reader, const ordered_json& emphasis, const Breakpoint& at, std::size_t tactor,
+                 Pattern& pattern, LossCounter& losses) {
+    const double strength = reader.number(reader.member(emphasis, "amplitude"), at.intensity, 1.0);
+    pattern.objects.push_back(
+        {"emphasis",
+         Ramp{at.time_s, kBurst_s, {static_cast<int>(tactor)}, strength, strength, Easing::linear},
+         {}});
+    losses.add(LossKind::burst, at.time_s);
+    if (reader.find(emphasis, "frequency") != nullptr)
+        losses.add(LossKind::frequency, at.time_s);
+}
+
+/// Extends a pattern to the length of a file, and beyond it for a burst that would be cut.
+void extendTo(double end_s, double burstEnd_s, Pattern& pattern, LossCounter& losses) {
+    pattern.duration_s = std::max(pattern.duration_s, end_s);
+    const double needed_s = std::min(burstEnd_s, Pattern::kLongest_s);
+    if (needed_s <= pattern.duration_s)
+        return;
+    const double longer_s = std::round(1e4 * (needed_s - pattern.duration_s)) / 1e4;
+    losses.note(LossKind::longer, 1, QString::number(longer_s).toStdString());
+    pattern.duration_s = needed_s;
+}
+
+core::Expected<std::string> addHaptic(std::string text, const std::string& file, std::size_t tactor,
+                                      Pattern& pattern, LossCounter& losses) {
     TELETA_TRY(const JsonDocument document, JsonDocument::parse(std::move(text), file));
     JsonReader reader(document);
     const ordered_json& root = reader.root();
     (void)reader.integer(reader.member(reader.member(root, "version"), "major"), 1, 1);
+    std::string source;
     if (const ordered_json* metadata = reader.find(root, "metadata")) {
         const std::string description = reader.text(*metadata, "description", {});
         if (pattern.notes.empty())
@@ -65,12 +103,15 @@ core::Expected<void> addEnvelope(std::string text, const std::string& file, std:
         const std::string project = reader.text(*metadata, "project", {});
         if (pattern.name.empty())
             pattern.name = project;
+        if (reader.text(*metadata, "editor", {}) == kEditorName)
+            source = reader.text(*metadata, "source", {});
     }
     const ordered_json& continuous = reader.member(reader.member(root, "signals"), "continuous");
     const ordered_json& envelopes = reader.member(continuous, "envelopes");
     Track lines;
+    double lastBurst_s = -1.0;
     for (const ordered_json& point :
-         reader.array(reader.member(envelopes, "amplitude"), 2, Pattern::kMostBreakpoints)) {
+         reader.array(reader.member(envelopes, "amplitude"), 1, Pattern::kMostBreakpoints)) {
         const ordered_json& time = reader.member(point, "time");
         const ordered_json& amplitude = reader.member(point, "amplitude");
         lines.push_back({reader.number(time, 0.0, Pattern::kLongest_s), reader.number(amplitude, 0.0, 1.0)});
@@ -78,25 +119,26 @@ core::Expected<void> addEnvelope(std::string text, const std::string& file, std:
             reader.fail(time, HapticText::tr("the times decrease"),
                         HapticText::tr("a time that is not before the previous one"));
         if (const ordered_json* emphasis = reader.find(point, "emphasis")) {
-            const double strength =
-                reader.number(reader.member(*emphasis, "amplitude"), lines.back().intensity, 1.0);
-            pattern.objects.push_back({"emphasis",
-                                       Ramp{lines.back().time_s,
-                                            kEmphasis_s,
-                                            {static_cast<int>(tactor)},
-                                            strength,
-                                            strength,
-                                            Easing::linear},
-                                       {}});
+            addEmphasis(reader, *emphasis, lines.back(), tactor, pattern, losses);
+            lastBurst_s = lines.back().time_s;
         }
+        if (pattern.objects.size() > Pattern::kMostObjects)
+            reader.fail(point, HapticText::tr("there are too many emphases"),
+                        HapticText::tr("at most %1").arg(Pattern::kMostObjects));
         if (reader.error())
             return core::Unexpected(*reader.error());
     }
+    if (!reader.error())
+        readFrequencies(reader, envelopes, lines, losses);
     if (reader.error())
         return core::Unexpected(*reader.error());
-    pattern.duration_s = std::max(pattern.duration_s, lines.back().time_s);
-    pattern.tracks[tactor] = trimmed(simplified(lines));
-    return {};
+    const double end_s = lines.back().time_s;
+    if (lines.size() == 1 && lastBurst_s < 0.0 && lines.front().intensity > 0.0)
+        losses.add(LossKind::point, end_s);
+    extendTo(end_s, lastBurst_s < 0.0 ? 0.0 : lastBurst_s + kBurst_s, pattern, losses);
+    if (lines.size() > 1)
+        pattern.tracks[tactor] = trimmed(simplified(lines));
+    return source;
 }
 
 } // namespace
@@ -114,8 +156,8 @@ core::Expected<std::string> tactorToHaptic(const Pattern& pattern, std::size_t t
     content["continuous"]["envelopes"] = std::move(envelopes);
     const ordered_json root{{"version", {{"major", 1}, {"minor", 0}, {"patch", 0}}},
                             {"metadata",
-                             {{"editor", "TeleTA Console"},
-                              {"source", "tactor " + std::to_string(tactor + 1)},
+                             {{"editor", kEditorName},
+                              {"source", std::string(kSourceTactor) + std::to_string(tactor + 1)},
                               {"project", pattern.name},
                               {"tags", pattern.tags},
                               {"description", pattern.notes}}},
@@ -137,27 +179,13 @@ core::Expected<std::vector<ZipEntry>> patternToHaptics(const Pattern& pattern) {
     return tactorFiles(pattern, std::string(kEnding), tactorToHaptic);
 }
 
-core::Expected<Pattern> patternFromHaptics(std::vector<ZipEntry> entries, const std::string& file) {
-    Pattern pattern;
-    std::array<bool, core::kTactors> taken{};
-    for (ZipEntry& entry : entries) {
-        const std::optional<std::size_t> tactor = tactorOfName(entry.name);
-        if (!tactor || taken[*tactor])
-            return core::failed(core::ErrorKind::badInput,
-                                HapticText::tr("there is no tactor for the file \"%1\"")
-                                    .arg(QString::fromStdString(entry.name)),
-                                HapticText::tr("files tactor1.haptic to tactor6.haptic, each once"),
-                                {file, 0, 0});
-        taken[*tactor] = true;
-        TELETA_CHECK(addEnvelope(std::move(entry.content), file + '/' + entry.name, *tactor, pattern));
-    }
-    return pattern;
+core::Expected<PatternImport> patternFromHaptics(std::vector<ZipEntry> entries, const std::string& file) {
+    return importSignals(std::move(entries), file, std::string(kEnding), addHaptic);
 }
 
-core::Expected<Pattern> patternFromHaptic(std::string text, const std::string& file) {
-    Pattern pattern;
-    TELETA_CHECK(addEnvelope(std::move(text), file, 0, pattern));
-    return pattern;
+core::Expected<PatternImport> patternFromHaptic(std::string text, const std::string& file,
+                                                const ImportOptions& options) {
+    return importSignal(std::move(text), file, options, addHaptic);
 }
 
 } // namespace teleta::pattern

@@ -103,50 +103,63 @@ core::Expected<void> write(const Pattern& pattern, PatternFormat format, const s
     return {};
 }
 
-core::Expected<Pattern> readHapticZip(const std::string& bytes, const std::string& path) {
-    TELETA_TRY(std::vector<ZipEntry> entries, readZip(bytes, path));
-    return patternFromHaptics(std::move(entries), path);
-}
-
-core::Expected<Pattern> read(std::string bytes, PatternFormat format, const std::string& path) {
+core::Expected<PatternImport> read(std::string bytes, PatternFormat format, const std::string& path,
+                                   const ImportOptions& options) {
+    const auto unpacked = [&] { return readZip(bytes, path); };
     switch (format) {
     case PatternFormat::own:
-        return patternFromJson(std::move(bytes), path);
+        return patternFromJson(std::move(bytes), path).map([](Pattern pattern) {
+            return PatternImport{std::move(pattern), {}, false, false};
+        });
     case PatternFormat::hjif:
-        return patternFromHjif(std::move(bytes), path);
-    case PatternFormat::hapticZip:
-        return readHapticZip(bytes, path);
+        return patternFromHjif(std::move(bytes), path, options);
+    case PatternFormat::hapticZip: {
+        TELETA_TRY(std::vector<ZipEntry> entries, unpacked());
+        return patternFromHaptics(std::move(entries), path);
+    }
     case PatternFormat::haptic:
-        return patternFromHaptic(std::move(bytes), path);
-    case PatternFormat::tact:
-        return patternFromTact(std::move(bytes), path);
-    case PatternFormat::ahapZip:
+        return patternFromHaptic(std::move(bytes), path, options);
+    case PatternFormat::ahapZip: {
+        TELETA_TRY(std::vector<ZipEntry> entries, unpacked());
+        return patternFromAhaps(std::move(entries), path);
+    }
     case PatternFormat::ahap:
+        return patternFromAhap(std::move(bytes), path, options);
+    case PatternFormat::tact:
+        return patternFromTact(std::move(bytes), path, options);
     case PatternFormat::csv:
     case PatternFormat::wav:
         break;
     }
     return failure(core::ErrorKind::badInput, path, FileText::tr("this format can be written but not read"),
-                   ".json, .hjif, .haptic.zip, .haptic, .tact");
+                   ".json, .hjif, .haptic.zip, .haptic, .ahap.zip, .ahap, .tact");
 }
 
 } // namespace
 
-core::Expected<Pattern> loadPattern(const std::string& path) {
+core::Expected<PatternImport> importPattern(const std::string& path, const ImportOptions& options) {
     TELETA_TRY(std::string bytes, readBytes(path));
     const std::optional<PatternFormat> format = formatOf(path);
     if (!format)
         return unknownEnding(path);
-    core::Expected<Pattern> pattern = read(std::move(bytes), *format, path);
-    if (pattern && pattern->id.empty())
-        pattern->id = baseName(path);
-    return pattern;
+    core::Expected<PatternImport> import = read(std::move(bytes), *format, path, options);
+    if (import && import->pattern.id.empty())
+        import->pattern.id = baseName(path);
+    return import;
+}
+
+core::Expected<Pattern> loadPattern(const std::string& path) {
+    return importPattern(path).map([](PatternImport import) { return std::move(import.pattern); });
+}
+
+core::Expected<PatternImport> findImport(const std::string& idOrPath, const ImportOptions& options) {
+    if (const Pattern* builtIn = findBuiltIn(idOrPath))
+        return PatternImport{*builtIn, {}, false, false};
+    return importPattern(idOrPath, options);
 }
 
 core::Expected<Pattern> findPattern(const std::string& idOrPath) {
-    if (const Pattern* builtIn = findBuiltIn(idOrPath))
-        return *builtIn;
-    return loadPattern(idOrPath);
+    return findImport(idOrPath).map([](PatternImport import) { return std::move(import.pattern); });
 }
 
 core::Expected<void> savePattern(const Pattern& pattern, const std::string& path,

@@ -37,6 +37,10 @@ std::optional<PatternFormat> formatOf(std::string_view path) {
     return std::nullopt;
 }
 
+bool isReadable(PatternFormat format) {
+    return format != PatternFormat::csv && format != PatternFormat::wav;
+}
+
 std::string allEndings() {
     std::string all;
     for (const auto& [ending, format] : kEndings)

@@ -13,7 +13,8 @@ void TrackBuilder::add(std::size_t tactor, Track lines) {
         m_stretches[tactor].push_back(std::move(lines));
 }
 
-void TrackBuilder::build(Pattern& pattern) {
+std::size_t TrackBuilder::build(Pattern& pattern) {
+    std::size_t overlaps = 0;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
         std::vector<Track>& all = m_stretches[i];
         std::ranges::stable_sort(all, {}, [](const Track& lines) { return lines.front().time_s; });
@@ -28,6 +29,7 @@ void TrackBuilder::build(Pattern& pattern) {
                 track.insert(track.end(), lines.begin(), lines.end());
                 continue;
             }
+            ++overlaps;
             for (std::size_t k = 1; k < lines.size(); ++k) {
                 const double length_s = lines[k].time_s - lines[k - 1].time_s;
                 if (length_s > 0.0)
@@ -44,6 +46,7 @@ void TrackBuilder::build(Pattern& pattern) {
         pattern.tracks[i] = trimmed(simplified(track));
         all.clear();
     }
+    return overlaps;
 }
 
 std::vector<Track> stretches(const Track& lines) {

@@ -15,8 +15,9 @@ public:
     /// lines: straight segments, times never decrease; fewer than two points are ignored.
     void add(std::size_t tactor, Track lines);
 
-    /// Puts tracks and ramps into a pattern and extends it to their length.
-    void build(Pattern& pattern);
+    /// Puts tracks and ramps into a pattern and extends it to their length. Returns the number of pieces that
+    /// became ramps.
+    std::size_t build(Pattern& pattern);
 
 private:
     std::array<std::vector<Track>, core::kTactors> m_stretches;

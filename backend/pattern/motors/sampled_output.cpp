@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 namespace teleta::pattern {
@@ -91,6 +92,10 @@ core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, c
     if (rate_Hz != std::floor(rate_Hz))
         return refused(path, SampledText::tr("a WAV file cannot have this rate"),
                        SampledText::tr("a whole number of samples per second"));
+    if (options.carrier_Hz && !(*options.carrier_Hz > 0.0 && *options.carrier_Hz < 0.5 * rate_Hz))
+        return refused(
+            path, SampledText::tr("this rate cannot hold a carrier of %1 Hz").arg(*options.carrier_Hz),
+            SampledText::tr("a carrier above 0 and below half of %1 samples per second").arg(rate_Hz));
     const std::uint64_t frames = samplesOf(pattern.duration_s, rate_Hz);
     if (frames > core::WavWriter::mostFrames(core::kTactors))
         return refused(path, SampledText::tr("the pattern is too long for a WAV file"),
@@ -98,8 +103,14 @@ core::Expected<void> writeWav(const Pattern& pattern, const std::string& path, c
     TELETA_TRY(core::WavWriter file,
                core::WavWriter::create(path, core::kTactors, static_cast<std::uint32_t>(std::lround(rate_Hz)),
                                        frames));
-    sample(pattern, options, rate_Hz, [&](double, const core::Intensities& intensities) {
-        file.write(intensities);
+    sample(pattern, options, rate_Hz, [&](double t_s, core::Intensities values) {
+        if (options.carrier_Hz) {
+            // Whole turns are left out first: the sine stays exact in long files.
+            const double turns = std::fmod(*options.carrier_Hz * t_s, 1.0);
+            for (double& value : values)
+                value *= std::sin(2.0 * std::numbers::pi * turns);
+        }
+        file.write(values);
         return !file.failed();
     });
     return file.finish();

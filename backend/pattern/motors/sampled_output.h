@@ -30,14 +30,21 @@ void forEachSample(const Pattern& pattern, double rate_Hz,
 struct SampleOptions {
     std::optional<double> rate_Hz;       ///< empty: kCsvRate_Hz, kWavRate_Hz
     std::optional<MotorProfiles> motors; ///< sample what these are predicted to do; empty: what is commanded
+    std::optional<double> carrier_Hz =
+        std::nullopt; ///< WAV: a sine of this frequency; empty: the intensities themselves
 };
+
+/// Frequency that voice coils are usually made for.
+inline constexpr double kCarrier_Hz = 250.0;
 
 /// Writes CSV with the columns time_s,t1..t6. Error: refused: a rate outside
 /// [kLowestRate_Hz, kHighestRate_Hz], a profile that is not valid(); ioFailed. Thread: any.
 [[nodiscard]] core::Expected<void> writeCsv(const Pattern& pattern, const std::string& path,
                                             const SampleOptions& options = {});
-/// Writes the intensities as WAV with 6 channels of 16 bits (WAVE_FORMAT_EXTENSIBLE, no speakers assigned); 1
-/// is 32767. Error: as writeCsv(); refused: a rate that is not an integer, a file of more than 4 GiB.
+/// Writes WAV with 6 channels of 16 bits (WAVE_FORMAT_EXTENSIBLE, no speakers assigned); 1 is 32767. Sample k
+/// is the intensity a(k / rate), or with a carrier a(k / rate) sin(2 pi f k / rate). Error: as writeCsv();
+/// refused: a rate that is not an integer, a carrier that is not between 0 and half the rate, a file of more
+/// than 4 GiB.
 [[nodiscard]] core::Expected<void> writeWav(const Pattern& pattern, const std::string& path,
                                             const SampleOptions& options = {});
 

@@ -59,7 +59,10 @@ TEST(PatternCommand, tellsWhatItConvertedAsJson) {
     const ProgramResult result = run({"pattern", "convert", "shape.A.dynamic", out, "--json"});
     ASSERT_EQ(result.exitCode, 0) << result.err;
     EXPECT_EQ(ordered_json::parse(result.out, nullptr, false),
-              ordered_json({{"id", "shape.A.dynamic"}, {"out", out}}));
+              ordered_json({{"id", "shape.A.dynamic"},
+                            {"out", out},
+                            {"lost_at_reading", ordered_json::array()},
+                            {"lost_at_writing", ordered_json::array()}}));
 }
 
 TEST(PatternCommand, convertsWithARateAndWithWhatTheMotorsWillDo) {
@@ -80,6 +83,43 @@ TEST(PatternCommand, convertsWithARateAndWithWhatTheMotorsWillDo) {
         run({"pattern", "convert", "shape.F.static", folder.path("d.json"), "--rate", "50"});
     EXPECT_EQ(noSamples.exitCode, 2);
     EXPECT_NE(noSamples.err.find("--rate"), std::string::npos);
+}
+
+TEST(PatternCommand, saysWhatAFileOfAnotherProgramLoses) {
+    const TemporaryFolder folder;
+    const std::string ahap = folder.write("tap.ahap", R"({"Version": 1.0, "Pattern": [{"Event": {"Time": 0.5,
+        "EventType": "HapticTransient", "EventParameters": [
+        {"ParameterID": "HapticSharpness", "ParameterValue": 1.0}]}}]})");
+    const std::string out = folder.path("tap.tact");
+    const ProgramResult plain = run({"pattern", "convert", ahap, folder.path("tap.json")});
+    ASSERT_EQ(plain.exitCode, 0) << plain.err;
+    EXPECT_NE(plain.err.find("tap.ahap: Short pulses"), std::string::npos) << plain.err;
+    const ProgramResult json = run({"pattern", "convert", ahap, out, "--tactors", "2,5", "--json"});
+    ASSERT_EQ(json.exitCode, 0) << json.err;
+    const ordered_json lost = ordered_json::parse(json.out, nullptr, false)["lost_at_reading"];
+    ASSERT_EQ(lost.size(), 3U) << json.out;
+    EXPECT_EQ(lost[0]["kind"], "frequency");
+    EXPECT_EQ(lost[1]["kind"], "burst");
+    EXPECT_EQ(lost[1]["first_s"], 0.5);
+    EXPECT_EQ(lost[2]["kind"], "one-signal");
+    const auto rows = splitCsv(run({"pattern", "render", out, "--rate", "100"}).out);
+    ASSERT_EQ(rows.size(), 56U);
+    EXPECT_EQ(rows[53], (std::vector<std::string>{"0.52", "0", "1", "0", "0", "1", "0"}));
+    EXPECT_EQ(run({"pattern", "convert", ahap, out, "--tactors", "7"}).exitCode, 2);
+    EXPECT_EQ(run({"pattern", "show", "shape.A.static", "--tactors", "1"}).exitCode, 2);
+}
+
+TEST(PatternCommand, aWavSaysWhetherItHoldsVibrations) {
+    const TemporaryFolder folder;
+    const std::string wav = folder.path("a.wav");
+    const ProgramResult bare = run({"pattern", "convert", "shape.F.static", wav});
+    EXPECT_EQ(bare.exitCode, 0);
+    EXPECT_NE(bare.err.find("bare intensities"), std::string::npos) << bare.err;
+    const ProgramResult carried = run({"pattern", "convert", "shape.F.static", wav, "--carrier"});
+    EXPECT_EQ(carried.exitCode, 0) << carried.err;
+    EXPECT_NE(carried.err.find("250 Hz"), std::string::npos) << carried.err;
+    EXPECT_EQ(run({"pattern", "convert", "shape.F.static", wav, "--carrier", "5000"}).exitCode, 1);
+    EXPECT_EQ(run({"pattern", "convert", "shape.F.static", folder.path("a.csv"), "--carrier"}).exitCode, 2);
 }
 
 TEST(PatternCommand, showPrintsAFileThatCanBeReadAgain) {

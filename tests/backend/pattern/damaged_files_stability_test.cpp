@@ -77,7 +77,8 @@ TEST_P(DamagedFile, isRefusedWithItsNameOrReadAsAPatternThatIsSound) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, DamagedFile,
                          testing::Values("everything.json", "two_tactors.hjif", "emphasis.haptic",
-                                         "dots.tact", "six.haptic.zip"));
+                                         "dots.tact", "six.haptic.zip", "taps.ahap", "paths.tact",
+                                         "bands.hjif"));
 
 TEST(HugeFile, ofAMillionBreakpointsComesBack) {
     constexpr int kPoints = 1'000'000;

@@ -37,6 +37,18 @@ double difference(const Pattern& a, const Pattern& b, double step_s) {
     return largest;
 }
 
+Pattern patternOf(PatternImport import) {
+    return std::move(import.pattern);
+}
+
+Expected<Pattern> readHjif(const std::string& text) {
+    return patternFromHjif(text, "p.hjif").map(patternOf);
+}
+
+Expected<Pattern> readTact(const std::string& text) {
+    return patternFromTact(text, "p.tact").map(patternOf);
+}
+
 /// A text with one part replaced, which must be there.
 std::string changed(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
@@ -81,6 +93,9 @@ TEST(Hjif, hasWholeNumbersForTimesAndFrequenciesAndRisingPositions) {
         const Expected<std::string> text = patternToHjif(pattern, "2026-01-31");
         ASSERT_TRUE(text);
         for (const json& channel : json::parse(*text)["perceptions"][0]["channels"]) {
+            if (channel["bands"].empty())
+                continue;
+            ASSERT_FALSE(channel["bands"][0]["effects"].empty()) << pattern.id;
             for (const json& effect : channel["bands"][0]["effects"]) {
                 EXPECT_TRUE(effect["position"].is_number_integer());
                 long before = -1;
@@ -92,7 +107,7 @@ TEST(Hjif, hasWholeNumbersForTimesAndFrequenciesAndRisingPositions) {
                 }
             }
         }
-        const Expected<Pattern> again = patternFromHjif(*text, "p.hjif");
+        const Expected<Pattern> again = readHjif(*text);
         ASSERT_TRUE(again) << describe(again.error());
         EXPECT_LT(difference(pattern, *again, 0.0113), 0.005) << pattern.id;
         EXPECT_NEAR(again->duration_s, pattern.duration_s, 0.0005) << pattern.id;
@@ -111,7 +126,7 @@ TEST(Hjif, silenceAtTheEndComesBack) {
     EXPECT_EQ(silence["keyframes"][1]["relative_position"], 2000);
     EXPECT_EQ(silence["keyframes"][0]["amplitude_modulation"], 0.0);
     EXPECT_EQ(silence["keyframes"][1]["amplitude_modulation"], 0.0);
-    const Expected<Pattern> again = patternFromHjif(*text, "p.hjif");
+    const Expected<Pattern> again = readHjif(*text);
     ASSERT_TRUE(again) << describe(again.error());
     EXPECT_EQ(again->duration_s, 3.0);
     EXPECT_EQ(again->tracks, pattern.tracks);
@@ -119,23 +134,23 @@ TEST(Hjif, silenceAtTheEndComesBack) {
     pattern.tracks[4].clear();
     const Expected<std::string> empty = patternToHjif(pattern, "2026-01-31");
     ASSERT_TRUE(empty);
-    EXPECT_EQ(patternFromHjif(*empty, "p.hjif")->duration_s, 1.5) << "of nothing but silence";
+    EXPECT_EQ(readHjif(*empty)->duration_s, 1.5) << "of nothing but silence";
 }
 
 // Masks of ISO/IEC 23090-31: right forearm 0x1000, left forearm 0x2000, left wrist 0x8000.
 TEST(Hjif, theArmIsInTheMaskOfTheBody) {
     const std::string right = readAll(kData + "two_tactors.hjif");
-    EXPECT_EQ(patternFromHjif(right, "p.hjif")->arm, Arm::right);
+    EXPECT_EQ(readHjif(right)->arm, Arm::right);
     std::string left = right;
     for (std::size_t at = left.find(": 4096"); at != std::string::npos; at = left.find(": 4096"))
         left.replace(at, 6, ": 8192");
-    const Expected<Pattern> pattern = patternFromHjif(left, "p.hjif");
+    const Expected<Pattern> pattern = readHjif(left);
     ASSERT_TRUE(pattern) << describe(pattern.error());
     EXPECT_EQ(pattern->arm, Arm::left);
     const Expected<std::string> again = patternToHjif(*pattern, "2026-01-31");
     ASSERT_TRUE(again);
     EXPECT_EQ(json::parse(*again), json::parse(left));
-    EXPECT_EQ(patternFromHjif(changed(right, ": 4096", ": 32768"), "p.hjif")->arm, Arm::right)
+    EXPECT_EQ(readHjif(changed(right, ": 4096", ": 32768"))->arm, Arm::right)
         << "the mask of the device, not of a channel";
 }
 
@@ -145,17 +160,17 @@ TEST(Hjif, stepsWithinAStretchMoveAMillisecondAtMost) {
     pattern.tracks[0] = {{0.0, 0.5}, {0.3, 0.5}, {0.3, 1.0}, {1.0, 1.0}};
     const Expected<std::string> text = patternToHjif(pattern, "2026-01-31");
     ASSERT_TRUE(text);
-    const Expected<Pattern> again = patternFromHjif(*text, "p.hjif");
+    const Expected<Pattern> again = readHjif(*text);
     ASSERT_TRUE(again);
     EXPECT_EQ(again->tracks[0], (Track{{0.0, 0.5}, {0.299, 0.5}, {0.3, 1.0}, {1.0, 1.0}}));
 }
 
 TEST(Hjif, refusesWhatAPatternCannotHoldWithThePlace) {
     const std::string good = readAll(kData + "two_tactors.hjif");
-    const auto read = [](const std::string& text) { return patternFromHjif(text, "p.hjif"); };
-    expectRefused(read(changed(good, "\"VectorialWave\"", "\"Transient\"")), "band_type");
-    expectRefused(read(changed(good, "\"Basis\"", "\"Reference\"")), "effect_type");
-    expectRefused(read(changed(good, "\"Y\": 110", "\"Y\": 0")), "channels/1"); // as channel 0
+    const auto read = readHjif;
+    expectRefused(read(changed(good, "\"VectorialWave\"", "\"Wave\"")), "band_type");
+    expectRefused(read(changed(good, "\"Basis\"", "\"Reference\"")), "id");
+    expectRefused(read(changed(good, "\"Basis\"", "\"Sound\"")), "effect_type");
     expectRefused(read(changed(good, "\"amplitude_modulation\": 1.0", "\"amplitude_modulation\": 1.5")),
                   "keyframes/0/amplitude_modulation");
     expectRefused(read(changed(good, "\"relative_position\": 2000", "\"relative_position\": 1.5")),
@@ -170,7 +185,7 @@ TEST(Hjif, otherTimescalesAndGainsCount) {
     std::string text = readAll(kData + "two_tactors.hjif");
     text = changed(text, "\"timescale\": 1000", "\"timescale\": 500");
     text = changed(text, "\"gain\": 1.0", "\"gain\": 0.5");
-    const Expected<Pattern> pattern = patternFromHjif(text, "p.hjif");
+    const Expected<Pattern> pattern = readHjif(text);
     ASSERT_TRUE(pattern);
     EXPECT_EQ(pattern->tracks[0], (Track{{0.0, 0.5}, {4.0, 0.25}}));
     EXPECT_EQ(pattern->duration_s, 4.0);
@@ -229,7 +244,9 @@ TEST(Haptic, zipsComeBackAndAreTheSameEveryTime) {
 
 TEST(Haptic, refusesBadFilesWithThePlace) {
     const std::string good = readAll(kData + "emphasis.haptic");
-    const auto read = [](const std::string& text) { return patternFromHaptic(text, "p.haptic"); };
+    const auto read = [](const std::string& text) {
+        return patternFromHaptic(text, "p.haptic").map(patternOf);
+    };
     expectRefused(read(changed(good, "\"major\": 1", "\"major\": 2")), "version/major");
     expectRefused(read(changed(good, "\"amplitude\": 0.25", "\"amplitude\": -0.25")),
                   "amplitude/0/amplitude");
@@ -239,7 +256,7 @@ TEST(Haptic, refusesBadFilesWithThePlace) {
     EXPECT_FALSE(patternFromHaptics({{"tactor7.haptic", good}}, "p.zip"));
     EXPECT_FALSE(patternFromHaptics({{"readme.txt", good}}, "p.zip"));
     EXPECT_FALSE(patternFromHaptics({{"a1.haptic", good}, {"b1.haptic", good}}, "p.zip"));
-    const Expected<Pattern> inside = patternFromHaptics({{"tactor2.haptic", "{"}}, "p.zip");
+    const Expected<PatternImport> inside = patternFromHaptics({{"tactor2.haptic", "{"}}, "p.zip");
     ASSERT_FALSE(inside);
     EXPECT_EQ(inside.error().where.file, "p.zip/tactor2.haptic");
 }
@@ -350,31 +367,51 @@ TEST(Tact, writesTheDotsOfTheHandWrittenFileAgain) {
     EXPECT_EQ(effect["offsetTime"], 2000);
 }
 
-TEST(Tact, theArmIsInTheNameOfTheLayout) {
+TEST(Tact, theArmIsTheDeviceThatPlays) {
     const std::string left = readAll(kData + "dots.tact");
-    const Expected<Pattern> dots = patternFromTact(left, "p.tact");
+    const Expected<Pattern> dots = readTact(left);
     ASSERT_TRUE(dots);
     EXPECT_EQ(dots->arm, Arm::left);
-    EXPECT_EQ(json::parse(*patternToTact(*dots))["project"]["layout"]["type"], "ForearmL");
     std::string other = left;
     for (std::size_t at = other.find("ForearmL"); at != std::string::npos; at = other.find("ForearmL"))
         other.replace(at, 8, "ForearmR");
-    const Expected<Pattern> right = patternFromTact(other, "p.tact");
+    const Expected<Pattern> right = readTact(other);
     ASSERT_TRUE(right) << describe(right.error());
     EXPECT_EQ(right->arm, Arm::right);
     EXPECT_EQ(right->tracks, dots->tracks);
-    const json project = json::parse(*patternToTact(*right))["project"];
-    EXPECT_EQ(project["layout"]["type"], "ForearmR");
-    EXPECT_TRUE(project["layout"]["layouts"].contains("ForearmR"));
-    EXPECT_TRUE(project["tracks"][0]["effects"][0]["modes"].contains("ForearmR"));
-    EXPECT_FALSE(project["tracks"][0]["effects"][0]["modes"].contains("ForearmL"));
+    const Expected<std::string> text = patternToTact(*right);
+    ASSERT_TRUE(text);
+    const json modes = json::parse(*text)["project"]["tracks"][0]["effects"][0]["modes"];
+    EXPECT_FALSE(modes["ForearmR"]["dotMode"]["feedback"].empty());
+    EXPECT_TRUE(modes["ForearmL"]["dotMode"]["feedback"].empty());
+    const Expected<Pattern> again = readTact(*text);
+    ASSERT_TRUE(again) << describe(again.error());
+    EXPECT_EQ(again->arm, Arm::right);
+}
+
+// The files of other programs: layout Tactosy2 with two rows of three motors on each arm, and a path mode.
+TEST(Tact, hasTheLayoutAndTheModesOfOtherPrograms) {
+    const json project = json::parse(*patternToTact(*findBuiltIn("shape.E.static")))["project"];
+    EXPECT_EQ(project["layout"]["type"], "Tactosy2");
+    for (const char* arm : {"ForearmL", "ForearmR"}) {
+        const json places = project["layout"]["layouts"][arm];
+        ASSERT_EQ(places.size(), 6U);
+        EXPECT_EQ(places[1]["x"], 0.5);
+        EXPECT_EQ(places[2]["y"], 0.0);
+        EXPECT_EQ(places[3]["x"], 0.0);
+        EXPECT_EQ(places[5]["y"], 1.0);
+        const json path = project["tracks"][0]["effects"][0]["modes"][arm]["pathMode"]["feedback"];
+        ASSERT_EQ(path.size(), 1U);
+        EXPECT_EQ(path[0]["movingPattern"], "CONST_SPEED");
+        EXPECT_TRUE(path[0]["pointList"].empty());
+    }
 }
 
 TEST(Tact, slopesBecomePiecesOf20Milliseconds) {
     for (const Pattern& pattern : builtInPatterns()) {
         const Expected<std::string> text = patternToTact(pattern);
         ASSERT_TRUE(text);
-        const Expected<Pattern> again = patternFromTact(*text, "p.tact");
+        const Expected<Pattern> again = readTact(*text);
         ASSERT_TRUE(again) << describe(again.error());
         EXPECT_EQ(again->duration_s, pattern.duration_s) << pattern.id;
         // Half a piece of the steepest slope, 1 in 0.3 s, and the rounding.
@@ -384,12 +421,12 @@ TEST(Tact, slopesBecomePiecesOf20Milliseconds) {
 
 TEST(Tact, refusesWhatAPatternCannotHoldWithThePlace) {
     const std::string good = readAll(kData + "dots.tact");
-    const auto read = [](const std::string& text) { return patternFromTact(text, "p.tact"); };
-    expectRefused(read(changed(good, "\"DOT_MODE\"", "\"PATH_MODE\"")), "mode");
+    const auto read = readTact;
+    expectRefused(read(changed(good, "\"DOT_MODE\"", "\"LINE_MODE\"")), "mode");
     expectRefused(read(changed(good, "\"intensity\": 0.5", "\"intensity\": 1.5")), "pointList/0/intensity");
     expectRefused(read(changed(good, "\"NONE\"", "\"FADE\"")), "playbackType");
     expectRefused(read(changed(good, "\"endTime\": 400", "\"endTime\": 4")), "endTime");
-    expectRefused(read(changed(good, "\"startTime\": 0", "\"startTime\": 0.5")), "startTime");
+    expectRefused(read(changed(good, "\"startTime\": 0", "\"startTime\": -1")), "startTime");
     expectRefused(read("{\"project\": []}"), "project");
     expectRefused(read("[]"), "project");
 }

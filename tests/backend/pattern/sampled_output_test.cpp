@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 using namespace teleta::pattern;
 using teleta::core::ErrorKind;
@@ -83,4 +84,23 @@ TEST(SampledOutput, wavHasTheHeaderOfTheFormatAndSixChannels) {
     EXPECT_EQ(value(wav, 68 + 8000 * 12, 2), 16384U);     // 32767 / 2, rounded
     EXPECT_EQ(value(wav, 68 + 8000 * 12 + 6, 2), 16384U); // tactor 4
     EXPECT_EQ(value(wav, 68 + 8000 * 12 + 2, 4), 0U);     // tactors 2 and 3
+}
+
+// Sample k of a constant intensity a is 32767 a sin(2 pi f k / rate).
+TEST(SampledOutput, aCarrierIsASineOfTheIntensities) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path("a.wav");
+    Pattern pattern;
+    pattern.duration_s = 0.5;
+    pattern.tracks[1] = {{0.0, 0.8}, {0.5, 0.8}};
+    ASSERT_TRUE(writeWav(pattern, path, {8000.0, {}, 250.0}));
+    const std::string wav = readAll(path);
+    ASSERT_EQ(wav.size(), 68U + 4000U * 12U);
+    for (std::size_t k = 0; k < 4000; ++k) {
+        const double expected = 32767.0 * 0.8 * std::sin(2.0 * std::acos(-1.0) * 250.0 * k / 8000.0);
+        EXPECT_NEAR(static_cast<std::int16_t>(value(wav, 68 + 12 * k + 2, 2)), expected, 0.51) << k;
+        EXPECT_EQ(value(wav, 68 + 12 * k, 2), 0U);
+    }
+    for (const double carrier_Hz : {0.0, -1.0, 4000.0, std::nan("")})
+        EXPECT_EQ(writeWav(pattern, path, {8000.0, {}, carrier_Hz}).error().kind, ErrorKind::refused);
 }

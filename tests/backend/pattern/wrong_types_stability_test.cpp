@@ -107,7 +107,7 @@ TEST_P(WrongType, ofAnyValueIsRefusedWithItsPlaceOrReadAsAPatternThatIsSound) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, WrongType,
                          testing::Values("everything.json", "two_tactors.hjif", "emphasis.haptic",
-                                         "dots.tact", "fades.tact"));
+                                         "dots.tact", "fades.tact", "taps.ahap", "paths.tact", "bands.hjif"));
 
 TEST(DeepFile, ofEveryFormatIsRefused) {
     const TemporaryFolder folder;
@@ -115,7 +115,7 @@ TEST(DeepFile, ofEveryFormatIsRefused) {
     std::string objects;
     for (int k = 0; k < 100'000; ++k)
         objects += "{\"tracks\":";
-    for (const char* ending : {"json", "hjif", "haptic", "tact"}) {
+    for (const char* ending : {"json", "hjif", "haptic", "ahap", "tact"}) {
         for (const std::string& text : {arrays, objects}) {
             const Expected<Pattern> pattern = loadPattern(folder.write(std::string("a.") + ending, text));
             ASSERT_FALSE(pattern) << ending;

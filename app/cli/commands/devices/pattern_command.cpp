@@ -109,6 +109,32 @@ nlohmann::ordered_json toJson(const Pattern& pattern, const pattern::Finding& fi
             {"fixable", pattern::fixed(pattern, finding).has_value()}};
 }
 
+nlohmann::ordered_json toJson(const std::vector<pattern::Loss>& losses) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const pattern::Loss& loss : losses)
+        all.push_back({{"kind", pattern::toString(loss.kind)},
+                       {"count", loss.count},
+                       {"first_s", orNull(loss.first_s)},
+                       {"file", loss.where},
+                       {"message", describe(loss)}});
+    return all;
+}
+
+/// Says on standard error what was lost in a file.
+void warnOf(const std::string& file, const std::vector<pattern::Loss>& losses) {
+    for (const pattern::Loss& loss : losses)
+        warn(QString::fromStdString(file + ": " + describe(loss)));
+}
+
+/// What the samples of a WAV file are.
+QString wavText(const pattern::SampleOptions& samples) {
+    if (samples.carrier_Hz)
+        return PatternText::tr("The samples are vibrations of %1 Hz with the intensities of the pattern.")
+            .arg(*samples.carrier_Hz);
+    return PatternText::tr("The samples are the bare intensities, which move no voice coil: --carrier writes "
+                           "vibrations.");
+}
+
 /// Where a finding is: an object by its number and name, or tactors.
 QString placeText(const Pattern& pattern, const pattern::Finding& finding) {
     if (finding.object) {
@@ -167,6 +193,13 @@ public:
         addFlag(converts, "--predicted", m_predicted,
                 PatternText::tr("CSV and WAV: what the motors will do, with an assumed motor: lag, start and "
                                 "speed are not measured"));
+        addOption(converts, "--carrier", m_carrier_Hz,
+                  PatternText::tr("WAV: vibrations of this frequency, for voice coils, instead of the bare "
+                                  "intensities; 250 without a number"),
+                  "HZ")
+            ->expected(0, 1)
+            ->default_str("250")
+            ->check(between(pattern::kLowestRate_Hz, 0.5 * pattern::kHighestRate_Hz));
         declareJson(converts, m_json);
 
         CLI::App& checks =
@@ -196,6 +229,42 @@ private:
     void takePattern(CLI::App& app) {
         addOption(app, "pattern", m_pattern, PatternText::tr("Pattern file or id of a built-in pattern"), "P")
             ->required();
+        addOption(app, "--tactors", m_tactors,
+                  PatternText::tr("A file with one signal: the tactors that play it, for example 1,4; all "
+                                  "without this"),
+                  "LIST");
+        addChoice(app, "--arm", m_arm,
+                  PatternText::tr("A .tact file with both arms: the one to read; left without this"),
+                  {"left", "right"});
+    }
+
+    [[nodiscard]] std::vector<std::size_t> chosenTactors() const {
+        std::vector<std::size_t> tactors;
+        if (m_tactors.empty())
+            return tactors;
+        for (const QString& number : QString::fromStdString(m_tactors).split(QLatin1Char(','))) {
+            const int tactor = number.toInt();
+            if (tactor < 1 || tactor > static_cast<int>(core::kTactors))
+                refuse("--tactors", PatternText::tr("expected numbers from 1 to 6 between commas"));
+            tactors.push_back(static_cast<std::size_t>(tactor - 1));
+        }
+        return tactors;
+    }
+
+    /// The pattern that m_pattern names; what its file held beyond it is said on standard error.
+    [[nodiscard]] core::Expected<pattern::PatternImport> read() const {
+        pattern::ImportOptions options;
+        options.arm = pattern::armFrom(m_arm);
+        options.tactors = chosenTactors();
+        TELETA_TRY(pattern::PatternImport import, pattern::findImport(m_pattern, options));
+        if (!options.tactors.empty() && !import.oneSignal)
+            refuse("--tactors", PatternText::tr("it belongs to a file with one signal"));
+        warnOf(m_pattern, import.losses);
+        return import;
+    }
+
+    [[nodiscard]] core::Expected<Pattern> readPattern() const {
+        return read().map([](pattern::PatternImport import) { return std::move(import.pattern); });
     }
 
     void takeMotors(CLI::App& app) {
@@ -237,7 +306,7 @@ private:
     }
 
     [[nodiscard]] core::Expected<void> show() const {
-        TELETA_TRY(const Pattern pattern, pattern::findPattern(m_pattern));
+        TELETA_TRY(const Pattern pattern, readPattern());
         if (!m_json)
             return printPattern(pattern);
         TELETA_TRY(const std::string text, pattern::patternToJson(pattern));
@@ -248,7 +317,7 @@ private:
 
     /// The pattern that m_pattern names, overdriven if --overdrive is given.
     [[nodiscard]] core::Expected<Pattern> chosenPattern(const pattern::MotorProfiles& profiles) const {
-        core::Expected<Pattern> pattern = pattern::findPattern(m_pattern);
+        core::Expected<Pattern> pattern = readPattern();
         return pattern && m_play.overdrive ? pattern::overdriven(*pattern, profiles) : pattern;
     }
 
@@ -283,14 +352,15 @@ private:
     }
 
     [[nodiscard]] core::Expected<void> play() const {
-        TELETA_TRY(const Pattern pattern, pattern::findPattern(m_pattern));
+        TELETA_TRY(const Pattern pattern, readPattern());
         PlayOptions options = m_play;
         options.json = m_json;
         return playPattern(pattern, options);
     }
 
     [[nodiscard]] core::Expected<void> convert() const {
-        TELETA_TRY(const Pattern pattern, pattern::findPattern(m_pattern));
+        TELETA_TRY(const pattern::PatternImport import, read());
+        const Pattern& pattern = import.pattern;
         const bool toStandardOutput = m_outPath == kStandardOutput;
         if (toStandardOutput == m_format.empty())
             refuse("--format", PatternText::tr("it belongs to OUT as -, where it is needed"));
@@ -309,24 +379,34 @@ private:
             refuse("OUT",
                    PatternText::tr("%1 holds no samples: --rate and --predicted are for .csv and .wav files")
                        .arg(QString::fromStdString(m_outPath)));
+        if (format != pattern::PatternFormat::wav && m_carrier_Hz)
+            refuse("--carrier", PatternText::tr("it is for .wav files"));
+        TELETA_TRY(const std::vector<pattern::Loss> losses, pattern::exportLosses(pattern, *format));
         pattern::SampleOptions samples;
+        samples.carrier_Hz = m_carrier_Hz;
         samples.rate_Hz = m_convertRate_Hz;
         if (m_predicted)
             samples.motors = pattern::assumedMotors();
-        if (auto saved = pattern::savePattern(pattern, path, samples);
-            !saved || !(m_json || toStandardOutput))
-            return saved;
+        TELETA_CHECK(pattern::savePattern(pattern, path, samples));
+        warnOf(m_outPath, losses);
+        if (format == pattern::PatternFormat::wav)
+            warn(QString::fromStdString(m_outPath) + QStringLiteral(": ") + wavText(samples));
+        if (!m_json && !toStandardOutput)
+            return {};
         if (toStandardOutput) {
             QFile written(QString::fromStdString(path));
             if (!written.open(QIODevice::ReadOnly))
                 return core::failed(core::ErrorKind::ioFailed, written.errorString(), {}, {path});
             return printText(written.readAll().toStdString());
         }
-        return printDocument({{"id", pattern.id}, {"out", m_outPath}});
+        return printDocument({{"id", pattern.id},
+                              {"out", m_outPath},
+                              {"lost_at_reading", toJson(import.losses)},
+                              {"lost_at_writing", toJson(losses)}});
     }
 
     [[nodiscard]] core::Expected<void> check() const {
-        TELETA_TRY(const Pattern pattern, pattern::findPattern(m_pattern));
+        TELETA_TRY(const Pattern pattern, readPattern());
         TELETA_TRY(const pattern::MotorProfiles profiles, motors());
         const std::vector<pattern::Finding> findings = pattern::checkLaws(pattern, profiles);
         if (m_json) {
@@ -355,7 +435,10 @@ private:
     std::string m_outPath;
     PlayOptions m_play;
     double m_rate_Hz = 200.0;
+    std::string m_tactors;
+    std::string m_arm;
     std::optional<double> m_convertRate_Hz;
+    std::optional<double> m_carrier_Hz;
     bool m_predicted = false;
     bool m_json = false;
 };
