@@ -36,15 +36,17 @@ constexpr std::array kFormats{
            QT_TRANSLATE_NOOP("ExportDialog", "Haptic clips (.haptic in a zip)"),
            QT_TRANSLATE_NOOP("ExportDialog", "One clip per motor. Can be read back.")},
     Format{PatternFormat::ahapZip, ".ahap.zip", QT_TRANSLATE_NOOP("ExportDialog", "AHAP (in a zip)"),
-           QT_TRANSLATE_NOOP("ExportDialog", "One file per motor, for Core Haptics.")},
+           QT_TRANSLATE_NOOP("ExportDialog", "One file per motor, for Core Haptics. Can be read back.")},
     Format{PatternFormat::tact, ".tact", QT_TRANSLATE_NOOP("ExportDialog", "tact"),
            QT_TRANSLATE_NOOP("ExportDialog",
-                             "Layout of six motors on the forearm, whole milliseconds. Can be "
-                             "read back.")},
+                             "Six motors on the forearm, whole milliseconds; slopes become steps of "
+                             "20 ms. Can be read back.")},
     Format{PatternFormat::csv, ".csv", QT_TRANSLATE_NOOP("ExportDialog", "CSV table"),
            QT_TRANSLATE_NOOP("ExportDialog", "Columns time_s, t1 to t6: one sample per row.")},
     Format{PatternFormat::wav, ".wav", QT_TRANSLATE_NOOP("ExportDialog", "WAV, six channels"),
-           QT_TRANSLATE_NOOP("ExportDialog", "The intensities as 16-bit samples, 1 is full scale.")}};
+           QT_TRANSLATE_NOOP("ExportDialog",
+                             "16-bit samples, 1 is full scale. Vibrations drive voice coils; bare "
+                             "intensities are for programs that make the vibration themselves.")}};
 
 } // namespace
 
@@ -54,8 +56,10 @@ ExportDialog::ExportDialog(pattern::MotorProfiles motors, QString suggested, QWi
     , m_suggested(std::move(suggested))
     , m_format(base::named<QComboBox>("format", this))
     , m_about(new QLabel(this))
-    , m_rate(new QDoubleSpinBox(this))
+    , m_rate(base::named<QDoubleSpinBox>("rate", this))
     , m_content(base::named<QComboBox>("content", this))
+    , m_signal(base::named<QComboBox>("signal", this))
+    , m_carrier(base::named<QDoubleSpinBox>("carrier", this))
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel, this)) {
     setWindowTitle(tr("Export pattern"));
     for (const Format& format : kFormats)
@@ -66,6 +70,11 @@ ExportDialog::ExportDialog(pattern::MotorProfiles motors, QString suggested, QWi
     m_rate->setSuffix(QStringLiteral(" Hz"));
     m_content->addItem(tr("commanded intensities"));
     m_content->addItem(tr("predicted intensities"));
+    m_signal->addItem(tr("vibrations"));
+    m_signal->addItem(tr("bare intensities"));
+    m_carrier->setSuffix(QStringLiteral(" Hz"));
+    m_carrier->setRange(1.0, 0.5 * pattern::kHighestRate_Hz);
+    m_carrier->setValue(pattern::kCarrier_Hz);
     auto* where = m_buttons->addButton(tr("Choose file\u2026"), QDialogButtonBox::AcceptRole);
     where->setDefault(true);
     auto* form = new QFormLayout(this);
@@ -73,7 +82,11 @@ ExportDialog::ExportDialog(pattern::MotorProfiles motors, QString suggested, QWi
     form->addRow(QString(), m_about);
     form->addRow(tr("&Rate:"), m_rate);
     form->addRow(tr("&Values:"), m_content);
+    form->addRow(tr("&Signal:"), m_signal);
+    form->addRow(tr("F&requency:"), m_carrier);
     form->addRow(m_buttons);
+    connect(m_signal, &QComboBox::currentIndexChanged, this,
+            [this](int index) { m_carrier->setEnabled(m_signal->isEnabled() && index == 0); });
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &ExportDialog::askWhere);
@@ -91,6 +104,8 @@ void ExportDialog::showFormat() {
     m_about->setText(tr(format.about));
     m_rate->setEnabled(sampled);
     m_content->setEnabled(sampled);
+    m_signal->setEnabled(wav);
+    m_carrier->setEnabled(wav && m_signal->currentIndex() == 0);
     m_rate->setDecimals(wav ? 0 : 3);
     m_rate->setMinimum(wav ? 1.0 : pattern::kLowestRate_Hz);
     if (sampled)
@@ -104,6 +119,8 @@ pattern::SampleOptions ExportDialog::samples() const {
     samples.rate_Hz = m_rate->value();
     if (m_content->currentIndex() == 1)
         samples.motors = m_motors;
+    if (m_carrier->isEnabled())
+        samples.carrier_Hz = m_carrier->value();
     return samples;
 }
 

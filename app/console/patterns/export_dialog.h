@@ -41,6 +41,8 @@ private:
     QLabel* m_about;
     QDoubleSpinBox* m_rate;
     QComboBox* m_content;
+    QComboBox* m_signal; ///< of a WAV file
+    QDoubleSpinBox* m_carrier;
     QDialogButtonBox* m_buttons;
 };
 

@@ -2,6 +2,7 @@
 #include "app/console/patterns/patterns_page.h"
 
 #include "app/console/patterns/export_dialog.h"
+#include "app/console/patterns/import_dialog.h"
 #include "backend/pattern/files/pattern_file.h"
 #include "backend/pattern/files/pattern_format.h"
 #include "backend/pattern/model/built_in_patterns.h"
@@ -48,9 +49,7 @@ bool isOwnFormat(const QString& path) {
 
 bool isReadable(const QString& path) {
     const auto format = pattern::formatOf(path.toStdString());
-    return format == pattern::PatternFormat::own || format == pattern::PatternFormat::hjif ||
-           format == pattern::PatternFormat::haptic || format == pattern::PatternFormat::hapticZip ||
-           format == pattern::PatternFormat::tact;
+    return format && pattern::isReadable(*format);
 }
 
 /// The first pattern file of a drag.
@@ -139,8 +138,10 @@ void PatternsPage::connectEditor() {
     connect(m_editor, &PatternEditor::exportRequested, this, &PatternsPage::askForExport);
     connect(m_editor, &PatternEditor::compareRequested, this, &PatternsPage::compareWith);
     connect(m_editor, &PatternEditor::duplicateRequested, this, [this](const QString& idOrPath) {
-        load(idOrPath, [this](const std::shared_ptr<const Pattern>& pattern) {
-            m_collection.duplicate(*pattern, tr("%1 (copy)").arg(pattern::displayName(*pattern)));
+        load(idOrPath, {}, [this, idOrPath](const Import& import) {
+            m_collection.duplicate(import->pattern,
+                                   tr("%1 (copy)").arg(pattern::displayName(import->pattern)));
+            informOfLosses(idOrPath, import->losses);
         });
     });
     pattern::PatternDocument* document = m_editor->document();
@@ -237,25 +238,50 @@ void PatternsPage::showPattern(Pattern pattern, const QString& path, bool unsave
         m_keeper->forget();
 }
 
-void PatternsPage::load(const QString& idOrPath, std::function<void(std::shared_ptr<const Pattern>)> use) {
+void PatternsPage::load(const QString& idOrPath, const pattern::ImportOptions& options,
+                        std::function<void(const Import&)> use) {
     if (const Pattern* builtIn = pattern::findBuiltIn(idOrPath.toStdString())) {
-        use(std::make_shared<const Pattern>(*builtIn));
+        use(std::make_shared<const pattern::PatternImport>(
+            pattern::PatternImport{*builtIn, {}, false, false}));
         return;
     }
     base::runInBackground(
         this,
-        [idOrPath, own = m_collection.atPath(idOrPath)]() -> core::Expected<std::shared_ptr<const Pattern>> {
-            TELETA_TRY(Pattern pattern, pattern::loadPattern(idOrPath.toStdString()));
+        [idOrPath, options, own = m_collection.atPath(idOrPath)]() -> core::Expected<Import> {
+            TELETA_TRY(pattern::PatternImport import,
+                       pattern::importPattern(idOrPath.toStdString(), options));
             if (own)
-                pattern.id = own->id; // unique among the own patterns
-            return std::make_shared<const Pattern>(std::move(pattern));
+                import.pattern.id = own->id; // unique among the own patterns
+            return std::make_shared<const pattern::PatternImport>(std::move(import));
         },
-        [this, idOrPath, use = std::move(use)](core::Expected<std::shared_ptr<const Pattern>> pattern) {
-            if (pattern)
-                use(*pattern);
+        [this, idOrPath, use = std::move(use)](core::Expected<Import> import) {
+            if (import)
+                use(*import);
             else
-                report(tr("%1 could not be opened.", "a file").arg(fileName(idOrPath)), pattern.error());
+                report(tr("%1 could not be opened.", "a file").arg(fileName(idOrPath)), import.error());
         });
+}
+
+void PatternsPage::askToImport(const QString& path, const Import& import,
+                               std::function<void(const Import&)> use) {
+    auto* dialog = new ImportDialog(fileName(path), *import, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, path, import, dialog, use = std::move(use)] {
+        if (dialog->isChanged())
+            load(path, dialog->options(), use);
+        else
+            use(import);
+    });
+    dialog->open();
+}
+
+void PatternsPage::informOfLosses(const QString& path, const std::vector<pattern::Loss>& losses) {
+    QStringList all;
+    for (const pattern::Loss& loss : losses)
+        all << QString::fromStdString(describe(loss));
+    if (!all.isEmpty())
+        inform(tr("%1 holds more than the pattern: %2", "a file, a list of sentences")
+                   .arg(fileName(path), all.join(QLatin1Char(' '))));
 }
 
 void PatternsPage::open(const QString& idOrPath) {
@@ -266,19 +292,24 @@ void PatternsPage::open(const QString& idOrPath) {
 
 void PatternsPage::openNow(const QString& idOrPath, std::optional<quint64> discarded) {
     // Reading takes time: only the last request is shown, and not over edits made meanwhile.
-    load(idOrPath,
-         [this, idOrPath, discarded, number = ++m_asked](const std::shared_ptr<const Pattern>& pattern) {
-             if (number != m_asked)
-                 return;
-             if (discarded == m_editor->document()->revision()) {
-                 showOpened(*pattern, idOrPath);
-                 return;
-             }
-             whenSettled([this, idOrPath, number, pattern] {
-                 if (number == m_asked)
-                     showOpened(*pattern, idOrPath);
-             });
-         });
+    load(idOrPath, {}, [this, idOrPath, discarded, number = ++m_asked](const Import& import) {
+        const auto show = [this, idOrPath, discarded, number](const Import& accepted) {
+            if (number != m_asked)
+                return;
+            if (discarded == m_editor->document()->revision()) {
+                showOpened(accepted->pattern, idOrPath);
+                return;
+            }
+            whenSettled([this, idOrPath, number, accepted] {
+                if (number == m_asked)
+                    showOpened(accepted->pattern, idOrPath);
+            });
+        };
+        if (number == m_asked && !import->losses.empty())
+            askToImport(idOrPath, import, show);
+        else
+            show(import);
+    });
 }
 
 void PatternsPage::showOpened(const Pattern& pattern, const QString& idOrPath) {
@@ -368,20 +399,28 @@ void PatternsPage::exportTo(const QString& path, const pattern::SampleOptions& s
     inform(tr("Exporting %1\u2026", "a file").arg(fileName(path)));
     base::runInBackground(
         this,
-        [path, samples, pattern = std::make_shared<const Pattern>(m_editor->document()->pattern())] {
-            return pattern::savePattern(*pattern, path.toStdString(), samples);
+        [path, samples, pattern = std::make_shared<const Pattern>(m_editor->document()->pattern())]()
+            -> core::Expected<std::vector<pattern::Loss>> {
+            TELETA_CHECK(pattern::savePattern(*pattern, path.toStdString(), samples));
+            return pattern::exportLosses(*pattern, *pattern::formatOf(path.toStdString()));
         },
-        [this, path](core::Expected<void> saved) {
-            if (saved)
-                inform(tr("%1 was exported.", "a file").arg(fileName(path)));
-            else
-                report(tr("%1 could not be exported.", "a file").arg(fileName(path)), saved.error());
+        [this, path](const core::Expected<std::vector<pattern::Loss>>& losses) {
+            if (!losses) {
+                report(tr("%1 could not be exported.", "a file").arg(fileName(path)), losses.error());
+                return;
+            }
+            QStringList all{tr("%1 was exported.", "a file").arg(fileName(path))};
+            for (const pattern::Loss& loss : *losses)
+                all << QString::fromStdString(describe(loss));
+            inform(all.join(QLatin1Char(' ')));
         });
 }
 
 void PatternsPage::compareWith(const QString& idOrPath) {
-    load(idOrPath,
-         [this](std::shared_ptr<const Pattern> pattern) { m_editor->compareWith(std::move(pattern)); });
+    load(idOrPath, {}, [this, idOrPath](const Import& import) {
+        m_editor->compareWith(std::make_shared<const Pattern>(import->pattern));
+        informOfLosses(idOrPath, import->losses);
+    });
 }
 
 bool PatternsPage::hasUnsaved() const {
@@ -464,12 +503,14 @@ void PatternsPage::discardRecovered() {
 
 void PatternsPage::askForFile(bool save) {
     if (!save) {
-        base::askToOpen(this,
-                        {.title = tr("Open pattern"),
-                         .filters = {tr("All patterns (*.json *.hjif *.haptic *.haptic.zip *.tact)"),
-                                     tr("Patterns (*.json)"), tr("HJIF (*.hjif)"),
-                                     tr("Haptic clips (*.haptic *.haptic.zip)"), tr("tact (*.tact)")}},
-                        [this](const QString& path) { open(path); });
+        base::askToOpen(
+            this,
+            {.title = tr("Open pattern"),
+             .filters = {tr("All patterns (*.json *.hjif *.haptic *.haptic.zip *.ahap *.ahap.zip *.tact)"),
+                         tr("Patterns (*.json)"), tr("HJIF (*.hjif)"),
+                         tr("Haptic clips (*.haptic *.haptic.zip)"), tr("AHAP (*.ahap *.ahap.zip)"),
+                         tr("tact (*.tact)")}},
+            [this](const QString& path) { open(path); });
         return;
     }
     const QFileDialog* dialog = base::askToSave(

@@ -5,6 +5,7 @@
 #include "app/console/patterns/pattern_collection.h"
 #include "app/console/patterns/pattern_playback.h"
 #include "app/console/patterns/recovery_keeper.h"
+#include "backend/pattern/files/pattern_import.h"
 #include "backend/pattern/motors/sampled_output.h"
 #include "widgets/chrome/message_bar.h"
 
@@ -13,7 +14,9 @@
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -83,7 +86,13 @@ private:
     void takeAdded(const QString& path, quint64 revision);
     void showPattern(pattern::Pattern pattern, const QString& path, bool unsaved = false);
     void write(const QString& path);
-    void load(const QString& idOrPath, std::function<void(std::shared_ptr<const pattern::Pattern>)> use);
+    using Import = std::shared_ptr<const pattern::PatternImport>;
+    void load(const QString& idOrPath, const pattern::ImportOptions& options,
+              std::function<void(const Import&)> use);
+    /// Lists the losses first; nothing happens when the user cancels.
+    void askToImport(const QString& path, const Import& import, std::function<void(const Import&)> use);
+    /// For what is not opened in the editor.
+    void informOfLosses(const QString& path, const std::vector<pattern::Loss>& losses);
     void showOwn();
     void showRecovery();
     void settled(bool saved);

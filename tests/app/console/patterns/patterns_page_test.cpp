@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/translation.h"
 #include "app/console/patterns/export_dialog.h"
+#include "app/console/patterns/import_dialog.h"
 #include "app/console/patterns/patterns_page.h"
 #include "backend/pattern/files/pattern_file.h"
 #include "backend/pattern/files/pattern_json.h"
@@ -15,6 +16,7 @@
 #include "widgets/pattern/timeline/timeline_view.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -24,6 +26,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QLocale>
 #include <QLockFile>
 #include <QMessageBox>
@@ -500,15 +503,56 @@ private slots:
         QVERIFY(!recording.isAccepted());
     }
 
+    void lossesAreListedBeforeAFileIsOpened() {
+        const QString path = m_folder->filePath("tap.ahap");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"Version": 1.0, "Pattern": [{"Event": {"Time": 0.5, "EventType": "HapticTransient",
+            "EventParameters": [{"ParameterID": "HapticSharpness", "ParameterValue": 1.0}]}}]})");
+        file.close();
+        const pattern::Pattern before = document().pattern();
+        m_page->open(path);
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<ImportDialog*>(), kPatience_ms);
+        QCOMPARE(m_page->findChild<QListWidget*>("losses")->count(), 3);
+        QTest::keyClick(m_page->findChild<ImportDialog*>(), Qt::Key_Escape);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->findChild<ImportDialog*>(), kPatience_ms);
+        QCOMPARE(document().pattern(), before);
+
+        m_page->open(path);
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<ImportDialog*>(), kPatience_ms);
+        auto* dialog = m_page->findChild<ImportDialog*>();
+        QVERIFY(!dialog->isChanged());
+        for (const char* unwanted : {"tactor1", "tactor3", "tactor4", "tactor6"})
+            QTest::keyClick(dialog->findChild<QCheckBox*>(unwanted), Qt::Key_Space);
+        QVERIFY(dialog->isChanged());
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open),
+                          Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(pattern::evaluate(document().pattern(), 0.51),
+                                  (core::Intensities{0, 1, 0, 0, 1, 0}), kPatience_ms);
+        QVERIFY(document().path().isEmpty());
+    }
+
+    void aWavHoldsVibrationsUnlessBareIntensitiesAreChosen() {
+        ExportDialog dialog(pattern::assumedMotors(), "x");
+        QVERIFY(!dialog.samples().carrier_Hz);
+        dialog.choose(pattern::PatternFormat::wav);
+        QCOMPARE(dialog.samples().carrier_Hz.value_or(0.0), 250.0);
+        dialog.findChild<QDoubleSpinBox*>("carrier")->setValue(100.0);
+        QCOMPARE(dialog.samples().carrier_Hz.value_or(0.0), 100.0);
+        QTest::keyClick(dialog.findChild<QComboBox*>("signal"), Qt::Key_Down);
+        QVERIFY(!dialog.samples().carrier_Hz);
+        QVERIFY(!dialog.findChild<QDoubleSpinBox*>("carrier")->isEnabled());
+    }
+
     void samplesAreExportedWithTheRateThatWasChosen() {
         ExportDialog dialog(pattern::assumedMotors(), "x");
         dialog.choose(pattern::PatternFormat::hjif);
-        QVERIFY(!dialog.findChild<QDoubleSpinBox*>()->isEnabled());
+        QVERIFY(!dialog.findChild<QDoubleSpinBox*>("rate")->isEnabled());
         QVERIFY(!dialog.samples().rate_Hz);
         dialog.choose(pattern::PatternFormat::csv);
         QCOMPARE(dialog.ending(), QString(".csv"));
         QCOMPARE(*dialog.samples().rate_Hz, pattern::kCsvRate_Hz);
-        dialog.findChild<QDoubleSpinBox*>()->setValue(50.0);
+        dialog.findChild<QDoubleSpinBox*>("rate")->setValue(50.0);
         dialog.findChild<QComboBox*>("content")->setCurrentIndex(1);
         QVERIFY(dialog.samples().motors);
         const QString path = m_folder->filePath("a.csv");
