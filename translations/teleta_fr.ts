@@ -361,6 +361,161 @@
     </message>
 </context>
 <context>
+    <name>ArrayFramesText</name>
+    <message>
+        <source>the file has no arrays</source>
+        <translation>le fichier n’a pas de tableaux</translation>
+    </message>
+    <message>
+        <source>frames of an array</source>
+        <translation>les trames d’une matrice</translation>
+    </message>
+    <message>
+        <source>there is no array %1; the file has: %2</source>
+        <translation>il n’y a pas de tableau&#xa0;%1&#xa0;; le fichier a&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>one of these</source>
+        <translation>l’un de ceux-ci</translation>
+    </message>
+    <message>
+        <source>no array can be frames; the file has: %1</source>
+        <translation>aucun tableau ne peut constituer les trames&#xa0;; le fichier a&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>several arrays can be the frames; the file has: %1</source>
+        <translation>plusieurs tableaux peuvent constituer les trames&#xa0;; le fichier a&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>an array of 3 dimensions: frames x rows x columns</source>
+        <translation>un tableau à 3 dimensions&#xa0;: trames x lignes x colonnes</translation>
+    </message>
+    <message>
+        <source>the name of one (--array NAME)</source>
+        <translation>le nom d’un seul (--array NAME)</translation>
+    </message>
+    <message>
+        <source>the array %1: %2</source>
+        <translation>le tableau&#xa0;%1&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>a time in s for each frame</source>
+        <translation>un temps en s pour chaque trame</translation>
+    </message>
+    <message>
+        <source>time_s has the shape %1, the frames have %2</source>
+        <translation>time_s a la forme&#xa0;%1, les trames ont&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>the array %1 of %2 does not say which dimension counts the frames</source>
+        <translation>le tableau&#xa0;%1 de&#xa0;%2 n’indique pas quelle dimension compte les trames</translation>
+    </message>
+    <message>
+        <source>--frame-axis first or last, or times in time_s</source>
+        <translation>--frame-axis first ou last, ou des temps dans time_s</translation>
+    </message>
+    <message>
+        <source>the array has %1 instead of %2 values</source>
+        <translation>le tableau a&#xa0;%1 valeurs au lieu de&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>un fichier entier</translation>
+    </message>
+    <message>
+        <source>a frame of the array</source>
+        <translation>une trame de la matrice</translation>
+    </message>
+    <message>
+        <source>a frame of %1 has %2 x %3 taxels</source>
+        <translation>une trame de&#xa0;%1 a&#xa0;%2 x&#xa0;%3 taxels</translation>
+    </message>
+    <message>
+        <source>from 1 to %1 rows and columns</source>
+        <translation>de 1 à&#xa0;%1 lignes et colonnes</translation>
+    </message>
+    <message>
+        <source>the frames have %1 rows x %2 columns</source>
+        <translation>les trames ont&#xa0;%1 lignes x&#xa0;%2 colonnes</translation>
+    </message>
+    <message>
+        <source>%1 rows x %2 columns</source>
+        <translation>%1 lignes x&#xa0;%2 colonnes</translation>
+    </message>
+    <message>
+        <source>%1 has %2 taxels</source>
+        <translation>%1 a&#xa0;%2 taxels</translation>
+    </message>
+    <message>
+        <source>%1 = %2 rows x %3 columns; others with --rows and --columns</source>
+        <translation>%1 =&#xa0;%2 lignes x&#xa0;%3 colonnes&#xa0;; d’autres avec --rows et --columns</translation>
+    </message>
+    <message>
+        <source>the file does not say when its frames were taken</source>
+        <translation>le fichier n’indique pas quand ses trames ont été prises</translation>
+    </message>
+    <message>
+        <source>frames per second (--rate HZ), or times in time_s</source>
+        <translation>des trames par seconde (--rate HZ), ou des temps dans time_s</translation>
+    </message>
+    <message>
+        <source>the time of frame %1 is not a finite number</source>
+        <translation>le temps de la trame&#xa0;%1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>a finite time in s</source>
+        <translation>un temps fini en s</translation>
+    </message>
+    <message>
+        <source>the time goes back at frame %1, from %2 s to %3 s</source>
+        <translation>le temps recule à la trame&#xa0;%1, de&#xa0;%2 s à&#xa0;%3 s</translation>
+    </message>
+    <message>
+        <source>times that do not decrease</source>
+        <translation>des temps non décroissants</translation>
+    </message>
+    <message>
+        <source>an array of real numbers</source>
+        <translation>un tableau de nombres réels</translation>
+    </message>
+    <message>
+        <source>the array has the shape %1</source>
+        <translation>le tableau a la forme&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>frames x rows x columns, or frames x taxels</source>
+        <translation>trames x lignes x colonnes, ou trames x taxels</translation>
+    </message>
+    <message>
+        <source>the array is too large: %1</source>
+        <translation>le tableau est trop grand&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>au plus&#xa0;%1 valeurs</translation>
+    </message>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>l’enregistrement n’a pas de trames</translation>
+    </message>
+    <message>
+        <source>at least one frame</source>
+        <translation>au moins une trame</translation>
+    </message>
+    <message>
+        <source>time_s has %1 times for %2 frames</source>
+        <translation>time_s a&#xa0;%1 temps pour&#xa0;%2 trames</translation>
+    </message>
+    <message>
+        <source>the file has times of its own, in time_s</source>
+        <translation>le fichier a ses propres temps, dans time_s</translation>
+    </message>
+    <message>
+        <source>no rate</source>
+        <translation>pas de fréquence</translation>
+    </message>
+</context>
+<context>
     <name>BakeText</name>
     <message>
         <source>the pattern has too many corners</source>
@@ -2193,6 +2348,66 @@ Exemples&#xa0;:
         <source>a pipe cannot be rewound</source>
         <translation>un tube (pipe) ne permet pas de se positionner</translation>
     </message>
+    <message>
+        <source>the file is %1</source>
+        <translation>le fichier est&#xa0;%1</translation>
+    </message>
+</context>
+<context>
+    <name>DdsDiscovery</name>
+    <message>
+        <source>other programs of the domain cannot be found</source>
+        <translation>les autres programmes du domaine ne peuvent pas être trouvés</translation>
+    </message>
+</context>
+<context>
+    <name>DdsDomain</name>
+    <message>
+        <source>the environment variable %1 is &quot;%2&quot;</source>
+        <translation>la variable d’environnement&#xa0;%1 vaut «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to %1</source>
+        <translation>un nombre entier de 0 à&#xa0;%1</translation>
+    </message>
+</context>
+<context>
+    <name>DdsEndpoint</name>
+    <message>
+        <source>topic %1 cannot be opened</source>
+        <translation>le topic&#xa0;%1 ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>topic %1 cannot be read</source>
+        <translation>le topic&#xa0;%1 ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>topic %1 cannot be written</source>
+        <translation>le topic&#xa0;%1 ne peut pas être écrit</translation>
+    </message>
+</context>
+<context>
+    <name>DdsParticipant</name>
+    <message>
+        <source>domain %1 is open with another interface or other peers</source>
+        <translation>le domaine&#xa0;%1 est ouvert avec une autre interface ou d’autres pairs</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be opened: %2</source>
+        <translation>le domaine DDS&#xa0;%1 ne peut pas être ouvert&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; to be the name or the address of a network interface</source>
+        <translation>que «&#xa0;%1&#xa0;» soit le nom ou l’adresse d’une interface réseau</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be joined: %2</source>
+        <translation>le domaine DDS&#xa0;%1 ne peut pas être rejoint&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be joined</source>
+        <translation>le domaine DDS&#xa0;%1 ne peut pas être rejoint</translation>
+    </message>
 </context>
 <context>
     <name>Demo</name>
@@ -2630,10 +2845,6 @@ Exemples&#xa0;:
         <translation>Fichier MCAP pour Foxglove et ROS 2</translation>
     </message>
     <message>
-        <source>Only these streams into the MCAP file</source>
-        <translation>Seulement ces flux dans le fichier MCAP</translation>
-    </message>
-    <message>
         <source>Compression of the MCAP file</source>
         <translation>Compression du fichier MCAP</translation>
     </message>
@@ -2642,20 +2853,39 @@ Exemples&#xa0;:
         <translation>Taille d’un bloc (chunk) du fichier MCAP, en MiB</translation>
     </message>
     <message>
-        <source>either a folder here or a file after --mcap is needed</source>
-        <translation>il faut soit un dossier ici, soit un fichier après --mcap</translation>
-    </message>
-    <message>
-        <source>only with --mcap</source>
-        <translation>seulement avec --mcap</translation>
-    </message>
-    <message>
         <source>another name, or --force</source>
         <translation>un autre nom, ou --force</translation>
     </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n trame</numerusform>
+            <numerusform>%n trames</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Write the streams of a recording as CSV or MCAP files</source>
-        <translation>Écrire les flux d’un enregistrement en fichiers CSV ou MCAP</translation>
+        <source>NumPy file with the arrays frames and time_s of a tactile array</source>
+        <translation>Fichier NumPy avec les tableaux frames et time_s d’une matrice tactile</translation>
+    </message>
+    <message>
+        <source>Only these streams into the MCAP file; the array of the NumPy file</source>
+        <translation>Seulement ces flux dans le fichier MCAP&#xa0;; la matrice du fichier NumPy</translation>
+    </message>
+    <message>
+        <source>either a folder here or a file after --mcap or --npz is needed</source>
+        <translation>il faut soit un dossier ici, soit un fichier après --mcap ou --npz</translation>
+    </message>
+    <message>
+        <source>only with --mcap or --npz</source>
+        <translation>seulement avec --mcap ou --npz</translation>
+    </message>
+    <message>
+        <source>only one with --npz</source>
+        <translation>un seul avec --npz</translation>
+    </message>
+    <message>
+        <source>Write the streams of a recording as CSV, MCAP or NumPy files</source>
+        <translation>Écrire les flux d’un enregistrement en fichiers CSV, MCAP ou NumPy</translation>
     </message>
 </context>
 <context>
@@ -2677,20 +2907,12 @@ Exemples&#xa0;:
         <translation>tact</translation>
     </message>
     <message>
-        <source>Layout of six motors on the forearm, whole milliseconds. Can be read back.</source>
-        <translation>Disposition de six moteurs sur l’avant-bras, millisecondes entières. Peut être relu.</translation>
-    </message>
-    <message>
         <source>CSV table</source>
         <translation>Tableau CSV</translation>
     </message>
     <message>
         <source>WAV, six channels</source>
         <translation>WAV, six canaux</translation>
-    </message>
-    <message>
-        <source>The intensities as 16-bit samples, 1 is full scale.</source>
-        <translation>Les intensités en échantillons de 16 bits, 1 est la pleine échelle.</translation>
     </message>
     <message>
         <source>One channel per motor, with its place on the forearm. Can be read back.</source>
@@ -2701,12 +2923,20 @@ Exemples&#xa0;:
         <translation>Un clip par moteur. Peut être relu.</translation>
     </message>
     <message>
-        <source>One file per motor, for Core Haptics.</source>
-        <translation>Un fichier par moteur, pour Core Haptics.</translation>
-    </message>
-    <message>
         <source>Columns time_s, t1 to t6: one sample per row.</source>
         <translation>Colonnes time_s, t1 à t6&#xa0;: un échantillon par ligne.</translation>
+    </message>
+    <message>
+        <source>One file per motor, for Core Haptics. Can be read back.</source>
+        <translation>Un fichier par moteur, pour Core Haptics. Peut être relu.</translation>
+    </message>
+    <message>
+        <source>Six motors on the forearm, whole milliseconds; slopes become steps of 20 ms. Can be read back.</source>
+        <translation>Six moteurs sur l’avant-bras, millisecondes entières&#xa0;; les pentes deviennent des paliers de 20 ms. Peut être relu.</translation>
+    </message>
+    <message>
+        <source>16-bit samples, 1 is full scale. Vibrations drive voice coils; bare intensities are for programs that make the vibration themselves.</source>
+        <translation>Échantillons de 16 bits, 1 est la pleine échelle. Les vibrations pilotent des actionneurs à bobine mobile&#xa0;; les intensités brutes sont destinées aux programmes qui produisent eux-mêmes la vibration.</translation>
     </message>
 </context>
 <context>
@@ -2874,6 +3104,89 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>FileKindText</name>
+    <message>
+        <source>text</source>
+        <translation>du texte</translation>
+    </message>
+    <message>
+        <source>a NumPy array (npy)</source>
+        <translation>un tableau NumPy (npy)</translation>
+    </message>
+    <message>
+        <source>a zip archive (npz is one)</source>
+        <translation>une archive zip (npz en est une)</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>un fichier HDF5</translation>
+    </message>
+    <message>
+        <source>a MAT file</source>
+        <translation>un fichier MAT</translation>
+    </message>
+    <message>
+        <source>a MAT file of version 7.3</source>
+        <translation>un fichier MAT de version 7.3</translation>
+    </message>
+    <message>
+        <source>an SQLite database, such as a recording</source>
+        <translation>une base de données SQLite, comme un enregistrement</translation>
+    </message>
+    <message>
+        <source>an MCAP file</source>
+        <translation>un fichier MCAP</translation>
+    </message>
+    <message>
+        <source>a file that gzip has packed</source>
+        <translation>un fichier compressé par gzip</translation>
+    </message>
+    <message>
+        <source>a file that zstd has packed</source>
+        <translation>un fichier compressé par zstd</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>une image PNG</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>une image JPEG</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>un document PDF</translation>
+    </message>
+    <message>
+        <source>an old Excel file</source>
+        <translation>un ancien fichier Excel</translation>
+    </message>
+    <message>
+        <source>a Parquet file</source>
+        <translation>un fichier Parquet</translation>
+    </message>
+    <message>
+        <source>a pickle of Python</source>
+        <translation>un pickle de Python</translation>
+    </message>
+    <message>
+        <source>a video</source>
+        <translation>une vidéo</translation>
+    </message>
+    <message>
+        <source>a WAV sound</source>
+        <translation>un son WAV</translation>
+    </message>
+    <message>
+        <source>text in UTF-16</source>
+        <translation>du texte en UTF-16</translation>
+    </message>
+    <message>
+        <source>binary data of no known format</source>
+        <translation>des données binaires de format inconnu</translation>
+    </message>
+</context>
+<context>
     <name>FileText</name>
     <message>
         <source>one of %1</source>
@@ -2998,16 +3311,8 @@ Exemples&#xa0;:
         <translation>%1 est donné, un taxel de 0 à %2 est attendu</translation>
     </message>
     <message>
-        <source>Recorded frames: time_s,t0,t1,... with one row a frame, row-major</source>
-        <translation>Trames enregistrées&#xa0;: time_s,t0,t1,... avec une ligne par trame, ligne par ligne</translation>
-    </message>
-    <message>
         <source>Rows of the array</source>
         <translation>Lignes de la matrice</translation>
-    </message>
-    <message>
-        <source>Columns of the array</source>
-        <translation>Colonnes de la matrice</translation>
     </message>
     <message>
         <source>Distance of neighbouring taxels in mm</source>
@@ -3016,10 +3321,6 @@ Exemples&#xa0;:
     <message>
         <source>Load in N from which a taxel is in contact</source>
         <translation>Charge en N à partir de laquelle un taxel est en contact</translation>
-    </message>
-    <message>
-        <source>Frames of the unloaded array; their mean is subtracted</source>
-        <translation>Trames de la matrice à vide&#xa0;; leur moyenne est soustraite</translation>
     </message>
     <message>
         <source>The raw values fall under load</source>
@@ -3060,6 +3361,77 @@ Exemples&#xa0;:
     <message>
         <source>Gains of the taxels, as &quot;teleta gains&quot; writes them</source>
         <translation>Gains des taxels, tels que «&#xa0;teleta gains&#xa0;» les écrit</translation>
+    </message>
+    <message>
+        <source>%1 is given, a number of columns, or columns such as 2..85 are expected</source>
+        <translation>%1 est donné, un nombre de colonnes ou des colonnes comme 2..85 sont attendus</translation>
+    </message>
+    <message>
+        <source>Columns of the array; or columns of a table of another program that are taxels, from 1, such as 2..85</source>
+        <translation>Colonnes de la matrice&#xa0;; ou colonnes du tableau d’un autre programme qui sont des taxels, à partir de 1, comme 2..85</translation>
+    </message>
+    <message>
+        <source>Frames per second of a file without times</source>
+        <translation>Trames par seconde d’un fichier sans temps</translation>
+    </message>
+    <message>
+        <source>Name of the frames in a file of several arrays</source>
+        <translation>Nom des trames dans un fichier à plusieurs tableaux</translation>
+    </message>
+    <message>
+        <source>Dimension of the array that counts the frames</source>
+        <translation>Dimension du tableau qui compte les trames</translation>
+    </message>
+    <message>
+        <source>Frames of the unloaded array, whose mean is subtracted; or of the recording itself the median of each taxel, or the mean of the first half second</source>
+        <translation>Trames de la matrice à vide, dont la moyenne est soustraite&#xa0;; ou, de l’enregistrement lui-même, la médiane de chaque taxel ou la moyenne de la première demi-seconde</translation>
+    </message>
+    <message>
+        <source>Name or number of the column of the times in a table of another program</source>
+        <translation>Nom ou numéro de la colonne des temps dans le tableau d’un autre programme</translation>
+    </message>
+    <message>
+        <source>Unit of these times; default: as the name of the column ends</source>
+        <translation>Unité de ces temps&#xa0;; par défaut&#xa0;: d’après la fin du nom de la colonne</translation>
+    </message>
+    <message>
+        <source>Recorded frames: CSV time_s,t0,t1,... with one row a frame, row-major, or a file of another program</source>
+        <translation>Trames enregistrées&#xa0;: CSV time_s,t0,t1,... avec une ligne par trame, taxels ligne par ligne, ou un fichier d’un autre programme</translation>
+    </message>
+    <message>
+        <source>The values are in %1, not in N: give the N of one unit with --gain.</source>
+        <translation>Les valeurs sont en&#xa0;%1, non en N&#xa0;: indiquez avec --gain combien de N vaut une unité.</translation>
+    </message>
+</context>
+<context>
+    <name>FrameReaderText</name>
+    <message>
+        <source>the file is %1</source>
+        <translation>le fichier est&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>frames as CSV, npy, npz, or Tekscan ASCII</source>
+        <translation>des trames en CSV, npy, npz ou ASCII de Tekscan</translation>
+    </message>
+    <message>
+        <source>the frames do not fit into the memory</source>
+        <translation>les trames ne tiennent pas en mémoire</translation>
+    </message>
+    <message>
+        <source>the file has times of its own, in time_s</source>
+        <translation>le fichier a ses propres temps, dans time_s</translation>
+    </message>
+    <message>
+        <source>no rate</source>
+        <translation>pas de fréquence</translation>
+    </message>
+    <message>
+        <source>%1; a table of another program is read with %2</source>
+        <translation>%1&#xa0;; le tableau d’un autre programme se lit avec&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>le fichier</translation>
     </message>
 </context>
 <context>
@@ -3918,6 +4290,17 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>LossText</name>
+    <message>
+        <source>The first one is at %1 s.</source>
+        <translation>Première occurrence à&#xa0;%1 s.</translation>
+    </message>
+    <message>
+        <source>First seen in %1.</source>
+        <translation>Première occurrence dans&#xa0;%1.</translation>
+    </message>
+</context>
+<context>
     <name>McapExport</name>
     <message>
         <source>there is no stream &quot;%1&quot;</source>
@@ -4315,6 +4698,174 @@ Exemples&#xa0;:
     <message>
         <source>it to be closed there first</source>
         <translation>qu’il y soit d’abord fermé</translation>
+    </message>
+</context>
+<context>
+    <name>NpyText</name>
+    <message>
+        <source>the head of the array is damaged at byte %1</source>
+        <translation>l’en-tête du tableau est endommagé à l’octet&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the file ends within the head of the array</source>
+        <translation>le fichier se termine dans l’en-tête du tableau</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>un fichier entier</translation>
+    </message>
+    <message>
+        <source>descr, fortran_order and shape</source>
+        <translation>descr, fortran_order et shape</translation>
+    </message>
+    <message>
+        <source>the end of the head</source>
+        <translation>la fin de l’en-tête</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>a closing quote</source>
+        <translation>un guillemet fermant</translation>
+    </message>
+    <message>
+        <source>its values are structured, with fields</source>
+        <translation>ses valeurs sont structurées, avec des champs</translation>
+    </message>
+    <message>
+        <source>its values are of type &quot;%1&quot;</source>
+        <translation>ses valeurs sont du type «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>its values are objects of Python, which were pickled</source>
+        <translation>ses valeurs sont des objets Python sérialisés par pickle</translation>
+    </message>
+    <message>
+        <source>its values are complex numbers</source>
+        <translation>ses valeurs sont des nombres complexes</translation>
+    </message>
+    <message>
+        <source>its values are texts</source>
+        <translation>ses valeurs sont des textes</translation>
+    </message>
+    <message>
+        <source>whole numbers of 0 or more</source>
+        <translation>des nombres entiers supérieurs ou égaux à 0</translation>
+    </message>
+    <message>
+        <source>npy of version %1.%2</source>
+        <translation>npy de version&#xa0;%1.%2</translation>
+    </message>
+    <message>
+        <source>version 1.0, 2.0 or 3.0</source>
+        <translation>la version 1.0, 2.0 ou 3.0</translation>
+    </message>
+    <message>
+        <source>a head of at most 1 MiB</source>
+        <translation>un en-tête d’au plus 1 MiB</translation>
+    </message>
+    <message>
+        <source>the file ends after %1 of %2 values</source>
+        <translation>le fichier se termine après&#xa0;%1 valeurs sur&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>the file goes on behind the %1 values of its array</source>
+        <translation>le fichier continue après les&#xa0;%1 valeurs de son tableau</translation>
+    </message>
+    <message>
+        <source>one array</source>
+        <translation>un seul tableau</translation>
+    </message>
+</context>
+<context>
+    <name>NpzExportText</name>
+    <message>
+        <source>the recording has no tactile array</source>
+        <translation>l’enregistrement n’a pas de matrice tactile</translation>
+    </message>
+    <message>
+        <source>frames of an array</source>
+        <translation>les trames d’une matrice</translation>
+    </message>
+    <message>
+        <source>the recording has no array &quot;%1&quot;</source>
+        <translation>l’enregistrement n’a pas de matrice «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the recording has several arrays</source>
+        <translation>l’enregistrement a plusieurs matrices</translation>
+    </message>
+    <message>
+        <source>one of them (--stream NAME): %1</source>
+        <translation>l’une d’elles (--stream NAME)&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>il y a déjà un fichier de ce nom</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>un autre nom</translation>
+    </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>interrompu&#xa0;; rien n’a été écrit</translation>
+    </message>
+    <message>
+        <source>the recording is too long</source>
+        <translation>l’enregistrement est trop long</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>au plus&#xa0;%1 valeurs</translation>
+    </message>
+</context>
+<context>
+    <name>NpzWriterText</name>
+    <message>
+        <source>cannot write the file: %1</source>
+        <translation>impossible d’écrire le fichier&#xa0;:&#xa0;%1</translation>
+    </message>
+</context>
+<context>
+    <name>NumpyFileText</name>
+    <message>
+        <source>the file ends after %1 of %2 values</source>
+        <translation>le fichier se termine après&#xa0;%1 valeurs sur&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>un fichier entier</translation>
+    </message>
+    <message>
+        <source>the zip archive is damaged: %1</source>
+        <translation>l’archive zip est endommagée&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>a whole npz file</source>
+        <translation>un fichier npz entier</translation>
+    </message>
+    <message>
+        <source>the zip archive has too many files</source>
+        <translation>l’archive zip a trop de fichiers</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the zip archive has no array of NumPy</source>
+        <translation>l’archive zip n’a pas de tableau NumPy</translation>
+    </message>
+    <message>
+        <source>an npz file, with files that end in .npy</source>
+        <translation>un fichier npz, dont les fichiers se terminent par .npy</translation>
+    </message>
+    <message>
+        <source>a whole npz file that is not encrypted</source>
+        <translation>un fichier npz entier et non chiffré</translation>
     </message>
 </context>
 <context>
@@ -4863,24 +5414,44 @@ Aire %6</translation>
         <source>it belongs to OUT as -, where it is needed</source>
         <translation>elle va avec OUT donné comme -, où elle est nécessaire</translation>
     </message>
+    <message>
+        <source>The samples are vibrations of %1 Hz with the intensities of the pattern.</source>
+        <translation>Les échantillons sont des vibrations de&#xa0;%1 Hz avec les intensités du motif.</translation>
+    </message>
+    <message>
+        <source>The samples are the bare intensities, which move no voice coil: --carrier writes vibrations.</source>
+        <translation>Les échantillons sont les intensités brutes, qui ne font bouger aucune bobine mobile&#xa0;: --carrier écrit des vibrations.</translation>
+    </message>
+    <message>
+        <source>WAV: vibrations of this frequency, for voice coils, instead of the bare intensities; 250 without a number</source>
+        <translation>WAV&#xa0;: des vibrations de cette fréquence, pour des actionneurs à bobine mobile, au lieu des intensités brutes&#xa0;; 250 sans nombre</translation>
+    </message>
+    <message>
+        <source>A file with one signal: the tactors that play it, for example 1,4; all without this</source>
+        <translation>Un fichier à un seul signal&#xa0;: les tacteurs qui le jouent, par exemple 1,4&#xa0;; tous sans cette option</translation>
+    </message>
+    <message>
+        <source>A .tact file with both arms: the one to read; left without this</source>
+        <translation>Un fichier .tact avec les deux bras&#xa0;: celui à lire&#xa0;; le gauche sans cette option</translation>
+    </message>
+    <message>
+        <source>expected numbers from 1 to 6 between commas</source>
+        <translation>nombres de 1 à 6 séparés par des virgules attendus</translation>
+    </message>
+    <message>
+        <source>it belongs to a file with one signal</source>
+        <translation>elle va avec un fichier à un seul signal</translation>
+    </message>
+    <message>
+        <source>it is for .wav files</source>
+        <translation>elle concerne les fichiers .wav</translation>
+    </message>
 </context>
 <context>
     <name>PatternFile</name>
     <message>
         <source>there is no tactor for the file &quot;%1&quot;</source>
         <translation>il n’y a pas de tacteur pour le fichier «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>files tactor1.haptic to tactor6.haptic, each once</source>
-        <translation>les fichiers tactor1.haptic à tactor6.haptic, chacun une fois</translation>
-    </message>
-    <message>
-        <source>there is no tactor left for this channel</source>
-        <translation>il ne reste pas de tacteur pour ce canal</translation>
-    </message>
-    <message>
-        <source>six channels with directions 60 degrees apart</source>
-        <translation>six canaux de directions espacées de 60 degrés</translation>
     </message>
     <message>
         <source>the pattern is too long for a WAV file</source>
@@ -4990,6 +5561,66 @@ Aire %6</translation>
         <source>a whole number of samples per second</source>
         <translation>un nombre entier d’échantillons par seconde</translation>
     </message>
+    <message>
+        <source>this part is not known</source>
+        <translation>cette partie est inconnue</translation>
+    </message>
+    <message>
+        <source>too many pieces overlap</source>
+        <translation>trop de segments se chevauchent</translation>
+    </message>
+    <message>
+        <source>a pattern of at most %1 objects</source>
+        <translation>un motif d’au plus&#xa0;%1 objets</translation>
+    </message>
+    <message>
+        <source>there are too many emphases</source>
+        <translation>il y a trop d’accentuations</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>vectorial waves, transients or curves of vibration</source>
+        <translation>des ondes vectorielles, des transitoires ou des courbes de vibration</translation>
+    </message>
+    <message>
+        <source>there are too many effects, or too many inside each other</source>
+        <translation>il y a trop d’effets, ou trop d’effets imbriqués</translation>
+    </message>
+    <message>
+        <source>there is no such effect in the library</source>
+        <translation>il n’y a pas d’effet de ce nom dans la bibliothèque</translation>
+    </message>
+    <message>
+        <source>the id of an effect in effect_library</source>
+        <translation>l’id d’un effet présent dans effect_library</translation>
+    </message>
+    <message>
+        <source>there are too many keyframes</source>
+        <translation>il y a trop d’images clés</translation>
+    </message>
+    <message>
+        <source>files tactor1%1 to tactor6%1, each once</source>
+        <translation>des fichiers tactor1%1 à tactor6%1, chacun une seule fois</translation>
+    </message>
+    <message>
+        <source>the paths are too long</source>
+        <translation>les trajectoires sont trop longues</translation>
+    </message>
+    <message>
+        <source>at most %1 points</source>
+        <translation>au plus&#xa0;%1 points</translation>
+    </message>
+    <message>
+        <source>this rate cannot hold a carrier of %1 Hz</source>
+        <translation>cette fréquence d’échantillonnage ne permet pas une porteuse de&#xa0;%1 Hz</translation>
+    </message>
+    <message>
+        <source>a carrier above 0 and below half of %1 samples per second</source>
+        <translation>une porteuse au-dessus de 0 et au-dessous de la moitié de&#xa0;%1 échantillons par seconde</translation>
+    </message>
 </context>
 <context>
     <name>PatternLaws</name>
@@ -5052,6 +5683,98 @@ Aire %6</translation>
     <message>
         <source>Let it begin at %1 s, when the other one has ended.</source>
         <translation>Le faire débuter à %1 s, quand l’autre est fini.</translation>
+    </message>
+</context>
+<context>
+    <name>PatternLoss</name>
+    <message>
+        <source>Frequencies left out: %1. The frequency of the motors follows their intensity.</source>
+        <translation>Fréquences laissées de côté&#xa0;:&#xa0;%1. La fréquence des moteurs suit leur intensité.</translation>
+    </message>
+    <message>
+        <source>Short pulses that became bursts of %2 ms: %1.</source>
+        <translation>Impulsions brèves devenues des salves de&#xa0;%2 ms&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>The pattern is longer than the file by %1 s, so that its last burst is whole.</source>
+        <translation>Le motif dépasse le fichier de&#xa0;%1 s, pour que sa dernière salve soit entière.</translation>
+    </message>
+    <message>
+        <source>The file holds one signal. It plays on tactor %1.</source>
+        <comment>a list of numbers</comment>
+        <translation>Le fichier contient un seul signal. Il est joué sur le tacteur&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Channels without a direction, put on the tactors in their order: %1.</source>
+        <translation>Canaux sans direction, placés sur les tacteurs dans leur ordre&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Channels left out, because no tactor is left for them: %1.</source>
+        <translation>Canaux laissés de côté, faute de tacteur restant&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Effects for the other arm left out: %1.</source>
+        <translation>Effets pour l’autre bras laissés de côté&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Effects for other devices left out: %1.</source>
+        <translation>Effets pour d’autres appareils laissés de côté&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Parts that are not vibration left out: %1.</source>
+        <translation>Parties autres que des vibrations laissées de côté&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Tracks left out that are switched off: %1.</source>
+        <translation>Pistes désactivées laissées de côté&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Pieces that overlap others: %1. The stronger one counts; they do not add up.</source>
+        <translation>Segments qui en chevauchent d’autres&#xa0;:&#xa0;%1. Le plus fort compte&#xa0;; ils ne s’additionnent pas.</translation>
+    </message>
+    <message>
+        <source>Paths shared among the motors nearest to them: %1.</source>
+        <translation>Trajectoires réparties entre les moteurs les plus proches&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Paths or envelopes of a single point left out: %1. They have no length.</source>
+        <translation>Trajectoires ou enveloppes d’un seul point laissées de côté&#xa0;:&#xa0;%1. Elles n’ont pas de durée.</translation>
+    </message>
+    <message>
+        <source>Sounds left out: %1.</source>
+        <translation>Sons laissés de côté&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Events whose attack, decay or release was left out: %1.</source>
+        <translation>Événements dont l’attaque, la décroissance ou le relâchement a été laissé de côté&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Settings that a pattern does not have: %1.</source>
+        <translation>Réglages qu’un motif n’a pas&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Coded wave forms left out: %1.</source>
+        <translation>Formes d’onde codées laissées de côté&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Curves of displacement, of which the size plays in straight lines: %1.</source>
+        <translation>Courbes de déplacement, dont l’amplitude est jouée en segments de droite&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Intensities beyond full drive, set to 1: %1.</source>
+        <translation>Intensités au-delà de la pleine commande, ramenées à 1&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Objects written as the intensities that they play: %1.</source>
+        <translation>Objets écrits sous la forme des intensités qu’ils jouent&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Slopes written as steps of %2 ms: %1. They differ from the pattern by up to %3.</source>
+        <translation>Pentes écrites en paliers de&#xa0;%2 ms&#xa0;:&#xa0;%1. Elles s’écartent du motif d’au plus&#xa0;%3.</translation>
+    </message>
+    <message>
+        <source>Times rounded to milliseconds: %1.</source>
+        <translation>Temps arrondis à la milliseconde&#xa0;:&#xa0;%1.</translation>
     </message>
 </context>
 <context>
@@ -6365,6 +7088,81 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RosCommand</name>
+    <message>
+        <source>a publisher is best effort, reliable was asked</source>
+        <translation>un émetteur est en «&#xa0;best effort&#xa0;», «&#xa0;reliable&#xa0;» a été demandé</translation>
+    </message>
+    <message>
+        <source>a publisher keeps nothing of what it sent, which was asked</source>
+        <translation>un émetteur ne garde rien de ce qu’il a envoyé, ce qui a été demandé</translation>
+    </message>
+    <message>
+        <source>a publisher offers other qualities than were asked</source>
+        <translation>un émetteur offre d’autres qualités de service que celles demandées</translation>
+    </message>
+    <message>
+        <source>List topics and who publishes and reads them</source>
+        <translation>Lister les topics et qui les publie et les lit</translation>
+    </message>
+    <message>
+        <source>List the nodes of programs</source>
+        <translation>Lister les nœuds des programmes</translation>
+    </message>
+    <message>
+        <source>Print what is sent on a topic, until Ctrl-C</source>
+        <translation>Afficher ce qui est envoyé sur un topic, jusqu’à Ctrl-C</translation>
+    </message>
+    <message>
+        <source>Name of the topic, for example /joint_states</source>
+        <translation>Nom du topic, par exemple /joint_states</translation>
+    </message>
+    <message>
+        <source>End after so many messages</source>
+        <translation>Terminer après ce nombre de messages</translation>
+    </message>
+    <message>
+        <source>Number of the domain; default: ROS_DOMAIN_ID of the environment, else 0</source>
+        <translation>Numéro du domaine&#xa0;; par défaut&#xa0;: ROS_DOMAIN_ID de l’environnement, sinon 0</translation>
+    </message>
+    <message>
+        <source>Network interface, its name or its address; default: the first one</source>
+        <translation>Interface réseau, son nom ou son adresse&#xa0;; par défaut&#xa0;: la première</translation>
+    </message>
+    <message>
+        <source>Computer on which to look for programs besides this one; may be repeated. Multicast is not used</source>
+        <translation>Ordinateur où chercher des programmes, en plus de celui-ci&#xa0;; peut être répété. Le multicast n’est pas utilisé</translation>
+    </message>
+    <message>
+        <source>this computer</source>
+        <translation>cet ordinateur</translation>
+    </message>
+    <message>
+        <source>no program of domain %1 was found on: %2. Name the robot&apos;s computer with --peer, since multicast is not used.</source>
+        <translation>aucun programme du domaine&#xa0;%1 n’a été trouvé sur&#xa0;:&#xa0;%2. Indiquez l’ordinateur du robot avec --peer, car le multicast n’est pas utilisé.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a topic; expected parts of letters, digits and _ after slashes, for example /joint_states</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nom de topic&#xa0;; attendu&#xa0;: des parties de lettres, de chiffres et de _ après des barres obliques, par exemple /joint_states</translation>
+    </message>
+    <message>
+        <source>nobody published %1 in domain %2 within %3 s; looked for on: %4</source>
+        <translation>personne n’a publié&#xa0;%1 dans le domaine&#xa0;%2 en&#xa0;%3 s&#xa0;; recherché sur&#xa0;:&#xa0;%4</translation>
+    </message>
+    <message>
+        <source>%1 has the type %2, which is not known</source>
+        <translation>%1 est du type&#xa0;%2, qui n’est pas connu</translation>
+    </message>
+    <message>
+        <source>nothing was sent on %1 within %2 s</source>
+        <translation>rien n’a été envoyé sur&#xa0;%1 en&#xa0;%2 s</translation>
+    </message>
+    <message>
+        <source>Topics and nodes of ROS 2, without ROS</source>
+        <translation>Topics et nœuds de ROS 2, sans ROS</translation>
+    </message>
+</context>
+<context>
     <name>RunSheet</name>
     <message>
         <source>point</source>
@@ -7123,6 +7921,10 @@ Run %2 --help for more.
     <message>
         <source>the document and a file would both go to standard output</source>
         <translation>le document et un fichier iraient tous deux sur la sortie standard</translation>
+    </message>
+    <message>
+        <source>an npz file is an archive, which is no stream</source>
+        <translation>un fichier npz est une archive, et non un flux</translation>
     </message>
 </context>
 <context>
@@ -9638,6 +10440,124 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>TableText</name>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>l’enregistrement n’a pas de trames</translation>
+    </message>
+    <message>
+        <source>at least one row of numbers</source>
+        <translation>au moins une ligne de nombres</translation>
+    </message>
+    <message>
+        <source>there is no column %1</source>
+        <translation>il n’y a pas de colonne&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>a number from 1 to %1; the table has no header</source>
+        <translation>un nombre de 1 à&#xa0;%1&#xa0;; le tableau n’a pas d’en-tête</translation>
+    </message>
+    <message>
+        <source>one of %1, or a number from 1 to %2</source>
+        <translation>l’un de&#xa0;%1, ou un nombre de 1 à&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>the table has %1 columns, %2..%3 are asked for</source>
+        <translation>le tableau a&#xa0;%1 colonnes,&#xa0;%2..%3 sont demandées</translation>
+    </message>
+    <message>
+        <source>columns from 1 to %1</source>
+        <translation>des colonnes de 1 à&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the table has %1 columns of taxels</source>
+        <translation>le tableau a&#xa0;%1 colonnes de taxels</translation>
+    </message>
+    <message>
+        <source>from 1 to %1</source>
+        <translation>de 1 à&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>column %1 is that of the times, and one of the taxels</source>
+        <translation>la colonne&#xa0;%1 est celle des temps et l’une de celles des taxels</translation>
+    </message>
+    <message>
+        <source>either</source>
+        <translation>l’un ou l’autre</translation>
+    </message>
+    <message>
+        <source>a row of the table</source>
+        <translation>une ligne du tableau</translation>
+    </message>
+    <message>
+        <source>a column of times and a rate</source>
+        <translation>une colonne des temps et une fréquence</translation>
+    </message>
+    <message>
+        <source>the column of the times (--time-column NAME), or frames per second (--rate HZ)</source>
+        <translation>la colonne des temps (--time-column NAME), ou des trames par seconde (--rate HZ)</translation>
+    </message>
+    <message>
+        <source>the unit %1 of the times</source>
+        <translation>l’unité&#xa0;%1 des temps</translation>
+    </message>
+    <message>
+        <source>the row has %1 values</source>
+        <translation>la ligne a&#xa0;%1 valeurs</translation>
+    </message>
+    <message>
+        <source>one value per column: %1</source>
+        <translation>une valeur par colonne&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the table is too long</source>
+        <translation>le tableau est trop long</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>au plus&#xa0;%1 valeurs</translation>
+    </message>
+    <message>
+        <source>the time goes back</source>
+        <translation>le temps recule</translation>
+    </message>
+    <message>
+        <source>times that do not decrease</source>
+        <translation>des temps non décroissants</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a number, nan, inf or NA</source>
+        <translation>un nombre, nan, inf ou NA</translation>
+    </message>
+    <message>
+        <source>%1 is not a time</source>
+        <translation>%1 n’est pas un temps</translation>
+    </message>
+    <message>
+        <source>a number, or --time-unit iso</source>
+        <translation>un nombre, ou --time-unit iso</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>un nombre fini</translation>
+    </message>
+    <message>
+        <source>a date and time such as 2026-05-01T12:00:00.5</source>
+        <translation>une date et une heure comme 2026-05-01T12:00:00.5</translation>
+    </message>
+</context>
+<context>
+    <name>TactText</name>
+    <message>
+        <source>this name is unknown</source>
+        <translation>ce nom n’est pas connu</translation>
+    </message>
+</context>
+<context>
     <name>TaxelGainFile</name>
     <message>
         <source>taxel %1 is missing</source>
@@ -9750,6 +10670,128 @@ Run %2 --help for more.
     <message>
         <source>The frames have %1 values in total.</source>
         <translation>Les trames ont %1 valeurs en tout.</translation>
+    </message>
+</context>
+<context>
+    <name>TekscanText</name>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>l’enregistrement n’a pas de trames</translation>
+    </message>
+    <message>
+        <source>the file ends after frame %1 of %2</source>
+        <translation>le fichier se termine après la trame&#xa0;%1 sur&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>un fichier entier</translation>
+    </message>
+    <message>
+        <source>the file ends within its head</source>
+        <translation>le fichier se termine dans son en-tête</translation>
+    </message>
+    <message>
+        <source>the head has no line %1</source>
+        <translation>l’en-tête n’a pas de ligne&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to %1</source>
+        <translation>un nombre entier de 1 à&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>a number above 0 in mm or cm</source>
+        <translation>un nombre supérieur à 0 en mm ou cm</translation>
+    </message>
+    <message>
+        <source>%1 rows x %2 columns, as was asked for</source>
+        <translation>%1 lignes x&#xa0;%2 colonnes, comme demandé</translation>
+    </message>
+    <message>
+        <source>the distance of the rows, or one pitch for both (--pitch-mm)</source>
+        <translation>la distance entre les lignes, ou un seul pas pour les deux (--pitch-mm)</translation>
+    </message>
+    <message>
+        <source>a number above 0 in mm2 or cm2</source>
+        <translation>un nombre supérieur à 0 en mm2 ou cm2</translation>
+    </message>
+    <message>
+        <source>RAW, or a unit of pressure such as kPa or PSI</source>
+        <translation>RAW, ou une unité de pression comme kPa ou PSI</translation>
+    </message>
+    <message>
+        <source>the area with which a pressure makes a force</source>
+        <translation>l’aire avec laquelle une pression donne une force</translation>
+    </message>
+    <message>
+        <source>a number above 0, or frames per second (--rate HZ)</source>
+        <translation>un nombre supérieur à 0, ou des trames par seconde (--rate HZ)</translation>
+    </message>
+    <message>
+        <source>the line is %1</source>
+        <translation>la ligne est&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the frame has no number</source>
+        <translation>la trame n’a pas de numéro</translation>
+    </message>
+    <message>
+        <source>frame %1 comes after frame %2</source>
+        <translation>la trame&#xa0;%1 vient après la trame&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>numbers that grow</source>
+        <translation>des numéros croissants</translation>
+    </message>
+    <message>
+        <source>the recording is too long</source>
+        <translation>l’enregistrement est trop long</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>au plus&#xa0;%1 valeurs</translation>
+    </message>
+    <message>
+        <source>frame %1 ends after %2 of %3 rows</source>
+        <translation>la trame&#xa0;%1 se termine après&#xa0;%2 lignes sur&#xa0;%3</translation>
+    </message>
+    <message>
+        <source>a whole frame</source>
+        <translation>une trame entière</translation>
+    </message>
+    <message>
+        <source>the row has %1 values</source>
+        <translation>la ligne a&#xa0;%1 valeurs</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 valeurs</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a number or B</source>
+        <translation>un nombre ou B</translation>
+    </message>
+</context>
+<context>
+    <name>TextLinesText</name>
+    <message>
+        <source>the line is longer than 16 MiB</source>
+        <translation>la ligne dépasse 16 MiB</translation>
+    </message>
+    <message>
+        <source>a line end</source>
+        <translation>une fin de ligne</translation>
+    </message>
+    <message>
+        <source>the line has a byte 0, which no text has</source>
+        <translation>la ligne a un octet 0, qu’aucun texte ne contient</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>du texte</translation>
     </message>
 </context>
 <context>
@@ -13621,6 +14663,22 @@ Run %2 --help for more.
         <source>predicted intensities</source>
         <translation>ce que feront les moteurs selon la prédiction</translation>
     </message>
+    <message>
+        <source>vibrations</source>
+        <translation>vibrations</translation>
+    </message>
+    <message>
+        <source>bare intensities</source>
+        <translation>intensités brutes</translation>
+    </message>
+    <message>
+        <source>&amp;Signal:</source>
+        <translation>&amp;Signal&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Frequenc&amp;y:</source>
+        <translation>F&amp;réquence&#xa0;:</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FeedbackPanel</name>
@@ -13818,6 +14876,34 @@ Run %2 --help for more.
     <message>
         <source>&amp;Log</source>
         <translation>&amp;Journal</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::ImportDialog</name>
+    <message>
+        <source>Open pattern</source>
+        <translation>Ouvrir un motif</translation>
+    </message>
+    <message>
+        <source>A pattern cannot represent everything that %1 holds. Opening it changes or leaves out:</source>
+        <comment>a file</comment>
+        <translation>Un motif ne peut pas représenter tout ce que contient&#xa0;%1. L’ouverture modifie ou laisse de côté&#xa0;:</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droit</translation>
+    </message>
+    <message>
+        <source>&amp;Arm:</source>
+        <translation>&amp;Bras&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;Motors:</source>
+        <translation>&amp;Moteurs&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -15124,10 +16210,6 @@ Run %2 --help for more.
         <translation>Motifs (*.json)</translation>
     </message>
     <message>
-        <source>All patterns (*.json *.hjif *.haptic *.haptic.zip *.tact)</source>
-        <translation>Tous les motifs (*.json *.hjif *.haptic *.haptic.zip *.tact)</translation>
-    </message>
-    <message>
         <source>HJIF (*.hjif)</source>
         <translation>HJIF (*.hjif)</translation>
     </message>
@@ -15164,6 +16246,19 @@ Run %2 --help for more.
         <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
         <comment>a pattern, a time</comment>
         <translation>Le programme s’est terminé sans enregistrer %1 (modification&#xa0;: %2). Le fichier sur le disque est resté tel quel.</translation>
+    </message>
+    <message>
+        <source>%1 holds more than the pattern: %2</source>
+        <comment>a file, a list of sentences</comment>
+        <translation>%1 contient plus que le motif&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>All patterns (*.json *.hjif *.haptic *.haptic.zip *.ahap *.ahap.zip *.tact)</source>
+        <translation>Tous les motifs (*.json *.hjif *.haptic *.haptic.zip *.ahap *.ahap.zip *.tact)</translation>
+    </message>
+    <message>
+        <source>AHAP (*.ahap *.ahap.zip)</source>
+        <translation>AHAP (*.ahap *.ahap.zip)</translation>
     </message>
 </context>
 <context>

@@ -360,6 +360,161 @@
     </message>
 </context>
 <context>
+    <name>ArrayFramesText</name>
+    <message>
+        <source>the file has no arrays</source>
+        <translation>ファイルに配列がありません</translation>
+    </message>
+    <message>
+        <source>frames of an array</source>
+        <translation>アレイのフレーム</translation>
+    </message>
+    <message>
+        <source>there is no array %1; the file has: %2</source>
+        <translation>配列%1がありません。ファイルにある配列: %2</translation>
+    </message>
+    <message>
+        <source>one of these</source>
+        <translation>これらのいずれか</translation>
+    </message>
+    <message>
+        <source>no array can be frames; the file has: %1</source>
+        <translation>フレームとして使える配列がありません。ファイルにある配列: %1</translation>
+    </message>
+    <message>
+        <source>several arrays can be the frames; the file has: %1</source>
+        <translation>フレームとして使える配列が複数あります。ファイルにある配列: %1</translation>
+    </message>
+    <message>
+        <source>an array of 3 dimensions: frames x rows x columns</source>
+        <translation>3次元の配列: フレーム x 行 x 列</translation>
+    </message>
+    <message>
+        <source>the name of one (--array NAME)</source>
+        <translation>いずれかの配列の名前 (--array NAME)</translation>
+    </message>
+    <message>
+        <source>the array %1: %2</source>
+        <translation>配列%1: %2</translation>
+    </message>
+    <message>
+        <source>a time in s for each frame</source>
+        <translation>フレームごとの時刻 (s)</translation>
+    </message>
+    <message>
+        <source>time_s has the shape %1, the frames have %2</source>
+        <translation>time_sの形状は%1ですが、フレームの形状は%2です</translation>
+    </message>
+    <message>
+        <source>the array %1 of %2 does not say which dimension counts the frames</source>
+        <translation>形状%2の配列%1からは、どの次元がフレームを数えるのか判別できません</translation>
+    </message>
+    <message>
+        <source>--frame-axis first or last, or times in time_s</source>
+        <translation>--frame-axis firstまたはlast、あるいはtime_sの時刻</translation>
+    </message>
+    <message>
+        <source>the array has %1 instead of %2 values</source>
+        <translation>配列の値の数が%2ではなく%1です</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>完全なファイル</translation>
+    </message>
+    <message>
+        <source>a frame of the array</source>
+        <translation>配列の1フレーム</translation>
+    </message>
+    <message>
+        <source>a frame of %1 has %2 x %3 taxels</source>
+        <translation>%1のフレームは%2 x %3タクセルです</translation>
+    </message>
+    <message>
+        <source>from 1 to %1 rows and columns</source>
+        <translation>1から%1までの行数と列数</translation>
+    </message>
+    <message>
+        <source>the frames have %1 rows x %2 columns</source>
+        <translation>フレームは%1行 x %2列です</translation>
+    </message>
+    <message>
+        <source>%1 rows x %2 columns</source>
+        <translation>%1行 x %2列</translation>
+    </message>
+    <message>
+        <source>%1 has %2 taxels</source>
+        <translation>%1のタクセル数は%2です</translation>
+    </message>
+    <message>
+        <source>%1 = %2 rows x %3 columns; others with --rows and --columns</source>
+        <translation>%1 = %2行 x %3列。それ以外は--rowsと--columnsで指定</translation>
+    </message>
+    <message>
+        <source>the file does not say when its frames were taken</source>
+        <translation>ファイルにフレームの取得時刻がありません</translation>
+    </message>
+    <message>
+        <source>frames per second (--rate HZ), or times in time_s</source>
+        <translation>毎秒のフレーム数 (--rate HZ)、またはtime_sの時刻</translation>
+    </message>
+    <message>
+        <source>the time of frame %1 is not a finite number</source>
+        <translation>フレーム%1の時刻が有限の数値ではありません</translation>
+    </message>
+    <message>
+        <source>a finite time in s</source>
+        <translation>有限の時刻 (s)</translation>
+    </message>
+    <message>
+        <source>the time goes back at frame %1, from %2 s to %3 s</source>
+        <translation>フレーム%1で時刻が%2 sから%3 sに戻っています</translation>
+    </message>
+    <message>
+        <source>times that do not decrease</source>
+        <translation>減少しない時刻</translation>
+    </message>
+    <message>
+        <source>an array of real numbers</source>
+        <translation>実数の配列</translation>
+    </message>
+    <message>
+        <source>the array has the shape %1</source>
+        <translation>配列の形状は%1です</translation>
+    </message>
+    <message>
+        <source>frames x rows x columns, or frames x taxels</source>
+        <translation>フレーム x 行 x 列、またはフレーム x タクセル</translation>
+    </message>
+    <message>
+        <source>the array is too large: %1</source>
+        <translation>配列が大きすぎます: %1</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>%1個以下の値</translation>
+    </message>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>記録にフレームがありません</translation>
+    </message>
+    <message>
+        <source>at least one frame</source>
+        <translation>1つ以上のフレーム</translation>
+    </message>
+    <message>
+        <source>time_s has %1 times for %2 frames</source>
+        <translation>time_sの時刻は%1個ですが、フレームは%2個です</translation>
+    </message>
+    <message>
+        <source>the file has times of its own, in time_s</source>
+        <translation>ファイル自体に時刻 (time_s) があります</translation>
+    </message>
+    <message>
+        <source>no rate</source>
+        <translation>レートの指定なし</translation>
+    </message>
+</context>
+<context>
     <name>BakeText</name>
     <message>
         <source>the pattern has too many corners</source>
@@ -2189,6 +2344,66 @@ Examples:
         <source>a pipe cannot be rewound</source>
         <translation>パイプでは位置を移動できません</translation>
     </message>
+    <message>
+        <source>the file is %1</source>
+        <translation>ファイルの形式は%1です</translation>
+    </message>
+</context>
+<context>
+    <name>DdsDiscovery</name>
+    <message>
+        <source>other programs of the domain cannot be found</source>
+        <translation>ドメインのほかのプログラムを見つけられません</translation>
+    </message>
+</context>
+<context>
+    <name>DdsDomain</name>
+    <message>
+        <source>the environment variable %1 is &quot;%2&quot;</source>
+        <translation>環境変数 %1 は「%2」です</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to %1</source>
+        <translation>0から%1までの整数</translation>
+    </message>
+</context>
+<context>
+    <name>DdsEndpoint</name>
+    <message>
+        <source>topic %1 cannot be opened</source>
+        <translation>トピック %1 を開けません</translation>
+    </message>
+    <message>
+        <source>topic %1 cannot be read</source>
+        <translation>トピック %1 を読み取れません</translation>
+    </message>
+    <message>
+        <source>topic %1 cannot be written</source>
+        <translation>トピック %1 に書き込めません</translation>
+    </message>
+</context>
+<context>
+    <name>DdsParticipant</name>
+    <message>
+        <source>domain %1 is open with another interface or other peers</source>
+        <translation>ドメイン %1 は別のインターフェースまたは別の相手で開かれています</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be opened: %2</source>
+        <translation>DDSのドメイン %1 を開けません: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; to be the name or the address of a network interface</source>
+        <translation>「%1」がネットワークインターフェースの名前またはアドレスであること</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be joined: %2</source>
+        <translation>DDSのドメイン %1 に参加できません: %2</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be joined</source>
+        <translation>DDSのドメイン %1 に参加できません</translation>
+    </message>
 </context>
 <context>
     <name>Demo</name>
@@ -2622,10 +2837,6 @@ Examples:
         <translation>FoxgloveおよびROS 2用のMCAPファイル</translation>
     </message>
     <message>
-        <source>Only these streams into the MCAP file</source>
-        <translation>MCAPファイルにこれらのストリームのみを含める</translation>
-    </message>
-    <message>
         <source>Compression of the MCAP file</source>
         <translation>MCAPファイルの圧縮</translation>
     </message>
@@ -2634,20 +2845,38 @@ Examples:
         <translation>MCAPファイルのチャンクの大きさ (MiB)</translation>
     </message>
     <message>
-        <source>either a folder here or a file after --mcap is needed</source>
-        <translation>ここにフォルダー、または--mcapの後にファイルが必要です</translation>
-    </message>
-    <message>
-        <source>only with --mcap</source>
-        <translation>--mcapと併用する場合のみ</translation>
-    </message>
-    <message>
         <source>another name, or --force</source>
         <translation>別の名前、または--force</translation>
     </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%nフレーム</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Write the streams of a recording as CSV or MCAP files</source>
-        <translation>記録のストリームをCSVまたはMCAPファイルとして書き出す</translation>
+        <source>NumPy file with the arrays frames and time_s of a tactile array</source>
+        <translation>触覚アレイの配列framesとtime_sを含むNumPyファイル</translation>
+    </message>
+    <message>
+        <source>Only these streams into the MCAP file; the array of the NumPy file</source>
+        <translation>MCAPファイルに書き込むストリームを限定。NumPyファイルの場合は対象のアレイ</translation>
+    </message>
+    <message>
+        <source>either a folder here or a file after --mcap or --npz is needed</source>
+        <translation>ここにフォルダー、または--mcapか--npzの後にファイルのいずれか1つが必要です</translation>
+    </message>
+    <message>
+        <source>only with --mcap or --npz</source>
+        <translation>--mcapまたは--npzと併用する場合のみ指定できます</translation>
+    </message>
+    <message>
+        <source>only one with --npz</source>
+        <translation>--npzでは1つだけ指定できます</translation>
+    </message>
+    <message>
+        <source>Write the streams of a recording as CSV, MCAP or NumPy files</source>
+        <translation>記録のストリームをCSV、MCAP、NumPyのファイルとして書き込む</translation>
     </message>
 </context>
 <context>
@@ -2669,20 +2898,12 @@ Examples:
         <translation>tact</translation>
     </message>
     <message>
-        <source>Layout of six motors on the forearm, whole milliseconds. Can be read back.</source>
-        <translation>前腕上の6モーターの配置、整数ミリ秒。読み戻し可能です。</translation>
-    </message>
-    <message>
         <source>CSV table</source>
         <translation>CSV表</translation>
     </message>
     <message>
         <source>WAV, six channels</source>
         <translation>WAV、6チャンネル</translation>
-    </message>
-    <message>
-        <source>The intensities as 16-bit samples, 1 is full scale.</source>
-        <translation>強度を16ビットサンプルで表します。1がフルスケールです。</translation>
     </message>
     <message>
         <source>One channel per motor, with its place on the forearm. Can be read back.</source>
@@ -2693,12 +2914,20 @@ Examples:
         <translation>モーターごとに1クリップ。読み戻し可能です。</translation>
     </message>
     <message>
-        <source>One file per motor, for Core Haptics.</source>
-        <translation>モーターごとに1ファイル、Core Haptics用。</translation>
-    </message>
-    <message>
         <source>Columns time_s, t1 to t6: one sample per row.</source>
         <translation>列 time_s、t1～t6: 1行に1サンプル。</translation>
+    </message>
+    <message>
+        <source>One file per motor, for Core Haptics. Can be read back.</source>
+        <translation>モーターごとに1ファイル、Core Haptics用。読み戻し可能です。</translation>
+    </message>
+    <message>
+        <source>Six motors on the forearm, whole milliseconds; slopes become steps of 20 ms. Can be read back.</source>
+        <translation>前腕上の6個のモーター、ミリ秒単位の整数。傾斜は20 msの段階になります。読み戻し可能です。</translation>
+    </message>
+    <message>
+        <source>16-bit samples, 1 is full scale. Vibrations drive voice coils; bare intensities are for programs that make the vibration themselves.</source>
+        <translation>16ビットのサンプル、1がフルスケール。振動はボイスコイルを駆動します。強度のみの出力は、振動を自ら生成するプログラム用です。</translation>
     </message>
 </context>
 <context>
@@ -2866,6 +3095,89 @@ Examples:
     </message>
 </context>
 <context>
+    <name>FileKindText</name>
+    <message>
+        <source>text</source>
+        <translation>テキスト</translation>
+    </message>
+    <message>
+        <source>a NumPy array (npy)</source>
+        <translation>NumPy配列 (npy)</translation>
+    </message>
+    <message>
+        <source>a zip archive (npz is one)</source>
+        <translation>zipアーカイブ (npzもその一種)</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>HDF5ファイル</translation>
+    </message>
+    <message>
+        <source>a MAT file</source>
+        <translation>MATファイル</translation>
+    </message>
+    <message>
+        <source>a MAT file of version 7.3</source>
+        <translation>MATファイル (バージョン7.3)</translation>
+    </message>
+    <message>
+        <source>an SQLite database, such as a recording</source>
+        <translation>SQLiteデータベース (記録など)</translation>
+    </message>
+    <message>
+        <source>an MCAP file</source>
+        <translation>MCAPファイル</translation>
+    </message>
+    <message>
+        <source>a file that gzip has packed</source>
+        <translation>gzipで圧縮されたファイル</translation>
+    </message>
+    <message>
+        <source>a file that zstd has packed</source>
+        <translation>zstdで圧縮されたファイル</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>PNG画像</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>JPEG画像</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>PDF文書</translation>
+    </message>
+    <message>
+        <source>an old Excel file</source>
+        <translation>旧形式のExcelファイル</translation>
+    </message>
+    <message>
+        <source>a Parquet file</source>
+        <translation>Parquetファイル</translation>
+    </message>
+    <message>
+        <source>a pickle of Python</source>
+        <translation>Pythonのpickle</translation>
+    </message>
+    <message>
+        <source>a video</source>
+        <translation>動画</translation>
+    </message>
+    <message>
+        <source>a WAV sound</source>
+        <translation>WAV音声</translation>
+    </message>
+    <message>
+        <source>text in UTF-16</source>
+        <translation>UTF-16のテキスト</translation>
+    </message>
+    <message>
+        <source>binary data of no known format</source>
+        <translation>未知の形式のバイナリデータ</translation>
+    </message>
+</context>
+<context>
     <name>FileText</name>
     <message>
         <source>one of %1</source>
@@ -2990,16 +3302,8 @@ Examples:
         <translation>%1が指定されましたが、0から%2までのタクセルが必要です</translation>
     </message>
     <message>
-        <source>Recorded frames: time_s,t0,t1,... with one row a frame, row-major</source>
-        <translation>記録したフレーム: time_s,t0,t1,...、1行に1フレーム、行優先</translation>
-    </message>
-    <message>
         <source>Rows of the array</source>
         <translation>アレイの行数</translation>
-    </message>
-    <message>
-        <source>Columns of the array</source>
-        <translation>アレイの列数</translation>
     </message>
     <message>
         <source>Distance of neighbouring taxels in mm</source>
@@ -3008,10 +3312,6 @@ Examples:
     <message>
         <source>Load in N from which a taxel is in contact</source>
         <translation>タクセルが接触とみなされる荷重 (N)</translation>
-    </message>
-    <message>
-        <source>Frames of the unloaded array; their mean is subtracted</source>
-        <translation>無荷重アレイのフレーム。その平均を差し引きます</translation>
     </message>
     <message>
         <source>The raw values fall under load</source>
@@ -3052,6 +3352,77 @@ Examples:
     <message>
         <source>Gains of the taxels, as &quot;teleta gains&quot; writes them</source>
         <translation>タクセルのゲイン。「teleta gains」が書き出すもの</translation>
+    </message>
+    <message>
+        <source>%1 is given, a number of columns, or columns such as 2..85 are expected</source>
+        <translation>%1が指定されましたが、列数、または2..85のような列の範囲が必要です</translation>
+    </message>
+    <message>
+        <source>Columns of the array; or columns of a table of another program that are taxels, from 1, such as 2..85</source>
+        <translation>アレイの列数。または、他のプログラムの表でタクセルにあたる列 (1から数える)。例: 2..85</translation>
+    </message>
+    <message>
+        <source>Frames per second of a file without times</source>
+        <translation>時刻のないファイルの毎秒のフレーム数</translation>
+    </message>
+    <message>
+        <source>Name of the frames in a file of several arrays</source>
+        <translation>複数の配列を含むファイルでのフレームの名前</translation>
+    </message>
+    <message>
+        <source>Dimension of the array that counts the frames</source>
+        <translation>フレームを数える配列の次元</translation>
+    </message>
+    <message>
+        <source>Frames of the unloaded array, whose mean is subtracted; or of the recording itself the median of each taxel, or the mean of the first half second</source>
+        <translation>無荷重アレイのフレーム。その平均を差し引きます。または記録自体から求めた、各タクセルの中央値か最初の0.5秒間の平均</translation>
+    </message>
+    <message>
+        <source>Name or number of the column of the times in a table of another program</source>
+        <translation>他のプログラムの表での時刻の列の名前または番号</translation>
+    </message>
+    <message>
+        <source>Unit of these times; default: as the name of the column ends</source>
+        <translation>この時刻の単位。既定値: 列名の末尾から決定</translation>
+    </message>
+    <message>
+        <source>Recorded frames: CSV time_s,t0,t1,... with one row a frame, row-major, or a file of another program</source>
+        <translation>記録したフレーム: CSV time_s,t0,t1,... (1行に1フレーム、行優先)、または他のプログラムのファイル</translation>
+    </message>
+    <message>
+        <source>The values are in %1, not in N: give the N of one unit with --gain.</source>
+        <translation>値の単位がNではなく%1です: 1単位あたりのNを--gainで指定してください。</translation>
+    </message>
+</context>
+<context>
+    <name>FrameReaderText</name>
+    <message>
+        <source>the file is %1</source>
+        <translation>ファイルの形式は%1です</translation>
+    </message>
+    <message>
+        <source>frames as CSV, npy, npz, or Tekscan ASCII</source>
+        <translation>CSV、npy、npz、またはTekscan ASCIIのフレーム</translation>
+    </message>
+    <message>
+        <source>the frames do not fit into the memory</source>
+        <translation>フレームがメモリに収まりません</translation>
+    </message>
+    <message>
+        <source>the file has times of its own, in time_s</source>
+        <translation>ファイル自体に時刻 (time_s) があります</translation>
+    </message>
+    <message>
+        <source>no rate</source>
+        <translation>レートの指定なし</translation>
+    </message>
+    <message>
+        <source>%1; a table of another program is read with %2</source>
+        <translation>%1。他のプログラムの表は%2で読み込みます</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>ファイル</translation>
     </message>
 </context>
 <context>
@@ -3905,6 +4276,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>LossText</name>
+    <message>
+        <source>The first one is at %1 s.</source>
+        <translation>最初のものは%1 sにあります。</translation>
+    </message>
+    <message>
+        <source>First seen in %1.</source>
+        <translation>最初に見つかった場所: %1。</translation>
+    </message>
+</context>
+<context>
     <name>McapExport</name>
     <message>
         <source>there is no stream &quot;%1&quot;</source>
@@ -4302,6 +4684,174 @@ Examples:
     <message>
         <source>it to be closed there first</source>
         <translation>先にそのプログラムで閉じること</translation>
+    </message>
+</context>
+<context>
+    <name>NpyText</name>
+    <message>
+        <source>the head of the array is damaged at byte %1</source>
+        <translation>配列のヘッダーがバイト%1で破損しています</translation>
+    </message>
+    <message>
+        <source>the file ends within the head of the array</source>
+        <translation>ファイルが配列のヘッダーの途中で終わっています</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>完全なファイル</translation>
+    </message>
+    <message>
+        <source>descr, fortran_order and shape</source>
+        <translation>descr、fortran_order、shape</translation>
+    </message>
+    <message>
+        <source>the end of the head</source>
+        <translation>ヘッダーの終わり</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>引用符で囲んだテキスト</translation>
+    </message>
+    <message>
+        <source>a closing quote</source>
+        <translation>閉じ引用符</translation>
+    </message>
+    <message>
+        <source>its values are structured, with fields</source>
+        <translation>値がフィールドを持つ構造体です</translation>
+    </message>
+    <message>
+        <source>its values are of type &quot;%1&quot;</source>
+        <translation>値の型が「%1」です</translation>
+    </message>
+    <message>
+        <source>its values are objects of Python, which were pickled</source>
+        <translation>値がpickle化されたPythonオブジェクトです</translation>
+    </message>
+    <message>
+        <source>its values are complex numbers</source>
+        <translation>値が複素数です</translation>
+    </message>
+    <message>
+        <source>its values are texts</source>
+        <translation>値が文字列です</translation>
+    </message>
+    <message>
+        <source>whole numbers of 0 or more</source>
+        <translation>0以上の整数</translation>
+    </message>
+    <message>
+        <source>npy of version %1.%2</source>
+        <translation>npyのバージョンが%1.%2です</translation>
+    </message>
+    <message>
+        <source>version 1.0, 2.0 or 3.0</source>
+        <translation>バージョン1.0、2.0、または3.0</translation>
+    </message>
+    <message>
+        <source>a head of at most 1 MiB</source>
+        <translation>1 MiB以下のヘッダー</translation>
+    </message>
+    <message>
+        <source>the file ends after %1 of %2 values</source>
+        <translation>ファイルが%2個中%1個の値で終わっています</translation>
+    </message>
+    <message>
+        <source>the file goes on behind the %1 values of its array</source>
+        <translation>配列の%1個の値の後にもファイルが続いています</translation>
+    </message>
+    <message>
+        <source>one array</source>
+        <translation>1つの配列</translation>
+    </message>
+</context>
+<context>
+    <name>NpzExportText</name>
+    <message>
+        <source>the recording has no tactile array</source>
+        <translation>記録に触覚アレイがありません</translation>
+    </message>
+    <message>
+        <source>frames of an array</source>
+        <translation>アレイのフレーム</translation>
+    </message>
+    <message>
+        <source>the recording has no array &quot;%1&quot;</source>
+        <translation>記録にアレイ「%1」がありません</translation>
+    </message>
+    <message>
+        <source>the recording has several arrays</source>
+        <translation>記録に複数のアレイがあります</translation>
+    </message>
+    <message>
+        <source>one of them (--stream NAME): %1</source>
+        <translation>そのうちの1つ (--stream NAME): %1</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>同じ名前のファイルがすでにあります</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>別の名前</translation>
+    </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>中断されました。何も書き込まれていません</translation>
+    </message>
+    <message>
+        <source>the recording is too long</source>
+        <translation>記録が長すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>%1個以下の値</translation>
+    </message>
+</context>
+<context>
+    <name>NpzWriterText</name>
+    <message>
+        <source>cannot write the file: %1</source>
+        <translation>ファイルに書き込めません: %1</translation>
+    </message>
+</context>
+<context>
+    <name>NumpyFileText</name>
+    <message>
+        <source>the file ends after %1 of %2 values</source>
+        <translation>ファイルが%2個中%1個の値で終わっています</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>完全なファイル</translation>
+    </message>
+    <message>
+        <source>the zip archive is damaged: %1</source>
+        <translation>zipアーカイブが破損しています: %1</translation>
+    </message>
+    <message>
+        <source>a whole npz file</source>
+        <translation>完全なnpzファイル</translation>
+    </message>
+    <message>
+        <source>the zip archive has too many files</source>
+        <translation>zipアーカイブのファイルが多すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>%1以下</translation>
+    </message>
+    <message>
+        <source>the zip archive has no array of NumPy</source>
+        <translation>zipアーカイブにNumPyの配列がありません</translation>
+    </message>
+    <message>
+        <source>an npz file, with files that end in .npy</source>
+        <translation>名前が.npyで終わるファイルを含むnpzファイル</translation>
+    </message>
+    <message>
+        <source>a whole npz file that is not encrypted</source>
+        <translation>暗号化されていない完全なnpzファイル</translation>
     </message>
 </context>
 <context>
@@ -4849,24 +5399,44 @@ x %4, y %5
         <source>it belongs to OUT as -, where it is needed</source>
         <translation>OUTが-のときに使うもので、その場合は必須です</translation>
     </message>
+    <message>
+        <source>The samples are vibrations of %1 Hz with the intensities of the pattern.</source>
+        <translation>サンプルは、パターンの強度を持つ%1 Hzの振動です。</translation>
+    </message>
+    <message>
+        <source>The samples are the bare intensities, which move no voice coil: --carrier writes vibrations.</source>
+        <translation>サンプルは強度のみで、ボイスコイルは動きません: --carrierを指定すると振動を書き込みます。</translation>
+    </message>
+    <message>
+        <source>WAV: vibrations of this frequency, for voice coils, instead of the bare intensities; 250 without a number</source>
+        <translation>WAV: 強度のみの代わりに、ボイスコイル用のこの周波数の振動。数値を省略すると250</translation>
+    </message>
+    <message>
+        <source>A file with one signal: the tactors that play it, for example 1,4; all without this</source>
+        <translation>信号が1つのファイル: それを再生するタクタ。例: 1,4。省略時はすべて</translation>
+    </message>
+    <message>
+        <source>A .tact file with both arms: the one to read; left without this</source>
+        <translation>両腕を含む.tactファイル: 読み込む腕。省略時は左</translation>
+    </message>
+    <message>
+        <source>expected numbers from 1 to 6 between commas</source>
+        <translation>1から6までのコンマ区切りの番号が必要です</translation>
+    </message>
+    <message>
+        <source>it belongs to a file with one signal</source>
+        <translation>信号が1つのファイルでのみ指定できます</translation>
+    </message>
+    <message>
+        <source>it is for .wav files</source>
+        <translation>.wavファイル用です</translation>
+    </message>
 </context>
 <context>
     <name>PatternFile</name>
     <message>
         <source>there is no tactor for the file &quot;%1&quot;</source>
         <translation>ファイル「%1」に対応するタクタがありません</translation>
-    </message>
-    <message>
-        <source>files tactor1.haptic to tactor6.haptic, each once</source>
-        <translation>ファイルtactor1.haptic～tactor6.haptic、各1回</translation>
-    </message>
-    <message>
-        <source>there is no tactor left for this channel</source>
-        <translation>このチャンネルに割り当てるタクタが残っていません</translation>
-    </message>
-    <message>
-        <source>six channels with directions 60 degrees apart</source>
-        <translation>60度間隔の方向を持つ6チャンネル</translation>
     </message>
     <message>
         <source>the pattern is too long for a WAV file</source>
@@ -4976,6 +5546,66 @@ x %4, y %5
         <source>a whole number of samples per second</source>
         <translation>1秒あたり整数個のサンプル</translation>
     </message>
+    <message>
+        <source>this part is not known</source>
+        <translation>この部分は不明です</translation>
+    </message>
+    <message>
+        <source>too many pieces overlap</source>
+        <translation>重なり合う区間が多すぎます</translation>
+    </message>
+    <message>
+        <source>a pattern of at most %1 objects</source>
+        <translation>%1個以下のオブジェクトからなるパターン</translation>
+    </message>
+    <message>
+        <source>there are too many emphases</source>
+        <translation>強調 (emphasis) が多すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>%1以下</translation>
+    </message>
+    <message>
+        <source>vectorial waves, transients or curves of vibration</source>
+        <translation>ベクトル波形、トランジェント、または振動の曲線</translation>
+    </message>
+    <message>
+        <source>there are too many effects, or too many inside each other</source>
+        <translation>効果が多すぎるか、入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>there is no such effect in the library</source>
+        <translation>ライブラリにこの効果はありません</translation>
+    </message>
+    <message>
+        <source>the id of an effect in effect_library</source>
+        <translation>effect_libraryにある効果のid</translation>
+    </message>
+    <message>
+        <source>there are too many keyframes</source>
+        <translation>キーフレームが多すぎます</translation>
+    </message>
+    <message>
+        <source>files tactor1%1 to tactor6%1, each once</source>
+        <translation>ファイルtactor1%1からtactor6%1まで、各1つ</translation>
+    </message>
+    <message>
+        <source>the paths are too long</source>
+        <translation>経路が長すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 points</source>
+        <translation>%1個以下の点</translation>
+    </message>
+    <message>
+        <source>this rate cannot hold a carrier of %1 Hz</source>
+        <translation>このレートでは%1 Hzの搬送波を表せません</translation>
+    </message>
+    <message>
+        <source>a carrier above 0 and below half of %1 samples per second</source>
+        <translation>0より大きく、毎秒%1サンプルの半分より低い搬送波</translation>
+    </message>
 </context>
 <context>
     <name>PatternLaws</name>
@@ -5038,6 +5668,98 @@ x %4, y %5
     <message>
         <source>Let it begin at %1 s, when the other one has ended.</source>
         <translation>もう一方が終わる%1 sから始めてください。</translation>
+    </message>
+</context>
+<context>
+    <name>PatternLoss</name>
+    <message>
+        <source>Frequencies left out: %1. The frequency of the motors follows their intensity.</source>
+        <translation>除外した周波数: %1。モーターの周波数は強度に従います。</translation>
+    </message>
+    <message>
+        <source>Short pulses that became bursts of %2 ms: %1.</source>
+        <translation>%2 msのバーストになった短いパルス: %1。</translation>
+    </message>
+    <message>
+        <source>The pattern is longer than the file by %1 s, so that its last burst is whole.</source>
+        <translation>最後のバーストが欠けないように、パターンはファイルより%1 s長くなっています。</translation>
+    </message>
+    <message>
+        <source>The file holds one signal. It plays on tactor %1.</source>
+        <comment>a list of numbers</comment>
+        <translation>ファイルの信号は1つです。タクタ%1で再生されます。</translation>
+    </message>
+    <message>
+        <source>Channels without a direction, put on the tactors in their order: %1.</source>
+        <translation>方向がなく、順にタクタに割り当てたチャンネル: %1。</translation>
+    </message>
+    <message>
+        <source>Channels left out, because no tactor is left for them: %1.</source>
+        <translation>割り当てるタクタが残っていないため除外したチャンネル: %1。</translation>
+    </message>
+    <message>
+        <source>Effects for the other arm left out: %1.</source>
+        <translation>除外した反対の腕の効果: %1。</translation>
+    </message>
+    <message>
+        <source>Effects for other devices left out: %1.</source>
+        <translation>除外したほかのデバイス用の効果: %1。</translation>
+    </message>
+    <message>
+        <source>Parts that are not vibration left out: %1.</source>
+        <translation>除外した振動以外の部分: %1。</translation>
+    </message>
+    <message>
+        <source>Tracks left out that are switched off: %1.</source>
+        <translation>除外した無効なトラック: %1。</translation>
+    </message>
+    <message>
+        <source>Pieces that overlap others: %1. The stronger one counts; they do not add up.</source>
+        <translation>ほかと重なる区間: %1。強いほうが有効で、加算はされません。</translation>
+    </message>
+    <message>
+        <source>Paths shared among the motors nearest to them: %1.</source>
+        <translation>最も近いモーターに配分した経路: %1。</translation>
+    </message>
+    <message>
+        <source>Paths or envelopes of a single point left out: %1. They have no length.</source>
+        <translation>除外した1点だけの経路またはエンベロープ: %1。長さがありません。</translation>
+    </message>
+    <message>
+        <source>Sounds left out: %1.</source>
+        <translation>除外した音: %1。</translation>
+    </message>
+    <message>
+        <source>Events whose attack, decay or release was left out: %1.</source>
+        <translation>アタック、ディケイ、またはリリースを除外したイベント: %1。</translation>
+    </message>
+    <message>
+        <source>Settings that a pattern does not have: %1.</source>
+        <translation>パターンにない設定: %1。</translation>
+    </message>
+    <message>
+        <source>Coded wave forms left out: %1.</source>
+        <translation>除外した符号化波形: %1。</translation>
+    </message>
+    <message>
+        <source>Curves of displacement, of which the size plays in straight lines: %1.</source>
+        <translation>大きさを折れ線で再生する変位の曲線: %1。</translation>
+    </message>
+    <message>
+        <source>Intensities beyond full drive, set to 1: %1.</source>
+        <translation>最大駆動量を超えたため1にした強度: %1。</translation>
+    </message>
+    <message>
+        <source>Objects written as the intensities that they play: %1.</source>
+        <translation>再生される強度として書き込んだオブジェクト: %1。</translation>
+    </message>
+    <message>
+        <source>Slopes written as steps of %2 ms: %1. They differ from the pattern by up to %3.</source>
+        <translation>%2 msの段階として書き込んだ傾斜: %1。パターンとの差は最大%3です。</translation>
+    </message>
+    <message>
+        <source>Times rounded to milliseconds: %1.</source>
+        <translation>ミリ秒に丸めた時刻: %1。</translation>
     </message>
 </context>
 <context>
@@ -6346,6 +7068,81 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RosCommand</name>
+    <message>
+        <source>a publisher is best effort, reliable was asked</source>
+        <translation>送信側はbest effortですが、reliableが要求されました</translation>
+    </message>
+    <message>
+        <source>a publisher keeps nothing of what it sent, which was asked</source>
+        <translation>送信側は送信済みのデータを保持しませんが、それが要求されました</translation>
+    </message>
+    <message>
+        <source>a publisher offers other qualities than were asked</source>
+        <translation>送信側のQoSが要求と異なります</translation>
+    </message>
+    <message>
+        <source>List topics and who publishes and reads them</source>
+        <translation>トピックと、その送信側・受信側を一覧表示</translation>
+    </message>
+    <message>
+        <source>List the nodes of programs</source>
+        <translation>プログラムのノードを一覧表示</translation>
+    </message>
+    <message>
+        <source>Print what is sent on a topic, until Ctrl-C</source>
+        <translation>Ctrl-Cまで、トピックに送られるデータを表示</translation>
+    </message>
+    <message>
+        <source>Name of the topic, for example /joint_states</source>
+        <translation>トピックの名前。例: /joint_states</translation>
+    </message>
+    <message>
+        <source>End after so many messages</source>
+        <translation>この数のメッセージで終了</translation>
+    </message>
+    <message>
+        <source>Number of the domain; default: ROS_DOMAIN_ID of the environment, else 0</source>
+        <translation>ドメインの番号。既定: 環境変数ROS_DOMAIN_ID、なければ0</translation>
+    </message>
+    <message>
+        <source>Network interface, its name or its address; default: the first one</source>
+        <translation>ネットワークインターフェースの名前またはアドレス。既定: 最初のもの</translation>
+    </message>
+    <message>
+        <source>Computer on which to look for programs besides this one; may be repeated. Multicast is not used</source>
+        <translation>このコンピューターのほかにプログラムを探すコンピューター。複数指定できます。マルチキャストは使いません</translation>
+    </message>
+    <message>
+        <source>this computer</source>
+        <translation>このコンピューター</translation>
+    </message>
+    <message>
+        <source>no program of domain %1 was found on: %2. Name the robot&apos;s computer with --peer, since multicast is not used.</source>
+        <translation>ドメイン %1 のプログラムが見つかりません: %2。マルチキャストを使わないので、ロボットのコンピューターを--peerで指定してください。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a topic; expected parts of letters, digits and _ after slashes, for example /joint_states</source>
+        <translation>「%1」はトピックの名前ではありません。/の後に英字・数字・_からなる部分が必要です。例: /joint_states</translation>
+    </message>
+    <message>
+        <source>nobody published %1 in domain %2 within %3 s; looked for on: %4</source>
+        <translation>ドメイン %2 で%3 s以内に %1 を送信するものがありませんでした。探した場所: %4</translation>
+    </message>
+    <message>
+        <source>%1 has the type %2, which is not known</source>
+        <translation>%1 の型 %2 は未知です</translation>
+    </message>
+    <message>
+        <source>nothing was sent on %1 within %2 s</source>
+        <translation>%2 s以内に %1 へ何も送信されませんでした</translation>
+    </message>
+    <message>
+        <source>Topics and nodes of ROS 2, without ROS</source>
+        <translation>ROSなしでROS 2のトピックとノードを表示</translation>
+    </message>
+</context>
+<context>
     <name>RunSheet</name>
     <message>
         <source>point</source>
@@ -7104,6 +7901,10 @@ Run %2 --help for more.
     <message>
         <source>the document and a file would both go to standard output</source>
         <translation>文書とファイルの両方が標準出力に書き込まれることになります</translation>
+    </message>
+    <message>
+        <source>an npz file is an archive, which is no stream</source>
+        <translation>npzファイルはアーカイブであり、ストリームではありません</translation>
     </message>
 </context>
 <context>
@@ -9611,6 +10412,124 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>TableText</name>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>記録にフレームがありません</translation>
+    </message>
+    <message>
+        <source>at least one row of numbers</source>
+        <translation>1行以上の数値</translation>
+    </message>
+    <message>
+        <source>there is no column %1</source>
+        <translation>列%1がありません</translation>
+    </message>
+    <message>
+        <source>a number from 1 to %1; the table has no header</source>
+        <translation>1から%1までの番号。表にヘッダーはありません</translation>
+    </message>
+    <message>
+        <source>one of %1, or a number from 1 to %2</source>
+        <translation>%1のいずれか、または1から%2までの番号</translation>
+    </message>
+    <message>
+        <source>the table has %1 columns, %2..%3 are asked for</source>
+        <translation>表の列は%1個ですが、%2..%3が指定されています</translation>
+    </message>
+    <message>
+        <source>columns from 1 to %1</source>
+        <translation>1から%1までの列</translation>
+    </message>
+    <message>
+        <source>the table has %1 columns of taxels</source>
+        <translation>表のタクセル列は%1個です</translation>
+    </message>
+    <message>
+        <source>from 1 to %1</source>
+        <translation>1から%1まで</translation>
+    </message>
+    <message>
+        <source>column %1 is that of the times, and one of the taxels</source>
+        <translation>列%1が時刻の列とタクセルの列の両方に指定されています</translation>
+    </message>
+    <message>
+        <source>either</source>
+        <translation>どちらか一方</translation>
+    </message>
+    <message>
+        <source>a row of the table</source>
+        <translation>表の1行</translation>
+    </message>
+    <message>
+        <source>a column of times and a rate</source>
+        <translation>時刻の列とレートの両方があります</translation>
+    </message>
+    <message>
+        <source>the column of the times (--time-column NAME), or frames per second (--rate HZ)</source>
+        <translation>時刻の列 (--time-column NAME)、または毎秒のフレーム数 (--rate HZ)</translation>
+    </message>
+    <message>
+        <source>the unit %1 of the times</source>
+        <translation>時刻の単位%1は使えません</translation>
+    </message>
+    <message>
+        <source>the row has %1 values</source>
+        <translation>行の値は%1個です</translation>
+    </message>
+    <message>
+        <source>one value per column: %1</source>
+        <translation>列ごとに値1つ: %1</translation>
+    </message>
+    <message>
+        <source>the table is too long</source>
+        <translation>表が長すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>%1個以下の値</translation>
+    </message>
+    <message>
+        <source>the time goes back</source>
+        <translation>時刻が戻っています</translation>
+    </message>
+    <message>
+        <source>times that do not decrease</source>
+        <translation>減少しない時刻</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 は数値ではありません</translation>
+    </message>
+    <message>
+        <source>a number, nan, inf or NA</source>
+        <translation>数値、nan、inf、またはNA</translation>
+    </message>
+    <message>
+        <source>%1 is not a time</source>
+        <translation>%1 は時刻ではありません</translation>
+    </message>
+    <message>
+        <source>a number, or --time-unit iso</source>
+        <translation>数値、または--time-unit iso</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>有限の数値</translation>
+    </message>
+    <message>
+        <source>a date and time such as 2026-05-01T12:00:00.5</source>
+        <translation>2026-05-01T12:00:00.5のような日時</translation>
+    </message>
+</context>
+<context>
+    <name>TactText</name>
+    <message>
+        <source>this name is unknown</source>
+        <translation>この名前は不明です</translation>
+    </message>
+</context>
+<context>
     <name>TaxelGainFile</name>
     <message>
         <source>taxel %1 is missing</source>
@@ -9723,6 +10642,128 @@ Run %2 --help for more.
     <message>
         <source>The frames have %1 values in total.</source>
         <translation>フレームの値は全部で%1個です。</translation>
+    </message>
+</context>
+<context>
+    <name>TekscanText</name>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>記録にフレームがありません</translation>
+    </message>
+    <message>
+        <source>the file ends after frame %1 of %2</source>
+        <translation>ファイルが%2フレーム中フレーム%1で終わっています</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>完全なファイル</translation>
+    </message>
+    <message>
+        <source>the file ends within its head</source>
+        <translation>ファイルがヘッダーの途中で終わっています</translation>
+    </message>
+    <message>
+        <source>the head has no line %1</source>
+        <translation>ヘッダーに%1の行がありません</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to %1</source>
+        <translation>1から%1までの整数</translation>
+    </message>
+    <message>
+        <source>a number above 0 in mm or cm</source>
+        <translation>0より大きい数値 (mmまたはcm)</translation>
+    </message>
+    <message>
+        <source>%1 rows x %2 columns, as was asked for</source>
+        <translation>指定どおりの%1行 x %2列</translation>
+    </message>
+    <message>
+        <source>the distance of the rows, or one pitch for both (--pitch-mm)</source>
+        <translation>行の間隔、または行と列に共通のピッチ (--pitch-mm)</translation>
+    </message>
+    <message>
+        <source>a number above 0 in mm2 or cm2</source>
+        <translation>0より大きい数値 (mm2またはcm2)</translation>
+    </message>
+    <message>
+        <source>RAW, or a unit of pressure such as kPa or PSI</source>
+        <translation>RAW、またはkPaやPSIなどの圧力の単位</translation>
+    </message>
+    <message>
+        <source>the area with which a pressure makes a force</source>
+        <translation>圧力を力に換算するための面積</translation>
+    </message>
+    <message>
+        <source>a number above 0, or frames per second (--rate HZ)</source>
+        <translation>0より大きい数値、または毎秒のフレーム数 (--rate HZ)</translation>
+    </message>
+    <message>
+        <source>the line is %1</source>
+        <translation>行が%1です</translation>
+    </message>
+    <message>
+        <source>the frame has no number</source>
+        <translation>フレームに番号がありません</translation>
+    </message>
+    <message>
+        <source>frame %1 comes after frame %2</source>
+        <translation>フレーム%2の後にフレーム%1があります</translation>
+    </message>
+    <message>
+        <source>numbers that grow</source>
+        <translation>増加する番号</translation>
+    </message>
+    <message>
+        <source>the recording is too long</source>
+        <translation>記録が長すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>%1個以下の値</translation>
+    </message>
+    <message>
+        <source>frame %1 ends after %2 of %3 rows</source>
+        <translation>フレーム%1が%3行中%2行で終わっています</translation>
+    </message>
+    <message>
+        <source>a whole frame</source>
+        <translation>完全なフレーム</translation>
+    </message>
+    <message>
+        <source>the row has %1 values</source>
+        <translation>行の値は%1個です</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1個の値</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 は数値ではありません</translation>
+    </message>
+    <message>
+        <source>a number or B</source>
+        <translation>数値またはB</translation>
+    </message>
+</context>
+<context>
+    <name>TextLinesText</name>
+    <message>
+        <source>the line is longer than 16 MiB</source>
+        <translation>行が16 MiBを超えています</translation>
+    </message>
+    <message>
+        <source>a line end</source>
+        <translation>行末</translation>
+    </message>
+    <message>
+        <source>the line has a byte 0, which no text has</source>
+        <translation>行にバイト0があり、テキストではありません</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>テキスト</translation>
     </message>
 </context>
 <context>
@@ -13579,6 +14620,22 @@ Run %2 --help for more.
         <source>predicted intensities</source>
         <translation>モーターの予測動作</translation>
     </message>
+    <message>
+        <source>vibrations</source>
+        <translation>振動</translation>
+    </message>
+    <message>
+        <source>bare intensities</source>
+        <translation>強度のみ</translation>
+    </message>
+    <message>
+        <source>&amp;Signal:</source>
+        <translation>信号(&amp;S):</translation>
+    </message>
+    <message>
+        <source>Frequenc&amp;y:</source>
+        <translation>周波数(&amp;Y):</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FeedbackPanel</name>
@@ -13776,6 +14833,34 @@ Run %2 --help for more.
     <message>
         <source>&amp;Log</source>
         <translation>ログ(&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::ImportDialog</name>
+    <message>
+        <source>Open pattern</source>
+        <translation>パターンを開く</translation>
+    </message>
+    <message>
+        <source>A pattern cannot represent everything that %1 holds. Opening it changes or leaves out:</source>
+        <comment>a file</comment>
+        <translation>パターンは%1の内容をすべて表現できるわけではありません。開くと、次のものが変更または除外されます:</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>&amp;Arm:</source>
+        <translation>腕(&amp;A):</translation>
+    </message>
+    <message>
+        <source>&amp;Motors:</source>
+        <translation>モーター(&amp;M):</translation>
     </message>
 </context>
 <context>
@@ -15078,10 +16163,6 @@ Run %2 --help for more.
         <translation>パターン (*.json)</translation>
     </message>
     <message>
-        <source>All patterns (*.json *.hjif *.haptic *.haptic.zip *.tact)</source>
-        <translation>すべてのパターン (*.json *.hjif *.haptic *.haptic.zip *.tact)</translation>
-    </message>
-    <message>
         <source>HJIF (*.hjif)</source>
         <translation>HJIF (*.hjif)</translation>
     </message>
@@ -15118,6 +16199,19 @@ Run %2 --help for more.
         <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
         <comment>a pattern, a time</comment>
         <translation>プログラムは %1 (編集 %2) を保存せずに終了しました。ディスク上のファイルは元のままです。</translation>
+    </message>
+    <message>
+        <source>%1 holds more than the pattern: %2</source>
+        <comment>a file, a list of sentences</comment>
+        <translation>%1にはパターンで表せない内容があります: %2</translation>
+    </message>
+    <message>
+        <source>All patterns (*.json *.hjif *.haptic *.haptic.zip *.ahap *.ahap.zip *.tact)</source>
+        <translation>すべてのパターン (*.json *.hjif *.haptic *.haptic.zip *.ahap *.ahap.zip *.tact)</translation>
+    </message>
+    <message>
+        <source>AHAP (*.ahap *.ahap.zip)</source>
+        <translation>AHAP (*.ahap *.ahap.zip)</translation>
     </message>
 </context>
 <context>

@@ -360,6 +360,161 @@
     </message>
 </context>
 <context>
+    <name>ArrayFramesText</name>
+    <message>
+        <source>the file has no arrays</source>
+        <translation>文件中没有数组</translation>
+    </message>
+    <message>
+        <source>frames of an array</source>
+        <translation>阵列的帧</translation>
+    </message>
+    <message>
+        <source>there is no array %1; the file has: %2</source>
+        <translation>没有数组 %1；文件中有：%2</translation>
+    </message>
+    <message>
+        <source>one of these</source>
+        <translation>其中之一</translation>
+    </message>
+    <message>
+        <source>no array can be frames; the file has: %1</source>
+        <translation>没有可作为帧的数组；文件中有：%1</translation>
+    </message>
+    <message>
+        <source>several arrays can be the frames; the file has: %1</source>
+        <translation>可作为帧的数组不止一个；文件中有：%1</translation>
+    </message>
+    <message>
+        <source>an array of 3 dimensions: frames x rows x columns</source>
+        <translation>三维数组：帧 x 行 x 列</translation>
+    </message>
+    <message>
+        <source>the name of one (--array NAME)</source>
+        <translation>其中一个的名称（--array NAME）</translation>
+    </message>
+    <message>
+        <source>the array %1: %2</source>
+        <translation>数组 %1：%2</translation>
+    </message>
+    <message>
+        <source>a time in s for each frame</source>
+        <translation>每帧一个以 s 为单位的时间</translation>
+    </message>
+    <message>
+        <source>time_s has the shape %1, the frames have %2</source>
+        <translation>time_s 的形状为 %1，帧的形状为 %2</translation>
+    </message>
+    <message>
+        <source>the array %1 of %2 does not say which dimension counts the frames</source>
+        <translation>形状为 %2 的数组 %1 未说明哪一维是帧序号</translation>
+    </message>
+    <message>
+        <source>--frame-axis first or last, or times in time_s</source>
+        <translation>--frame-axis first 或 last，或 time_s 中的时间</translation>
+    </message>
+    <message>
+        <source>the array has %1 instead of %2 values</source>
+        <translation>数组有 %1 个值，应为 %2 个</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>完整的文件</translation>
+    </message>
+    <message>
+        <source>a frame of the array</source>
+        <translation>阵列的一帧</translation>
+    </message>
+    <message>
+        <source>a frame of %1 has %2 x %3 taxels</source>
+        <translation>%1 的一帧有 %2 x %3 个触元</translation>
+    </message>
+    <message>
+        <source>from 1 to %1 rows and columns</source>
+        <translation>1 至 %1 行和列</translation>
+    </message>
+    <message>
+        <source>the frames have %1 rows x %2 columns</source>
+        <translation>帧为 %1 行 x %2 列</translation>
+    </message>
+    <message>
+        <source>%1 rows x %2 columns</source>
+        <translation>%1 行 x %2 列</translation>
+    </message>
+    <message>
+        <source>%1 has %2 taxels</source>
+        <translation>%1 有 %2 个触元</translation>
+    </message>
+    <message>
+        <source>%1 = %2 rows x %3 columns; others with --rows and --columns</source>
+        <translation>%1 = %2 行 x %3 列；其他行列数用 --rows 和 --columns 指定</translation>
+    </message>
+    <message>
+        <source>the file does not say when its frames were taken</source>
+        <translation>文件未说明各帧的采集时间</translation>
+    </message>
+    <message>
+        <source>frames per second (--rate HZ), or times in time_s</source>
+        <translation>每秒帧数（--rate HZ），或 time_s 中的时间</translation>
+    </message>
+    <message>
+        <source>the time of frame %1 is not a finite number</source>
+        <translation>帧 %1 的时间不是有限数</translation>
+    </message>
+    <message>
+        <source>a finite time in s</source>
+        <translation>以 s 为单位的有限时间</translation>
+    </message>
+    <message>
+        <source>the time goes back at frame %1, from %2 s to %3 s</source>
+        <translation>时间在帧 %1 处倒退，从 %2 s 到 %3 s</translation>
+    </message>
+    <message>
+        <source>times that do not decrease</source>
+        <translation>不递减的时间</translation>
+    </message>
+    <message>
+        <source>an array of real numbers</source>
+        <translation>实数数组</translation>
+    </message>
+    <message>
+        <source>the array has the shape %1</source>
+        <translation>数组的形状为 %1</translation>
+    </message>
+    <message>
+        <source>frames x rows x columns, or frames x taxels</source>
+        <translation>帧 x 行 x 列，或帧 x 触元</translation>
+    </message>
+    <message>
+        <source>the array is too large: %1</source>
+        <translation>数组过大：%1</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>至多 %1 个值</translation>
+    </message>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>记录中没有帧</translation>
+    </message>
+    <message>
+        <source>at least one frame</source>
+        <translation>至少一帧</translation>
+    </message>
+    <message>
+        <source>time_s has %1 times for %2 frames</source>
+        <translation>time_s 有 %1 个时间，而帧数为 %2</translation>
+    </message>
+    <message>
+        <source>the file has times of its own, in time_s</source>
+        <translation>文件自带时间，位于 time_s 中</translation>
+    </message>
+    <message>
+        <source>no rate</source>
+        <translation>不指定帧率</translation>
+    </message>
+</context>
+<context>
     <name>BakeText</name>
     <message>
         <source>the pattern has too many corners</source>
@@ -2189,6 +2344,66 @@ Examples:
         <source>a pipe cannot be rewound</source>
         <translation>管道不支持定位</translation>
     </message>
+    <message>
+        <source>the file is %1</source>
+        <translation>文件是%1</translation>
+    </message>
+</context>
+<context>
+    <name>DdsDiscovery</name>
+    <message>
+        <source>other programs of the domain cannot be found</source>
+        <translation>无法找到该域中的其他程序</translation>
+    </message>
+</context>
+<context>
+    <name>DdsDomain</name>
+    <message>
+        <source>the environment variable %1 is &quot;%2&quot;</source>
+        <translation>环境变量 %1 为“%2”</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to %1</source>
+        <translation>0 到 %1 的整数</translation>
+    </message>
+</context>
+<context>
+    <name>DdsEndpoint</name>
+    <message>
+        <source>topic %1 cannot be opened</source>
+        <translation>无法打开话题 %1</translation>
+    </message>
+    <message>
+        <source>topic %1 cannot be read</source>
+        <translation>无法读取话题 %1</translation>
+    </message>
+    <message>
+        <source>topic %1 cannot be written</source>
+        <translation>无法写入话题 %1</translation>
+    </message>
+</context>
+<context>
+    <name>DdsParticipant</name>
+    <message>
+        <source>domain %1 is open with another interface or other peers</source>
+        <translation>域 %1 已用另一接口或其他对端打开</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be opened: %2</source>
+        <translation>无法打开 DDS 域 %1：%2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; to be the name or the address of a network interface</source>
+        <translation>“%1”应为网络接口的名称或地址</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be joined: %2</source>
+        <translation>无法加入 DDS 域 %1：%2</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be joined</source>
+        <translation>无法加入 DDS 域 %1</translation>
+    </message>
 </context>
 <context>
     <name>Demo</name>
@@ -2622,10 +2837,6 @@ Examples:
         <translation>用于 Foxglove 和 ROS 2 的 MCAP 文件</translation>
     </message>
     <message>
-        <source>Only these streams into the MCAP file</source>
-        <translation>仅将这些数据流写入 MCAP 文件</translation>
-    </message>
-    <message>
         <source>Compression of the MCAP file</source>
         <translation>MCAP 文件的压缩方式</translation>
     </message>
@@ -2634,20 +2845,38 @@ Examples:
         <translation>MCAP 文件的数据块大小，单位 MiB</translation>
     </message>
     <message>
-        <source>either a folder here or a file after --mcap is needed</source>
-        <translation>需要在此给出文件夹，或在 --mcap 之后给出文件</translation>
-    </message>
-    <message>
-        <source>only with --mcap</source>
-        <translation>仅与 --mcap 一起使用</translation>
-    </message>
-    <message>
         <source>another name, or --force</source>
         <translation>另一个名称，或 --force</translation>
     </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n 帧</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Write the streams of a recording as CSV or MCAP files</source>
-        <translation>将记录的数据流写为 CSV 或 MCAP 文件</translation>
+        <source>NumPy file with the arrays frames and time_s of a tactile array</source>
+        <translation>NumPy 文件，含触觉阵列的数组 frames 和 time_s</translation>
+    </message>
+    <message>
+        <source>Only these streams into the MCAP file; the array of the NumPy file</source>
+        <translation>只将这些数据流写入 MCAP 文件；对 NumPy 文件则为所用的阵列</translation>
+    </message>
+    <message>
+        <source>either a folder here or a file after --mcap or --npz is needed</source>
+        <translation>须在此处给出文件夹，或在 --mcap 或 --npz 之后给出文件</translation>
+    </message>
+    <message>
+        <source>only with --mcap or --npz</source>
+        <translation>仅可与 --mcap 或 --npz 一起使用</translation>
+    </message>
+    <message>
+        <source>only one with --npz</source>
+        <translation>与 --npz 一起使用时只能给出一个</translation>
+    </message>
+    <message>
+        <source>Write the streams of a recording as CSV, MCAP or NumPy files</source>
+        <translation>将记录中的数据流写为 CSV、MCAP 或 NumPy 文件</translation>
     </message>
 </context>
 <context>
@@ -2669,20 +2898,12 @@ Examples:
         <translation>tact</translation>
     </message>
     <message>
-        <source>Layout of six motors on the forearm, whole milliseconds. Can be read back.</source>
-        <translation>前臂上六个电机的布局，整毫秒。可重新读取。</translation>
-    </message>
-    <message>
         <source>CSV table</source>
         <translation>CSV 表格</translation>
     </message>
     <message>
         <source>WAV, six channels</source>
         <translation>WAV，六声道</translation>
-    </message>
-    <message>
-        <source>The intensities as 16-bit samples, 1 is full scale.</source>
-        <translation>强度以 16 位样本表示，1 为满量程。</translation>
     </message>
     <message>
         <source>One channel per motor, with its place on the forearm. Can be read back.</source>
@@ -2693,12 +2914,20 @@ Examples:
         <translation>每个电机一个片段。可重新读取。</translation>
     </message>
     <message>
-        <source>One file per motor, for Core Haptics.</source>
-        <translation>每个电机一个文件，用于 Core Haptics。</translation>
-    </message>
-    <message>
         <source>Columns time_s, t1 to t6: one sample per row.</source>
         <translation>列 time_s、t1 至 t6：每行一个样本。</translation>
+    </message>
+    <message>
+        <source>One file per motor, for Core Haptics. Can be read back.</source>
+        <translation>每个电机一个文件，用于 Core Haptics。可重新读取。</translation>
+    </message>
+    <message>
+        <source>Six motors on the forearm, whole milliseconds; slopes become steps of 20 ms. Can be read back.</source>
+        <translation>前臂上的六个电机，时间为整毫秒；斜坡变为每级 20 ms 的阶梯。可重新读取。</translation>
+    </message>
+    <message>
+        <source>16-bit samples, 1 is full scale. Vibrations drive voice coils; bare intensities are for programs that make the vibration themselves.</source>
+        <translation>16 位样本，1 为满量程。振动用于驱动音圈；纯强度用于自行产生振动的程序。</translation>
     </message>
 </context>
 <context>
@@ -2866,6 +3095,89 @@ Examples:
     </message>
 </context>
 <context>
+    <name>FileKindText</name>
+    <message>
+        <source>text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>a NumPy array (npy)</source>
+        <translation>NumPy 数组（npy）</translation>
+    </message>
+    <message>
+        <source>a zip archive (npz is one)</source>
+        <translation>zip 压缩包（npz 即是）</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>HDF5 文件</translation>
+    </message>
+    <message>
+        <source>a MAT file</source>
+        <translation>MAT 文件</translation>
+    </message>
+    <message>
+        <source>a MAT file of version 7.3</source>
+        <translation>7.3 版 MAT 文件</translation>
+    </message>
+    <message>
+        <source>an SQLite database, such as a recording</source>
+        <translation>SQLite 数据库，例如记录</translation>
+    </message>
+    <message>
+        <source>an MCAP file</source>
+        <translation>MCAP 文件</translation>
+    </message>
+    <message>
+        <source>a file that gzip has packed</source>
+        <translation>gzip 压缩的文件</translation>
+    </message>
+    <message>
+        <source>a file that zstd has packed</source>
+        <translation>zstd 压缩的文件</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>PNG 图片</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>JPEG 图片</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>PDF 文档</translation>
+    </message>
+    <message>
+        <source>an old Excel file</source>
+        <translation>旧版 Excel 文件</translation>
+    </message>
+    <message>
+        <source>a Parquet file</source>
+        <translation>Parquet 文件</translation>
+    </message>
+    <message>
+        <source>a pickle of Python</source>
+        <translation>Python 的 pickle 文件</translation>
+    </message>
+    <message>
+        <source>a video</source>
+        <translation>视频</translation>
+    </message>
+    <message>
+        <source>a WAV sound</source>
+        <translation>WAV 音频</translation>
+    </message>
+    <message>
+        <source>text in UTF-16</source>
+        <translation>UTF-16 编码的文本</translation>
+    </message>
+    <message>
+        <source>binary data of no known format</source>
+        <translation>格式未知的二进制数据</translation>
+    </message>
+</context>
+<context>
     <name>FileText</name>
     <message>
         <source>one of %1</source>
@@ -2990,16 +3302,8 @@ Examples:
         <translation>给出的是 %1，应为 0 至 %2 的触元</translation>
     </message>
     <message>
-        <source>Recorded frames: time_s,t0,t1,... with one row a frame, row-major</source>
-        <translation>记录的帧：time_s,t0,t1,...，每帧一行，按行优先</translation>
-    </message>
-    <message>
         <source>Rows of the array</source>
         <translation>阵列的行数</translation>
-    </message>
-    <message>
-        <source>Columns of the array</source>
-        <translation>阵列的列数</translation>
     </message>
     <message>
         <source>Distance of neighbouring taxels in mm</source>
@@ -3008,10 +3312,6 @@ Examples:
     <message>
         <source>Load in N from which a taxel is in contact</source>
         <translation>触元视为接触的最小载荷，N</translation>
-    </message>
-    <message>
-        <source>Frames of the unloaded array; their mean is subtracted</source>
-        <translation>空载阵列的帧；减去其平均值</translation>
     </message>
     <message>
         <source>The raw values fall under load</source>
@@ -3052,6 +3352,77 @@ Examples:
     <message>
         <source>Gains of the taxels, as &quot;teleta gains&quot; writes them</source>
         <translation>触元的增益，由“teleta gains”写出</translation>
+    </message>
+    <message>
+        <source>%1 is given, a number of columns, or columns such as 2..85 are expected</source>
+        <translation>给出的是 %1，应为列数，或 2..85 这样的列范围</translation>
+    </message>
+    <message>
+        <source>Columns of the array; or columns of a table of another program that are taxels, from 1, such as 2..85</source>
+        <translation>阵列的列数；或其他程序的表格中作为触元的列，从 1 开始，例如 2..85</translation>
+    </message>
+    <message>
+        <source>Frames per second of a file without times</source>
+        <translation>不含时间的文件的每秒帧数</translation>
+    </message>
+    <message>
+        <source>Name of the frames in a file of several arrays</source>
+        <translation>含多个数组的文件中帧数组的名称</translation>
+    </message>
+    <message>
+        <source>Dimension of the array that counts the frames</source>
+        <translation>数组中表示帧序号的维</translation>
+    </message>
+    <message>
+        <source>Frames of the unloaded array, whose mean is subtracted; or of the recording itself the median of each taxel, or the mean of the first half second</source>
+        <translation>空载阵列的帧，将减去其均值；或取自记录本身：每个触元的中位数，或前半秒的均值</translation>
+    </message>
+    <message>
+        <source>Name or number of the column of the times in a table of another program</source>
+        <translation>其他程序的表格中时间列的名称或编号</translation>
+    </message>
+    <message>
+        <source>Unit of these times; default: as the name of the column ends</source>
+        <translation>这些时间的单位；默认由列名的结尾决定</translation>
+    </message>
+    <message>
+        <source>Recorded frames: CSV time_s,t0,t1,... with one row a frame, row-major, or a file of another program</source>
+        <translation>记录的帧：CSV time_s,t0,t1,...，每帧一行，按行优先，或其他程序的文件</translation>
+    </message>
+    <message>
+        <source>The values are in %1, not in N: give the N of one unit with --gain.</source>
+        <translation>数值的单位是 %1，不是 N：请用 --gain 给出每单位的 N 数。</translation>
+    </message>
+</context>
+<context>
+    <name>FrameReaderText</name>
+    <message>
+        <source>the file is %1</source>
+        <translation>文件是%1</translation>
+    </message>
+    <message>
+        <source>frames as CSV, npy, npz, or Tekscan ASCII</source>
+        <translation>CSV、npy、npz 或 Tekscan ASCII 格式的帧</translation>
+    </message>
+    <message>
+        <source>the frames do not fit into the memory</source>
+        <translation>内存不足，无法容纳这些帧</translation>
+    </message>
+    <message>
+        <source>the file has times of its own, in time_s</source>
+        <translation>文件自带时间，位于 time_s 中</translation>
+    </message>
+    <message>
+        <source>no rate</source>
+        <translation>不指定帧率</translation>
+    </message>
+    <message>
+        <source>%1; a table of another program is read with %2</source>
+        <translation>%1；其他程序的表格用 %2 读取</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>文件</translation>
     </message>
 </context>
 <context>
@@ -3905,6 +4276,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>LossText</name>
+    <message>
+        <source>The first one is at %1 s.</source>
+        <translation>第一处位于 %1 s。</translation>
+    </message>
+    <message>
+        <source>First seen in %1.</source>
+        <translation>首次出现于 %1。</translation>
+    </message>
+</context>
+<context>
     <name>McapExport</name>
     <message>
         <source>there is no stream &quot;%1&quot;</source>
@@ -4302,6 +4684,174 @@ Examples:
     <message>
         <source>it to be closed there first</source>
         <translation>先在该程序中将其关闭</translation>
+    </message>
+</context>
+<context>
+    <name>NpyText</name>
+    <message>
+        <source>the head of the array is damaged at byte %1</source>
+        <translation>数组的文件头在字节 %1 处损坏</translation>
+    </message>
+    <message>
+        <source>the file ends within the head of the array</source>
+        <translation>文件在数组的文件头内结束</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>完整的文件</translation>
+    </message>
+    <message>
+        <source>descr, fortran_order and shape</source>
+        <translation>descr、fortran_order 和 shape</translation>
+    </message>
+    <message>
+        <source>the end of the head</source>
+        <translation>文件头的结尾</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>带引号的文本</translation>
+    </message>
+    <message>
+        <source>a closing quote</source>
+        <translation>右引号</translation>
+    </message>
+    <message>
+        <source>its values are structured, with fields</source>
+        <translation>其值为结构化类型，含字段</translation>
+    </message>
+    <message>
+        <source>its values are of type &quot;%1&quot;</source>
+        <translation>其值的类型为“%1”</translation>
+    </message>
+    <message>
+        <source>its values are objects of Python, which were pickled</source>
+        <translation>其值为经 pickle 序列化的 Python 对象</translation>
+    </message>
+    <message>
+        <source>its values are complex numbers</source>
+        <translation>其值为复数</translation>
+    </message>
+    <message>
+        <source>its values are texts</source>
+        <translation>其值为文本</translation>
+    </message>
+    <message>
+        <source>whole numbers of 0 or more</source>
+        <translation>不小于 0 的整数</translation>
+    </message>
+    <message>
+        <source>npy of version %1.%2</source>
+        <translation>%1.%2 版 npy</translation>
+    </message>
+    <message>
+        <source>version 1.0, 2.0 or 3.0</source>
+        <translation>1.0、2.0 或 3.0 版</translation>
+    </message>
+    <message>
+        <source>a head of at most 1 MiB</source>
+        <translation>至多 1 MiB 的文件头</translation>
+    </message>
+    <message>
+        <source>the file ends after %1 of %2 values</source>
+        <translation>文件在 %1 个值之后结束，应有 %2 个值</translation>
+    </message>
+    <message>
+        <source>the file goes on behind the %1 values of its array</source>
+        <translation>文件在其数组的 %1 个值之后还有内容</translation>
+    </message>
+    <message>
+        <source>one array</source>
+        <translation>一个数组</translation>
+    </message>
+</context>
+<context>
+    <name>NpzExportText</name>
+    <message>
+        <source>the recording has no tactile array</source>
+        <translation>记录中没有触觉阵列</translation>
+    </message>
+    <message>
+        <source>frames of an array</source>
+        <translation>阵列的帧</translation>
+    </message>
+    <message>
+        <source>the recording has no array &quot;%1&quot;</source>
+        <translation>记录中没有阵列“%1”</translation>
+    </message>
+    <message>
+        <source>the recording has several arrays</source>
+        <translation>记录中有多个阵列</translation>
+    </message>
+    <message>
+        <source>one of them (--stream NAME): %1</source>
+        <translation>其中之一（--stream NAME）：%1</translation>
+    </message>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>已存在同名文件</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>另一个名称</translation>
+    </message>
+    <message>
+        <source>interrupted; nothing was written</source>
+        <translation>已中断；未写入任何内容</translation>
+    </message>
+    <message>
+        <source>the recording is too long</source>
+        <translation>记录过长</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>至多 %1 个值</translation>
+    </message>
+</context>
+<context>
+    <name>NpzWriterText</name>
+    <message>
+        <source>cannot write the file: %1</source>
+        <translation>无法写入文件：%1</translation>
+    </message>
+</context>
+<context>
+    <name>NumpyFileText</name>
+    <message>
+        <source>the file ends after %1 of %2 values</source>
+        <translation>文件在 %1 个值之后结束，应有 %2 个值</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>完整的文件</translation>
+    </message>
+    <message>
+        <source>the zip archive is damaged: %1</source>
+        <translation>zip 压缩包已损坏：%1</translation>
+    </message>
+    <message>
+        <source>a whole npz file</source>
+        <translation>完整的 npz 文件</translation>
+    </message>
+    <message>
+        <source>the zip archive has too many files</source>
+        <translation>zip 压缩包中的文件过多</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>the zip archive has no array of NumPy</source>
+        <translation>zip 压缩包中没有 NumPy 数组</translation>
+    </message>
+    <message>
+        <source>an npz file, with files that end in .npy</source>
+        <translation>npz 文件，含以 .npy 结尾的文件</translation>
+    </message>
+    <message>
+        <source>a whole npz file that is not encrypted</source>
+        <translation>未加密的完整 npz 文件</translation>
     </message>
 </context>
 <context>
@@ -4849,24 +5399,44 @@ x %4，y %5
         <source>it belongs to OUT as -, where it is needed</source>
         <translation>它用于 OUT 为 - 的情形，此时必须给出</translation>
     </message>
+    <message>
+        <source>The samples are vibrations of %1 Hz with the intensities of the pattern.</source>
+        <translation>样本为 %1 Hz 的振动，其强度取自图案。</translation>
+    </message>
+    <message>
+        <source>The samples are the bare intensities, which move no voice coil: --carrier writes vibrations.</source>
+        <translation>样本为纯强度，无法驱动音圈：用 --carrier 写出振动。</translation>
+    </message>
+    <message>
+        <source>WAV: vibrations of this frequency, for voice coils, instead of the bare intensities; 250 without a number</source>
+        <translation>WAV：以此频率的振动代替纯强度，用于音圈；不给数值时为 250</translation>
+    </message>
+    <message>
+        <source>A file with one signal: the tactors that play it, for example 1,4; all without this</source>
+        <translation>只含一路信号的文件：播放该信号的振子，例如 1,4；不给出时为全部振子</translation>
+    </message>
+    <message>
+        <source>A .tact file with both arms: the one to read; left without this</source>
+        <translation>含双臂的 .tact 文件：要读取的手臂；不给出时为左臂</translation>
+    </message>
+    <message>
+        <source>expected numbers from 1 to 6 between commas</source>
+        <translation>应为以逗号分隔的 1 至 6 的数字</translation>
+    </message>
+    <message>
+        <source>it belongs to a file with one signal</source>
+        <translation>它用于只含一路信号的文件</translation>
+    </message>
+    <message>
+        <source>it is for .wav files</source>
+        <translation>它用于 .wav 文件</translation>
+    </message>
 </context>
 <context>
     <name>PatternFile</name>
     <message>
         <source>there is no tactor for the file &quot;%1&quot;</source>
         <translation>文件“%1”没有对应的振子</translation>
-    </message>
-    <message>
-        <source>files tactor1.haptic to tactor6.haptic, each once</source>
-        <translation>文件 tactor1.haptic 至 tactor6.haptic，每个一次</translation>
-    </message>
-    <message>
-        <source>there is no tactor left for this channel</source>
-        <translation>该通道没有剩余的振子可用</translation>
-    </message>
-    <message>
-        <source>six channels with directions 60 degrees apart</source>
-        <translation>六个通道，方向相隔 60 度</translation>
     </message>
     <message>
         <source>the pattern is too long for a WAV file</source>
@@ -4976,6 +5546,66 @@ x %4，y %5
         <source>a whole number of samples per second</source>
         <translation>每秒整数个样本</translation>
     </message>
+    <message>
+        <source>this part is not known</source>
+        <translation>此部分未知</translation>
+    </message>
+    <message>
+        <source>too many pieces overlap</source>
+        <translation>重叠的片段过多</translation>
+    </message>
+    <message>
+        <source>a pattern of at most %1 objects</source>
+        <translation>至多 %1 个对象的图案</translation>
+    </message>
+    <message>
+        <source>there are too many emphases</source>
+        <translation>强调点过多</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>vectorial waves, transients or curves of vibration</source>
+        <translation>矢量波、瞬态或曲线形式的振动</translation>
+    </message>
+    <message>
+        <source>there are too many effects, or too many inside each other</source>
+        <translation>效果过多，或嵌套过深</translation>
+    </message>
+    <message>
+        <source>there is no such effect in the library</source>
+        <translation>库中没有此效果</translation>
+    </message>
+    <message>
+        <source>the id of an effect in effect_library</source>
+        <translation>effect_library 中某个效果的 id</translation>
+    </message>
+    <message>
+        <source>there are too many keyframes</source>
+        <translation>关键帧过多</translation>
+    </message>
+    <message>
+        <source>files tactor1%1 to tactor6%1, each once</source>
+        <translation>文件 tactor1%1 至 tactor6%1，每个一次</translation>
+    </message>
+    <message>
+        <source>the paths are too long</source>
+        <translation>路径过长</translation>
+    </message>
+    <message>
+        <source>at most %1 points</source>
+        <translation>至多 %1 个点</translation>
+    </message>
+    <message>
+        <source>this rate cannot hold a carrier of %1 Hz</source>
+        <translation>此采样率无法容纳 %1 Hz 的载波</translation>
+    </message>
+    <message>
+        <source>a carrier above 0 and below half of %1 samples per second</source>
+        <translation>大于 0 且低于每秒 %1 个样本之半的载波</translation>
+    </message>
 </context>
 <context>
     <name>PatternLaws</name>
@@ -5038,6 +5668,98 @@ x %4，y %5
     <message>
         <source>Let it begin at %1 s, when the other one has ended.</source>
         <translation>让它在另一个结束后的 %1 s 开始。</translation>
+    </message>
+</context>
+<context>
+    <name>PatternLoss</name>
+    <message>
+        <source>Frequencies left out: %1. The frequency of the motors follows their intensity.</source>
+        <translation>略去的频率：%1。电机的频率随其强度而变。</translation>
+    </message>
+    <message>
+        <source>Short pulses that became bursts of %2 ms: %1.</source>
+        <translation>变为 %2 ms 短振的短脉冲：%1。</translation>
+    </message>
+    <message>
+        <source>The pattern is longer than the file by %1 s, so that its last burst is whole.</source>
+        <translation>图案比文件长 %1 s，以使最后一次短振保持完整。</translation>
+    </message>
+    <message>
+        <source>The file holds one signal. It plays on tactor %1.</source>
+        <comment>a list of numbers</comment>
+        <translation>文件只含一路信号，由振子 %1 播放。</translation>
+    </message>
+    <message>
+        <source>Channels without a direction, put on the tactors in their order: %1.</source>
+        <translation>没有方向、按顺序分配给各振子的通道：%1。</translation>
+    </message>
+    <message>
+        <source>Channels left out, because no tactor is left for them: %1.</source>
+        <translation>因没有剩余振子而略去的通道：%1。</translation>
+    </message>
+    <message>
+        <source>Effects for the other arm left out: %1.</source>
+        <translation>略去的另一只手臂的效果：%1。</translation>
+    </message>
+    <message>
+        <source>Effects for other devices left out: %1.</source>
+        <translation>略去的其他设备的效果：%1。</translation>
+    </message>
+    <message>
+        <source>Parts that are not vibration left out: %1.</source>
+        <translation>略去的非振动部分：%1。</translation>
+    </message>
+    <message>
+        <source>Tracks left out that are switched off: %1.</source>
+        <translation>略去的已关闭轨道：%1。</translation>
+    </message>
+    <message>
+        <source>Pieces that overlap others: %1. The stronger one counts; they do not add up.</source>
+        <translation>与其他片段重叠的片段：%1。取较强者；不叠加。</translation>
+    </message>
+    <message>
+        <source>Paths shared among the motors nearest to them: %1.</source>
+        <translation>分配到最近几个电机的路径：%1。</translation>
+    </message>
+    <message>
+        <source>Paths or envelopes of a single point left out: %1. They have no length.</source>
+        <translation>略去的单点路径或包络：%1。它们没有长度。</translation>
+    </message>
+    <message>
+        <source>Sounds left out: %1.</source>
+        <translation>略去的声音：%1。</translation>
+    </message>
+    <message>
+        <source>Events whose attack, decay or release was left out: %1.</source>
+        <translation>略去起音、衰减或释音的事件：%1。</translation>
+    </message>
+    <message>
+        <source>Settings that a pattern does not have: %1.</source>
+        <translation>图案所没有的设置：%1。</translation>
+    </message>
+    <message>
+        <source>Coded wave forms left out: %1.</source>
+        <translation>略去的编码波形：%1。</translation>
+    </message>
+    <message>
+        <source>Curves of displacement, of which the size plays in straight lines: %1.</source>
+        <translation>位移曲线，按其大小以直线段播放：%1。</translation>
+    </message>
+    <message>
+        <source>Intensities beyond full drive, set to 1: %1.</source>
+        <translation>超出满驱动而设为 1 的强度：%1。</translation>
+    </message>
+    <message>
+        <source>Objects written as the intensities that they play: %1.</source>
+        <translation>以其播放的强度写出的对象：%1。</translation>
+    </message>
+    <message>
+        <source>Slopes written as steps of %2 ms: %1. They differ from the pattern by up to %3.</source>
+        <translation>写为每级 %2 ms 阶梯的斜坡：%1。与图案最多相差 %3。</translation>
+    </message>
+    <message>
+        <source>Times rounded to milliseconds: %1.</source>
+        <translation>取整到毫秒的时间：%1。</translation>
     </message>
 </context>
 <context>
@@ -6346,6 +7068,81 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RosCommand</name>
+    <message>
+        <source>a publisher is best effort, reliable was asked</source>
+        <translation>某个发布者为 best effort，而请求的是 reliable</translation>
+    </message>
+    <message>
+        <source>a publisher keeps nothing of what it sent, which was asked</source>
+        <translation>某个发布者不保留已发送的数据，而请求中要求保留</translation>
+    </message>
+    <message>
+        <source>a publisher offers other qualities than were asked</source>
+        <translation>某个发布者提供的 QoS 与请求的不同</translation>
+    </message>
+    <message>
+        <source>List topics and who publishes and reads them</source>
+        <translation>列出话题及其发布者和读取者</translation>
+    </message>
+    <message>
+        <source>List the nodes of programs</source>
+        <translation>列出各程序的节点</translation>
+    </message>
+    <message>
+        <source>Print what is sent on a topic, until Ctrl-C</source>
+        <translation>显示话题上发送的内容，直到 Ctrl-C</translation>
+    </message>
+    <message>
+        <source>Name of the topic, for example /joint_states</source>
+        <translation>话题名称，例如 /joint_states</translation>
+    </message>
+    <message>
+        <source>End after so many messages</source>
+        <translation>收到这么多条消息后结束</translation>
+    </message>
+    <message>
+        <source>Number of the domain; default: ROS_DOMAIN_ID of the environment, else 0</source>
+        <translation>域编号；默认：环境变量 ROS_DOMAIN_ID，否则为 0</translation>
+    </message>
+    <message>
+        <source>Network interface, its name or its address; default: the first one</source>
+        <translation>网络接口的名称或地址；默认：第一个</translation>
+    </message>
+    <message>
+        <source>Computer on which to look for programs besides this one; may be repeated. Multicast is not used</source>
+        <translation>除本机外还要查找程序的计算机；可重复。不使用多播</translation>
+    </message>
+    <message>
+        <source>this computer</source>
+        <translation>本机</translation>
+    </message>
+    <message>
+        <source>no program of domain %1 was found on: %2. Name the robot&apos;s computer with --peer, since multicast is not used.</source>
+        <translation>在以下位置未找到域 %1 的程序：%2。由于不使用多播，请用 --peer 指定机器人的计算机。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a topic; expected parts of letters, digits and _ after slashes, for example /joint_states</source>
+        <translation>“%1”不是话题名称；应为斜杠后由字母、数字和 _ 组成的各部分，例如 /joint_states</translation>
+    </message>
+    <message>
+        <source>nobody published %1 in domain %2 within %3 s; looked for on: %4</source>
+        <translation>在 %3 s 内，域 %2 中没有程序发布 %1；查找位置：%4</translation>
+    </message>
+    <message>
+        <source>%1 has the type %2, which is not known</source>
+        <translation>%1 的类型 %2 未知</translation>
+    </message>
+    <message>
+        <source>nothing was sent on %1 within %2 s</source>
+        <translation>%2 s 内 %1 上没有发送任何内容</translation>
+    </message>
+    <message>
+        <source>Topics and nodes of ROS 2, without ROS</source>
+        <translation>无需 ROS 即可查看 ROS 2 的话题和节点</translation>
+    </message>
+</context>
+<context>
     <name>RunSheet</name>
     <message>
         <source>point</source>
@@ -7104,6 +7901,10 @@ Run %2 --help for more.
     <message>
         <source>the document and a file would both go to standard output</source>
         <translation>文档和文件会同时写到标准输出</translation>
+    </message>
+    <message>
+        <source>an npz file is an archive, which is no stream</source>
+        <translation>npz 文件是压缩包，不是流</translation>
     </message>
 </context>
 <context>
@@ -9611,6 +10412,124 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>TableText</name>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>记录中没有帧</translation>
+    </message>
+    <message>
+        <source>at least one row of numbers</source>
+        <translation>至少一行数值</translation>
+    </message>
+    <message>
+        <source>there is no column %1</source>
+        <translation>没有列 %1</translation>
+    </message>
+    <message>
+        <source>a number from 1 to %1; the table has no header</source>
+        <translation>1 至 %1 的编号；表格没有标题行</translation>
+    </message>
+    <message>
+        <source>one of %1, or a number from 1 to %2</source>
+        <translation>%1 之一，或 1 至 %2 的编号</translation>
+    </message>
+    <message>
+        <source>the table has %1 columns, %2..%3 are asked for</source>
+        <translation>表格有 %1 列，而请求的是 %2..%3</translation>
+    </message>
+    <message>
+        <source>columns from 1 to %1</source>
+        <translation>1 至 %1 的列</translation>
+    </message>
+    <message>
+        <source>the table has %1 columns of taxels</source>
+        <translation>表格有 %1 列触元</translation>
+    </message>
+    <message>
+        <source>from 1 to %1</source>
+        <translation>1 至 %1</translation>
+    </message>
+    <message>
+        <source>column %1 is that of the times, and one of the taxels</source>
+        <translation>列 %1 既是时间列，又是触元列</translation>
+    </message>
+    <message>
+        <source>either</source>
+        <translation>二者之一</translation>
+    </message>
+    <message>
+        <source>a row of the table</source>
+        <translation>表格的一行</translation>
+    </message>
+    <message>
+        <source>a column of times and a rate</source>
+        <translation>同时给出了时间列和帧率</translation>
+    </message>
+    <message>
+        <source>the column of the times (--time-column NAME), or frames per second (--rate HZ)</source>
+        <translation>时间列（--time-column NAME），或每秒帧数（--rate HZ）</translation>
+    </message>
+    <message>
+        <source>the unit %1 of the times</source>
+        <translation>时间的单位 %1</translation>
+    </message>
+    <message>
+        <source>the row has %1 values</source>
+        <translation>该行有 %1 个值</translation>
+    </message>
+    <message>
+        <source>one value per column: %1</source>
+        <translation>每列一个值：%1</translation>
+    </message>
+    <message>
+        <source>the table is too long</source>
+        <translation>表格过长</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>至多 %1 个值</translation>
+    </message>
+    <message>
+        <source>the time goes back</source>
+        <translation>时间倒退</translation>
+    </message>
+    <message>
+        <source>times that do not decrease</source>
+        <translation>不递减的时间</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 不是数值</translation>
+    </message>
+    <message>
+        <source>a number, nan, inf or NA</source>
+        <translation>数值、nan、inf 或 NA</translation>
+    </message>
+    <message>
+        <source>%1 is not a time</source>
+        <translation>%1 不是时间</translation>
+    </message>
+    <message>
+        <source>a number, or --time-unit iso</source>
+        <translation>数值，或 --time-unit iso</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>有限数</translation>
+    </message>
+    <message>
+        <source>a date and time such as 2026-05-01T12:00:00.5</source>
+        <translation>日期和时间，例如 2026-05-01T12:00:00.5</translation>
+    </message>
+</context>
+<context>
+    <name>TactText</name>
+    <message>
+        <source>this name is unknown</source>
+        <translation>此名称未知</translation>
+    </message>
+</context>
+<context>
     <name>TaxelGainFile</name>
     <message>
         <source>taxel %1 is missing</source>
@@ -9723,6 +10642,128 @@ Run %2 --help for more.
     <message>
         <source>The frames have %1 values in total.</source>
         <translation>各帧共有 %1 个值。</translation>
+    </message>
+</context>
+<context>
+    <name>TekscanText</name>
+    <message>
+        <source>the recording has no frames</source>
+        <translation>记录中没有帧</translation>
+    </message>
+    <message>
+        <source>the file ends after frame %1 of %2</source>
+        <translation>文件在帧 %1 之后结束，应有 %2 帧</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>完整的文件</translation>
+    </message>
+    <message>
+        <source>the file ends within its head</source>
+        <translation>文件在其文件头内结束</translation>
+    </message>
+    <message>
+        <source>the head has no line %1</source>
+        <translation>文件头中没有 %1 行</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to %1</source>
+        <translation>1 至 %1 的整数</translation>
+    </message>
+    <message>
+        <source>a number above 0 in mm or cm</source>
+        <translation>以 mm 或 cm 为单位、大于 0 的数值</translation>
+    </message>
+    <message>
+        <source>%1 rows x %2 columns, as was asked for</source>
+        <translation>%1 行 x %2 列，与所请求的一致</translation>
+    </message>
+    <message>
+        <source>the distance of the rows, or one pitch for both (--pitch-mm)</source>
+        <translation>行间距，或行列共用的间距（--pitch-mm）</translation>
+    </message>
+    <message>
+        <source>a number above 0 in mm2 or cm2</source>
+        <translation>以 mm2 或 cm2 为单位、大于 0 的数值</translation>
+    </message>
+    <message>
+        <source>RAW, or a unit of pressure such as kPa or PSI</source>
+        <translation>RAW，或压力单位，例如 kPa 或 PSI</translation>
+    </message>
+    <message>
+        <source>the area with which a pressure makes a force</source>
+        <translation>由压力换算为力所用的面积</translation>
+    </message>
+    <message>
+        <source>a number above 0, or frames per second (--rate HZ)</source>
+        <translation>大于 0 的数值，或每秒帧数（--rate HZ）</translation>
+    </message>
+    <message>
+        <source>the line is %1</source>
+        <translation>该行为 %1</translation>
+    </message>
+    <message>
+        <source>the frame has no number</source>
+        <translation>该帧没有编号</translation>
+    </message>
+    <message>
+        <source>frame %1 comes after frame %2</source>
+        <translation>帧 %1 出现在帧 %2 之后</translation>
+    </message>
+    <message>
+        <source>numbers that grow</source>
+        <translation>递增的编号</translation>
+    </message>
+    <message>
+        <source>the recording is too long</source>
+        <translation>记录过长</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>至多 %1 个值</translation>
+    </message>
+    <message>
+        <source>frame %1 ends after %2 of %3 rows</source>
+        <translation>帧 %1 在 %2 行之后结束，应有 %3 行</translation>
+    </message>
+    <message>
+        <source>a whole frame</source>
+        <translation>完整的一帧</translation>
+    </message>
+    <message>
+        <source>the row has %1 values</source>
+        <translation>该行有 %1 个值</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 个值</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 不是数值</translation>
+    </message>
+    <message>
+        <source>a number or B</source>
+        <translation>数值或 B</translation>
+    </message>
+</context>
+<context>
+    <name>TextLinesText</name>
+    <message>
+        <source>the line is longer than 16 MiB</source>
+        <translation>该行超过 16 MiB</translation>
+    </message>
+    <message>
+        <source>a line end</source>
+        <translation>行尾</translation>
+    </message>
+    <message>
+        <source>the line has a byte 0, which no text has</source>
+        <translation>该行含有字节 0，文本中不应出现</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>文本</translation>
     </message>
 </context>
 <context>
@@ -13579,6 +14620,22 @@ Run %2 --help for more.
         <source>predicted intensities</source>
         <translation>电机的预测动作</translation>
     </message>
+    <message>
+        <source>vibrations</source>
+        <translation>振动</translation>
+    </message>
+    <message>
+        <source>bare intensities</source>
+        <translation>纯强度</translation>
+    </message>
+    <message>
+        <source>&amp;Signal:</source>
+        <translation>信号(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>Frequenc&amp;y:</source>
+        <translation>频率(&amp;Y)：</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FeedbackPanel</name>
@@ -13776,6 +14833,34 @@ Run %2 --help for more.
     <message>
         <source>&amp;Log</source>
         <translation>日志(&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::ImportDialog</name>
+    <message>
+        <source>Open pattern</source>
+        <translation>打开图案</translation>
+    </message>
+    <message>
+        <source>A pattern cannot represent everything that %1 holds. Opening it changes or leaves out:</source>
+        <comment>a file</comment>
+        <translation>图案无法容纳 %1 中的全部内容。打开时将更改或略去：</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>&amp;Arm:</source>
+        <translation>手臂(&amp;A)：</translation>
+    </message>
+    <message>
+        <source>&amp;Motors:</source>
+        <translation>电机(&amp;M)：</translation>
     </message>
 </context>
 <context>
@@ -15078,10 +16163,6 @@ Run %2 --help for more.
         <translation>图案 (*.json)</translation>
     </message>
     <message>
-        <source>All patterns (*.json *.hjif *.haptic *.haptic.zip *.tact)</source>
-        <translation>所有图案 (*.json *.hjif *.haptic *.haptic.zip *.tact)</translation>
-    </message>
-    <message>
         <source>HJIF (*.hjif)</source>
         <translation>HJIF (*.hjif)</translation>
     </message>
@@ -15118,6 +16199,19 @@ Run %2 --help for more.
         <source>The program ended before %1, edited %2, was saved. The file on disk is unchanged.</source>
         <comment>a pattern, a time</comment>
         <translation>程序结束时未保存于 %2 编辑的 %1。磁盘上的文件保持原样。</translation>
+    </message>
+    <message>
+        <source>%1 holds more than the pattern: %2</source>
+        <comment>a file, a list of sentences</comment>
+        <translation>%1 的内容超出图案所能容纳：%2</translation>
+    </message>
+    <message>
+        <source>All patterns (*.json *.hjif *.haptic *.haptic.zip *.ahap *.ahap.zip *.tact)</source>
+        <translation>所有图案 (*.json *.hjif *.haptic *.haptic.zip *.ahap *.ahap.zip *.tact)</translation>
+    </message>
+    <message>
+        <source>AHAP (*.ahap *.ahap.zip)</source>
+        <translation>AHAP (*.ahap *.ahap.zip)</translation>
     </message>
 </context>
 <context>

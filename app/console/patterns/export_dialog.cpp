@@ -83,7 +83,7 @@ ExportDialog::ExportDialog(pattern::MotorProfiles motors, QString suggested, QWi
     form->addRow(tr("&Rate:"), m_rate);
     form->addRow(tr("&Values:"), m_content);
     form->addRow(tr("&Signal:"), m_signal);
-    form->addRow(tr("F&requency:"), m_carrier);
+    form->addRow(tr("Frequenc&y:"), m_carrier);
     form->addRow(m_buttons);
     connect(m_signal, &QComboBox::currentIndexChanged, this,
             [this](int index) { m_carrier->setEnabled(m_signal->isEnabled() && index == 0); });
