@@ -4290,17 +4290,6 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
-    <name>LossText</name>
-    <message>
-        <source>The first one is at %1 s.</source>
-        <translation>Première occurrence à&#xa0;%1 s.</translation>
-    </message>
-    <message>
-        <source>First seen in %1.</source>
-        <translation>Première occurrence dans&#xa0;%1.</translation>
-    </message>
-</context>
-<context>
     <name>McapExport</name>
     <message>
         <source>there is no stream &quot;%1&quot;</source>
@@ -5775,6 +5764,14 @@ Aire %6</translation>
     <message>
         <source>Times rounded to milliseconds: %1.</source>
         <translation>Temps arrondis à la milliseconde&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>The first one is at %1 s.</source>
+        <translation>Première occurrence à&#xa0;%1 s.</translation>
+    </message>
+    <message>
+        <source>First seen in %1.</source>
+        <translation>Première occurrence dans&#xa0;%1.</translation>
     </message>
 </context>
 <context>
@@ -10548,13 +10545,6 @@ Run %2 --help for more.
     <message>
         <source>a date and time such as 2026-05-01T12:00:00.5</source>
         <translation>une date et une heure comme 2026-05-01T12:00:00.5</translation>
-    </message>
-</context>
-<context>
-    <name>TactText</name>
-    <message>
-        <source>this name is unknown</source>
-        <translation>ce nom n’est pas connu</translation>
     </message>
 </context>
 <context>

@@ -4276,17 +4276,6 @@ Examples:
     </message>
 </context>
 <context>
-    <name>LossText</name>
-    <message>
-        <source>The first one is at %1 s.</source>
-        <translation>最初のものは%1 sにあります。</translation>
-    </message>
-    <message>
-        <source>First seen in %1.</source>
-        <translation>最初に見つかった場所: %1。</translation>
-    </message>
-</context>
-<context>
     <name>McapExport</name>
     <message>
         <source>there is no stream &quot;%1&quot;</source>
@@ -5760,6 +5749,14 @@ x %4, y %5
     <message>
         <source>Times rounded to milliseconds: %1.</source>
         <translation>ミリ秒に丸めた時刻: %1。</translation>
+    </message>
+    <message>
+        <source>The first one is at %1 s.</source>
+        <translation>最初のものは%1 sにあります。</translation>
+    </message>
+    <message>
+        <source>First seen in %1.</source>
+        <translation>最初に見つかった場所: %1。</translation>
     </message>
 </context>
 <context>
@@ -10520,13 +10517,6 @@ Run %2 --help for more.
     <message>
         <source>a date and time such as 2026-05-01T12:00:00.5</source>
         <translation>2026-05-01T12:00:00.5のような日時</translation>
-    </message>
-</context>
-<context>
-    <name>TactText</name>
-    <message>
-        <source>this name is unknown</source>
-        <translation>この名前は不明です</translation>
     </message>
 </context>
 <context>

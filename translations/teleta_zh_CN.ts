@@ -4276,17 +4276,6 @@ Examples:
     </message>
 </context>
 <context>
-    <name>LossText</name>
-    <message>
-        <source>The first one is at %1 s.</source>
-        <translation>第一处位于 %1 s。</translation>
-    </message>
-    <message>
-        <source>First seen in %1.</source>
-        <translation>首次出现于 %1。</translation>
-    </message>
-</context>
-<context>
     <name>McapExport</name>
     <message>
         <source>there is no stream &quot;%1&quot;</source>
@@ -5760,6 +5749,14 @@ x %4，y %5
     <message>
         <source>Times rounded to milliseconds: %1.</source>
         <translation>取整到毫秒的时间：%1。</translation>
+    </message>
+    <message>
+        <source>The first one is at %1 s.</source>
+        <translation>第一处位于 %1 s。</translation>
+    </message>
+    <message>
+        <source>First seen in %1.</source>
+        <translation>首次出现于 %1。</translation>
     </message>
 </context>
 <context>
@@ -10520,13 +10517,6 @@ Run %2 --help for more.
     <message>
         <source>a date and time such as 2026-05-01T12:00:00.5</source>
         <translation>日期和时间，例如 2026-05-01T12:00:00.5</translation>
-    </message>
-</context>
-<context>
-    <name>TactText</name>
-    <message>
-        <source>this name is unknown</source>
-        <translation>此名称未知</translation>
     </message>
 </context>
 <context>

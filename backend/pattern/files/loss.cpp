@@ -13,7 +13,7 @@ namespace teleta::pattern {
 
 namespace {
 
-struct LossText {
+struct PatternLoss {
     Q_DECLARE_TR_FUNCTIONS(PatternLoss)
 };
 
@@ -22,59 +22,62 @@ QString text(const Loss& loss) {
     const QString burst = QString::number(std::lround(1000.0 * kBurst_s));
     switch (loss.kind) {
     case LossKind::frequency:
-        return LossText::tr("Frequencies left out: %1. The frequency of the motors follows their intensity.")
+        return PatternLoss::tr(
+                   "Frequencies left out: %1. The frequency of the motors follows their intensity.")
             .arg(loss.count);
     case LossKind::burst:
-        return LossText::tr("Short pulses that became bursts of %2 ms: %1.").arg(loss.count).arg(burst);
+        return PatternLoss::tr("Short pulses that became bursts of %2 ms: %1.").arg(loss.count).arg(burst);
     case LossKind::longer:
-        return LossText::tr("The pattern is longer than the file by %1 s, so that its last burst is whole.")
+        return PatternLoss::tr(
+                   "The pattern is longer than the file by %1 s, so that its last burst is whole.")
             .arg(detail);
     case LossKind::oneSignal:
-        return LossText::tr("The file holds one signal. It plays on tactor %1.", "a list of numbers")
+        return PatternLoss::tr("The file holds one signal. It plays on tactor %1.", "a list of numbers")
             .arg(detail);
     case LossKind::place:
-        return LossText::tr("Channels without a direction, put on the tactors in their order: %1.")
+        return PatternLoss::tr("Channels without a direction, put on the tactors in their order: %1.")
             .arg(loss.count);
     case LossKind::channel:
-        return LossText::tr("Channels left out, because no tactor is left for them: %1.").arg(loss.count);
+        return PatternLoss::tr("Channels left out, because no tactor is left for them: %1.").arg(loss.count);
     case LossKind::otherArm:
-        return LossText::tr("Effects for the other arm left out: %1.").arg(loss.count);
+        return PatternLoss::tr("Effects for the other arm left out: %1.").arg(loss.count);
     case LossKind::otherDevice:
-        return LossText::tr("Effects for other devices left out: %1.").arg(loss.count);
+        return PatternLoss::tr("Effects for other devices left out: %1.").arg(loss.count);
     case LossKind::modality:
-        return LossText::tr("Parts that are not vibration left out: %1.").arg(loss.count);
+        return PatternLoss::tr("Parts that are not vibration left out: %1.").arg(loss.count);
     case LossKind::disabled:
-        return LossText::tr("Tracks left out that are switched off: %1.").arg(loss.count);
+        return PatternLoss::tr("Tracks left out that are switched off: %1.").arg(loss.count);
     case LossKind::overlap:
-        return LossText::tr("Pieces that overlap others: %1. The stronger one counts; they do not add up.")
+        return PatternLoss::tr("Pieces that overlap others: %1. The stronger one counts; they do not add up.")
             .arg(loss.count);
     case LossKind::path:
-        return LossText::tr("Paths shared among the motors nearest to them: %1.").arg(loss.count);
+        return PatternLoss::tr("Paths shared among the motors nearest to them: %1.").arg(loss.count);
     case LossKind::point:
-        return LossText::tr("Paths or envelopes of a single point left out: %1. They have no length.")
+        return PatternLoss::tr("Paths or envelopes of a single point left out: %1. They have no length.")
             .arg(loss.count);
     case LossKind::audio:
-        return LossText::tr("Sounds left out: %1.").arg(loss.count);
+        return PatternLoss::tr("Sounds left out: %1.").arg(loss.count);
     case LossKind::envelope:
-        return LossText::tr("Events whose attack, decay or release was left out: %1.").arg(loss.count);
+        return PatternLoss::tr("Events whose attack, decay or release was left out: %1.").arg(loss.count);
     case LossKind::parameter:
-        return LossText::tr("Settings that a pattern does not have: %1.").arg(loss.count);
+        return PatternLoss::tr("Settings that a pattern does not have: %1.").arg(loss.count);
     case LossKind::waveform:
-        return LossText::tr("Coded wave forms left out: %1.").arg(loss.count);
+        return PatternLoss::tr("Coded wave forms left out: %1.").arg(loss.count);
     case LossKind::curve:
-        return LossText::tr("Curves of displacement, of which the size plays in straight lines: %1.")
+        return PatternLoss::tr("Curves of displacement, of which the size plays in straight lines: %1.")
             .arg(loss.count);
     case LossKind::clipped:
-        return LossText::tr("Intensities beyond full drive, set to 1: %1.").arg(loss.count);
+        return PatternLoss::tr("Intensities beyond full drive, set to 1: %1.").arg(loss.count);
     case LossKind::objects:
-        return LossText::tr("Objects written as the intensities that they play: %1.").arg(loss.count);
+        return PatternLoss::tr("Objects written as the intensities that they play: %1.").arg(loss.count);
     case LossKind::steps:
-        return LossText::tr("Slopes written as steps of %2 ms: %1. They differ from the pattern by up to %3.")
+        return PatternLoss::tr(
+                   "Slopes written as steps of %2 ms: %1. They differ from the pattern by up to %3.")
             .arg(loss.count)
             .arg(kTactPiece_ms)
             .arg(detail);
     case LossKind::rounding:
-        return LossText::tr("Times rounded to milliseconds: %1.").arg(loss.count);
+        return PatternLoss::tr("Times rounded to milliseconds: %1.").arg(loss.count);
     }
     return {};
 }
@@ -135,9 +138,10 @@ std::string describe(const Loss& loss) {
     QString all = text(loss);
     if (loss.first_s && loss.count > 0)
         all += QLatin1Char(' ') +
-               LossText::tr("The first one is at %1 s.").arg(std::round(1000.0 * *loss.first_s) / 1000.0);
+               PatternLoss::tr("The first one is at %1 s.").arg(std::round(1000.0 * *loss.first_s) / 1000.0);
     if (!loss.where.empty())
-        all += QLatin1Char(' ') + LossText::tr("First seen in %1.").arg(QString::fromStdString(loss.where));
+        all +=
+            QLatin1Char(' ') + PatternLoss::tr("First seen in %1.").arg(QString::fromStdString(loss.where));
     return all.toStdString();
 }
 

@@ -23,6 +23,10 @@ struct TactText {
     Q_DECLARE_TR_FUNCTIONS(PatternFile)
 };
 
+QString unknownName() {
+    return TactText::tr("this name is unknown");
+}
+
 constexpr double kMost_ms = Pattern::kLongest_s * 1000.0;
 constexpr std::size_t kMostPoints = 1000; ///< of one feedback
 /// A path is followed in pieces of at most this length, and at least so many between two of its points.
@@ -107,7 +111,7 @@ private:
         const std::string name = mode == nullptr ? "DOT_MODE" : m_reader.text(*mode);
         isPath = name == "PATH_MODE";
         if (!isPath && name != "DOT_MODE" && mode != nullptr)
-            m_reader.fail(*mode, TactText::tr("this name is unknown"), "DOT_MODE, PATH_MODE");
+            m_reader.fail(*mode, unknownName(), "DOT_MODE, PATH_MODE");
         const ordered_json& content = m_reader.member(device, isPath ? "pathMode" : "dotMode");
         return m_reader.array(m_reader.member(content, "feedback"), 0, Pattern::kMostBreakpoints);
     }
@@ -175,7 +179,7 @@ private:
         const ordered_json& type = m_reader.member(feedback, "playbackType");
         std::string name = m_reader.text(type);
         if (name != "NONE" && name != "FADE_IN" && name != "FADE_OUT" && name != "FADE_IN_OUT")
-            m_reader.fail(type, TactText::tr("this name is unknown"), "NONE, FADE_IN, FADE_OUT, FADE_IN_OUT");
+            m_reader.fail(type, unknownName(), "NONE, FADE_IN, FADE_OUT, FADE_IN_OUT");
         return name;
     }
 

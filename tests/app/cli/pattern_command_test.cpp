@@ -56,10 +56,10 @@ TEST(PatternCommand, rendersIntoAFileAndConvertsToTheSameRows) {
 TEST(PatternCommand, tellsWhatItConvertedAsJson) {
     const TemporaryFolder folder;
     const std::string out = folder.path("b.hjif");
-    const ProgramResult result = run({"pattern", "convert", "shape.A.dynamic", out, "--json"});
+    const ProgramResult result = run({"pattern", "convert", "shape.A.static", out, "--json"});
     ASSERT_EQ(result.exitCode, 0) << result.err;
     EXPECT_EQ(ordered_json::parse(result.out, nullptr, false),
-              ordered_json({{"id", "shape.A.dynamic"},
+              ordered_json({{"id", "shape.A.static"},
                             {"out", out},
                             {"lost_at_reading", ordered_json::array()},
                             {"lost_at_writing", ordered_json::array()}}));

@@ -166,7 +166,7 @@ TEST(RosCommand, anInterruptionCompletesTheDocument) {
     const JointPublisher publisher(join(kDomain), "rt/joint_states");
     test::RunningProgram program(
         {"ros", "echo", "/joint_states", "--json", "--interface", "lo", "--domain", std::to_string(kDomain)});
-    ASSERT_TRUE(comesToWrite(program, "position"));
+    ASSERT_TRUE(comesToWrite(program, "wrist"));
     program.send(SIGINT);
     const ProgramResult result = program.wait();
     EXPECT_EQ(result.exitCode, 1);
