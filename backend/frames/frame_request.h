@@ -11,7 +11,7 @@ namespace teleta::frames {
 
 /// Which dimension of an array counts the frames.
 enum class FrameAxis {
-    automatic, ///< the first; of a MAT file, what time_s says
+    automatic, ///< the first, unless the file has an order of its own
     first,     ///< frames x rows x columns, or frames x taxels
     last,      ///< rows x columns x frames, or taxels x frames
 };
@@ -24,7 +24,7 @@ struct ColumnRange {
 
 /// What is known of a file of frames. What is left out follows from the file.
 struct FrameRequest {
-    std::string path{};        ///< a file; for HDF5 also FILE:/group/dataset
+    std::string path{};        ///< of the file
     std::optional<int> rows{}; ///< of the array
     std::optional<int> columns{};
     /// Where neither the file nor rows and columns say the shape: the likely array of so many taxels;
