@@ -3,6 +3,7 @@
 
 #include "widgets/base/theme.h"
 
+#include <QDockWidget>
 #include <QWidget>
 
 #include <algorithm>
@@ -32,13 +33,7 @@ QRect freeCorner(const QWidget& view, const QRect& seen, QSize size, const QWidg
                              QPoint(right, seen.top())};
     std::array<Covered, corners.size()> covered;
     const int smallHeight_px = base::em(&view, kSmallControl_em);
-    for (const QWidget* each : view.findChildren<QWidget*>()) {
-        const bool isControl = each->isVisibleTo(&view) && each->isEnabled() &&
-                               (each->focusPolicy() & Qt::TabFocus) != 0 && !each->isWindow() &&
-                               each != &ignored && !ignored.isAncestorOf(each);
-        if (!isControl)
-            continue;
-        const QRect place(each->mapTo(&view, QPoint()), each->size());
+    const auto count = [&](const QRect& place) {
         for (std::size_t index = 0; index < corners.size(); ++index) {
             const QRect common = place & QRect(corners[index], size);
             if (common.isEmpty())
@@ -46,6 +41,17 @@ QRect freeCorner(const QWidget& view, const QRect& seen, QSize size, const QWidg
             covered[index].small += place.height() <= smallHeight_px ? 1 : 0;
             covered[index].area_px2 += qint64{common.width()} * common.height();
         }
+    };
+    for (const QWidget* each : view.findChildren<QWidget*>()) {
+        if (!each->isVisibleTo(&view) || !each->isEnabled() || each->isWindow() || each == &ignored ||
+            ignored.isAncestorOf(each))
+            continue;
+        const QPoint at = each->mapTo(&view, QPoint());
+        const auto* dock = qobject_cast<const QDockWidget*>(each);
+        if (dock != nullptr && dock->widget() != nullptr)
+            count({at, QSize(dock->width(), dock->widget()->y())}); // its title
+        else if ((each->focusPolicy() & Qt::TabFocus) != 0)
+            count({at, each->size()});
     }
     const auto best = std::min_element(covered.begin(), covered.end()) - covered.begin();
     return {corners[static_cast<std::size_t>(best)], size};

@@ -2,9 +2,11 @@
 #include "widgets/chrome/message_bar.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFrame>
 #include <QLabel>
+#include <QMainWindow>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -173,6 +175,28 @@ private slots:
             QVERIFY(bar.isVisible());
             QVERIFY2(!bar.geometry().intersects(play.geometry()), qPrintable(QString::number(corner.x())));
         }
+    }
+
+    void coversNoTitleOfADock() {
+        QWidget view;
+        const int line = view.fontMetrics().height();
+        view.resize(line * 60, line * 30);
+        auto* column = new QVBoxLayout(&view);
+        auto* docks = new QMainWindow(&view);
+        docks->setWindowFlags(Qt::Widget);
+        docks->setCentralWidget(new QWidget(docks));
+        column->addWidget(docks);
+        auto* dock = new QDockWidget(QStringLiteral("Stiffness"), docks);
+        dock->setWidget(new QWidget(dock));
+        docks->addDockWidget(Qt::BottomDockWidgetArea, dock);
+        dock->setFixedHeight(line * 3); // its title is where notices are first looked for a place
+        MessageBar bar(&view);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        QTRY_VERIFY(dock->widget()->y() > 0);
+        bar.post(message("one"));
+        const QRect title(dock->mapTo(&view, QPoint()), QSize(dock->width(), dock->widget()->y()));
+        QVERIFY(!bar.geometry().intersects(title));
     }
 
     void informationLeavesByItselfAndTroubleStays() {
