@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -167,47 +168,45 @@ public:
 
 private:
     [[nodiscard]] core::Expected<void> writeMcap(const Recording& recording) {
-        ProgressBar progress(ProgressBar::Unit::frames, false);
         mcap::McapExportOptions options;
         options.streams = m_streams;
         options.compression =
             m_compression == "none" ? mcap::Compression::none : mcap::compressionOf(m_compression).value();
         options.chunkBytes = static_cast<std::size_t>(m_chunk_MB * (1U << 20U));
-        options.overwrite = m_force;
-        options.goOn = [&](double done, double all) {
-            progress.update(done, all);
-            return !interrupted();
-        };
-        const auto exported = mcap::exportMcap(recording, m_mcapPath, options);
-        progress.erase();
-        if (!exported) {
-            core::Error error = exported.error();
-            if (error.kind == core::ErrorKind::refused && error.where.file == m_mcapPath)
-                error.expected = ExportText::tr("another name, or --force").toStdString();
-            return core::Unexpected(std::move(error));
-        }
-        return m_json ? printJson(recording, *exported) : printTopics(recording, *exported);
+        TELETA_TRY(const auto exported, withProgress(options, m_mcapPath, [&] {
+                       return mcap::exportMcap(recording, m_mcapPath, options);
+                   }));
+        return m_json ? printJson(recording, exported) : printTopics(recording, exported);
     }
 
     [[nodiscard]] core::Expected<void> writeNpz(const Recording& recording) {
-        ProgressBar progress(ProgressBar::Unit::frames, false);
         frames::NpzExportOptions options;
         if (!m_streams.empty())
             options.stream = m_streams.front();
+        TELETA_TRY(const auto exported, withProgress(options, m_npzPath, [&] {
+                       return frames::exportNpz(recording, m_npzPath, options);
+                   }));
+        return printArray(recording, exported, m_json);
+    }
+
+    /// Runs an export into one file with a bar of progress. Completes the options that all exports have, and
+    /// names
+    /// --force where a file stands in the way.
+    template <typename Options, typename Work>
+    [[nodiscard]] std::invoke_result_t<Work> withProgress(Options& options, const std::string& path,
+                                                          Work work) {
+        ProgressBar progress(ProgressBar::Unit::frames, false);
         options.overwrite = m_force;
         options.goOn = [&](double done, double all) {
             progress.update(done, all);
             return !interrupted();
         };
-        const auto exported = frames::exportNpz(recording, m_npzPath, options);
+        auto exported = work();
         progress.erase();
-        if (!exported) {
-            core::Error error = exported.error();
-            if (error.kind == core::ErrorKind::refused && error.where.file == m_npzPath)
-                error.expected = ExportText::tr("another name, or --force").toStdString();
-            return core::Unexpected(std::move(error));
-        }
-        return printArray(recording, *exported, m_json);
+        if (!exported && exported.error().kind == core::ErrorKind::refused &&
+            exported.error().where.file == path)
+            exported.error().expected = ExportText::tr("another name, or --force").toStdString();
+        return exported;
     }
 
     [[nodiscard]] core::Expected<void> writeCsv(const Recording& recording) {
