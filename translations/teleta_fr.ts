@@ -13859,7 +13859,7 @@ Run %2 --help for more.
         <translation>ARRÊTÉ depuis&#xa0;%1.&#xa0;%2</translation>
     </message>
     <message>
-        <source>Motors are off and arms are held. To go on, hold the button STOPPED for a second.</source>
+        <source>Motors are off and arms are held. To continue, hold the STOPPED button for one second.</source>
         <translation>Les moteurs sont à l’arrêt et les bras maintenus. Pour reprendre, maintenez le bouton ARRÊTÉ pendant une seconde.</translation>
     </message>
 </context>
@@ -13978,7 +13978,7 @@ Run %2 --help for more.
         <translation>Les gains des taxels de&#xa0;%1 ne sont pas enregistrés.</translation>
     </message>
     <message>
-        <source>They are lost when the source is closed. The page Calibrate saves them.</source>
+        <source>They are lost when the source is closed. Save them on the page Calibrate.</source>
         <translation>Ils sont perdus quand la source est fermée. La page Étalonnage les enregistre.</translation>
     </message>
 </context>
@@ -14770,7 +14770,7 @@ Run %2 --help for more.
         <translation>%1&#xa0;:&#xa0;%2, non joué</translation>
     </message>
     <message>
-        <source>Touch %1: %2. %3 was not played: there is no bracelet, or a study or a calibration uses it.</source>
+        <source>Touch %1: %2. %3 was not played: no bracelet is connected, or a study or a calibration is using it.</source>
         <translation>Toucher&#xa0;%1&#xa0;:&#xa0;%2.&#xa0;%3 n’a pas été joué&#xa0;: il n’y a pas de bracelet, ou une étude ou un étalonnage s’en sert.</translation>
     </message>
 </context>
@@ -18488,15 +18488,15 @@ Run %2 --help for more.
         <translation>moment non équilibré</translation>
     </message>
     <message>
-        <source>Changed, also after a restart. The scene has: %1.</source>
+        <source>Changed from the scene, and kept after a restart. The scene has: %1.</source>
         <translation>Modifié, aussi après un redémarrage. La scène a&#xa0;:&#xa0;%1.</translation>
     </message>
     <message>
-        <source>Settings of the scene</source>
+        <source>Reset to the scene</source>
         <translation>Réglages de la scène</translation>
     </message>
     <message>
-        <source>Undo all changes of force, speed, gains and moment</source>
+        <source>Set force, speed, gains and moment back to the values of the scene</source>
         <translation>Annuler toutes les modifications de force, de vitesse, de gains et de moment</translation>
     </message>
 </context>

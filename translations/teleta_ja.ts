@@ -13820,7 +13820,7 @@ Run %2 --help for more.
         <translation>停止中 (%1から)。%2</translation>
     </message>
     <message>
-        <source>Motors are off and arms are held. To go on, hold the button STOPPED for a second.</source>
+        <source>Motors are off and arms are held. To continue, hold the STOPPED button for one second.</source>
         <translation>モーターはオフで、アームは保持されています。続けるには「停止中」のボタンを1秒間押し続けてください。</translation>
     </message>
 </context>
@@ -13939,7 +13939,7 @@ Run %2 --help for more.
         <translation>%1のタクセルのゲインは保存されていません。</translation>
     </message>
     <message>
-        <source>They are lost when the source is closed. The page Calibrate saves them.</source>
+        <source>They are lost when the source is closed. Save them on the page Calibrate.</source>
         <translation>ソースを閉じると失われます。「キャリブレーション」ページで保存できます。</translation>
     </message>
 </context>
@@ -14727,7 +14727,7 @@ Run %2 --help for more.
         <translation>%1: %2 (再生されず)</translation>
     </message>
     <message>
-        <source>Touch %1: %2. %3 was not played: there is no bracelet, or a study or a calibration uses it.</source>
+        <source>Touch %1: %2. %3 was not played: no bracelet is connected, or a study or a calibration is using it.</source>
         <translation>タッチ%1: %2。%3は再生されませんでした。ブレスレットがないか、実験またはキャリブレーションで使用中です。</translation>
     </message>
 </context>
@@ -18435,15 +18435,15 @@ Run %2 --help for more.
         <translation>モーメントの釣り合いなし</translation>
     </message>
     <message>
-        <source>Changed, also after a restart. The scene has: %1.</source>
+        <source>Changed from the scene, and kept after a restart. The scene has: %1.</source>
         <translation>変更済みです。再開後も有効です。シーンの値: %1。</translation>
     </message>
     <message>
-        <source>Settings of the scene</source>
+        <source>Reset to the scene</source>
         <translation>シーンの設定</translation>
     </message>
     <message>
-        <source>Undo all changes of force, speed, gains and moment</source>
+        <source>Set force, speed, gains and moment back to the values of the scene</source>
         <translation>力・速度・ゲイン・モーメントの変更をすべて元に戻します</translation>
     </message>
 </context>

@@ -13820,7 +13820,7 @@ Run %2 --help for more.
         <translation>已停止，自 %1 起。%2</translation>
     </message>
     <message>
-        <source>Motors are off and arms are held. To go on, hold the button STOPPED for a second.</source>
+        <source>Motors are off and arms are held. To continue, hold the STOPPED button for one second.</source>
         <translation>电机已关闭，机械臂保持不动。要继续，请按住“已停止”按钮一秒。</translation>
     </message>
 </context>
@@ -13939,7 +13939,7 @@ Run %2 --help for more.
         <translation>%1 的触元增益尚未保存。</translation>
     </message>
     <message>
-        <source>They are lost when the source is closed. The page Calibrate saves them.</source>
+        <source>They are lost when the source is closed. Save them on the page Calibrate.</source>
         <translation>关闭该来源后将丢失。可在“标定”页保存。</translation>
     </message>
 </context>
@@ -14727,7 +14727,7 @@ Run %2 --help for more.
         <translation>%1：%2，未播放</translation>
     </message>
     <message>
-        <source>Touch %1: %2. %3 was not played: there is no bracelet, or a study or a calibration uses it.</source>
+        <source>Touch %1: %2. %3 was not played: no bracelet is connected, or a study or a calibration is using it.</source>
         <translation>触碰 %1：%2。%3 未播放：没有手环，或研究或标定正在使用它。</translation>
     </message>
 </context>
@@ -18435,15 +18435,15 @@ Run %2 --help for more.
         <translation>力矩不平衡</translation>
     </message>
     <message>
-        <source>Changed, also after a restart. The scene has: %1.</source>
+        <source>Changed from the scene, and kept after a restart. The scene has: %1.</source>
         <translation>已更改，重新开始后仍然有效。场景的设置：%1。</translation>
     </message>
     <message>
-        <source>Settings of the scene</source>
+        <source>Reset to the scene</source>
         <translation>场景的设置</translation>
     </message>
     <message>
-        <source>Undo all changes of force, speed, gains and moment</source>
+        <source>Set force, speed, gains and moment back to the values of the scene</source>
         <translation>撤销对力、速度、增益和力矩的全部更改</translation>
     </message>
 </context>

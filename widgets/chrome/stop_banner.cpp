@@ -59,7 +59,8 @@ QString StopBanner::sentence(StopCause cause) {
 void StopBanner::describe() {
     m_what->setText(tr("STOPPED since %1. %2", "time, cause")
                         .arg(m_since.toString(QStringLiteral("HH:mm:ss")), sentence(m_cause)));
-    m_next->setText(tr("Motors are off and arms are held. To go on, hold the button STOPPED for a second."));
+    m_next->setText(
+        tr("Motors are off and arms are held. To continue, hold the STOPPED button for one second."));
     setAccessibleName(m_what->text());
     setAccessibleDescription(m_next->text());
 }

@@ -202,8 +202,8 @@ void ServoPanel::showChanges() {
     m_changes->setVisible(!changes.isEmpty());
     m_planned->setVisible(!changes.isEmpty());
     if (!changes.isEmpty())
-        m_changes->setText(
-            tr("Changed, also after a restart. The scene has: %1.").arg(changes.join(QStringLiteral(", "))));
+        m_changes->setText(tr("Changed from the scene, and kept after a restart. The scene has: %1.")
+                               .arg(changes.join(QStringLiteral(", "))));
 }
 
 void ServoPanel::setStopEngaged(bool engaged) {
@@ -303,8 +303,8 @@ void ServoPanel::retranslate() {
     label(m_gain, tr("&Gains"), tr("All controller gains, in percent of those in the scene"));
     m_moment->setText(tr("Balance the &moment (DZMP)"));
     m_moment->setToolTip(tr("Off: the controller without the distance to the zero-moment point"));
-    m_planned->setText(tr("Settings of the scene"));
-    m_planned->setToolTip(tr("Undo all changes of force, speed, gains and moment"));
+    m_planned->setText(tr("Reset to the scene"));
+    m_planned->setToolTip(tr("Set force, speed, gains and moment back to the values of the scene"));
     showChanges();
     showTexts();
     showTasks();

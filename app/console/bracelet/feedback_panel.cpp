@@ -154,9 +154,9 @@ void FeedbackPanel::writeLast(const FeedbackEvent& event) {
                "put it back among your patterns.")
                 .arg(touch, what, pattern));
     else if (event.sent.refused)
-        m_last->setText(
-            tr("Touch %1: %2. %3 was not played: there is no bracelet, or a study or a calibration uses it.")
-                .arg(touch, what, pattern));
+        m_last->setText(tr("Touch %1: %2. %3 was not played: no bracelet is connected, or a study or a "
+                           "calibration is using it.")
+                            .arg(touch, what, pattern));
     else if (event.onset_s)
         m_last->setText(
             tr("Touch %1: %2. %3 was felt %4 later.")

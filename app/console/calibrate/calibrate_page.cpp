@@ -139,7 +139,7 @@ void CalibratePage::whenGainsSettled(pipeline::ChannelKey key, const QString& na
                                 tr("The taxel gains of %1 are not saved.", "a source").arg(name),
                                 QMessageBox::Discard | QMessageBox::Cancel, window());
     ask->setObjectName(QStringLiteral("unsavedGains"));
-    ask->setInformativeText(tr("They are lost when the source is closed. The page Calibrate saves them."));
+    ask->setInformativeText(tr("They are lost when the source is closed. Save them on the page Calibrate."));
     ask->setAttribute(Qt::WA_DeleteOnClose);
     ask->setDefaultButton(QMessageBox::Cancel);
     connect(ask, &QMessageBox::finished, this, [goOn = std::move(goOn)](int answer) {

@@ -290,7 +290,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_Escape);
         QVERIFY(banner->isVisible());
         QVERIFY(says("Esc was pressed twice."));
-        QVERIFY(says("hold the button STOPPED"));
+        QVERIFY(says("hold the STOPPED button"));
         // The first cause remains.
         QTest::keyClick(m_window.get(), Qt::Key_Period, Qt::ControlModifier);
         QVERIFY(says("Esc was pressed twice."));
