@@ -407,14 +407,6 @@
         <translation>time_s a la forme&#xa0;%1, les trames ont&#xa0;%2</translation>
     </message>
     <message>
-        <source>the array %1 of %2 does not say which dimension counts the frames</source>
-        <translation>le tableau&#xa0;%1 de&#xa0;%2 n’indique pas quelle dimension compte les trames</translation>
-    </message>
-    <message>
-        <source>--frame-axis first or last, or times in time_s</source>
-        <translation>--frame-axis first ou last, ou des temps dans time_s</translation>
-    </message>
-    <message>
         <source>the array has %1 instead of %2 values</source>
         <translation>le tableau a&#xa0;%1 valeurs au lieu de&#xa0;%2</translation>
     </message>

@@ -406,14 +406,6 @@
         <translation>time_sの形状は%1ですが、フレームの形状は%2です</translation>
     </message>
     <message>
-        <source>the array %1 of %2 does not say which dimension counts the frames</source>
-        <translation>形状%2の配列%1からは、どの次元がフレームを数えるのか判別できません</translation>
-    </message>
-    <message>
-        <source>--frame-axis first or last, or times in time_s</source>
-        <translation>--frame-axis firstまたはlast、あるいはtime_sの時刻</translation>
-    </message>
-    <message>
         <source>the array has %1 instead of %2 values</source>
         <translation>配列の値の数が%2ではなく%1です</translation>
     </message>

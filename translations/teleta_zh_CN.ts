@@ -406,14 +406,6 @@
         <translation>time_s 的形状为 %1，帧的形状为 %2</translation>
     </message>
     <message>
-        <source>the array %1 of %2 does not say which dimension counts the frames</source>
-        <translation>形状为 %2 的数组 %1 未说明哪一维是帧序号</translation>
-    </message>
-    <message>
-        <source>--frame-axis first or last, or times in time_s</source>
-        <translation>--frame-axis first 或 last，或 time_s 中的时间</translation>
-    </message>
-    <message>
         <source>the array has %1 instead of %2 values</source>
         <translation>数组有 %1 个值，应为 %2 个</translation>
     </message>

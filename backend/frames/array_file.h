@@ -23,9 +23,6 @@ struct ArrayHead {
     bool isColumnMajor = false; ///< the first index is the quickest one
     std::string type{};         ///< as the file calls it
     std::string problem{};      ///< why it cannot be read, translated; empty: it can
-    std::optional<double> rate_Hz{};
-    std::optional<double> pitch_m{};
-    std::string unit{}; ///< of the values; empty: not told
 };
 
 /// The product of a shape; empty: more than kMostValues. Thread: any (pure).
@@ -43,8 +40,6 @@ public:
 
     [[nodiscard]] const std::vector<ArrayHead>& arrays() const { return m_arrays; }
     [[nodiscard]] const std::string& path() const { return m_path; }
-    /// Whether the order of the dimensions is not settled by custom, as in MAT files.
-    [[nodiscard]] virtual bool hasOwnOrder() const { return false; }
 
     /// Takes the next values in the order in which the file has them; returning false ends the reading.
     using Take = std::function<bool(std::span<const double>)>;

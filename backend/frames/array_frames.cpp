@@ -43,7 +43,7 @@ QString listOf(const std::vector<ArrayHead>& arrays) {
     return names.join(QStringLiteral(", "));
 }
 
-/// The number of dimensions without those of one entry in front and behind, as MAT files add them.
+/// One row or one column of values, such as times.
 bool isVector(const ArrayHead& head) {
     return std::ranges::count_if(head.shape, [](std::uint64_t side) { return side != 1; }) <= 1 &&
            !head.shape.empty() && head.shape.size() <= 2;
@@ -133,20 +133,12 @@ core::Expected<std::vector<double>> fileTimes(ArrayFile& file, std::size_t array
     return readVector(file, *found);
 }
 
-core::Expected<FrameAxis> axisOf(const ArrayFile& file, const ArrayHead& head, const FrameRequest& request,
-                                 std::span<const double> times_s) {
+FrameAxis axisOf(const ArrayHead& head, const FrameRequest& request, std::span<const double> times_s) {
     if (request.axis != FrameAxis::automatic)
         return request.axis;
-    const std::uint64_t first = head.shape.front();
     const std::uint64_t last = head.shape.back();
-    if (!times_s.empty() && times_s.size() == last && last != first)
-        return FrameAxis::last;
-    if (!file.hasOwnOrder() || (!times_s.empty() && times_s.size() == first && last != first))
-        return FrameAxis::first;
-    return wrong(file.path(),
-                 ArrayFramesText::tr("the array %1 of %2 does not say which dimension counts the frames")
-                     .arg(quoted(head.name), QString::fromStdString(shapeText(head.shape))),
-                 ArrayFramesText::tr("--frame-axis first or last, or times in time_s"));
+    const bool lastHasTheTimes = !times_s.empty() && times_s.size() == last && last != head.shape.front();
+    return lastHasTheTimes ? FrameAxis::last : FrameAxis::first;
 }
 
 /// Where each dimension goes in frames x rows x columns, in the order in which the file has them, the
@@ -342,7 +334,7 @@ core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& reques
                          .arg(QString::fromStdString(shapeText(head.shape))),
                      ArrayFramesText::tr("at most %1 values").arg(kMostValues));
     TELETA_TRY(auto times_s, fileTimes(file, array));
-    TELETA_TRY(const FrameAxis axis, axisOf(file, head, request, times_s));
+    const FrameAxis axis = axisOf(head, request, times_s);
 
     FrameSeries series;
     TELETA_TRY(series.layout, sidesOf(file, head, axis, request));
@@ -361,12 +353,8 @@ core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& reques
     TELETA_TRY(std::optional<double> pitch_m, scalar(file, "pitch_m"));
     if (request.rate_Hz)
         rate_Hz = request.rate_Hz;
-    else if (head.rate_Hz)
-        rate_Hz = head.rate_Hz;
     if (!rate_Hz && !request.needsTimes)
         rate_Hz = 1.0;
-    if (head.pitch_m)
-        pitch_m = head.pitch_m;
     if (request.pitch_m)
         pitch_m = request.pitch_m;
     if (!times_s.empty()) {
@@ -377,7 +365,6 @@ core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& reques
     TELETA_CHECK(checkTimes(series.time_s, file.path()));
     series.hasPitch = pitch_m.has_value();
     series.layout.pitch_m = pitch_m.value_or(series.layout.pitch_m);
-    series.unit = head.unit;
     TELETA_TRY(std::vector<float> values, readValues(file, array, *count, goOn));
     series.values =
         turned(std::move(values), wayOf(head, axis, series.layout.taxels(), series.layout.columns));

@@ -155,6 +155,8 @@ std::uint64_t FrameReader::bytesTotal() const {
 
 core::Expected<FrameSeries> readFrames(const FrameRequest& request, const GoOn& goOn) {
     TELETA_TRY(FrameReader reader, FrameReader::open(request, goOn));
+    if (auto* loaded = std::get_if<FrameReader::Loaded>(&reader.m_source))
+        return std::move(loaded->series);
     FrameSeries series;
     series.layout = reader.layout();
     series.hasPitch = reader.hasPitch();

@@ -39,6 +39,8 @@ public:
     [[nodiscard]] std::uint64_t bytesTotal() const;
 
 private:
+    friend core::Expected<FrameSeries> readFrames(const FrameRequest& request, const GoOn& goOn);
+
     struct Loaded {
         FrameSeries series{};
         std::size_t next = 0;

@@ -11,7 +11,7 @@ namespace teleta::frames {
 
 /// Which dimension of an array counts the frames.
 enum class FrameAxis {
-    automatic, ///< the first, unless the file has an order of its own
+    automatic, ///< the last if only that one is as long as time_s, else the first
     first,     ///< frames x rows x columns, or frames x taxels
     last,      ///< rows x columns x frames, or taxels x frames
 };

@@ -354,17 +354,20 @@ QString tableOptions(const std::string& path) {
             time = i;
     if (!time)
         return QStringLiteral("--columns 1..%1 --rate HZ").arg(dialect->columns);
-    const std::size_t first = *time == 0 ? 2 : 1;
-    const std::size_t last = *time + 1 == dialect->columns ? dialect->columns - 1 : dialect->columns;
+    QStringList ranges;
+    const auto add = [&ranges](std::size_t first, std::size_t last) {
+        if (first <= last)
+            ranges << QStringLiteral("%1..%2").arg(first).arg(last);
+    };
+    add(1, *time);
+    add(*time + 2, dialect->columns);
     const QString name =
         *time < dialect->header.size() && dialect->header[*time].find(' ') == std::string::npos
             ? QString::fromStdString(dialect->header[*time]).left(40)
             : QString::number(*time + 1);
     FrameRequest request;
-    return QStringLiteral("--columns %1..%2 --time-column %3 --time-unit %4")
-        .arg(first)
-        .arg(last)
-        .arg(name, QString::fromStdString(unitOf(request, *dialect, *time)));
+    return QStringLiteral("--columns %1 --time-column %2 --time-unit %3")
+        .arg(ranges.join(QLatin1Char(',')), name, QString::fromStdString(unitOf(request, *dialect, *time)));
 }
 
 } // namespace teleta::frames

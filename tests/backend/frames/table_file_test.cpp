@@ -89,6 +89,18 @@ TEST_F(TableFileTest, aForeignTableIsRefusedWithTheOptionsThatReadIt) {
     EXPECT_NE(refusal("s1;s2;when\n1,5;2;2026-05-01T12:00:00\n")
                   .find("--columns 1..2 --time-column when --time-unit iso"),
               std::string::npos);
+    // The times stand between the taxels: they belong to no range.
+    const std::string between = "s1,timestamp_ms,s2,s3\n1,0,2,3\n4,500,5,6\n";
+    EXPECT_NE(refusal(between).find("--columns 1..1,3..4 --time-column timestamp_ms --time-unit ms"),
+              std::string::npos);
+    FrameRequest request;
+    request.rows = 1;
+    request.taxelColumns = {{1, 1}, {3, 4}};
+    request.timeColumn = "timestamp_ms";
+    const auto series = read(between, request);
+    ASSERT_TRUE(series) << describe(series.error());
+    EXPECT_EQ(series->time_s[1], 0.5);
+    EXPECT_EQ(series->values, (std::vector<float>{1, 2, 3, 4, 5, 6}));
     EXPECT_NE(refusal("1 2 3\n4 5 6\n").find("--columns 1..3 --rate HZ"), std::string::npos);
     EXPECT_EQ(refusal("{\"frames\": [1, 2]}\n").find("--columns"), std::string::npos);
 }
