@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -212,10 +213,10 @@ private:
     }
 
     void burst(const Breakpoint& at) {
-        if (at.time_s + kBurst_s > Pattern::kLongest_s)
-            return;
-        m_losses.add(LossKind::burst, at.time_s);
-        add({at, {at.time_s + kBurst_s, at.intensity}});
+        // One at the end of the longest pattern comes early enough to be whole.
+        const double begin_s = std::min(at.time_s, Pattern::kLongest_s - kBurst_s);
+        m_losses.add(LossKind::burst, begin_s);
+        add({{begin_s, at.intensity}, {std::min(begin_s + kBurst_s, Pattern::kLongest_s), at.intensity}});
     }
 
     /// The amplitudes of the keyframes. A vectorial wave lasts from its position to its last keyframe, with

@@ -50,7 +50,7 @@ void placeSignal(Pattern& pattern, const ImportOptions& options, const std::stri
         if (const std::optional<std::size_t> own = tactorAtEnd(source))
             tactors = {*own};
     }
-    const bool chosen = !tactors.empty();
+    const bool isOwn = options.tactors.empty() && !tactors.empty(); // the file says where it belongs
     if (tactors.empty())
         tactors = allTactors();
     const Track signal = std::exchange(pattern.tracks[0], {});
@@ -65,7 +65,7 @@ void placeSignal(Pattern& pattern, const ImportOptions& options, const std::stri
         if (auto* ramp = std::get_if<Ramp>(&object.form))
             ramp->tactors = numbers;
     }
-    if (!chosen || !options.tactors.empty())
+    if (!isOwn)
         losses.note(LossKind::oneSignal, tactors.size(), list);
 }
 

@@ -230,6 +230,16 @@ TEST(HjifImport, transientsBecomeBurstsAndReferencesAreFollowed) {
     EXPECT_EQ(import->pattern.duration_s, 0.6);
 }
 
+TEST(HjifImport, aTransientAtTheEndOfTheLongestPatternIsWhole) {
+    const long end = std::lround(1000.0 * Pattern::kLongest_s);
+    const auto import = readHjif(json::array(
+        {channel("Transient", json::array({effect("Basis", 0, json::array({keyframe(end, 0.5)}))}))}));
+    ASSERT_TRUE(import) << describe(import.error());
+    EXPECT_EQ(lost(import, LossKind::burst), 1U);
+    EXPECT_EQ(evaluate(import->pattern, Pattern::kLongest_s - 0.5 * kBurst_s)[0], 0.5);
+    EXPECT_EQ(import->pattern.duration_s, Pattern::kLongest_s);
+}
+
 // The size of a line from 1 to -1 is |1 - 2t|.
 TEST(HjifImport, curvesPlayTheirSizeAndCodedWavesAreLost) {
     json curves =
