@@ -212,7 +212,12 @@ void MessageBar::rebuild() {
         m_age.stop();
         return;
     }
-    if (!m_age.isActive())
+    const bool anyLeaves =
+        std::any_of(m_entries.end() - static_cast<std::ptrdiff_t>(shown), m_entries.end(),
+                    [](const Entry& entry) { return entry.message.severity == Severity::information; });
+    if (!anyLeaves)
+        m_age.stop();
+    else if (!m_age.isActive())
         m_age.start(kAgeStep);
     QWidget* before = m_tabStop;
     QWidget* next = m_layout->itemAt(std::min(place, static_cast<int>(shown) - 1))->widget();
