@@ -7,6 +7,7 @@
 #include "app/cli/base/standard_streams.h"
 #include "app/cli/commands/arm/arm_commands.h"
 #include "app/cli/commands/camera/camera_commands.h"
+#include "app/cli/commands/certify/certify_commands.h"
 #include "app/cli/commands/devices/devices_commands.h"
 #include "app/cli/commands/ros/ros_commands.h"
 #include "app/cli/commands/scenes/scene_commands.h"
@@ -29,7 +30,7 @@ std::vector<Command> allCommands() {
     return {featuresCommand(),  contactsCommand(), gainsCommand(),   stiffnessCommand(), contourCommand(),
             calibrateCommand(), locateCommand(),   trackCommand(),   simulateCommand(),  replayCommand(),
             exportCommand(),    importCommand(),   patternCommand(), studyCommand(),     tradeoffCommand(),
-            armCommand(),       devicesCommand(),  rosCommand()};
+            armCommand(),       devicesCommand(),  rosCommand(),     certifyCommand()};
 }
 
 struct ProgramText {

@@ -16,6 +16,7 @@ standard input it takes, and answers with "done":
     fault late SECONDS              carried out, then answered late
     fault garbage                   carried out, answered with bytes that are no answer
     hangup                          closes the connections
+    watchdog ADDRESS N COUNT S      N registers become 0 when the register COUNT stands still for S seconds
     sync                            nothing: all lines before its "done" are older
 Registers 0 to 999 exist.
 """
@@ -93,9 +94,22 @@ class Peer:
         elif verb == "hangup":
             for connection in list(self.server.active_connections.values()):
                 connection.transport.abort()
+        elif verb == "watchdog":
+            address, number, count = (int(word) for word in words[:3])
+            self.watch = asyncio.create_task(self.watchdog(address, number, count, float(words[3])))
         elif verb != "sync":
             raise ValueError(line)
         say("done")
+
+    async def watchdog(self, address, number, count, patience_s):
+        last, since = None, time.monotonic()
+        while True:
+            await asyncio.sleep(0.005)
+            now = self.registers.store["h"].getValues(count, 1)
+            if now != last:
+                last, since = now, time.monotonic()
+            elif time.monotonic() - since > patience_s:
+                self.registers.store["h"].setValues(address, [0] * number)
 
     async def run(self, kind, where):
         if kind == "tcp":

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/figure/html_table.h"
 #include "backend/figure/svg_canvas.h"
 #include "backend/study/analysis/proportion.h"
 
 #include <QString>
-#include <QStringList>
 
 #include <optional>
 #include <string>
@@ -28,18 +28,6 @@ namespace teleta::study::report_html {
 /// caption: HTML.
 [[nodiscard]] QString figure(const figure::SvgCanvas& picture, const QString& caption);
 
-/// A table of plain texts.
-class HtmlTable {
-public:
-    HtmlTable(const QString& caption, const QStringList& columns);
-
-    /// The first `heads` cells name the row.
-    void row(const QStringList& cells, int heads = 1);
-
-    [[nodiscard]] QString html() const { return m_html + QStringLiteral("</tbody>\n</table></div>\n"); }
-
-private:
-    QString m_html;
-};
+using figure::HtmlTable;
 
 } // namespace teleta::study::report_html

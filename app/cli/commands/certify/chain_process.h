@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/commands/certify/chain.h"
+#include "backend/core/error.h"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <sys/types.h>
+
+namespace teleta::cli {
+
+/// A chain in a process of its own. It is killed with the object. Thread: one.
+class ChainProcess {
+public:
+    /// What the chain has said so far.
+    struct State {
+        std::uint64_t connections = 0;
+        bool driving = false;
+        std::uint64_t safeFrames = 0;
+        bool recordingFailed = false;
+    };
+
+    /// Starts this program once more. Error: ioFailed.
+    [[nodiscard]] static core::Expected<std::unique_ptr<ChainProcess>> start(const ChainOptions& options);
+    ~ChainProcess();
+    ChainProcess(const ChainProcess&) = delete;
+    ChainProcess& operator=(const ChainProcess&) = delete;
+
+    /// One line. Ignored by a chain that has ended.
+    void say(std::string line);
+    void signal(int signal) const;
+    /// Reads what it has said since.
+    const State& look();
+    [[nodiscard]] bool ended();
+    /// False: it still runs after that time.
+    [[nodiscard]] bool waitForEnd(std::chrono::milliseconds longest);
+    [[nodiscard]] pid_t process() const { return m_process; }
+    [[nodiscard]] const std::string& recording() const { return m_recording; }
+
+private:
+    ChainProcess(pid_t process, int commands, int answers, std::string recording);
+    void take(std::string_view line);
+
+    pid_t m_process;
+    int m_commands;
+    int m_answers;
+    std::string m_recording;
+    bool m_ended = false;
+    std::string m_text; ///< not yet a line
+    State m_state;
+};
+
+} // namespace teleta::cli

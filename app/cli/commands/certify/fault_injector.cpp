@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/certify/fault_injector.h"
+
+#include "app/cli/base/interruption.h"
+#include "backend/core/failure.h"
+#include "backend/core/steady_time.h"
+#include "backend/recording/recording.h"
+
+#include <QCoreApplication>
+#include <QFile>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <optional>
+#include <sys/resource.h>
+#include <thread>
+#include <time.h>
+#include <unistd.h>
+#include <utility>
+
+namespace teleta::cli {
+
+namespace {
+
+using certificate::FaultKind;
+using certificate::FaultOutcome;
+using namespace std::chrono_literals;
+
+struct InjectorText {
+    Q_DECLARE_TR_FUNCTIONS(FaultInjector)
+};
+
+constexpr std::int64_t kLongestStart_ns = 30'000'000'000;
+constexpr auto kAskAgain = 100ms;
+/// How long the motors are watched beyond the bound.
+constexpr double kBeyond_s = 0.1;
+/// How long they are watched once the fault is over.
+constexpr auto kAfter = 150ms;
+constexpr auto kEnd = 10s;
+constexpr std::int64_t kClockStep_s = 3600;
+
+void limit(pid_t process, __rlimit_resource resource, rlim_t most) {
+    const rlimit limits{most, most};
+    prlimit(process, resource, &limits, nullptr);
+}
+
+/// Address space that a process uses now.
+rlim_t addressSpaceOf(pid_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/statm");
+    rlim_t pages = 0;
+    file >> pages;
+    return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+void stepClock(std::int64_t seconds) {
+    timespec now{};
+    clock_gettime(CLOCK_REALTIME, &now);
+    now.tv_sec += seconds;
+    clock_settime(CLOCK_REALTIME, &now);
+}
+
+/// Frames of all streams that can be read; empty: the file cannot.
+std::optional<std::uint64_t> framesIn(const recording::Recording& recording) {
+    std::uint64_t frames = 0;
+    for (std::size_t stream = 0; stream < recording.streams().size(); ++stream) {
+        recording::StreamReader reader = recording.reader(stream);
+        core::TappedFrames block;
+        for (;;) {
+            const core::Expected<bool> read = reader.next(block);
+            if (!read)
+                return std::nullopt;
+            if (!*read)
+                break;
+            frames += block.frames();
+        }
+    }
+    return frames;
+}
+
+} // namespace
+
+FaultInjector::FaultInjector(Setup setup, LineRelay& relay, const MotorWatch& watch)
+    : m_setup(std::move(setup))
+    , m_relay(relay)
+    , m_watch(watch)
+    , m_random(m_setup.seed) {
+}
+
+core::Expected<void> FaultInjector::driveAgain() {
+    if (m_chain && m_chain->ended())
+        m_chain.reset();
+    if (!m_chain) {
+        TELETA_TRY(m_chain,
+                   ChainProcess::start({m_setup.driver, m_relay.port(),
+                                        m_setup.folder + "/" + std::to_string(++m_chains) + ".teleta"}));
+    }
+    const std::int64_t begin_ns = core::steadyNow_ns();
+    m_chain->say("release");
+    while (!m_chain->look().driving || !m_watch.newest().on) {
+        if (interrupted())
+            return core::Unexpected(interruption());
+        if (m_chain->ended())
+            return core::failed(core::ErrorKind::unavailable,
+                                InjectorText::tr("the program that drives the motors ended by itself"));
+        if (core::steadyNow_ns() - begin_ns > kLongestStart_ns)
+            return core::failed(core::ErrorKind::unavailable,
+                                InjectorText::tr("the motors did not turn within 30 s"));
+        if (m_watch.failed())
+            return core::failed(core::ErrorKind::unavailable,
+                                InjectorText::tr("the driver of the motors does not answer any more"));
+        if (!m_chain->look().driving && m_chain->look().connections > 0)
+            m_chain->say("go");
+        std::this_thread::sleep_for(m_chain->look().driving ? 2ms : kAskAgain);
+    }
+    return {};
+}
+
+core::Expected<void> FaultInjector::waitForMotors() {
+    std::uniform_int_distribution<int> phase_us(0, 100'000);
+    do {
+        TELETA_CHECK(driveAgain());
+        std::this_thread::sleep_for(std::chrono::microseconds(phase_us(m_random)));
+        // Between two touches they are off for a moment.
+    } while (!m_watch.newest().on || !m_chain->look().driving);
+    return {};
+}
+
+LineFault FaultInjector::anyLie() {
+    constexpr std::array kLies{LineFault::garbage, LineFault::refused, LineFault::strange};
+    return kLies.at(m_random() % kLies.size());
+}
+
+void FaultInjector::begin(FaultKind kind) {
+    switch (kind) {
+    case FaultKind::kill:
+        return m_chain->signal(SIGKILL);
+    case FaultKind::terminate:
+        return m_chain->signal(SIGTERM);
+    case FaultKind::interrupt:
+        return m_chain->signal(SIGINT);
+    case FaultKind::hangUp:
+        return m_chain->signal(SIGHUP);
+    case FaultKind::sleep:
+        return m_chain->signal(SIGSTOP);
+    case FaultKind::unplug:
+        return m_relay.set(LineFault::cut);
+    case FaultKind::lateAnswers:
+        return m_relay.set(LineFault::late);
+    case FaultKind::lostRequests:
+        return m_relay.set(LineFault::lost);
+    case FaultKind::lies:
+        return m_relay.set(anyLie());
+    case FaultKind::stop:
+        return;
+    case FaultKind::diskFull:
+        return limit(m_chain->process(), RLIMIT_FSIZE, 0);
+    case FaultKind::memoryRefused:
+        return limit(m_chain->process(), RLIMIT_AS, addressSpaceOf(m_chain->process()));
+    case FaultKind::clockStep:
+        m_clockStep_s = m_random() % 2 == 0 ? kClockStep_s : -kClockStep_s;
+        return stepClock(m_clockStep_s);
+    }
+}
+
+void FaultInjector::end(FaultKind kind) {
+    m_relay.set(LineFault::none);
+    if (kind == FaultKind::sleep)
+        m_chain->signal(SIGCONT);
+    if (m_clockStep_s != 0)
+        stepClock(-std::exchange(m_clockStep_s, 0));
+}
+
+core::Expected<FaultOutcome> FaultInjector::inject(FaultKind kind) {
+    TELETA_CHECK(waitForMotors());
+    FaultOutcome outcome{.kind = kind};
+    std::int64_t fault_ns = core::steadyNow_ns();
+    begin(kind);
+    if (isFollowedByStop(kind)) {
+        // A recording is written every 0.2 s.
+        std::this_thread::sleep_for(kind == FaultKind::diskFull ? 500ms : 100ms);
+        fault_ns = core::steadyNow_ns();
+    }
+    if (isFollowedByStop(kind) || kind == FaultKind::stop)
+        m_chain->say("stop");
+    std::this_thread::sleep_for(std::chrono::duration<double>(m_setup.bound_s + kBeyond_s));
+    const std::int64_t watched_ns = core::steadyNow_ns();
+    if (const auto off = m_watch.offSince(fault_ns))
+        outcome.zero_s = static_cast<double>(off->answered_ns - fault_ns) * 1e-9;
+    m_longestGap_ns = std::max(m_longestGap_ns, m_watch.longestGap_ns(fault_ns));
+    end(kind);
+    if (endsProgram(kind)) {
+        endChain(kind, outcome);
+    } else {
+        std::this_thread::sleep_for(kAfter);
+        outcome.droveUnasked = outcome.zero_s && m_watch.wasOnAfter(watched_ns);
+    }
+    return outcome;
+}
+
+void FaultInjector::endChain(FaultKind kind, FaultOutcome& outcome) {
+    if (kind == FaultKind::diskFull)
+        m_chain->signal(SIGTERM);
+    if (kind == FaultKind::memoryRefused || !m_chain->waitForEnd(kEnd)) {
+        m_chain->signal(SIGKILL);
+        (void)m_chain->waitForEnd(kEnd);
+    }
+    lookAtRecording(kind, outcome);
+    m_chain.reset();
+}
+
+void FaultInjector::lookAtRecording(FaultKind kind, FaultOutcome& outcome) {
+    const std::string path = m_chain->recording();
+    const std::uint64_t safe = m_chain->look().safeFrames;
+    const bool shouldBeComplete =
+        kind == FaultKind::terminate || kind == FaultKind::interrupt || kind == FaultKind::hangUp;
+    {
+        const auto recording = recording::Recording::open(path);
+        const std::optional<std::uint64_t> frames = recording ? framesIn(*recording) : std::nullopt;
+        // One that was ended before it wrote anything has nothing to lose.
+        outcome.fileDamaged =
+            (!frames && safe > 0) || (shouldBeComplete && !(recording && recording->isComplete()));
+        outcome.framesLost = frames && *frames >= safe ? 0 : safe - frames.value_or(0);
+    }
+    if (outcome.fileDamaged || outcome.framesLost > 0) {
+        m_kept.push_back("damaged-" + std::to_string(m_chains) + ".teleta");
+        QFile::rename(QString::fromStdString(path), QString::fromStdString(m_kept.back()));
+        return;
+    }
+    for (const char* end : {"", "-wal", "-shm", "-journal"})
+        QFile::remove(QString::fromStdString(path + end));
+}
+
+} // namespace teleta::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/commands/certify/chain_process.h"
+#include "app/cli/commands/certify/line_relay.h"
+#include "app/cli/commands/certify/motor_watch.h"
+#include "backend/certificate/certificate.h"
+#include "backend/core/error.h"
+
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace teleta::cli {
+
+/// Injects faults, one after the other, into a chain that drives the motors when they begin, and watches the
+/// motors. Waits for what it does; thread: one.
+class FaultInjector {
+public:
+    struct Setup {
+        std::string driver;   ///< file that describes it
+        std::string folder;   ///< of the recordings, which are removed once they were looked at
+        double bound_s = 0.0; ///< motors are to be at zero after this
+        std::uint64_t seed = 0;
+    };
+
+    /// relay: between chain and driver. watch: of the driver itself. Both must outlive this.
+    FaultInjector(Setup setup, LineRelay& relay, const MotorWatch& watch);
+
+    /// Error: unavailable, when the motors cannot be made to turn within 30 s; cancelled, when interrupted.
+    [[nodiscard]] core::Expected<certificate::FaultOutcome> inject(certificate::FaultKind kind);
+
+    /// Damaged recordings that were kept.
+    [[nodiscard]] const std::vector<std::string>& kept() const { return m_kept; }
+    /// Longest time between two looks at the motors around a fault.
+    [[nodiscard]] double resolution_s() const { return static_cast<double>(m_longestGap_ns) * 1e-9; }
+
+private:
+    [[nodiscard]] core::Expected<void> driveAgain();
+    [[nodiscard]] core::Expected<void> waitForMotors();
+    void begin(certificate::FaultKind kind);
+    void end(certificate::FaultKind kind);
+    [[nodiscard]] LineFault anyLie();
+    void endChain(certificate::FaultKind kind, certificate::FaultOutcome& outcome);
+    void lookAtRecording(certificate::FaultKind kind, certificate::FaultOutcome& outcome);
+
+    Setup m_setup;
+    LineRelay& m_relay;
+    const MotorWatch& m_watch;
+    std::mt19937_64 m_random;
+    std::unique_ptr<ChainProcess> m_chain; ///< null: none runs
+    int m_chains = 0;
+    std::int64_t m_clockStep_s = 0; ///< by which the wall clock is wrong
+    std::int64_t m_longestGap_ns = 0;
+    std::vector<std::string> m_kept;
+};
+
+} // namespace teleta::cli
