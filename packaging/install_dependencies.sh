@@ -40,6 +40,8 @@ build_packages=(
     liburdfdom-dev
     # robots over ROS 2
     cyclonedds-dev cyclonedds-tools
+    # certificates and permissions of sites
+    libssl-dev
 )
 # Build and run. GoogleTest and Google Benchmark are here because every preset configures the tests.
 packages=(
@@ -59,6 +61,8 @@ test_packages+=(python3-pymodbus python3-serial-asyncio python3-dbusmock dbus so
 test_packages+=(libmujoco-dev)
 # The other DDS of a robot on ROS 2.
 test_packages+=(libfastrtps-dev fastddsgen libtinyxml2-dev)
+# The program that makes keys of sites.
+test_packages+=(openssl)
 # Independent readers and writers of MCAP, which npm installs.
 command -v npm >/dev/null || test_packages+=(nodejs npm)
 # For building and testing the Python module.

@@ -11,6 +11,7 @@
 #include "app/cli/commands/devices/devices_commands.h"
 #include "app/cli/commands/ros/ros_commands.h"
 #include "app/cli/commands/scenes/scene_commands.h"
+#include "app/cli/commands/site/site_commands.h"
 #include "app/cli/commands/tactile/tactile_commands.h"
 #include "app/common/version.h"
 #include "backend/core/passwords.h"
@@ -30,7 +31,7 @@ std::vector<Command> allCommands() {
     return {featuresCommand(),  contactsCommand(), gainsCommand(),   stiffnessCommand(), contourCommand(),
             calibrateCommand(), locateCommand(),   trackCommand(),   simulateCommand(),  replayCommand(),
             exportCommand(),    importCommand(),   patternCommand(), studyCommand(),     tradeoffCommand(),
-            armCommand(),       devicesCommand(),  rosCommand(),     certifyCommand()};
+            armCommand(),       devicesCommand(),  rosCommand(),     certifyCommand(),   siteCommand()};
 }
 
 struct ProgramText {

@@ -18,6 +18,7 @@ find_path(TELETA_READERWRITERQUEUE readerwriterqueue/readerwritercircularbuffer.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
 pkg_check_modules(LIBMODBUS REQUIRED IMPORTED_TARGET libmodbus)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 pkg_check_modules(CYCLONEDDS REQUIRED IMPORTED_TARGET CycloneDDS>=0.10)
 find_program(TELETA_IDLC idlc REQUIRED)
 pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom)

@@ -49,6 +49,8 @@ const std::map<std::string, Target> kTargets{
     {"ros_joint_states", teleta::fuzz::rosJointStates},
     {"scene", teleta::fuzz::scene},
     {"servo_csv", teleta::fuzz::servoCsv},
+    {"site_governance", teleta::fuzz::siteGovernance},
+    {"site_permissions", teleta::fuzz::sitePermissions},
     {"study_protocol", teleta::fuzz::studyProtocol},
     {"study_scene", teleta::fuzz::studyScene},
     {"touch_csv", teleta::fuzz::touchCsv},

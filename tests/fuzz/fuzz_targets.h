@@ -57,6 +57,8 @@ bool motorProfile(Bytes bytes);
 bool registerMap(Bytes bytes);
 bool hidBraceletFile(Bytes bytes);
 bool urdf(Bytes bytes);
+bool sitePermissions(Bytes bytes);
+bool siteGovernance(Bytes bytes);
 
 // What devices send.
 bool wtsFrames(Bytes bytes);

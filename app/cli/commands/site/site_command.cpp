@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/base/command_io.h"
+#include "app/cli/base/options.h"
+#include "app/cli/commands/site/site_commands.h"
+#include "backend/core/failure.h"
+#include "backend/site_keys/site_keys.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace teleta::cli {
+
+namespace {
+
+struct SiteText {
+    Q_DECLARE_TR_FUNCTIONS(SiteCommand)
+};
+
+/// When the certificate ends, in UTC; empty if it cannot be read.
+std::string timeOf(const site_keys::KeyMember& member) {
+    if (member.ends_unixS == 0)
+        return {};
+    return QDateTime::fromSecsSinceEpoch(member.ends_unixS, Qt::UTC).toString(Qt::ISODate).toStdString();
+}
+
+/// As scripts read it; empty where the permissions do not tell.
+std::string roleOf(const site_keys::KeyMember& member) {
+    if (!member.role)
+        return {};
+    switch (*member.role) {
+    case site_keys::MemberRole::site:
+        return "site";
+    case site_keys::MemberRole::console:
+        return "console";
+    case site_keys::MemberRole::viewer:
+        break;
+    }
+    return "viewer";
+}
+
+nlohmann::ordered_json orNull(const std::string& text) {
+    return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+}
+
+QString orDash(const std::string& text) {
+    return text.empty() ? QStringLiteral("-") : QString::fromStdString(text);
+}
+
+class SiteCommand : public CommandGroup {
+public:
+    void declare(CLI::App& app) {
+        app.require_subcommand(1);
+        CLI::App& keys =
+            addPart(app, "keys",
+                    SiteText::tr("Check the certificates and permissions of a site, or tell the commands "
+                                 "that make them"),
+                    [this] { return checkOrTell(); });
+        addOption(
+            keys, "folder", m_plan.folder,
+            SiteText::tr(
+                "Folder with identity_ca.pem, permissions_ca.pem, governance.p7s and one folder for each "
+                "site, console and viewer"),
+            "DIR")
+            ->required();
+        addOption(
+            keys, "--make", m_plan.site,
+            SiteText::tr("Check nothing, print the commands of openssl that make the folder for a site of "
+                         "this name"),
+            "SITE");
+        addOption(keys, "--console", m_plan.consoles, SiteText::tr("Consoles that may control"), "NAME")
+            ->needs("--make");
+        addOption(keys, "--viewer", m_plan.viewers, SiteText::tr("Consoles that only watch"), "NAME")
+            ->needs("--make");
+        declareJson(keys, m_json);
+    }
+
+private:
+    [[nodiscard]] core::Expected<void> checkOrTell() const { return m_plan.site.empty() ? check() : tell(); }
+
+    [[nodiscard]] core::Expected<void> tell() const {
+        TELETA_TRY(const std::string commands,
+                   site_keys::commandsFor(m_plan, QDateTime::currentSecsSinceEpoch()));
+        return cli::printText(commands);
+    }
+
+    [[nodiscard]] core::Expected<void> check() const {
+        TELETA_TRY(const site_keys::KeyReport report,
+                   site_keys::checkKeys(m_plan.folder, QDateTime::currentSecsSinceEpoch()));
+        TELETA_CHECK(m_json ? printJson(report) : printLines(report));
+        if (!report.usable())
+            return core::refused(SiteText::tr("These keys are not safe to use."));
+        return {};
+    }
+
+    [[nodiscard]] static core::Expected<void> printJson(const site_keys::KeyReport& report) {
+        nlohmann::ordered_json members = nlohmann::ordered_json::array();
+        for (const site_keys::KeyMember& one : report.members)
+            members.push_back({{"name", one.name},
+                               {"role", orNull(roleOf(one))},
+                               {"subject", orNull(one.subject)},
+                               {"ends", orNull(timeOf(one))}});
+        nlohmann::ordered_json findings = nlohmann::ordered_json::array();
+        for (const site_keys::KeyFinding& one : report.findings)
+            findings.push_back(
+                {{"file", orNull(one.file)}, {"refused", one.refused}, {"message", one.message}});
+        return printDocument({{"usable", report.usable()},
+                              {"site", orNull(report.site)},
+                              {"members", members},
+                              {"findings", findings}});
+    }
+
+    [[nodiscard]] static core::Expected<void> printLines(const site_keys::KeyReport& report) {
+        std::string text;
+        for (const site_keys::KeyMember& one : report.members)
+            text += SiteText::tr("%1 (%2): %3, until %4")
+                        .arg(orDash(one.name), orDash(roleOf(one)), orDash(one.subject), orDash(timeOf(one)))
+                        .toStdString() +
+                    '\n';
+        for (const site_keys::KeyFinding& one : report.findings) {
+            const QString message = one.file.empty() ? QString::fromStdString(one.message)
+                                                     : QString::fromStdString(one.file + ": " + one.message);
+            text += (one.refused ? SiteText::tr("Refused: %1") : SiteText::tr("Warning: %1"))
+                        .arg(message)
+                        .toStdString() +
+                    '\n';
+        }
+        return cli::printText(text);
+    }
+
+    site_keys::KeyPlan m_plan;
+    bool m_json = false;
+};
+
+} // namespace
+
+Command siteCommand() {
+    return makeCommand<SiteCommand>(
+        "site", SiteText::tr("Keys of a site, where a robot is at another place"),
+        "teleta site keys keys --make lab --console console1 --viewer viewer1 > make_keys.sh\n"
+        "  sh make_keys.sh\n"
+        "  teleta site keys keys");
+}
+
+} // namespace teleta::cli
