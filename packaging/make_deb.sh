@@ -16,6 +16,7 @@ log=$(cpack -G DEB 2>&1) || {
     exit 1
 }
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' CMakeCache.txt)
-"$root/packaging/make_sbom.py" --version "$version" --out "teleta-console_$version.cdx.json" app/cli/teleta app/console/teleta-console
+"$root/packaging/make_sbom.py" --version "$version" --out "teleta-console_$version.cdx.json" \
+    app/cli/teleta app/console/teleta-console parts/*.so
 printf 'What it is made of: %s\n' "$root/build/package/teleta-console_$version.cdx.json"
 printf 'A package is %s\n' "$root"/build/package/*.deb

@@ -46,6 +46,9 @@ inside teleta-console --version
 inside teleta simulate --list
 inside teleta simulate tactile-indenter --duration 1 --out /tmp/run >/dev/null
 [[ -s $tree/tmp/run/summary.json ]] || fail "simulate left no summary"
+# Two of the parts that are loaded when they are needed.
+inside teleta simulate vtacarm-calibration --duration 1 --out /tmp/camera >/dev/null
+[[ -s $tree/tmp/camera/reference.png ]] || fail "simulate left no picture of the camera"
 inside teleta study rehearse --participants 2 --seed 1 --out /tmp/study >/dev/null
 inside teleta study analyze /tmp/study --out /tmp/results >/dev/null
 [[ -s $tree/tmp/results/anova.csv ]] || fail "analyze left no ANOVA"

@@ -5,6 +5,7 @@
 #include "backend/core/device/node_claim.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
+#include "backend/opencv/opencv_parts.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -105,6 +106,7 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
     VideoStream stream;
     try {
         if (const std::optional<int> number = cameraNumber(source)) {
+            TELETA_TRY(stream.m_capture, opencv::videoCapture());
             stream.m_isCamera = true;
             // Without a size OpenCV asks for 640 x 480.
             cv::Size size(options.width_px, options.height_px);
@@ -113,14 +115,14 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
             std::vector<int> wanted;
             if (!size.empty())
                 wanted = {cv::CAP_PROP_FRAME_WIDTH, size.width, cv::CAP_PROP_FRAME_HEIGHT, size.height};
-            stream.m_capture.open(*number, cv::CAP_V4L2, wanted);
-            if (!stream.m_capture.isOpened() && isTaken(*number))
+            stream.m_capture->open(*number, cv::CAP_V4L2, wanted);
+            if (!stream.m_capture->isOpened() && isTaken(*number))
                 return core::usedByAnother(VideoText::tr("camera %1").arg(*number).toStdString());
-            if (!stream.m_capture.isOpened())
+            if (!stream.m_capture->isOpened())
                 return failed(core::ErrorKind::unavailable,
                               VideoText::tr("camera %1 cannot be opened").arg(*number), {}, source);
             if (options.rate_Hz > 0.0)
-                stream.m_capture.set(cv::CAP_PROP_FPS, options.rate_Hz);
+                stream.m_capture->set(cv::CAP_PROP_FPS, options.rate_Hz);
         } else {
             std::error_code ignored;
             if (source.find('%') == std::string::npos && !std::filesystem::exists(source, ignored))
@@ -132,16 +134,17 @@ core::Expected<VideoStream> VideoStream::open(const std::string& source, const O
             if (std::filesystem::is_directory(source, ignored))
                 return failed(core::ErrorKind::badInput, VideoText::tr("this is a folder"),
                               VideoText::tr("a video, or the number of a camera"), source);
-            stream.m_capture.open(source, cv::CAP_ANY);
-            if (!stream.m_capture.isOpened())
+            TELETA_TRY(stream.m_capture, opencv::videoCapture());
+            stream.m_capture->open(source, cv::CAP_ANY);
+            if (!stream.m_capture->isOpened())
                 return failed(
                     core::ErrorKind::badInput, VideoText::tr("the file is not a readable video"),
                     VideoText::tr("a video, a pattern like frame_%04d.png, or the number of a camera"),
                     source);
         }
-        const double rate_Hz = stream.m_capture.get(cv::CAP_PROP_FPS);
+        const double rate_Hz = stream.m_capture->get(cv::CAP_PROP_FPS);
         stream.m_rate_Hz = rate_Hz > 0.0 && rate_Hz < kHighestRate_Hz ? rate_Hz : 0.0;
-        const double total = stream.m_isCamera ? 0.0 : stream.m_capture.get(cv::CAP_PROP_FRAME_COUNT);
+        const double total = stream.m_isCamera ? 0.0 : stream.m_capture->get(cv::CAP_PROP_FRAME_COUNT);
         stream.m_total = total > 0.0 && total < 1e12 ? static_cast<std::uint64_t>(total) : 0;
     } catch (const cv::Exception& error) {
         return failed(core::ErrorKind::badInput, QString::fromStdString(error.err), {}, source);
@@ -154,7 +157,7 @@ VideoStream::Outcome VideoStream::next(cv::Mat1b& frame, double& time_s) {
         const std::int64_t asked_ns = core::steadyNow_ns();
         if (m_asked_ns == 0)
             m_asked_ns = asked_ns;
-        if (!m_capture.grab()) {
+        if (!m_capture->grab()) {
             if (m_isCamera && m_read == 0 && isEarly(asked_ns, core::steadyNow_ns()))
                 return Outcome::late;
             // OpenCV takes a damaged picture for the end; the file tells how many there should be.
@@ -167,7 +170,7 @@ VideoStream::Outcome VideoStream::next(cv::Mat1b& frame, double& time_s) {
         m_failures = 0;
         time_s = captureTime_s();
         ++m_read;
-        if (!m_capture.retrieve(m_image) || m_image.empty() || m_image.depth() != CV_8U)
+        if (!m_capture->retrieve(m_image) || m_image.empty() || m_image.depth() != CV_8U)
             return Outcome::undecodable;
         if (m_image.channels() == 1)
             m_image.copyTo(frame);
@@ -189,7 +192,7 @@ bool VideoStream::isEarly(std::int64_t asked_ns, std::int64_t now_ns) const {
 }
 
 double VideoStream::captureTime_s() {
-    const double time_ms = m_capture.get(cv::CAP_PROP_POS_MSEC);
+    const double time_ms = m_capture->get(cv::CAP_PROP_POS_MSEC);
     const double rate_Hz = m_rate_Hz > 0.0 ? m_rate_Hz : kUnknownRate_Hz;
     if (m_read == 0) {
         m_first_ms = time_ms;

@@ -7,6 +7,7 @@
 #include <opencv2/videoio.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace teleta::camera {
@@ -56,7 +57,7 @@ private:
     [[nodiscard]] double captureTime_s();
     [[nodiscard]] bool isEarly(std::int64_t asked_ns, std::int64_t now_ns) const;
 
-    cv::VideoCapture m_capture;
+    std::unique_ptr<cv::VideoCapture> m_capture;
     cv::Mat m_image;
     bool m_isCamera = false;
     double m_rate_Hz = 0.0;

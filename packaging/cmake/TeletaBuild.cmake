@@ -29,6 +29,15 @@ endif()
 
 include(TeletaLibraries)
 
+# Parts that the programs load when they need them. In the build tree they are found by the search path of the programs,
+# which is not installed.
+set(TELETA_PARTS_TREE "${CMAKE_BINARY_DIR}/parts")
+set(CMAKE_BUILD_RPATH "${TELETA_PARTS_TREE}")
+if(TELETA_SANITIZE)
+    # A sanitizer loads modules for the program: then only this kind of search path counts.
+    add_link_options(LINKER:--disable-new-dtags)
+endif()
+
 # The folder in the build tree that PYTHONPATH may name: it holds the whole package.
 set(TELETA_PYTHON_TREE "${CMAKE_BINARY_DIR}/app/python")
 
@@ -244,6 +253,22 @@ function(teleta_library)
         vtk_module_autoinit(TARGETS ${name} MODULES ${VTK_LIBRARIES})
     endif()
     target_link_libraries(${name} ${access} teleta_options ${used} ${libraries})
+endfunction()
+
+# teleta_part(NAME SOURCES ... LINKS ...)
+# A module that core::loadPart loads: it alone links libraries that take long to load. Declare it after the library of
+# the folder, which then brings it along.
+function(teleta_part name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+    file(RELATIVE_PATH folder "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+    teleta_target_of("${folder}" library)
+    add_library(${name} MODULE ${ARG_SOURCES})
+    target_link_libraries(${name} PRIVATE teleta_options ${ARG_LINKS})
+    set_target_properties(${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
+                                             LIBRARY_OUTPUT_DIRECTORY "${TELETA_PARTS_TREE}")
+    add_dependencies(${library} ${name})
+    install(TARGETS ${name} LIBRARY DESTINATION lib/teleta-console)
+    set_property(GLOBAL APPEND PROPERTY teleta_parts ${name})
 endfunction()
 
 # teleta_python_module(NAME LINKS ...)

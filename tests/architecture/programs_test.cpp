@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <regex>
@@ -30,8 +32,7 @@ std::string loadedLibraries(const std::string& program) {
     return outputOf("ldd '" + program + "'");
 }
 
-/// What the program itself names. OpenCV's video libraries load X11 without our doing, so X11 is looked for
-/// here.
+/// What the program itself names. OpenCV's core loads X11 without our doing, so X11 is looked for here.
 std::string namedLibraries(const std::string& program) {
     return outputOf("readelf --dynamic --wide '" + program + "' | grep NEEDED");
 }
@@ -51,6 +52,12 @@ constexpr char kToolkits[] =
     "libQt6Gui|libQt6Widgets|libQt6OpenGL|libQt6Svg|libQt6PrintSupport|libvtk|libqcustomplot"
     "|libQCustomPlot|libgtk";
 constexpr char kDisplays[] = "libX11|libxcb|libwayland|libGL|libEGL|libOpenGL";
+
+/// What the parts of the program load when a command needs them: see backend/opencv.
+constexpr char kLoadedLater[] =
+    "libopencv_(imgcodecs|videoio|video|calib3d|highgui)|libgdal|libgdcm|libheif|libav(codec|format)"
+    "|libgst|librsvg|libcairo";
+constexpr std::ptrdiff_t kMostLibraries = 75; ///< of the command line at its start
 
 using Names = std::vector<std::string>;
 
@@ -85,6 +92,8 @@ TEST(ProgramsTest, commandLineLoadsNoToolkitAndNamesNoDisplay) {
     EXPECT_EQ(matching(loaded, kQt5), Names{});
     EXPECT_EQ(matching(loaded, kHighGui), Names{});
     EXPECT_EQ(loaded.find("not found"), std::string::npos) << loaded;
+    EXPECT_EQ(matching(loaded, kLoadedLater), Names{});
+    EXPECT_LE(std::ranges::count(loaded, '\n'), kMostLibraries) << loaded;
     const std::string named = namedLibraries(TELETA_PROGRAM);
     ASSERT_NE(named.find("libQt6Core"), std::string::npos) << named;
     EXPECT_EQ(matching(named, kDisplays), Names{});
@@ -97,6 +106,8 @@ TEST(ProgramsTest, consoleLoadsOneQtOnly) {
     EXPECT_EQ(matching(loaded, kQt5), Names{});
     EXPECT_EQ(matching(loaded, kHighGui), Names{});
     EXPECT_EQ(loaded.find("not found"), std::string::npos) << loaded;
+    const std::string named = namedLibraries(TELETA_CONSOLE_PROGRAM);
+    EXPECT_EQ(matching(named, kLoadedLater), Names{});
 }
 #endif
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/python/vision/video_file.h"
 
+#include "backend/opencv/opencv_parts.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
@@ -27,13 +29,14 @@ core::Expected<VideoFile> VideoFile::open(const std::string& path) {
         return refused(core::ErrorKind::notFound, "the file does not exist", "");
     VideoFile file;
     try {
-        file.m_capture.open(path, cv::CAP_ANY);
-        if (!file.m_capture.isOpened())
+        TELETA_TRY(file.m_capture, opencv::videoCapture());
+        file.m_capture->open(path, cv::CAP_ANY);
+        if (!file.m_capture->isOpened())
             return refused(core::ErrorKind::badInput, "the file is not a readable video",
                            "a video, or a pattern like frame_%04d.png");
-        const double rate_Hz = file.m_capture.get(cv::CAP_PROP_FPS);
+        const double rate_Hz = file.m_capture->get(cv::CAP_PROP_FPS);
         file.m_rate_Hz = rate_Hz > 0.0 && rate_Hz < kHighestRate_Hz ? rate_Hz : kUnknownRate_Hz;
-        const double total = file.m_capture.get(cv::CAP_PROP_FRAME_COUNT);
+        const double total = file.m_capture->get(cv::CAP_PROP_FRAME_COUNT);
         file.m_total = total > 0.0 && total < 1e12 ? static_cast<std::uint64_t>(total) : 0;
     } catch (const cv::Exception& error) {
         return refused(core::ErrorKind::badInput, error.err.c_str(), "");
@@ -43,7 +46,7 @@ core::Expected<VideoFile> VideoFile::open(const std::string& path) {
 
 VideoFile::Outcome VideoFile::next(cv::Mat1b& picture, double& time_s) {
     try {
-        if (!m_capture.grab()) {
+        if (!m_capture->grab()) {
             // OpenCV takes a damaged picture for the end; the file tells how many there should be.
             if (m_read >= m_total || ++m_failures > kMostFailures)
                 return Outcome::ended;
@@ -54,7 +57,7 @@ VideoFile::Outcome VideoFile::next(cv::Mat1b& picture, double& time_s) {
         m_failures = 0;
         time_s = stampedTime_s();
         ++m_read;
-        if (!m_capture.retrieve(m_image) || m_image.empty() || m_image.depth() != CV_8U)
+        if (!m_capture->retrieve(m_image) || m_image.empty() || m_image.depth() != CV_8U)
             return Outcome::undecodable;
         if (m_image.channels() == 1)
             m_image.copyTo(picture);
@@ -69,7 +72,7 @@ VideoFile::Outcome VideoFile::next(cv::Mat1b& picture, double& time_s) {
 }
 
 double VideoFile::stampedTime_s() {
-    const double time_ms = m_capture.get(cv::CAP_PROP_POS_MSEC);
+    const double time_ms = m_capture->get(cv::CAP_PROP_POS_MSEC);
     if (m_read == 0) {
         m_first_ms = time_ms;
         return m_last_s = 0.0;

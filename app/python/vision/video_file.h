@@ -7,6 +7,7 @@
 #include <opencv2/videoio.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace teleta::python {
@@ -29,7 +30,7 @@ public:
 private:
     [[nodiscard]] double stampedTime_s();
 
-    cv::VideoCapture m_capture;
+    std::unique_ptr<cv::VideoCapture> m_capture;
     cv::Mat m_image;
     double m_rate_Hz = 0.0;
     std::uint64_t m_total = 0; ///< 0: unknown

@@ -6,6 +6,7 @@
 #include "backend/mcap/mcap_reader.h"
 #include "backend/mcap/recorded/imported_recording.h"
 #include "backend/mcap/recorded/ros_names.h"
+#include "backend/opencv/opencv_parts.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recording_writer.h"
 #include "backend/recording/stream_columns.h"
@@ -181,6 +182,11 @@ public:
                 McapImportText::tr("no topic of this file can be read: %1")
                     .arg(all.isEmpty() ? McapImportText::tr("it has none") : all.join(QStringLiteral(", "))),
                 McapImportText::tr("messages of ROS 2 in CDR"), {path});
+        if (std::ranges::any_of(m_topics, [](const auto& topic) {
+                return topic.second.role == TopicRole::arrayPicture ||
+                       topic.second.role == TopicRole::cameraPicture;
+            }))
+            TELETA_CHECK(opencv::pictures());
         return {};
     }
 

@@ -11,8 +11,8 @@ namespace teleta::mcap {
 /// Pixels of a picture, at most.
 inline constexpr std::size_t kMostPixels = std::size_t{1} << 26U;
 
-/// A PNG or JPEG picture as grey levels of 8 bits; empty: it is another, damaged, or too large. Thread: any
-/// (pure).
+/// A PNG or JPEG picture as grey levels of 8 bits; empty: it is another, damaged, or too large, or
+/// opencv::pictures() fails. Thread: any.
 [[nodiscard]] std::optional<core::GreyImage> decodePicture(std::string_view bytes);
 
 } // namespace teleta::mcap

@@ -2,10 +2,9 @@
 #include "backend/scene_run/camera/camera_image.h"
 
 #include "backend/core/failure.h"
+#include "backend/opencv/opencv_parts.h"
 
 #include <QCoreApplication>
-
-#include <opencv2/imgcodecs.hpp>
 
 namespace teleta::scene_run {
 
@@ -21,8 +20,9 @@ core::Expected<void> writeReference(const std::string& outFolder, const cv::Mat1
     if (outFolder.empty())
         return {};
     const std::string path = outFolder + "/reference.png";
+    TELETA_TRY(const opencv::Pictures* pictures, opencv::pictures());
     try {
-        if (cv::imwrite(path, image))
+        if (pictures->write(path, image))
             return {};
     } catch (const cv::Exception&) {
         // Reported like an image that is not written.

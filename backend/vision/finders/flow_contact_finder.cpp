@@ -3,6 +3,7 @@
 
 #include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
+#include "backend/opencv/opencv_parts.h"
 #include "backend/vision/finders/vision_text.h"
 
 #include <opencv2/imgproc.hpp>
@@ -50,7 +51,9 @@ core::Expected<std::unique_ptr<ContactFinder>> FlowContactFinder::make(const Con
                                                                        const CylinderCamera& camera,
                                                                        const ContactSettings& settings,
                                                                        const std::stop_token& stop) {
-    std::unique_ptr<FlowContactFinder> finder(new FlowContactFinder(rung, camera, settings, stop));
+    TELETA_TRY(cv::Ptr<cv::DISOpticalFlow> dis, opencv::denseFlow(preset(rung.method)));
+    std::unique_ptr<FlowContactFinder> finder(
+        new FlowContactFinder(rung, camera, settings, std::move(dis), stop));
     if (stop.stop_requested())
         return cancelledMaking();
     if (finder->m_samples.empty())
@@ -64,13 +67,14 @@ core::Expected<std::unique_ptr<ContactFinder>> FlowContactFinder::make(const Con
 }
 
 FlowContactFinder::FlowContactFinder(const ContactRung& rung, const CylinderCamera& camera,
-                                     const ContactSettings& settings, const std::stop_token& stop)
+                                     const ContactSettings& settings, cv::Ptr<cv::DISOpticalFlow> dis,
+                                     const std::stop_token& stop)
     : m_rung(rung)
     , m_camera(camera)
     , m_skin(camera.surface())
     , m_settings(settings)
     , m_crop(0, 0, camera.camera().parameters().width_px, camera.camera().parameters().height_px)
-    , m_dis(cv::DISOpticalFlow::create(preset(rung.method)))
+    , m_dis(std::move(dis))
     , m_finestScale(m_dis->getFinestScale())
     , m_patchSize_px(m_dis->getPatchSize()) {
     m_cropMask.create(m_crop.size());

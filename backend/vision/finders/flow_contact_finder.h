@@ -22,6 +22,7 @@ namespace teleta::vision {
 class FlowContactFinder : public ContactFinder {
 public:
     /// Error: refused when the image of the camera is too small or does not show the skin; cancelled.
+    /// Unavailable: see opencv::denseFlow().
     [[nodiscard]] static core::Expected<std::unique_ptr<ContactFinder>> make(const ContactRung& rung,
                                                                              const CylinderCamera& camera,
                                                                              const ContactSettings& settings,
@@ -32,7 +33,7 @@ public:
 
 private:
     FlowContactFinder(const ContactRung& rung, const CylinderCamera& camera, const ContactSettings& settings,
-                      const std::stop_token& stop);
+                      cv::Ptr<cv::DISOpticalFlow> dis, const std::stop_token& stop);
     [[nodiscard]] core::Expected<void> takeReference(const cv::Mat1b& frame) override;
     [[nodiscard]] core::Expected<std::vector<CameraContact>> findIn(const cv::Mat1b& frame) override;
     /// The presets of OpenCV are made for large images; chooses a finest scale at which the dots are still
