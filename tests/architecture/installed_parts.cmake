@@ -5,7 +5,7 @@ file(REMOVE_RECURSE "${WORK}")
 file(COPY "${PROGRAM}" DESTINATION "${WORK}/bin")
 get_filename_component(name "${PROGRAM}" NAME)
 file(RPATH_REMOVE FILE "${WORK}/bin/${name}")
-set(command "${WORK}/bin/${name}" simulate vtacarm-calibration --duration 0.1 --out)
+set(command "${WORK}/bin/${name}" simulate vtacarm-bump --duration 0.1 --out)
 
 execute_process(COMMAND ${command} "${WORK}/without" RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE text)
 if(result EQUAL 0 OR NOT text MATCHES "teleta_opencv_pictures\\.so")
