@@ -139,22 +139,34 @@ bool StreamReader::readRow(const QSqlQuery& query, core::TappedFrames& block) {
 core::Expected<bool> StreamReader::next(core::TappedFrames& block) {
     m_canGoOn = true;
     if (m_query == nullptr) {
-        auto query = select(kBlock, kForwards, m_after);
-        // The first row is read already.
+        auto query = m_database->prepare(
+            QStringLiteral("SELECT %1 FROM block WHERE stream = ? AND (first_ns, key) %2 LIMIT 1")
+                .arg(QLatin1String(kBlock), QLatin1String(kForwards)));
         if (!query)
             return passOver(core::Unexpected(query.error()));
         m_query = std::make_shared<QSqlQuery>(std::move(*query));
     }
+    for (const qlonglong value : {static_cast<qlonglong>(m_key), m_after.first_ns, m_after.key})
+        m_query->addBindValue(value);
+    if (const auto done = m_database->execute(*m_query); !done)
+        return passOver(core::Unexpected(done.error()));
     if (!m_query->next()) {
         if (m_query->lastError().isValid())
             return passOver(m_database->failed(m_query->lastError()));
+        m_query->finish();
         return false;
     }
-    m_after = std::max(m_after, placeOf<Position>(*m_query));
-    if (!readRow(*m_query, block))
-        return m_database->damaged(
-            ReadingText::tr("block %1 of the stream \"%2\" is incomplete")
-                .arg(m_query->value(0).toString(), QString::fromStdString(m_info.name)));
+    const QString key = m_query->value(0).toString();
+    const Position at = placeOf<Position>(*m_query);
+    // Even a damaged index must lead forwards.
+    m_canGoOn = at > m_after;
+    m_after = std::max(m_after, at);
+    const bool isWhole = m_canGoOn && readRow(*m_query, block);
+    // A statement that stays open would keep others from changing marks.
+    m_query->finish();
+    if (!isWhole)
+        return m_database->damaged(ReadingText::tr("block %1 of the stream \"%2\" is incomplete")
+                                       .arg(key, QString::fromStdString(m_info.name)));
     return true;
 }
 

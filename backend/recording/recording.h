@@ -72,9 +72,9 @@ private:
     std::shared_ptr<RecordingDatabase> m_database;
     StreamInfo m_info;
     long long m_key;
-    std::shared_ptr<QSqlQuery> m_query;
-    Position m_after; ///< where next() begins without a query
-    Position m_at;    ///< of the block that was read last, or was sought
+    std::shared_ptr<QSqlQuery> m_query; ///< for one block; active only while it is read
+    Position m_after;                   ///< the next block is the first one after it
+    Position m_at;                      ///< of the block that was read last, or was sought
     bool m_canGoOn = true;
 };
 

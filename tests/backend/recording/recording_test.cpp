@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/recording/mark_changes.h"
 #include "backend/recording/recording_database.h"
 #include "tests/backend/recording/recorded_files.h"
 
@@ -6,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <span>
 #include <sys/stat.h>
 
 using namespace teleta;
@@ -71,6 +73,32 @@ TEST_F(RecordingTest, aSeekFindsTheBlockThatHoldsTheTime) {
     ASSERT_TRUE(reader.next(block).value());
     EXPECT_EQ(block.time_ns.back(), extent->last_ns);
     EXPECT_FALSE(reader.next(block).value());
+}
+
+TEST_F(RecordingTest, aMarkIsChangedWhileTheFileIsPlayed) {
+    const std::string path = write();
+    askFile(path,
+            QStringLiteral(
+                "INSERT INTO event (time_ns, kind, text, value) VALUES (2000000000, 'mark', 'slip', 7)"));
+    const auto recording = Recording::open(path);
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    StreamReader reader = recording->reader(0);
+    core::TappedFrames block;
+    ASSERT_TRUE(reader.next(block).value());
+    const MarkChange change{.number = 7, .note = "it slipped"};
+    const auto changed = changeMarks(path, std::span(&change, 1));
+    ASSERT_TRUE(changed) << core::describe(changed.error());
+    // The reader goes on where it was.
+    std::size_t frames = block.frames();
+    while (reader.next(block).value())
+        frames += block.frames();
+    EXPECT_EQ(frames, 3000U);
+    EXPECT_FALSE(reader.next(block).value());
+    const auto again = Recording::open(path);
+    ASSERT_TRUE(again);
+    EXPECT_TRUE(std::ranges::any_of(again->events(), [](const RecordingEvent& event) {
+        return event.kind == kMark && event.text == "it slipped";
+    }));
 }
 
 TEST_F(RecordingTest, aFileThatIsNoRecordingIsToldFromOneThatIs) {

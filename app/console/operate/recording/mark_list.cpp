@@ -58,7 +58,8 @@ MarkList::MarkList(QWidget* parent)
             emit renamed(m_rows[row].number, item->text().trimmed());
     });
     connect(m_table, &QTableWidget::cellDoubleClicked, this, [this](int row, int column) {
-        if (column == timeColumn && row < static_cast<int>(m_rows.size()))
+        // A text that cannot be typed is there to be gone to as well.
+        if ((column == timeColumn || !m_editable) && row < static_cast<int>(m_rows.size()))
             emit timeChosen(m_rows[static_cast<std::size_t>(row)].time_s);
     });
     base::keepTranslated(this, &MarkList::retranslate);
@@ -157,7 +158,7 @@ void MarkList::retranslate() {
     m_hint->setText(tr("No marks. M sets one while something is recorded; its text can be typed then."));
     setWhatsThis(tr("Moments that somebody marked in the recording. Double-click a text or press Enter to "
                     "type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a "
-                    "double click on a time goes there."));
+                    "double click on a mark goes there."));
 }
 
 } // namespace teleta::console

@@ -14,7 +14,8 @@ class QTableWidgetItem;
 namespace teleta::console {
 
 /// The marks of a recording, with time and note. A note is edited in its row, Delete
-/// removes a mark, Ctrl+Z undoes; double-clicking a time seeks there. Thread: GUI.
+/// removes a mark, Ctrl+Z undoes; double-clicking a time, or a mark that cannot be edited, seeks there.
+/// Thread: GUI.
 class MarkList : public QWidget {
     Q_OBJECT
 

@@ -101,6 +101,26 @@ private slots:
         QCOMPARE(sought[0][0].toDouble(), 1.0 - kFirstFrame_s);
     }
 
+    void aDoubleClickAnywhereOnAPlayedMarkGoesThere_data() {
+        QTest::addColumn<int>("column");
+        QTest::newRow("time") << 0;
+        QTest::newRow("text") << 1;
+    }
+    void aDoubleClickAnywhereOnAPlayedMarkGoesThere() {
+        QFETCH(int, column);
+        const MarkedPlayback playback;
+        QSignalSpy sought(m_marks.get(), &MarkViews::seekRequested);
+        m_marks->setSource(&playback);
+        m_marks->list().resize(400, 200);
+        m_marks->list().show();
+        auto* table = m_marks->list().findChild<QTableWidget*>();
+        const QPoint at = table->visualItemRect(table->item(0, column)).center();
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, at);
+        QCOMPARE(sought.size(), 1);
+        QCOMPARE(sought[0][0].toDouble(), 1.0 - kFirstFrame_s);
+    }
+
     void aMarkIsAskedForWhenTheSampleAtTheCursorCame() {
         // Played at twice its speed.
         const std::int64_t newest_ns = feed(0.0, 4.0, kBegin_ns, 5'000'000);
