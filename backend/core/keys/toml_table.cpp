@@ -241,6 +241,44 @@ std::vector<double> TomlTable::numberList(std::string_view key, const NumberRang
     return values;
 }
 
+std::vector<std::vector<double>> TomlTable::numberRows(std::string_view key, const NumberRange& range,
+                                                       std::size_t rows, std::size_t perRow) {
+    const toml::node* node = m_data->find(key, true);
+    if (node == nullptr)
+        return {};
+    const auto isRow = [perRow](const toml::node& row) {
+        return row.is_array() && row.as_array()->size() == perRow;
+    };
+    const toml::array* array = node->as_array();
+    if (array == nullptr || array->size() != rows || !std::ranges::all_of(*array, isRow)) {
+        m_data->wrongType(key, *node,
+                          TomlReader::tr("a list of %1 lists, each of %2 numbers").arg(rows).arg(perRow));
+        return {};
+    }
+    std::vector<std::vector<double>> values;
+    for (const toml::node& row : *array) {
+        values.emplace_back();
+        for (const toml::node& entry : *row.as_array())
+            values.back().push_back(m_data->number(key, entry, range));
+    }
+    return values;
+}
+
+std::vector<std::string> TomlTable::textList(std::string_view key) {
+    const toml::node* node = m_data->find(key, false);
+    if (node == nullptr)
+        return {};
+    const toml::array* array = node->as_array();
+    if (array == nullptr) {
+        m_data->wrongType(key, *node, TomlReader::tr("a list of texts in quotes"));
+        return {};
+    }
+    std::vector<std::string> texts;
+    for (const toml::node& entry : *array)
+        texts.push_back(m_data->text(key, entry));
+    return texts;
+}
+
 bool TomlTable::boolean(std::string_view key, bool fallback) {
     const toml::node* node = m_data->find(key, false);
     if (node == nullptr)
@@ -313,6 +351,21 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t minim
         result.push_back(TomlTable(std::move(data)));
     }
     return result;
+}
+
+std::vector<std::string> TomlTable::keys() const {
+    std::vector<const toml::key*> found;
+    if (m_data->table != nullptr) {
+        for (auto&& [key, node] : *m_data->table)
+            found.push_back(&key);
+    }
+    std::ranges::sort(found, {}, [](const toml::key* key) {
+        return std::pair(key->source().begin.line, key->source().begin.column);
+    });
+    std::vector<std::string> names;
+    for (const toml::key* key : found)
+        names.emplace_back(key->str());
+    return names;
 }
 
 SourcePlace TomlTable::place() const {

@@ -61,6 +61,11 @@ public:
     /// there.
     [[nodiscard]] std::vector<double> numberList(std::string_view key, const NumberRange& range,
                                                  const WholeRange& count);
+    /// A list of such lists, each of perRow numbers: key = [[1, 2], [3, 4]]. Must be there.
+    [[nodiscard]] std::vector<std::vector<double>> numberRows(std::string_view key, const NumberRange& range,
+                                                              std::size_t rows, std::size_t perRow);
+    /// A list of texts that are not empty, key = ["a", "b"]; empty when the key is missing.
+    [[nodiscard]] std::vector<std::string> textList(std::string_view key);
     [[nodiscard]] bool boolean(std::string_view key, bool fallback);
 
     /// Index of the text among the allowed names; 0 when it is wrong.
@@ -71,6 +76,10 @@ public:
 
     /// An array of tables, [[key]] or key = [{...}], with at least so many.
     [[nodiscard]] std::vector<TomlTable> tables(std::string_view key, std::size_t minimum);
+
+    /// The keys of the table, in the order of the file: for a table whose keys are names that the user
+    /// chooses. They do not count as asked for.
+    [[nodiscard]] std::vector<std::string> keys() const;
 
     /// Place of the table, and of a key's value in it (the table's when the key is missing).
     [[nodiscard]] SourcePlace place() const;

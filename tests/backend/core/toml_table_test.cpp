@@ -57,6 +57,38 @@ TEST(TomlTable, readsEveryTypeAndFallsBackOnlyWhenTheKeyIsMissing) {
     EXPECT_EQ(error, "");
 }
 
+TEST(TomlTable, readsListsAndNamesOfKeysInTheOrderOfTheFile) {
+    const std::string text = "texts = ['a', 'b']\nrows = [[1, 2], [3, 4], [5, 6]]\n"
+                             "[names]\nzeta = 'z'\nalpha = 'a'\n\"with space\" = 's'\n";
+    const std::string error = errorOf(text, [](TomlTable& root) {
+        EXPECT_EQ(root.textList("texts"), (std::vector<std::string>{"a", "b"}));
+        EXPECT_TRUE(root.textList("missing").empty());
+        EXPECT_EQ(root.numberRows("rows", NumberRange::any(), 3, 2),
+                  (std::vector<std::vector<double>>{{1, 2}, {3, 4}, {5, 6}}));
+        TomlTable names = root.table("names");
+        EXPECT_EQ(names.keys(), (std::vector<std::string>{"zeta", "alpha", "with space"}));
+    });
+    EXPECT_EQ(error, "");
+    // Names that nobody asked for are unknown all the same.
+    EXPECT_EQ(errorOf("b = 1", [](TomlTable& root) { EXPECT_EQ(root.keys().size(), 1U); }),
+              "f.toml:1:1: unknown key \"b\" (expected one of: )");
+}
+
+TEST(TomlTable, saysWhatIsWrongInAList) {
+    const auto texts = [](TomlTable& root) { (void)root.textList("v"); };
+    EXPECT_EQ(errorOf("v = 'a'", texts),
+              "f.toml:1:5: wrong type for \"v\" (expected a list of texts in quotes)");
+    EXPECT_EQ(errorOf("v = ['a', 2]", texts),
+              "f.toml:1:11: wrong type for \"v\" (expected a text in quotes)");
+    EXPECT_EQ(errorOf("v = ['a', '']", texts), "f.toml:1:11: \"v\" is empty (expected a text in quotes)");
+    const auto rows = [](TomlTable& root) { (void)root.numberRows("v", NumberRange::any(), 2, 2); };
+    for (const char* wrong : {"v = 1", "v = [1, 2]", "v = [[1, 2]]", "v = [[1, 2], [3]]", "v = [[1, 2], 3]"})
+        EXPECT_EQ(errorOf(wrong, rows),
+                  "f.toml:1:5: wrong type for \"v\" (expected a list of 2 lists, each of 2 numbers)");
+    EXPECT_EQ(errorOf("v = [[1, 2], [3, 'x']]", rows),
+              "f.toml:1:18: wrong type for \"v\" (expected a finite number)");
+}
+
 TEST(TomlTable, saysWhereAValueIsWrongAndWhatWasExpected) {
     const auto number = [](const NumberRange& range) {
         return [range](TomlTable& root) { (void)root.number("v", range); };
