@@ -2,9 +2,11 @@
 #include "devices/dds/endpoint.h"
 
 #include "devices/dds/dds_error.h"
+#include "devices/dds/dds_qos.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 #include <dds/dds.h>
 #include <utility>
@@ -16,11 +18,6 @@ namespace {
 struct EndpointText {
     Q_DECLARE_TR_FUNCTIONS(DdsEndpoint)
 };
-
-struct QosDeleter {
-    void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
-};
-using Qos = std::unique_ptr<dds_qos_t, QosDeleter>;
 
 Qos qosOf(const ros::QosProfile& profile) {
     Qos qos(dds_create_qos());
@@ -79,6 +76,14 @@ Endpoint::Endpoint(Endpoint&& other) noexcept
 Endpoint::~Endpoint() {
     if (m_entity > 0)
         (void)dds_delete(m_entity);
+}
+
+Guid Endpoint::guid() const {
+    dds_guid_t own{};
+    (void)dds_get_guid(m_entity, &own);
+    Guid guid{};
+    std::ranges::copy(own.v, guid.begin());
+    return guid;
 }
 
 std::size_t Endpoint::matched() const {

@@ -31,6 +31,8 @@ public:
     ~Endpoint();
 
     [[nodiscard]] std::int32_t entity() const { return m_entity; }
+    /// What names it in the domain.
+    [[nodiscard]] Guid guid() const;
     /// How many ends of other programs, and of this one, are connected to it.
     [[nodiscard]] std::size_t matched() const;
     /// Why the last end that wanted other qualities is not connected; nothing: there was none.

@@ -3,6 +3,7 @@
 
 #include "backend/core/failure.h"
 #include "devices/dds/dds_error.h"
+#include "devices/dds/dds_qos.h"
 #include "devices/dds/log_lines.h"
 
 #include <QCoreApplication>
@@ -64,11 +65,15 @@ Participant::Participant(std::int32_t entity, DomainConfig config)
     std::ranges::copy(guid.v, m_guid.begin());
 }
 
-core::Expected<std::shared_ptr<const Participant>> Participant::open(const DomainConfig& config) {
+core::Expected<std::shared_ptr<const Participant>> Participant::open(const DomainConfig& config,
+                                                                     std::string_view userData) {
     TELETA_CHECK(openDomain(config));
     const CollectedLog log;
+    const Qos qos(dds_create_qos());
+    if (!userData.empty())
+        dds_qset_userdata(qos.get(), userData.data(), userData.size());
     const dds_entity_t entity =
-        dds_create_participant(static_cast<dds_domainid_t>(config.domain), nullptr, nullptr);
+        dds_create_participant(static_cast<dds_domainid_t>(config.domain), qos.get(), nullptr);
     if (entity < 0) {
         if (!log.text().empty())
             return core::failed(core::ErrorKind::unavailable,

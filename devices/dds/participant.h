@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string_view>
 
 namespace teleta::dds {
 
@@ -20,7 +21,9 @@ class Participant {
 public:
     /// The configuration is the one given; CYCLONEDDS_URI is ignored. Failure: unavailable, with what the
     /// middleware says of the interface; refused, the program uses this domain in another way already.
-    [[nodiscard]] static core::Expected<std::shared_ptr<const Participant>> open(const DomainConfig& config);
+    /// userData: what other programs are told of this one.
+    [[nodiscard]] static core::Expected<std::shared_ptr<const Participant>>
+    open(const DomainConfig& config, std::string_view userData = {});
     /// Leaves the domain on a thread of its own and waits kLongestEnd_ns for that: it may never happen where
     /// an interface has lost its address. What hangs then hangs until the program ends.
     ~Participant();
