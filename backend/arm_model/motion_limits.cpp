@@ -49,10 +49,14 @@ MotionGovernor::MotionGovernor(std::shared_ptr<const SerialChain> chain, const M
 }
 
 void MotionGovernor::reset(const core::JointVector& measured) {
+    restAt(measured);
+    m_restCount = 0;
+}
+
+void MotionGovernor::restAt(const core::JointVector& measured) {
     m_commanded = measured;
     m_rate = core::JointVector::zeros(m_chain->joints());
     m_lagging_s = 0.0;
-    m_restCount = 0;
 }
 
 bool MotionGovernor::validReading(const MotionReading& reading) const {

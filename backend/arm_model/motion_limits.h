@@ -89,6 +89,10 @@ public:
     /// Begins at rest where the arm is. measured: as many finite numbers as the chain has joints.
     void reset(const core::JointVector& measured);
 
+    /// Goes on at rest where the arm is, with the efforts at rest that are known: for an arm that is not
+    /// commanded. measured: as reset().
+    void restAt(const core::JointVector& measured);
+
     /// One step of dt_s, > 0. A reading that is not finite or has another count faults at once.
     [[nodiscard]] MotionStep step(const MotionDemand& demand, const MotionReading& reading, double dt_s);
 

@@ -163,6 +163,19 @@ TEST(MotionLimits, holdWhenTheEffortOfAJointRises) {
     EXPECT_GT(held.rate[0], 0.0);
 }
 
+TEST(MotionLimits, anArmThatIsNotCommandedKeepsItsEffortsOfRest) {
+    MotionLimits limits = wide();
+    limits.effortStop_Nm = {5.0, 5.0};
+    MotionGovernor governor(planarArm(), limits, kReaction_s);
+    for (int i = 0; i < 30; ++i) {
+        governor.restAt({0.01 * i, 0.0});
+        const MotionStep step = governor.step({}, {{0.01 * i, 0.0}, {12.0, 1.0}, {}}, kStep_s);
+        EXPECT_EQ(step.commanded[0], 0.01 * i);
+        EXPECT_FALSE(step.fault);
+    }
+    EXPECT_TRUE(governor.step({{0.3, 0.0}}, {{0.29, 0.0}, {18.0, 1.0}, {}}, kStep_s).has(MotionFlag::effort));
+}
+
 TEST(MotionLimits, letTheArmRetreatFromAForceOnly) {
     MotionLimits limits = wide();
     limits.forceStop_N = 30.0;
