@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/ros/topic_names.h"
 #include "devices/bracelet/bracelet_reports.h"
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/modbus/register_map.h"
 #include "devices/mouse3d/mouse3d_reports.h"
+#include "devices/ros/ros_arm_file.h"
 #include "devices/wts/wts_codec.h"
 #include "devices/wts/wts_config.h"
 #include "devices/wts/wts_decoder.h"
@@ -10,6 +12,7 @@
 #include "tests/fuzz/fuzz_targets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <vector>
@@ -118,6 +121,28 @@ bool hidBraceletFile(Bytes bytes) {
     }
     require(!file->name.empty() && file->config.vendorId > 0 && file->config.productId > 0,
             "a bracelet has a name and ids");
+    return true;
+}
+
+bool rosArmFile(Bytes bytes) {
+    const core::Expected<ros_arm::RosArmFile> file = ros_arm::parseRosArm(textOf(bytes), kInput);
+    if (!file) {
+        requireExplained(file.error());
+        return false;
+    }
+    const arm_model::MotionLimits& limits = file->limits;
+    require(!file->name.empty() && !file->baseFrame.empty() && !file->tipFrame.empty(),
+            "an arm has a name and two frames");
+    require(ros::isTopicName(file->jointStates) && ros::isTopicName(file->controller),
+            "topics have names of topics");
+    require(file->jointTimeout_s > 0.0 && file->jointTimeout_s <= 1.0, "joints grow old within a second");
+    for (const double limit :
+         {limits.speedScale, limits.acceleration_radPerS2, limits.deceleration_radPerS2, limits.leash_rad,
+          limits.jointMargin_rad, limits.tipSpeed_mPerS, limits.tipTurn_radPerS})
+        require(std::isfinite(limit) && limit > 0.0, "limits are positive");
+    require(limits.speedScale <= 1.0 && limits.stopDeceleration_radPerS2 >= limits.deceleration_radPerS2,
+            "limits do not contradict each other");
+    require(!limits.box_m || !limits.box_m->isEmpty(), "a box has room");
     return true;
 }
 

@@ -46,6 +46,7 @@ const std::map<std::string, Target> kTargets{
     {"pattern_tact", teleta::fuzz::patternTact},
     {"recording", teleta::fuzz::recording},
     {"register_map", teleta::fuzz::registerMap},
+    {"ros_arm_file", teleta::fuzz::rosArmFile},
     {"ros_joint_states", teleta::fuzz::rosJointStates},
     {"scene", teleta::fuzz::scene},
     {"servo_csv", teleta::fuzz::servoCsv},

@@ -56,6 +56,7 @@ bool cameraJson(Bytes bytes);
 bool motorProfile(Bytes bytes);
 bool registerMap(Bytes bytes);
 bool hidBraceletFile(Bytes bytes);
+bool rosArmFile(Bytes bytes);
 bool urdf(Bytes bytes);
 bool sitePermissions(Bytes bytes);
 bool siteGovernance(Bytes bytes);

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/ros/arm_check.h"
+
+#include "backend/core/failure.h"
+#include "backend/core/quantile.h"
+#include "backend/core/steady_time.h"
+#include "backend/ros/stamps.h"
+#include "backend/ros/topic_names.h"
+#include "devices/dds/endpoint.h"
+#include "devices/dds/wait_set.h"
+#include "devices/ros/arm_chain.h"
+#include "devices/ros/joint_watch.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace teleta::ros_arm {
+
+namespace {
+
+struct ArmCheckText {
+    Q_DECLARE_TR_FUNCTIONS(RosArmCheck)
+};
+
+constexpr int kDepth = 64;
+constexpr std::int64_t kCheckLook_ns = 50'000'000;
+/// Clocks that differ by more are told apart from delays of the network.
+constexpr double kNoticedClock_s = 0.1;
+constexpr const char* kTrajectoryType = "trajectory_msgs/msg/JointTrajectory";
+
+QString asText(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+QString listOf(const std::vector<std::string>& names) {
+    QStringList list;
+    for (const std::string& name : names)
+        list << asText(name);
+    return list.join(QStringLiteral(", "));
+}
+
+QString shortNumber(double value) {
+    return QString::number(value, 'g', 3);
+}
+
+QString reasonOf(ros::QosMismatch mismatch) {
+    switch (mismatch) {
+    case ros::QosMismatch::reliability:
+        return ArmCheckText::tr("a publisher is best effort, reliable was asked");
+    case ros::QosMismatch::durability:
+        return ArmCheckText::tr("the reader asks for what was sent before it came, which a command is not");
+    case ros::QosMismatch::other:
+        break;
+    }
+    return ArmCheckText::tr("a publisher offers other qualities than were asked");
+}
+
+double wallClock_s() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+class Findings {
+public:
+    void add(const char* check, FindingLevel level, const QString& text) {
+        m_all.push_back({check, level, text});
+    }
+    void good(const char* check, const QString& text) { add(check, FindingLevel::good, text); }
+    void note(const char* check, const QString& text) { add(check, FindingLevel::note, text); }
+    void problem(const char* check, const QString& text) { add(check, FindingLevel::problem, text); }
+    [[nodiscard]] std::vector<ArmFinding> take() { return std::move(m_all); }
+
+private:
+    std::vector<ArmFinding> m_all;
+};
+
+void findJoints(Findings& findings, const RosArmFile& file, std::size_t joints, const ArmObservation& seen) {
+    const QString topic = asText(file.jointStates);
+    const std::string ddsTopic = ros::ddsTopicOf(file.jointStates);
+    const auto writers = std::ranges::count_if(
+        seen.ends, [&](const dds::FoundEnd& end) { return end.writes && end.ddsTopic == ddsTopic; });
+    if (seen.counters.messages == 0)
+        findings.problem("joints", writers == 0 ? ArmCheckText::tr("nobody publishes %1").arg(topic)
+                                                : ArmCheckText::tr("nothing was sent on %1").arg(topic) +
+                                                      (seen.jointMismatch ? QStringLiteral(": ") +
+                                                                                reasonOf(*seen.jointMismatch)
+                                                                          : QString()));
+    else if (!seen.missing.empty())
+        findings.problem("joints", ArmCheckText::tr("%1 does not tell: %2").arg(topic, listOf(seen.missing)));
+    else
+        findings.good("joints", ArmCheckText::tr("%1 tells all %2 joints").arg(topic).arg(joints));
+    if (writers > 1)
+        findings.note("joints", ArmCheckText::tr("%1 publishers of %2").arg(writers).arg(topic));
+    if (!seen.unknown.empty())
+        findings.note("joints",
+                      ArmCheckText::tr("%1 tells %2, the arm has not").arg(topic, listOf(seen.unknown)));
+    if (seen.counters.malformed > 0)
+        findings.note("joints", ArmCheckText::tr("%1 messages contradict themselves and were left out")
+                                    .arg(seen.counters.malformed));
+    if (seen.fault)
+        findings.problem("joints", describe(*seen.fault));
+}
+
+void findRate(Findings& findings, const RosArmFile& file, const ArmObservation& seen) {
+    if (seen.samples == 0)
+        return;
+    const QString text = ArmCheckText::tr("%1 samples a second, longest gap %2 s")
+                             .arg(shortNumber(static_cast<double>(seen.samples) / seen.time_s),
+                                  shortNumber(seen.longestGap_s));
+    if (seen.longestGap_s > file.jointTimeout_s)
+        findings.problem(
+            "rate", text + ArmCheckText::tr("; joint_timeout_s is %1").arg(shortNumber(file.jointTimeout_s)));
+    else
+        findings.good("rate", text);
+}
+
+void findEffort(Findings& findings, const RosArmFile& file, const ArmObservation& seen) {
+    if (file.effortUnit == EffortUnit::none || seen.samples == 0)
+        return;
+    const QString unit = QLatin1String(file.effortUnit == EffortUnit::ampere ? "A" : "Nm");
+    if (seen.effortTold)
+        findings.good("effort", ArmCheckText::tr("told, in %1 as the file says").arg(unit));
+    else if (!file.limits.effortStop_Nm.empty())
+        findings.problem("effort", ArmCheckText::tr("not told, so effort_stop cannot hold the arm"));
+    else
+        findings.note("effort", ArmCheckText::tr("not told"));
+}
+
+void findClock(Findings& findings, const ArmObservation& seen) {
+    if (seen.zeroStamps > 0)
+        findings.note("clock", ArmCheckText::tr("%1 stamps are zero").arg(seen.zeroStamps));
+    if (!seen.clockDifference_s)
+        return;
+    const QString text =
+        ArmCheckText::tr("stamps are %1 s behind this computer").arg(shortNumber(*seen.clockDifference_s));
+    findings.add(
+        "clock",
+        std::abs(*seen.clockDifference_s) > kNoticedClock_s ? FindingLevel::note : FindingLevel::good, text);
+}
+
+/// Topics to which a trajectory controller listens.
+std::vector<std::string> controllersOf(const std::vector<dds::FoundEnd>& ends) {
+    std::vector<std::string> topics;
+    for (const dds::FoundEnd& end : ends) {
+        const std::optional<std::string> topic = ros::rosTopicOf(end.ddsTopic);
+        if (!end.writes && topic && ros::rosTypeOf(end.ddsType) == kTrajectoryType)
+            topics.push_back(*topic);
+    }
+    return topics;
+}
+
+void findController(Findings& findings, const RosArmFile& file, const std::vector<dds::FoundEnd>& ends) {
+    const QString topic = asText(file.commandTopic());
+    const std::string ddsTopic = ros::ddsTopicOf(file.commandTopic());
+    bool reads = false;
+    std::optional<QString> why;
+    for (const dds::FoundEnd& end : ends) {
+        if (end.ddsTopic != ddsTopic)
+            continue;
+        if (end.writes) {
+            findings.problem("writers", ArmCheckText::tr("someone else commands %1").arg(topic));
+            continue;
+        }
+        const std::optional<ros::QosMismatch> mismatch = ros::mismatch(end.profile, ros::kCommandWriter);
+        if (ros::rosTypeOf(end.ddsType) != kTrajectoryType)
+            why = ArmCheckText::tr("%1 has the type %2").arg(topic, asText(ros::rosTypeOf(end.ddsType)));
+        else if (mismatch)
+            why = reasonOf(*mismatch);
+        else
+            reads = true;
+    }
+    if (reads) {
+        findings.good("controller", ArmCheckText::tr("reads %1").arg(topic));
+        return;
+    }
+    const std::vector<std::string> others = controllersOf(ends);
+    QString text = why ? ArmCheckText::tr("cannot be reached: %1").arg(*why)
+                       : ArmCheckText::tr("nobody reads %1").arg(topic);
+    if (!why && !others.empty())
+        text += ArmCheckText::tr("; there is %1").arg(listOf(others));
+    findings.problem("controller", text);
+}
+
+} // namespace
+
+core::Expected<WatchedArm> watchArm(const RosArmFile& file, double time_s,
+                                    const std::function<bool()>& cancelled) {
+    TELETA_TRY(const std::shared_ptr<const dds::Participant> participant,
+               dds::Participant::open(file.domain));
+    TELETA_TRY(const dds::Discovery discovery, dds::Discovery::open(participant));
+    TELETA_TRY(std::shared_ptr<const arm_model::SerialChain> chain, findChain(participant, file, cancelled));
+    TELETA_TRY(std::vector<std::string> names, wireNames(file, *chain));
+    TELETA_TRY(auto reader, dds::Reader<ros::JointState>::open(participant, ros::ddsTopicOf(file.jointStates),
+                                                               ros::kSensorReader.withDepth(kDepth)));
+    dds::WaitSet waitSet(participant);
+    waitSet.attach(reader);
+    JointWatch watch(std::move(names), file.jointStates, file.jointTimeout_s);
+    ArmObservation seen;
+    std::vector<double> differences_s;
+    const std::int64_t start_ns = core::steadyNow_ns();
+    const std::int64_t end_ns = start_ns + std::llround(time_s * 1e9);
+    // The first sample comes when the publisher has found us.
+    std::optional<std::int64_t> last_ns;
+    std::int64_t now_ns = start_ns;
+    for (; now_ns < end_ns; now_ns = core::steadyNow_ns()) {
+        if (cancelled && cancelled())
+            return core::failed(core::ErrorKind::cancelled, ArmCheckText::tr("the check was cut short"));
+        (void)reader.take([&](const ros::JointState& message, const dds::SampleInfo&) {
+            const std::int64_t read_ns = core::steadyNow_ns();
+            const std::optional<ros::JoinedJoints> joints = watch.take(message, read_ns);
+            seen.missing = watch.missing(read_ns);
+            if (!joints)
+                return;
+            ++seen.samples;
+            seen.effortTold = !joints->effort.empty();
+            if (joints->stamp_s != 0.0)
+                differences_s.push_back(wallClock_s() - joints->stamp_s);
+            if (last_ns)
+                seen.longestGap_s =
+                    std::max(seen.longestGap_s, static_cast<double>(read_ns - *last_ns) * 1e-9);
+            last_ns = read_ns;
+        });
+        if (std::optional<ArmFault> fault = watch.takeFault(); fault && !seen.fault)
+            seen.fault = std::move(fault);
+        waitSet.wait(kCheckLook_ns);
+    }
+    seen.time_s = static_cast<double>(now_ns - start_ns) * 1e-9;
+    seen.longestGap_s =
+        last_ns ? std::max(seen.longestGap_s, static_cast<double>(now_ns - *last_ns) * 1e-9) : seen.time_s;
+    seen.counters = watch.joiner().counters();
+    seen.zeroStamps = watch.joiner().stamps().zero();
+    if (!differences_s.empty())
+        seen.clockDifference_s = core::medianOf(differences_s);
+    seen.unknown = watch.joiner().takeUnknownNames();
+    seen.jointMismatch = reader.incompatible();
+    seen.ends = discovery.ends();
+    std::erase_if(seen.ends, [](const dds::FoundEnd& end) { return end.own; });
+    return WatchedArm{std::move(chain), std::move(seen)};
+}
+
+std::vector<ArmFinding> findingsOf(const RosArmFile& file, const arm_model::SerialChain& chain,
+                                   const ArmObservation& seen) {
+    Findings findings;
+    findJoints(findings, file, chain.joints(), seen);
+    findRate(findings, file, seen);
+    findEffort(findings, file, seen);
+    findClock(findings, seen);
+    findController(findings, file, seen.ends);
+    for (const QString& obstacle : obstacles(file, chain))
+        findings.problem("file", obstacle);
+    return findings.take();
+}
+
+} // namespace teleta::ros_arm

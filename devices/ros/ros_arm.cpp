@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/ros/ros_arm.h"
+
+#include "backend/core/failure.h"
+#include "backend/core/steady_time.h"
+#include "backend/core/threads/urgent_thread.h"
+#include "backend/ros/topic_names.h"
+#include "devices/ros/arm_chain.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <utility>
+
+namespace teleta::ros_arm {
+
+namespace {
+
+struct RosArmText {
+    Q_DECLARE_TR_FUNCTIONS(RosArm)
+};
+
+constexpr const char* kNodeName = "teleta";
+constexpr std::size_t kQueueSamples = 4096;
+/// A batch ends with what one look at the topic brings.
+constexpr std::size_t kBatchSamples = 64;
+/// At 1 kHz a thread that sleeps for some ms must not lose samples.
+constexpr int kReaderDepth = 64;
+/// Between looks for other programs.
+constexpr std::int64_t kLook_ns = 100'000'000;
+
+core::ArmDescription describeArm(const RosArmFile& file, const arm_model::SerialChain& chain) {
+    core::ArmDescription arm;
+    arm.name = file.name;
+    arm.nominalRate_Hz = 0.0; // nobody tells it
+    arm.lowest_rad = chain.lowest();
+    arm.highest_rad = chain.highest();
+    arm.fastest_radPerS = chain.fastest();
+    for (double& fastest : arm.fastest_radPerS)
+        fastest *= file.limits.speedScale;
+    return arm;
+}
+
+} // namespace
+
+core::Expected<std::unique_ptr<RosArm>> RosArm::open(const RosArmFile& file, const core::StopSwitch& stop,
+                                                     const std::function<bool()>& cancelled) {
+    TELETA_TRY(const std::shared_ptr<const dds::Participant> participant,
+               dds::Participant::open(file.domain, file.announce ? kEnclave : ""));
+    TELETA_TRY(std::shared_ptr<const arm_model::SerialChain> chain, findChain(participant, file, cancelled));
+    TELETA_TRY(std::vector<std::string> names, wireNames(file, *chain));
+    if (const QStringList found = obstacles(file, *chain); !found.isEmpty())
+        return core::refused(
+            RosArmText::tr("the arm cannot be moved: %1").arg(found.join(QStringLiteral("; "))));
+    TELETA_TRY(dds::Discovery discovery, dds::Discovery::open(participant));
+    TELETA_TRY(auto reader, dds::Reader<ros::JointState>::open(participant, ros::ddsTopicOf(file.jointStates),
+                                                               ros::kSensorReader.withDepth(kReaderDepth)));
+    TELETA_TRY(auto writer, dds::Writer<ros::JointTrajectory>::open(
+                                participant, ros::ddsTopicOf(file.commandTopic()), ros::kCommandWriter));
+    std::optional<NodeAnnouncement> announcement;
+    if (file.announce) {
+        TELETA_TRY(NodeAnnouncement told, NodeAnnouncement::open(participant, file.distribution, kNodeName,
+                                                                 {reader.guid()}, {writer.guid()}));
+        announcement.emplace(std::move(told));
+    }
+    return std::unique_ptr<RosArm>(new RosArm(
+        file, std::move(chain), std::move(names),
+        {participant, std::move(discovery), std::move(reader), std::move(writer), std::move(announcement)},
+        stop));
+}
+
+RosArm::RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> chain,
+               std::vector<std::string> names, Ends ends, const core::StopSwitch& stop)
+    : m_file(std::move(file))
+    , m_chain(std::move(chain))
+    , m_description(describeArm(m_file, *m_chain))
+    , m_ends(std::move(ends))
+    , m_stop(stop)
+    , m_outlet(kQueueSamples, kBatchSamples)
+    , m_mover(m_chain, m_file.limits)
+    , m_watch(names, m_file.jointStates, m_file.jointTimeout_s)
+    , m_message(std::move(names))
+    , m_waitSet(m_ends.participant) {
+    m_waitSet.attach(m_ends.reader);
+}
+
+void RosArm::post(const core::ArmCommand& command) {
+    m_mover.post(command, core::steadyNow_ns());
+}
+
+void RosArm::open(core::Wakeup& consumer) {
+    m_opened_ns = core::steadyNow_ns();
+    m_nextLook_ns = m_opened_ns;
+    m_outlet.open(consumer, m_opened_ns);
+}
+
+void RosArm::run(const std::stop_token& stop) {
+    (void)core::makeThreadUrgent();
+    std::int64_t next_ns = m_opened_ns + TrajectoryMover::kPeriod_ns;
+    while (!stop.stop_requested()) {
+        m_waitSet.wait(next_ns - core::steadyNow_ns());
+        takeJoints();
+        const std::int64_t now_ns = core::steadyNow_ns();
+        if (now_ns < next_ns)
+            continue;
+        step(now_ns);
+        next_ns = std::max(next_ns + TrajectoryMover::kPeriod_ns, now_ns + TrajectoryMover::kPeriod_ns / 2);
+    }
+    // The controller comes to rest by itself.
+    m_outlet.setState(core::DeviceState::closed, core::steadyNow_ns());
+    m_discontinuity = true;
+}
+
+void RosArm::takeJoints() {
+    (void)m_ends.reader.take([this](const ros::JointState& message, const dds::SampleInfo&) {
+        const std::int64_t read_ns = core::steadyNow_ns();
+        if (const std::optional<ros::JoinedJoints> joints = m_watch.take(message, read_ns))
+            deliver(*joints, read_ns);
+    });
+    m_outlet.flush();
+}
+
+void RosArm::deliver(const ros::JoinedJoints& joints, std::int64_t read_ns) {
+    core::JointSample sample;
+    sample.time_ns = read_ns;
+    sample.sourceTime_s = joints.stamp_s;
+    sample.angle_rad = joints.position;
+    sample.torque_Nm = torqueOf(joints);
+    const core::JointVector& commanded = m_mover.state().commanded;
+    sample.reference_rad = commanded.empty() ? joints.position : commanded;
+    sample.discontinuity = std::exchange(m_discontinuity, false);
+    m_outlet.deliver(std::move(sample));
+}
+
+core::JointVector RosArm::torqueOf(const ros::JoinedJoints& joints) const {
+    if (m_file.effortUnit != EffortUnit::newtonMetre || joints.effort.empty())
+        return {};
+    core::JointVector torque = joints.effort;
+    if (m_file.effortContainsGravity) {
+        const std::optional<core::JointVector> gravity = m_chain->gravityTorque(joints.position);
+        if (!gravity)
+            return {};
+        for (std::size_t i = 0; i < torque.size(); ++i)
+            torque[i] -= (*gravity)[i];
+    }
+    return torque;
+}
+
+void RosArm::lookAround(std::int64_t now_ns) {
+    if (now_ns < m_nextLook_ns)
+        return;
+    m_nextLook_ns = now_ns + kLook_ns;
+    m_controllers = m_ends.writer.matched();
+    m_otherWriter = std::ranges::any_of(
+        m_ends.discovery.endsOf(ros::ddsTopicOf(m_file.commandTopic())),
+        [this](const dds::FoundEnd& end) { return end.writes && end.guid != m_ends.writer.guid(); });
+}
+
+void RosArm::step(std::int64_t now_ns) {
+    lookAround(now_ns);
+    MoverInput input;
+    input.now_ns = now_ns;
+    input.stopped = m_stop.engaged();
+    input.engagements = m_stop.engagements();
+    input.ready = m_controllers > 0 && now_ns - m_opened_ns >= kSettling_ns;
+    input.trouble = m_watch.takeFault();
+    if (!input.trouble && m_otherWriter)
+        input.trouble = ArmFault{ArmFaultKind::otherWriter, m_file.commandTopic()};
+    const std::optional<ros::JoinedJoints> joints = m_watch.sampleAt(now_ns);
+    // An arm whose effort is to hold it is not known without it.
+    const core::JointVector torque = joints ? torqueOf(*joints) : core::JointVector();
+    const bool effortMissing = joints && torque.empty() && !m_file.limits.effortStop_Nm.empty();
+    if (joints && !effortMissing)
+        input.reading = arm_model::MotionReading{joints->position, torque, std::nullopt};
+    if (const auto points = m_mover.step(input))
+        m_unsent += m_ends.writer.write(m_message.fill(*points)) ? 0 : 1;
+
+    RosArmState state;
+    state.mover = m_mover.state();
+    state.missing = m_watch.missing(now_ns);
+    state.controllers = m_controllers;
+    state.ready = input.ready;
+    state.unsent = m_unsent;
+    state.counters = m_watch.joiner().counters();
+    if (joints)
+        state.effort = joints->effort;
+    state.effortMissing = effortMissing;
+    state.problem = problemOf(state).toStdString();
+    using core::DeviceState;
+    // A sample makes it live again.
+    if (const DeviceState device = m_outlet.state(); !state.missing.empty())
+        m_outlet.setState(device == DeviceState::live ? DeviceState::stale : device, now_ns, state.problem);
+    m_state.set(std::move(state));
+}
+
+QString RosArm::problemOf(const RosArmState& state) const {
+    if (state.mover.fault)
+        return describe(*state.mover.fault);
+    if (!state.missing.empty()) {
+        QStringList names;
+        for (const std::string& name : state.missing)
+            names << QString::fromStdString(name);
+        return RosArmText::tr("%1 does not tell: %2")
+            .arg(QString::fromStdString(m_file.jointStates), names.join(QStringLiteral(", ")));
+    }
+    if (state.effortMissing)
+        return RosArmText::tr("%1 tells no effort, so effort_stop cannot hold the arm")
+            .arg(QString::fromStdString(m_file.jointStates));
+    if (state.controllers == 0)
+        return RosArmText::tr("no controller reads %1").arg(QString::fromStdString(m_file.commandTopic()));
+    if (!state.ready)
+        return RosArmText::tr("other programs are being looked for");
+    return {};
+}
+
+} // namespace teleta::ros_arm

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/arm_model/serial_chain.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/device/joint_outlet.h"
+#include "backend/core/error.h"
+#include "backend/core/threads/device_thread.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/ros/joint_state_joiner.h"
+#include "devices/dds/discovery.h"
+#include "devices/dds/endpoint.h"
+#include "devices/dds/participant.h"
+#include "devices/dds/wait_set.h"
+#include "devices/ros/joint_watch.h"
+#include "devices/ros/node_announcement.h"
+#include "devices/ros/ros_arm_file.h"
+#include "devices/ros/trajectory_message.h"
+#include "devices/ros/trajectory_mover.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace teleta::ros_arm {
+
+/// What is known of an arm now.
+struct RosArmState {
+    MoverState mover;
+    std::vector<std::string> missing; ///< joints, as messages name them, that are not told or too old
+    std::size_t controllers = 0;      ///< readers of the command topic
+    bool ready = false;               ///< one reads it, and other programs would have been found
+    bool effortMissing = false;       ///< effort_stop needs efforts, and they are not told
+    std::uint64_t unsent = 0;         ///< commands that could not be sent in time
+    ros::JointCounters counters;
+    /// Why it does not move, a translated sentence without a full stop; empty: it may.
+    std::string problem;
+    core::JointVector effort; ///< as told, in the unit of the file; empty: not told
+};
+
+/// An arm over ROS 2: joint samples from the topic of joint states, and motion through a trajectory
+/// controller.
+///   connecting -> live <-> stale; stop(): closed
+/// Torques are told where the file says that efforts are Nm, without the part of gravity. Who may move it and
+/// how far, see TrajectoryMover; what is in the way is in state(). Nothing is sent before the operator's
+/// first command, and nothing moves in the first kSettling_ns, in which other programs are found.
+/// Thread: as core::ArmSource; state() from any.
+class RosArm : public core::ArmSource {
+public:
+    static constexpr std::int64_t kSettling_ns = 2'500'000'000;
+
+    /// Joins the domain and reads the description; it waits for that, see findChain(). stop must outlive the
+    /// arm. Error: as findChain(); refused, with the obstacles() of the file.
+    [[nodiscard]] static core::Expected<std::unique_ptr<RosArm>>
+    open(const RosArmFile& file, const core::StopSwitch& stop, const std::function<bool()>& cancelled = {});
+
+    [[nodiscard]] const core::ArmDescription& description() const override { return m_description; }
+    void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
+    void stop() override { m_thread.stop(); }
+    [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override { return m_outlet.samples(); }
+    [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
+    [[nodiscard]] core::ArmDrive drive() const override { return m_state.get().mover.drive; }
+    void post(const core::ArmCommand& command) override;
+
+    [[nodiscard]] RosArmState state() const { return m_state.get(); }
+    [[nodiscard]] const arm_model::SerialChain& chain() const { return *m_chain; }
+    [[nodiscard]] const RosArmFile& file() const { return m_file; }
+
+private:
+    friend core::DeviceThread<RosArm>;
+    /// What is open in the domain.
+    struct Ends {
+        std::shared_ptr<const dds::Participant> participant;
+        dds::Discovery discovery;
+        dds::Reader<ros::JointState> reader;
+        dds::Writer<ros::JointTrajectory> writer;
+        std::optional<NodeAnnouncement> announcement;
+    };
+
+    RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> chain,
+           std::vector<std::string> names, Ends ends, const core::StopSwitch& stop);
+
+    void open(core::Wakeup& consumer);
+    void run(const std::stop_token& stop);
+    void wake() { m_waitSet.wake(); }
+
+    void takeJoints();
+    void deliver(const ros::JoinedJoints& joints, std::int64_t read_ns);
+    [[nodiscard]] core::JointVector torqueOf(const ros::JoinedJoints& joints) const;
+    void step(std::int64_t now_ns);
+    void lookAround(std::int64_t now_ns);
+    [[nodiscard]] QString problemOf(const RosArmState& state) const;
+
+    RosArmFile m_file;
+    std::shared_ptr<const arm_model::SerialChain> m_chain;
+    core::ArmDescription m_description;
+    Ends m_ends;
+    const core::StopSwitch& m_stop;
+    core::JointOutlet m_outlet;
+    TrajectoryMover m_mover;
+    core::LatestCopy<RosArmState> m_state;
+
+    // The worker's own.
+    JointWatch m_watch;
+    TrajectoryMessage m_message;
+    dds::WaitSet m_waitSet;
+    std::int64_t m_opened_ns = 0;
+    std::int64_t m_nextLook_ns = 0;
+    std::size_t m_controllers = 0;
+    bool m_otherWriter = false;
+    std::uint64_t m_unsent = 0;
+    bool m_discontinuity = false;
+
+    core::DeviceThread<RosArm> m_thread{*this};
+};
+
+} // namespace teleta::ros_arm

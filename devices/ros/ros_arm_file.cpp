@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/ros/ros_arm_file.h"
+
+#include "backend/core/device/joint_vector.h"
+#include "backend/core/keys/keys.h"
+#include "backend/core/keys/toml_table.h"
+#include "backend/ros/topic_names.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+#include <Eigen/Geometry>
+
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace teleta::ros_arm {
+
+namespace {
+
+using core::NumberRange;
+using core::TomlTable;
+
+struct ArmFileText {
+    Q_DECLARE_TR_FUNCTIONS(RosArmFile)
+};
+
+/// No arm needs more; larger numbers are slips of the unit.
+constexpr NumberRange kRate = NumberRange::positiveUpTo(1000.0);
+constexpr double kFarthest_m = 1000.0;
+constexpr double kShortestTimeout_s = 0.02;
+constexpr double kLongestTimeout_s = 1.0;
+
+/// A path of the file, from the folder of the file.
+std::string fromFolderOf(const std::string& file, const std::string& path) {
+    return QDir(QFileInfo(QString::fromStdString(file)).path())
+        .filePath(QString::fromStdString(path))
+        .toStdString();
+}
+
+/// The index of one of the names; the fallback when the key is missing.
+std::size_t choiceOr(TomlTable& table, std::string_view key, const std::vector<std::string_view>& names,
+                     std::size_t fallback) {
+    return table.has(key) ? table.choice(key, names) : fallback;
+}
+
+std::string topic(TomlTable& table, std::string_view key, const std::optional<std::string>& fallback = {}) {
+    std::string name = table.text(key, fallback);
+    if (!name.empty() && !ros::isTopicName(name))
+        table.fail(
+            key,
+            ArmFileText::tr("\"%1\" is no name of a topic").arg(QString::fromStdString(name)).toStdString(),
+            ArmFileText::tr("parts of letters, digits and _ after slashes, for example /joint_states")
+                .toStdString());
+    return name;
+}
+
+void readAdapter(TomlTable& root) {
+    // Further adapters would move an arm that nobody stops, or need a program of the robot's side.
+    (void)choiceOr(root, "adapter", {"trajectory"}, 0);
+    if (root.boolean("unguarded", false))
+        root.fail("unguarded",
+                  ArmFileText::tr("no adapter that is offered moves an arm unguarded").toStdString(),
+                  "false");
+}
+
+void readDomain(TomlTable& root, RosArmFile& file) {
+    if (!root.has("ros"))
+        return;
+    TomlTable table = root.table("ros");
+    file.domain.domain = static_cast<int>(table.integer("domain", 0, dds::kHighestDomain, 0));
+    file.domain.interface = table.text("interface", "");
+    file.domain.peers = table.textList("peers");
+    file.distribution = static_cast<Distribution>(choiceOr(table, "distribution", {"jazzy", "humble"}, 0));
+    file.announce = table.boolean("announce", true);
+    table.finish();
+}
+
+void readJointNames(TomlTable& root, RosArmFile& file) {
+    if (!root.has("joint_names"))
+        return;
+    TomlTable table = root.table("joint_names");
+    std::set<std::string> onTheWire;
+    for (const std::string& joint : table.keys()) {
+        const std::string name = table.text(joint);
+        if (!onTheWire.insert(name).second)
+            table.fail(joint,
+                       ArmFileText::tr("two joints are called \"%1\" on the wire")
+                           .arg(QString::fromStdString(name))
+                           .toStdString(),
+                       ArmFileText::tr("a name of its own for each joint").toStdString());
+        file.jointNames.emplace(joint, name);
+    }
+}
+
+void readBox(TomlTable& table, arm_model::MotionLimits& limits) {
+    if (!table.has("box_m"))
+        return;
+    const auto rows = table.numberRows("box_m", NumberRange::between(-kFarthest_m, kFarthest_m), 3, 2);
+    if (rows.size() != 3)
+        return;
+    Eigen::AlignedBox3d box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::vector<double>& row = rows[static_cast<std::size_t>(axis)];
+        if (!(row[0] < row[1]))
+            table.fail("box_m", ArmFileText::tr("a side of the box has no length").toStdString(),
+                       ArmFileText::tr("[lowest, highest] for x, y and z").toStdString());
+        box.min()(axis) = row[0];
+        box.max()(axis) = row[1];
+    }
+    limits.box_m = box;
+}
+
+void readLimits(TomlTable& root, RosArmFile& file) {
+    if (!root.has("limits"))
+        return;
+    TomlTable table = root.table("limits");
+    arm_model::MotionLimits& limits = file.limits;
+    limits.speedScale = table.number("speed_scale", NumberRange::positiveUpTo(1.0), limits.speedScale);
+    for (const auto& [key, value] :
+         {std::pair{"acceleration_radPerS2", &limits.acceleration_radPerS2},
+          std::pair{"deceleration_radPerS2", &limits.deceleration_radPerS2},
+          std::pair{"stop_deceleration_radPerS2", &limits.stopDeceleration_radPerS2},
+          std::pair{"tip_speed_mPerS", &limits.tipSpeed_mPerS},
+          std::pair{"tip_turn_radPerS", &limits.tipTurn_radPerS}})
+        *value = table.number(key, kRate, *value);
+    for (const auto& [key, value] :
+         {std::pair{"leash_rad", &limits.leash_rad}, std::pair{"joint_margin_rad", &limits.jointMargin_rad}})
+        *value = table.number(key, NumberRange::positiveUpTo(1.0), *value);
+    if (limits.stopDeceleration_radPerS2 < limits.deceleration_radPerS2)
+        table.fail("stop_deceleration_radPerS2",
+                   ArmFileText::tr("STOP would brake less than letting go").toStdString(),
+                   ArmFileText::tr("at least deceleration_radPerS2, %1")
+                       .arg(limits.deceleration_radPerS2)
+                       .toStdString());
+    if (table.has("effort_stop")) {
+        const std::vector<double> efforts =
+            table.numberList("effort_stop", NumberRange::positive(),
+                             {1, static_cast<long long>(core::JointVector::kCapacity)});
+        limits.effortStop_Nm = core::JointVector::of(efforts).value_or(core::JointVector());
+        if (file.effortUnit != EffortUnit::newtonMetre)
+            table.fail("effort_stop", ArmFileText::tr("the efforts of this arm are not in Nm").toStdString(),
+                       "effort_unit = \"Nm\"");
+    }
+    if (table.has("force_stop_N"))
+        limits.forceStop_N = table.number("force_stop_N", NumberRange::positive());
+    readBox(table, limits);
+    table.finish();
+}
+
+core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::string& path) {
+    RosArmFile file;
+    TomlTable root = document.root();
+    (void)root.choice("kind", {"ros_arm"});
+    file.name = root.text("name");
+    const std::string description = root.text("description", "topic");
+    if (description != "topic")
+        file.description = fromFolderOf(path, description);
+    file.baseFrame = root.text("base_frame");
+    file.tipFrame = root.text("tip_frame");
+    file.prefix = root.text("prefix", "");
+    readAdapter(root);
+    file.controller = topic(root, "controller");
+    file.jointStates = topic(root, "joint_states", "/joint_states");
+    file.jointTimeout_s = root.number(
+        "joint_timeout_s", NumberRange::between(kShortestTimeout_s, kLongestTimeout_s), file.jointTimeout_s);
+    file.effortUnit = static_cast<EffortUnit>(
+        choiceOr(root, "effort_unit", {"Nm", "A", "none"}, static_cast<std::size_t>(EffortUnit::none)));
+    file.effortContainsGravity = root.boolean("effort_contains_gravity", false);
+    if (file.effortContainsGravity && file.effortUnit != EffortUnit::newtonMetre)
+        root.fail("effort_contains_gravity",
+                  ArmFileText::tr("the efforts of this arm are not in Nm").toStdString(),
+                  "effort_unit = \"Nm\"");
+    file.required = root.textList("required");
+    if (root.has("mesh_path"))
+        file.meshPath = fromFolderOf(path, root.text("mesh_path"));
+    readDomain(root, file);
+    readJointNames(root, file);
+    readLimits(root, file);
+    root.finish();
+    if (document.firstError())
+        return core::Unexpected(*document.firstError());
+    return file;
+}
+
+} // namespace
+
+std::string RosArmFile::wireName(std::string_view joint) const {
+    const auto mapped = jointNames.find(joint);
+    return prefix + (mapped == jointNames.end() ? std::string(joint) : mapped->second);
+}
+
+core::Expected<RosArmFile> readRosArm(const std::string& path) {
+    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::open(path));
+    return read(document, path);
+}
+
+core::Expected<RosArmFile> parseRosArm(std::string_view text, const std::string& file) {
+    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::parse(text, file));
+    return read(document, file);
+}
+
+} // namespace teleta::ros_arm

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/arm_model/motion_limits.h"
+#include "backend/core/error.h"
+#include "devices/dds/domain_config.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace teleta::ros_arm {
+
+/// What an arm's driver fills the field effort with.
+enum class EffortUnit {
+    newtonMetre, ///< Nm; prismatic: N
+    ampere,      ///< current of the motors, which is shown and nothing else
+    none,        ///< nothing that is used
+};
+
+/// How wide the names of readers and writers are when nodes are told.
+enum class Distribution { jazzy, humble };
+
+/// An arm over ROS 2 as its TOML file describes it (kind = "ros_arm").
+struct RosArmFile {
+    std::string name;
+    std::string description; ///< path of a URDF file; empty: the topic /robot_description
+    std::string baseFrame;
+    std::string tipFrame;
+    std::string prefix;          ///< put before every joint's name on the wire
+    std::string controller;      ///< "/arm_controller": commands go to its topic joint_trajectory
+    std::string jointStates;     ///< topic
+    double jointTimeout_s = 0.1; ///< 0.02 .. 1; older positions do not count
+    EffortUnit effortUnit = EffortUnit::none;
+    bool effortContainsGravity = false; ///< with newtonMetre only
+    std::vector<std::string> required;  ///< devices of a site without which the arm is held
+    std::string meshPath;               ///< folder; empty: none
+    dds::DomainConfig domain;
+    Distribution distribution = Distribution::jazzy;
+    bool announce = true;                                       ///< tell the node to other programs
+    std::map<std::string, std::string, std::less<>> jointNames; ///< name in the URDF, name on the wire
+    arm_model::MotionLimits limits;
+
+    /// A joint's name in messages: as the file maps it, after the prefix.
+    [[nodiscard]] std::string wireName(std::string_view joint) const;
+    /// "/arm_controller/joint_trajectory"
+    [[nodiscard]] std::string commandTopic() const { return controller + "/joint_trajectory"; }
+};
+
+/// Relative paths of the file count from its folder. Error: notFound, ioFailed, badInput with file, line and
+/// column. Thread: any.
+[[nodiscard]] core::Expected<RosArmFile> readRosArm(const std::string& path);
+/// The same of a text; file: named in errors.
+[[nodiscard]] core::Expected<RosArmFile> parseRosArm(std::string_view text, const std::string& file);
+
+} // namespace teleta::ros_arm

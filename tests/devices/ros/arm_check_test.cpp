@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/arm_model/urdf_reader.h"
+#include "devices/ros/arm_check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+namespace teleta::ros_arm {
+namespace {
+
+arm_model::SerialChain sevenJoints() {
+    const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/resources/arms/seven-joints.urdf");
+    return *arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model), "base_link",
+                                           "tool0");
+}
+
+dds::FoundEnd endOf(const char* topic, bool writes, const char* type) {
+    dds::FoundEnd end;
+    end.ddsTopic = topic;
+    end.ddsType = type;
+    end.writes = writes;
+    end.profile = ros::kCommandWriter;
+    return end;
+}
+
+constexpr const char* kCommands = "rt/arm_controller/joint_trajectory";
+constexpr const char* kTrajectory = "trajectory_msgs::msg::dds_::JointTrajectory_";
+
+RosArmFile fileOf(const std::string& more = {}) {
+    const auto file = parseRosArm("kind = \"ros_arm\"\nname = \"Arm\"\nbase_frame = \"base_link\"\n"
+                                  "tip_frame = \"tool0\"\ncontroller = \"/arm_controller\"\n"
+                                  "effort_unit = \"Nm\"\n" +
+                                      more,
+                                  "arm.toml");
+    EXPECT_TRUE(file) << core::describe(file.error());
+    return *file;
+}
+
+ArmObservation goodArm() {
+    ArmObservation seen;
+    seen.time_s = 5.0;
+    seen.samples = 500;
+    seen.longestGap_s = 0.012;
+    seen.effortTold = true;
+    seen.counters.messages = 500;
+    seen.clockDifference_s = 0.002;
+    seen.ends = {endOf("rt/joint_states", true, "sensor_msgs::msg::dds_::JointState_"),
+                 endOf(kCommands, false, kTrajectory)};
+    return seen;
+}
+
+/// Texts of the problems, or of the notes, of a check.
+std::string textsOf(const std::vector<ArmFinding>& findings, const std::string& check,
+                    FindingLevel level = FindingLevel::problem) {
+    std::string texts;
+    for (const ArmFinding& finding : findings) {
+        if (finding.check == check && finding.level == level)
+            texts += finding.text.toStdString() + ";";
+    }
+    return texts;
+}
+
+bool canMove(const std::vector<ArmFinding>& findings) {
+    return std::ranges::none_of(
+        findings, [](const ArmFinding& finding) { return finding.level == FindingLevel::problem; });
+}
+
+} // namespace
+
+TEST(ArmCheck, anArmInOrderHasNothingInItsWay) {
+    const std::vector<ArmFinding> findings = findingsOf(fileOf(), sevenJoints(), goodArm());
+    EXPECT_TRUE(canMove(findings));
+    EXPECT_EQ(textsOf(findings, "joints", FindingLevel::good), "/joint_states tells all 7 joints;");
+    EXPECT_EQ(textsOf(findings, "rate", FindingLevel::good), "100 samples a second, longest gap 0.012 s;");
+    EXPECT_EQ(textsOf(findings, "clock", FindingLevel::good), "stamps are 0.002 s behind this computer;");
+}
+
+TEST(ArmCheck, saysWhatIsWrongWithTheJoints) {
+    ArmObservation seen = goodArm();
+    seen.missing = {"joint_7"};
+    seen.unknown = {"joint_8"};
+    seen.counters.malformed = 2;
+    seen.fault = ArmFault{ArmFaultKind::jumped, "joint_1"};
+    const std::vector<ArmFinding> findings = findingsOf(fileOf(), sevenJoints(), seen);
+    EXPECT_EQ(textsOf(findings, "joints"),
+              "/joint_states does not tell: joint_7;the position of joint_1 jumped;");
+    EXPECT_EQ(textsOf(findings, "joints", FindingLevel::note),
+              "/joint_states tells joint_8, the arm has not;"
+              "2 messages contradict themselves and were left out;");
+    seen = goodArm();
+    seen.counters.messages = seen.samples = 0;
+    seen.ends.clear();
+    EXPECT_EQ(textsOf(findingsOf(fileOf(), sevenJoints(), seen), "joints"),
+              "nobody publishes /joint_states;");
+    seen = goodArm();
+    seen.longestGap_s = 0.25;
+    EXPECT_EQ(textsOf(findingsOf(fileOf(), sevenJoints(), seen), "rate"),
+              "100 samples a second, longest gap 0.25 s; joint_timeout_s is 0.1;");
+}
+
+TEST(ArmCheck, aClockThatIsOffIsToldAndDoesNotHoldTheArm) {
+    ArmObservation seen = goodArm();
+    seen.clockDifference_s = -10.0;
+    seen.zeroStamps = 3;
+    const std::vector<ArmFinding> findings = findingsOf(fileOf(), sevenJoints(), seen);
+    EXPECT_TRUE(canMove(findings));
+    EXPECT_EQ(textsOf(findings, "clock", FindingLevel::note),
+              "3 stamps are zero;stamps are -10 s behind this computer;");
+}
+
+TEST(ArmCheck, aLimitThatCannotActHoldsTheArm) {
+    ArmObservation seen = goodArm();
+    seen.effortTold = false;
+    EXPECT_TRUE(canMove(findingsOf(fileOf(), sevenJoints(), seen)));
+    const std::string efforts = "[limits]\neffort_stop = [1, 1, 1, 1, 1, 1, 1]\n";
+    EXPECT_EQ(textsOf(findingsOf(fileOf(efforts), sevenJoints(), seen), "effort"),
+              "not told, so effort_stop cannot hold the arm;");
+    EXPECT_EQ(
+        textsOf(findingsOf(fileOf("[limits]\neffort_stop = [1, 1]\n"), sevenJoints(), goodArm()), "file"),
+        "effort_stop has 2 numbers, the arm has 7 joints;");
+    EXPECT_FALSE(canMove(findingsOf(fileOf("[limits]\nforce_stop_N = 30\n"), sevenJoints(), goodArm())));
+    EXPECT_EQ(textsOf(findingsOf(fileOf("[joint_names]\nelbow = \"e\"\n"), sevenJoints(), goodArm()), "file"),
+              "[joint_names] names elbow, which the description has not;");
+}
+
+TEST(ArmCheck, saysWhyTheControllerIsNotReached) {
+    ArmObservation seen = goodArm();
+    seen.ends[1].profile.durability = ros::Durability::transientLocal;
+    EXPECT_EQ(textsOf(findingsOf(fileOf(), sevenJoints(), seen), "controller"),
+              "cannot be reached: the reader asks for what was sent before it came, which a command is not;");
+    seen.ends[1] = endOf(kCommands, false, "std_msgs::msg::dds_::String_");
+    EXPECT_EQ(textsOf(findingsOf(fileOf(), sevenJoints(), seen), "controller"),
+              "cannot be reached: /arm_controller/joint_trajectory has the type std_msgs/msg/String;");
+    seen.ends[1] = endOf("rt/left/joint_trajectory", false, kTrajectory);
+    EXPECT_EQ(textsOf(findingsOf(fileOf(), sevenJoints(), seen), "controller"),
+              "nobody reads /arm_controller/joint_trajectory; there is /left/joint_trajectory;");
+    seen = goodArm();
+    seen.ends.push_back(endOf(kCommands, true, kTrajectory));
+    EXPECT_EQ(textsOf(findingsOf(fileOf(), sevenJoints(), seen), "writers"),
+              "someone else commands /arm_controller/joint_trajectory;");
+}
+
+} // namespace teleta::ros_arm

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/ros/ros_arm_file.h"
+#include "tests/backend/core/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace teleta::ros_arm {
+namespace {
+
+const std::string kShortest = "kind = \"ros_arm\"\nname = \"Arm\"\nbase_frame = \"base_link\"\n"
+                              "tip_frame = \"tool0\"\ncontroller = \"/arm_controller\"\n";
+
+/// What describe() says of the shortest file with these lines after it; empty when all is well.
+std::string errorWith(const std::string& lines) {
+    const auto file = parseRosArm(kShortest + lines, "arm.toml");
+    return file ? "" : core::describe(file.error());
+}
+
+TEST(RosArmFile, theShortestFileHasTheDefaults) {
+    const auto file = parseRosArm(kShortest, "arm.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->name, "Arm");
+    EXPECT_EQ(file->description, "");
+    EXPECT_EQ(file->jointStates, "/joint_states");
+    EXPECT_EQ(file->commandTopic(), "/arm_controller/joint_trajectory");
+    EXPECT_EQ(file->jointTimeout_s, 0.1);
+    EXPECT_EQ(file->effortUnit, EffortUnit::none);
+    EXPECT_FALSE(file->effortContainsGravity);
+    EXPECT_EQ(file->domain, dds::DomainConfig());
+    EXPECT_EQ(file->distribution, Distribution::jazzy);
+    EXPECT_TRUE(file->announce);
+    EXPECT_EQ(file->wireName("joint_1"), "joint_1");
+    EXPECT_EQ(file->limits.speedScale, 0.25);
+    EXPECT_EQ(file->limits.tipSpeed_mPerS, 0.1);
+    EXPECT_FALSE(file->limits.box_m);
+    EXPECT_FALSE(file->limits.forceStop_N);
+    EXPECT_TRUE(file->limits.effortStop_Nm.empty());
+}
+
+TEST(RosArmFile, everyKeyIsRead) {
+    const std::string path = TELETA_SOURCE_DIR "/tests/fuzz/seeds/ros_arm_file/left.toml";
+    const auto file = readRosArm(path);
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->name, "Left arm");
+    EXPECT_EQ(file->baseFrame, "base_link");
+    EXPECT_EQ(file->tipFrame, "tool0");
+    EXPECT_EQ(file->controller, "/joint_trajectory_controller");
+    EXPECT_EQ(file->effortUnit, EffortUnit::newtonMetre);
+    EXPECT_EQ(file->required, std::vector<std::string>{"pad"});
+    EXPECT_EQ(file->meshPath, TELETA_SOURCE_DIR "/tests/fuzz/seeds/ros_arm_file/meshes");
+    EXPECT_EQ(file->domain, (dds::DomainConfig{0, "lo", {"127.0.0.1"}}));
+    EXPECT_EQ(file->wireName("left_joint_1"), "joint_1");
+    EXPECT_EQ(file->limits.stopDeceleration_radPerS2, 6.0);
+    EXPECT_EQ(file->limits.effortStop_Nm, core::JointVector(40, 40, 30, 30, 10, 10, 5));
+    EXPECT_EQ(file->limits.forceStop_N, 30.0);
+    ASSERT_TRUE(file->limits.box_m);
+    EXPECT_EQ(file->limits.box_m->min(), Eigen::Vector3d(-0.8, -0.8, 0.0));
+    EXPECT_EQ(file->limits.box_m->max(), Eigen::Vector3d(0.8, 0.8, 1.2));
+}
+
+TEST(RosArmFile, pathsCountFromTheFileAndThePrefixGoesFirst) {
+    const auto file = parseRosArm(kShortest + "description = \"left.urdf\"\nprefix = \"left_\"\n"
+                                              "[joint_names]\nshoulder = \"j1\"\n",
+                                  "/robots/arm.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->description, "/robots/left.urdf");
+    EXPECT_EQ(file->wireName("shoulder"), "left_j1");
+    EXPECT_EQ(file->wireName("elbow"), "left_elbow");
+}
+
+TEST(RosArmFile, saysWhereItIsWrong) {
+    EXPECT_EQ(errorWith("speed = 1\n").substr(0, 33), "arm.toml:6:1: unknown key \"speed\"");
+    EXPECT_EQ(errorWith("joint_timeout_s = 0.001\n"),
+              "arm.toml:6:19: \"joint_timeout_s\" is out of range: 0.001 (expected a number from 0.02 to 1)");
+    EXPECT_EQ(errorWith("[limits]\nspeed_scale = \"fast\"\n"),
+              "arm.toml:7:15: wrong type for \"speed_scale\" (expected a number above 0, at most 1)");
+    EXPECT_EQ(errorWith("[ros]\ndomain = 233\n"),
+              "arm.toml:7:10: \"domain\" is out of range: 233 (expected a whole number from 0 to 232)");
+    EXPECT_EQ(errorWith("[ros]\npeers = \"robot\"\n"),
+              "arm.toml:7:9: wrong type for \"peers\" (expected a list of texts in quotes)");
+    EXPECT_EQ(
+        errorWith("[joint_names]\na = \"x\"\nb = \"x\"\n"),
+        "arm.toml:8:5: two joints are called \"x\" on the wire (expected a name of its own for each joint)");
+    EXPECT_EQ(
+        errorWith("joint_states = \"joint states\"\n"),
+        "arm.toml:6:16: \"joint states\" is no name of a topic (expected parts of letters, digits and _ "
+        "after slashes, for example /joint_states)");
+    EXPECT_EQ(errorWith("[limits]\nbox_m = [[0, 1], [1, 1], [0, 1]]\n"),
+              "arm.toml:7:9: a side of the box has no length (expected [lowest, highest] for x, y and z)");
+    EXPECT_EQ(parseRosArm("kind = \"ros_arm\"\n", "arm.toml").error().message, "\"name\" is missing");
+}
+
+TEST(RosArmFile, whatCannotBeKeptIsRefused) {
+    EXPECT_EQ(errorWith("adapter = \"velocity\"\n"),
+              "arm.toml:6:11: unknown value \"velocity\" of \"adapter\" (expected one of: trajectory)");
+    EXPECT_EQ(errorWith("unguarded = true\n"),
+              "arm.toml:6:13: no adapter that is offered moves an arm unguarded (expected false)");
+    EXPECT_EQ(errorWith("effort_contains_gravity = true\n"),
+              "arm.toml:6:27: the efforts of this arm are not in Nm (expected effort_unit = \"Nm\")");
+    EXPECT_EQ(errorWith("effort_unit = \"A\"\n[limits]\neffort_stop = [1, 2]\n"),
+              "arm.toml:8:15: the efforts of this arm are not in Nm (expected effort_unit = \"Nm\")");
+    EXPECT_EQ(
+        errorWith("[limits]\nstop_deceleration_radPerS2 = 1\n"),
+        "arm.toml:7:30: STOP would brake less than letting go (expected at least deceleration_radPerS2, "
+        "3)");
+}
+
+} // namespace
+} // namespace teleta::ros_arm
