@@ -62,3 +62,24 @@ TEST(ArmCommand, namesThePlaceOfWhatIsWrong) {
     EXPECT_NE(missing.err.find("tool0"), std::string::npos) << missing.err;
     EXPECT_EQ(run({"arm", "show", "no-such-arm"}).exitCode, 3);
 }
+
+TEST(ArmCommand, movesNothingWithoutAFileThatIsUnderstoodAndAWord) {
+    const TemporaryFolder folder;
+    const std::string arm = "kind = \"ros_arm\"\nname = \"Arm\"\nbase_frame = \"base_link\"\n"
+                            "tip_frame = \"tool0\"\ncontroller = \"/arm_controller\"\n";
+    const auto jog = [](const std::string& file, const char* rate, const char* seconds) {
+        return run({"arm", "jog", file, "--joint", "joint_1", "--rate", rate, "--seconds", seconds});
+    };
+    const std::string bad = folder.write("bad.toml", arm + "speed_scale = 2\n");
+    for (const auto& result : {jog(bad, "0.1", "1"), run({"ros", "check", bad})}) {
+        EXPECT_EQ(result.exitCode, 3);
+        EXPECT_NE(result.err.find("bad.toml:6:1: unknown key"), std::string::npos) << result.err;
+    }
+    EXPECT_EQ(jog(folder.path("none.toml"), "0.1", "1").exitCode, 3);
+    const std::string good = folder.write("good.toml", arm);
+    const auto unasked = jog(good, "0.1", "1");
+    EXPECT_EQ(unasked.exitCode, 2);
+    EXPECT_NE(unasked.err.find("--yes"), std::string::npos) << unasked.err;
+    for (const auto& [rate, seconds] : {std::pair{"0", "1"}, {"nan", "1"}, {"0.1", "0"}, {"0.1", "2.01"}})
+        EXPECT_EQ(jog(good, rate, seconds).exitCode, 2) << rate << ' ' << seconds;
+}

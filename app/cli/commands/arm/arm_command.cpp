@@ -2,6 +2,7 @@
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/options.h"
 #include "app/cli/commands/arm/arm_commands.h"
+#include "app/cli/commands/arm/arm_jog.h"
 #include "backend/arm_model/serial_chain.h"
 #include "backend/arm_model/urdf_reader.h"
 #include "backend/core/data/output_file.h"
@@ -131,6 +132,25 @@ public:
                               "longest chain"),
                   "LINK");
         declareJson(show, m_json);
+        CLI::App& jog =
+            addPart(app, "jog", ArmText::tr("Move a joint of an arm over ROS 2 for a short time"), [this] {
+                m_jog.json = m_json;
+                return jogArm(m_jog);
+            });
+        addOption(jog, "arm", m_jog.path, ArmText::tr("File that describes the arm (kind = \"ros_arm\")"),
+                  "ARM.toml")
+            ->required();
+        addOption(jog, "--joint", m_jog.joint, ArmText::tr("Joint to move, as the URDF names it"), "NAME")
+            ->required();
+        addOption(jog, "--rate", m_jog.rate, ArmText::tr("Speed in rad/s, of a prismatic joint in m/s"), "R")
+            ->check(nonZero())
+            ->required();
+        addOption(jog, "--seconds", m_jog.time_s,
+                  ArmText::tr("How long to move it, at most %1").arg(kLongestJog_s), "S")
+            ->check(positive() & between(0.0, kLongestJog_s))
+            ->required();
+        addFlag(jog, "--yes", m_jog.yes, ArmText::tr("Move without asking"));
+        declareJson(jog, m_json);
     }
 
 private:
@@ -251,6 +271,9 @@ private:
         return output.finish();
     }
 
+    static constexpr double kLongestJog_s = 2.0;
+
+    ArmJogOptions m_jog;
     std::string m_path;
     std::string m_base;
     std::string m_tip;
@@ -260,9 +283,10 @@ private:
 } // namespace
 
 Command armCommand() {
-    return makeCommand<ArmCommand>("arm", ArmText::tr("Descriptions of robot arms (URDF)"),
-                                   "teleta arm show seven-joints\n"
-                                   "  teleta arm show four-joints --json");
+    return makeCommand<ArmCommand>(
+        "arm", ArmText::tr("Robot arms: descriptions (URDF), and a joint that is moved over ROS 2"),
+        "teleta arm show seven-joints\n"
+        "  teleta arm show four-joints --json");
 }
 
 } // namespace teleta::cli

@@ -5,7 +5,7 @@
 
 namespace teleta::cli {
 
-/// `teleta arm`: descriptions of robot arms.
+/// `teleta arm`: robot arms.
 [[nodiscard]] Command armCommand();
 
 } // namespace teleta::cli

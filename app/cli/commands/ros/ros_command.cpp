@@ -2,6 +2,7 @@
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
+#include "app/cli/commands/ros/arm_check_report.h"
 #include "app/cli/commands/ros/echo_text.h"
 #include "app/cli/commands/ros/ros_commands.h"
 #include "backend/core/data/output_file.h"
@@ -94,6 +95,13 @@ public:
             ->check(CLI::Range(1, 1'000'000'000));
         declareDomain(echo);
         declareJson(echo, m_json);
+        CLI::App& check =
+            addPart(app, "check", RosText::tr("Watch an arm for 5 s and say what keeps it from being moved"),
+                    [this] { return reportArmCheck(m_armPath, m_json); });
+        addOption(check, "arm", m_armPath, RosText::tr("File that describes the arm (kind = \"ros_arm\")"),
+                  "ARM.toml")
+            ->required();
+        declareJson(check, m_json);
     }
 
 private:
@@ -323,6 +331,7 @@ private:
     std::string m_interface;
     std::vector<std::string> m_peers;
     std::string m_topic;
+    std::string m_armPath;
     std::optional<long long> m_count;
     bool m_json = false;
 };

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/arm/arm_jog.h"
+
+#include "app/cli/base/command_io.h"
+#include "app/cli/base/interruption.h"
+#include "app/cli/base/options.h"
+#include "backend/arm_model/motion_limits.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/core/failure.h"
+#include "backend/core/steady_time.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/core/threads/wakeup.h"
+#include "devices/ros/ros_arm.h"
+#include "devices/ros/ros_arm_file.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <poll.h>
+#include <string>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace teleta::cli {
+
+namespace {
+
+using arm_model::MotionFlag;
+using ros_arm::RosArm;
+
+struct ArmJogText {
+    Q_DECLARE_TR_FUNCTIONS(ArmJog)
+};
+
+constexpr std::int64_t kCommandPeriod_ns = 20'000'000;
+/// The arm may be looked for so long after other programs have been.
+constexpr std::int64_t kReadyWait_ns = RosArm::kSettling_ns + 5'000'000'000;
+constexpr std::int64_t kRestWait_ns = 3'000'000'000;
+/// Without motion for so long the arm is at rest.
+constexpr std::int64_t kRestTime_ns = 300'000'000;
+constexpr double kRestTolerance = 1e-3; ///< rad or m
+
+struct Limit {
+    MotionFlag flag;
+    const char* name; ///< for other programs
+    QString text;
+};
+
+/// All but the acceleration, which acts in each motion.
+std::vector<Limit> limitTexts() {
+    return {{MotionFlag::jointRate, "joint_rate", ArmJogText::tr("speed of the joint")},
+            {MotionFlag::tipSpeed, "tip_speed", ArmJogText::tr("speed of the tip")},
+            {MotionFlag::jointEnd, "joint_end", ArmJogText::tr("end of the joint")},
+            {MotionFlag::workspace, "workspace", ArmJogText::tr("box of the tip")},
+            {MotionFlag::effort, "effort", ArmJogText::tr("effort")},
+            {MotionFlag::force, "force", ArmJogText::tr("force")},
+            {MotionFlag::leash, "leash", ArmJogText::tr("the arm lags")}};
+}
+
+/// One joint of the arm and the operator's hand on it.
+class Jog {
+public:
+    Jog(RosArm& arm, std::size_t joint)
+        : m_arm(arm)
+        , m_joint(joint) {}
+
+    /// Gives a command when it is due, with the rate of the joint, and takes what the arm tells.
+    void turn(double rate) {
+        const std::int64_t now_ns = core::steadyNow_ns();
+        if (now_ns >= m_nextCommand_ns) {
+            core::ArmCommand command;
+            command.rate_radPerS = core::JointVector::zeros(m_arm.chain().joints());
+            command.rate_radPerS[m_joint] = rate;
+            command.time_ns = now_ns;
+            m_arm.post(command);
+            m_nextCommand_ns = now_ns + kCommandPeriod_ns;
+        }
+        (void)m_wakeup.waitFor(std::chrono::nanoseconds(m_nextCommand_ns - core::steadyNow_ns()));
+        for (core::JointSample sample; m_arm.joints().pop(sample);)
+            m_track.emplace_back(sample.time_ns, sample.angle_rad[m_joint]);
+        m_flags |= m_arm.state().mover.flags;
+    }
+    void hurry() { m_nextCommand_ns = 0; }
+
+    void start() { m_arm.start(m_wakeup); }
+    void forget() {
+        m_track.clear();
+        m_flags = 0;
+    }
+
+    [[nodiscard]] bool seen() const { return !m_track.empty(); }
+    [[nodiscard]] double position() const { return m_track.back().second; }
+    [[nodiscard]] std::uint32_t flags() const { return m_flags; }
+    /// When the joint was last away from where it is now; nothing: not since the track began.
+    [[nodiscard]] std::optional<std::int64_t> lastAway_ns() const {
+        for (auto at = m_track.rbegin(); at != m_track.rend(); ++at) {
+            if (std::abs(at->second - position()) > kRestTolerance)
+                return at->first;
+        }
+        return std::nullopt;
+    }
+    [[nodiscard]] bool atRest() const {
+        return seen() && m_track.back().first - std::max(lastAway_ns().value_or(0), m_track.front().first) >
+                             kRestTime_ns;
+    }
+
+private:
+    RosArm& m_arm;
+    std::size_t m_joint;
+    core::Wakeup m_wakeup;
+    std::vector<std::pair<std::int64_t, double>> m_track; ///< times and positions
+    std::int64_t m_nextCommand_ns = 0;
+    std::uint32_t m_flags = 0;
+};
+
+struct JogResult {
+    double way = 0.0;
+    double held_s = 0.0; ///< how long the switch was held
+    std::optional<double> toRest_s;
+    std::uint32_t flags = 0;
+    std::string problem; ///< what held the arm before the time was over
+};
+
+std::size_t jointOf(const RosArm& arm, const std::string& name) {
+    QStringList names;
+    for (std::size_t i = 0; i < arm.chain().joints(); ++i) {
+        if (arm.chain().joint(i).name == name)
+            return i;
+        names << QString::fromStdString(arm.chain().joint(i).name);
+    }
+    refuse("--joint", ArmJogText::tr("the arm has no joint \"%1\"; it has %2")
+                          .arg(QString::fromStdString(name), names.join(QStringLiteral(", "))));
+}
+
+QString unitOf(const RosArm& arm, std::size_t joint) {
+    return QLatin1String(arm.chain().joint(joint).type == arm_model::JointType::prismatic ? "m" : "rad");
+}
+
+/// Waits for a line from the terminal; false: not agreed, or interrupted.
+bool agreed(const QString& question) {
+    std::cerr << question.toStdString() << std::flush;
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    constexpr int kLook_ms = 100;
+    while (!interrupted()) {
+        if (poll(&input, 1, kLook_ms) <= 0)
+            continue;
+        std::string answer;
+        std::getline(std::cin, answer);
+        return answer == "yes";
+    }
+    return false;
+}
+
+core::Expected<void> waitUntilReady(Jog& jog, const RosArm& arm) {
+    const std::int64_t end_ns = core::steadyNow_ns() + kReadyWait_ns;
+    for (;;) {
+        // The switch is seen let go.
+        jog.turn(0.0);
+        const ros_arm::RosArmState state = arm.state();
+        if (interrupted())
+            return core::Unexpected(interruption());
+        if (jog.seen() && state.ready && state.problem.empty() && !state.mover.needsRelease)
+            return {};
+        if (core::steadyNow_ns() > end_ns)
+            return core::failed(core::ErrorKind::unavailable,
+                                ArmJogText::tr("the arm cannot be moved: %1")
+                                    .arg(state.problem.empty() ? ArmJogText::tr("no joint states came")
+                                                               : QString::fromStdString(state.problem)));
+    }
+}
+
+JogResult move(Jog& jog, const RosArm& arm, double rate, double time_s) {
+    JogResult result;
+    jog.forget();
+    while (!jog.seen() && !interrupted())
+        jog.turn(0.0);
+    const double from = jog.position();
+    const std::int64_t start_ns = core::steadyNow_ns();
+    const std::int64_t end_ns = start_ns + std::llround(time_s * 1e9);
+    jog.hurry();
+    while (!interrupted() && core::steadyNow_ns() < end_ns) {
+        jog.turn(rate);
+        result.problem = arm.state().problem;
+        if (!result.problem.empty())
+            break;
+    }
+    const std::int64_t letGo_ns = core::steadyNow_ns();
+    result.held_s = static_cast<double>(letGo_ns - start_ns) * 1e-9;
+    jog.hurry();
+    while (!jog.atRest() && core::steadyNow_ns() < letGo_ns + kRestWait_ns)
+        jog.turn(0.0);
+    result.way = jog.position() - from;
+    if (jog.atRest())
+        result.toRest_s =
+            std::max(0.0, static_cast<double>(jog.lastAway_ns().value_or(letGo_ns) - letGo_ns) * 1e-9);
+    result.flags = jog.flags();
+    return result;
+}
+
+core::Expected<void> print(const JogResult& result, const ArmJogOptions& options, const QString& unit) {
+    if (options.json) {
+        nlohmann::ordered_json limits = nlohmann::ordered_json::array();
+        for (const Limit& limit : limitTexts()) {
+            if ((result.flags & static_cast<std::uint32_t>(limit.flag)) != 0)
+                limits.push_back(limit.name);
+        }
+        return printDocument({{"joint", options.joint},
+                              {"unit", unit.toStdString()},
+                              {"way", result.way},
+                              {"held_s", result.held_s},
+                              {"time_to_rest_s", orNull(result.toRest_s)},
+                              {"limits", limits}});
+    }
+    QString text = ArmJogText::tr("%1 moved %2 %3 in %4 s.")
+                       .arg(QString::fromStdString(options.joint), forPeople(result.way), unit,
+                            forPeople(result.held_s)) +
+                   QLatin1Char(' ');
+    text += result.toRest_s ? ArmJogText::tr("It was at rest %1 s after the command ended.")
+                                  .arg(forPeople(*result.toRest_s, 3))
+                            : ArmJogText::tr("It was not seen at rest.");
+    text += QLatin1Char('\n');
+    QStringList limits;
+    for (const Limit& limit : limitTexts()) {
+        if ((result.flags & static_cast<std::uint32_t>(limit.flag)) != 0)
+            limits << limit.text;
+    }
+    if (!limits.isEmpty())
+        text += ArmJogText::tr("Limits that acted: %1.").arg(limits.join(QStringLiteral(", "))) +
+                QLatin1Char('\n');
+    return printText(text.toStdString());
+}
+
+} // namespace
+
+core::Expected<void> jogArm(const ArmJogOptions& options) {
+    TELETA_TRY(const ros_arm::RosArmFile file, ros_arm::readRosArm(options.path));
+    if (!options.yes && isatty(STDIN_FILENO) == 0)
+        refuse("--yes", ArmJogText::tr("without a terminal to ask on, --yes is needed to move an arm"));
+    const core::StopSwitch stop;
+    core::Expected<std::unique_ptr<RosArm>> opened = RosArm::open(file, stop, interrupted);
+    if (!opened)
+        return core::Unexpected(interrupted() ? interruption() : opened.error());
+    RosArm& arm = **opened;
+    const std::size_t joint = jointOf(arm, options.joint);
+    const QString unit = unitOf(arm, joint);
+    Jog jog(arm, joint);
+    jog.start();
+    TELETA_CHECK(waitUntilReady(jog, arm));
+    if (!options.yes) {
+        if (!agreed(ArmJogText::tr("This moves %1 of %2 at %3 %4/s for %5 s. Type \"yes\" to move it: ")
+                        .arg(QString::fromStdString(options.joint), QString::fromStdString(file.name),
+                             forPeople(options.rate), unit, forPeople(options.time_s))))
+            return core::failed(core::ErrorKind::cancelled, ArmJogText::tr("nothing was moved"));
+        TELETA_CHECK(waitUntilReady(jog, arm));
+    }
+    const JogResult result = move(jog, arm, options.rate, options.time_s);
+    arm.stop();
+    TELETA_CHECK(unlessCut(print(result, options, unit)));
+    if (!result.problem.empty())
+        return core::failed(
+            core::ErrorKind::unavailable,
+            ArmJogText::tr("the motion was cut short: %1").arg(QString::fromStdString(result.problem)));
+    return {};
+}
+
+} // namespace teleta::cli

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/ros/arm_check_report.h"
+
+#include "app/cli/base/command_io.h"
+#include "app/cli/base/interruption.h"
+#include "backend/core/failure.h"
+#include "devices/ros/arm_check.h"
+#include "devices/ros/ros_arm_file.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace teleta::cli {
+
+namespace {
+
+struct ArmCheckReportText {
+    Q_DECLARE_TR_FUNCTIONS(RosArmCheckReport)
+};
+
+constexpr double kCheckTime_s = 5.0;
+
+/// Words for other programs, as columns have them.
+std::string_view wordOf(ros_arm::FindingLevel level) {
+    switch (level) {
+    case ros_arm::FindingLevel::good:
+        return "ok";
+    case ros_arm::FindingLevel::note:
+        return "note";
+    case ros_arm::FindingLevel::problem:
+        break;
+    }
+    return "problem";
+}
+
+} // namespace
+
+core::Expected<void> reportArmCheck(const std::string& path, bool json) {
+    TELETA_TRY(const ros_arm::RosArmFile file, ros_arm::readRosArm(path));
+    const core::Expected<ros_arm::WatchedArm> watched = ros_arm::watchArm(file, kCheckTime_s, interrupted);
+    if (!watched)
+        return core::Unexpected(interrupted() ? interruption() : watched.error());
+    const std::vector<ros_arm::ArmFinding> findings =
+        ros_arm::findingsOf(file, *watched->chain, watched->observation);
+    constexpr std::array<std::string_view, 3> kColumns{"check", "result", "detail"};
+    TELETA_TRY(RowOutput rows, RowOutput::open(kColumns, {json, {}}));
+    for (const ros_arm::ArmFinding& finding : findings) {
+        rows.text(finding.check);
+        rows.text(wordOf(finding.level));
+        rows.text(finding.text.toStdString());
+        rows.endRow();
+    }
+    TELETA_CHECK(rows.finish());
+    const auto problems =
+        std::ranges::count(findings, ros_arm::FindingLevel::problem, &ros_arm::ArmFinding::level);
+    if (problems > 0)
+        return core::refused(ArmCheckReportText::tr("the arm cannot be moved: %n problem(s)", nullptr,
+                                                    static_cast<int>(problems)));
+    return {};
+}
+
+} // namespace teleta::cli

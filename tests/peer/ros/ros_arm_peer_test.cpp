@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program against a robot of Fast DDS and MuJoCo, over the loopback interface. Each test has a domain of
+// its own. The robot's log says where the arm was and when; its clock is the steady one of this computer.
+#include "dds_node.h"
+#include "messagesPubSubTypes.h"
+#include "tests/app/cli/program_run.h"
+#include "tests/support/peer_process.h"
+
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace teleta {
+namespace {
+
+using nlohmann::json;
+using test::ProgramResult;
+
+constexpr const char* kUrdf = TELETA_SOURCE_DIR "/resources/arms/seven-joints.urdf";
+constexpr std::size_t kJoint = 2; ///< joint_3, which turns the arm about its own axis when it is stretched
+constexpr double kRate_radPerS = 0.3;
+constexpr double kDeceleration_radPerS2 = 3.0;
+constexpr double kFirstPoint_s = 0.04;
+constexpr double kLease_s = 0.1;
+
+class RosArmPeer : public ::testing::Test {
+protected:
+    /// domain: no other test's. more: options of the robot.
+    void start(int domain, const QStringList& more = {}) {
+        m_domain = domain;
+        QStringList arguments = {"--domain",     QString::number(domain),
+                                 "--urdf",       QLatin1String(kUrdf),
+                                 "--start-from", "desired",
+                                 "--json",       m_folder.filePath("log"),
+                                 "--seconds",    "100",
+                                 "--commands"};
+        m_robot.start(QStringLiteral(TELETA_ROS_ROBOT), arguments + more, true);
+        ASSERT_TRUE(m_robot.waitFor("ready"));
+        writeFile("");
+    }
+
+    void writeFile(const std::string& more, const std::string& ros = {}) {
+        std::ofstream file(path());
+        file << "kind = \"ros_arm\"\nname = \"Robot\"\nbase_frame = \"base_link\"\ntip_frame = \"tool0\"\n"
+                "controller = \"/arm_controller\"\neffort_unit = \"Nm\"\njoint_timeout_s = 0.25\n"
+             << more << "[ros]\ndomain = " << m_domain << "\ninterface = \"lo\"\n"
+             << ros << "[limits]\nspeed_scale = 1.0\ntip_turn_radPerS = 1.0\n";
+    }
+
+    [[nodiscard]] std::string path() const { return m_folder.filePath("arm.toml").toStdString(); }
+
+    [[nodiscard]] std::vector<std::string> jogArguments(double seconds) const {
+        return {"arm",     "jog",       path(),
+                "--joint", "joint_3",   "--rate",
+                "0.3",     "--seconds", std::to_string(seconds),
+                "--yes",   "--json"};
+    }
+
+    [[nodiscard]] ProgramResult check() const { return test::run({"ros", "check", path(), "--json"}); }
+
+    static std::string resultOf(const json& rows, const std::string& name) {
+        for (const json& row : rows) {
+            if (row["check"] == name && row["result"] == "problem")
+                return row["detail"];
+        }
+        return "";
+    }
+
+    std::vector<json> logOf(const std::string& event) {
+        std::vector<json> found;
+        std::ifstream file(m_folder.filePath("log").toStdString());
+        for (std::string line; std::getline(file, line);) {
+            const json one = json::parse(line, nullptr, false);
+            if (!one.is_discarded() && one["event"] == event)
+                found.push_back(one);
+        }
+        return found;
+    }
+
+    /// Waits until the robot logs something that holds, at most 30 s.
+    template <typename Holds>
+    bool eventually(const Holds& holds) {
+        using Clock = std::chrono::steady_clock;
+        for (const auto end = Clock::now() + std::chrono::seconds(30); Clock::now() < end;
+             std::this_thread::sleep_for(std::chrono::milliseconds(20))) {
+            if (holds())
+                return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool comesToMove() {
+        return eventually([this] { return !logOf("trajectory").empty(); });
+    }
+
+    static double steady_s(const json& event) { return 1e-9 * event["steady_ns"].get<double>(); }
+
+    /// When the joint was last farther than this from where it came to rest.
+    double lastAway_s(double tolerance_rad) {
+        const std::vector<json> states = logOf("state");
+        const double end = states.back()["position"][kJoint];
+        double last_s = 0.0;
+        for (const json& state : states) {
+            if (std::abs(state["position"][kJoint].get<double>() - end) > tolerance_rad)
+                last_s = steady_s(state);
+        }
+        return last_s;
+    }
+
+    QTemporaryDir m_folder;
+    test::PeerProcess m_robot;
+    int m_domain = 0;
+};
+
+TEST_F(RosArmPeer, aCheckFindsAnArmThatCanBeMoved) {
+    start(72);
+    const ProgramResult result = check();
+    EXPECT_EQ(result.exitCode, 0) << result.out << result.err;
+    const json rows = json::parse(result.out);
+    for (const char* name : {"joints", "rate", "effort", "clock", "controller"})
+        EXPECT_TRUE(std::ranges::any_of(
+            rows, [&](const json& row) { return row["check"] == name && row["result"] == "ok"; }))
+            << name << result.out;
+    // It moved nothing, and did not look like someone who would.
+    EXPECT_TRUE(logOf("trajectory").empty());
+    for (const json& matched : logOf("matched"))
+        EXPECT_EQ(matched["commanders"], 0);
+}
+
+TEST_F(RosArmPeer, anEchoReadsWhatTheOtherMiddlewareSends) {
+    start(79, {"--position", "0.1,0.2,0.3,0.4,0.5,0.6,0.7"});
+    const auto echo = [](const char* topic) {
+        return test::run(
+            {"ros", "echo", topic, "--count", "2", "--json", "--interface", "lo", "--domain", "79"});
+    };
+    const ProgramResult states = echo("/joint_states");
+    ASSERT_EQ(states.exitCode, 0) << states.err;
+    const json messages = json::parse(states.out);
+    ASSERT_EQ(messages.size(), 2U);
+    EXPECT_EQ(messages[0]["name"].size(), 7U);
+    EXPECT_EQ(messages[0]["name"][6], "joint_7");
+    EXPECT_NEAR(messages[0]["position"][6].get<double>(), 0.7, 0.01);
+    EXPECT_EQ(messages[0]["effort"].size(), 7U);
+    const ProgramResult wrench = echo("/ft/wrench");
+    ASSERT_EQ(wrench.exitCode, 0) << wrench.err;
+    EXPECT_EQ(json::parse(wrench.out)[0]["header"]["frame_id"], "tool0");
+}
+
+TEST_F(RosArmPeer, whoMovesAnArmIsANodeOfItsOwn) {
+    start(80);
+    const auto nodesDuringAJog = [this] {
+        const std::size_t before = logOf("trajectory").size();
+        test::RunningProgram jog(jogArguments(2.0));
+        EXPECT_TRUE(eventually([&] { return logOf("trajectory").size() > before; }));
+        const ProgramResult nodes =
+            test::run({"ros", "nodes", "--json", "--interface", "lo", "--domain", "80"});
+        EXPECT_EQ(jog.wait().exitCode, 0);
+        return json::parse(nodes.out);
+    };
+    for (const char* distribution : {"jazzy", "humble"}) {
+        writeFile("", std::string("distribution = \"") + distribution + "\"\n");
+        EXPECT_EQ(nodesDuringAJog(),
+                  json::parse(R"([{"node": "/teleta", "publishers": 1, "subscribers": 1}])"))
+            << distribution;
+    }
+    writeFile("", "announce = false\n");
+    EXPECT_EQ(nodesDuringAJog(), json::array());
+}
+
+TEST_F(RosArmPeer, aCheckSaysWhatIsInTheWay) {
+    start(73, {"--fault", "missing@0", "--command-qos", "transient-local"});
+    writeFile("required = [\"pad\"]\n");
+    const peer::EndQos reliable{};
+    peer::DdsNode other(73);
+    (void)other.write(
+        "/arm_controller/joint_trajectory",
+        eprosima::fastdds::dds::TypeSupport(new trajectory_msgs::msg::JointTrajectoryPubSubType), reliable);
+    const ProgramResult result = check();
+    EXPECT_EQ(result.exitCode, 1) << result.out;
+    const json rows = json::parse(result.out);
+    EXPECT_EQ(resultOf(rows, "joints"), "/joint_states does not tell: joint_7") << result.out;
+    EXPECT_NE(resultOf(rows, "controller").find("asks for what was sent before it came"), std::string::npos)
+        << result.out;
+    EXPECT_EQ(resultOf(rows, "writers"), "someone else commands /arm_controller/joint_trajectory")
+        << result.out;
+    EXPECT_NE(resultOf(rows, "file").find("pad"), std::string::npos) << result.out;
+    EXPECT_NE(result.err.find("the arm cannot be moved: 4 problem"), std::string::npos) << result.err;
+    // The same, from who would move it.
+    const ProgramResult jog = test::run(jogArguments(0.1));
+    EXPECT_EQ(jog.exitCode, 1);
+    EXPECT_NE(jog.err.find("the file requires pad"), std::string::npos) << jog.err;
+    EXPECT_TRUE(logOf("trajectory").empty());
+}
+
+TEST_F(RosArmPeer, aJogMovesAsFarAsItSays) {
+    start(74);
+    const ProgramResult result = test::run(jogArguments(1.0));
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const json told = json::parse(result.out);
+    // 0.3 rad/s for 1 s, less the ramp up (v^2 / 2a), plus the one down and what a cycle adds.
+    EXPECT_NEAR(told["way"].get<double>(), 0.3, 0.03) << result.out;
+    const std::vector<json> states = logOf("state");
+    ASSERT_FALSE(states.empty());
+    EXPECT_NEAR(states.back()["position"][kJoint].get<double>(), told["way"].get<double>(), 2e-3);
+    for (const std::size_t other : {0U, 1U, 3U, 4U, 5U, 6U})
+        EXPECT_NEAR(states.back()["position"][other].get<double>(), 0.0, 1e-2) << other;
+    double fastest = 0.0;
+    for (const json& state : states)
+        fastest = std::max(fastest, std::abs(state["velocity"][kJoint].get<double>()));
+    EXPECT_LT(fastest, 1.5 * kRate_radPerS);
+    EXPECT_FALSE(told["time_to_rest_s"].is_null());
+    for (const json& trajectory : logOf("trajectory"))
+        EXPECT_EQ(trajectory["accepted"], true) << trajectory["reason"];
+    const ProgramResult unknown =
+        test::run({"arm", "jog", path(), "--joint", "elbow", "--rate", "0.1", "--seconds", "0.1", "--yes"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_NE(unknown.err.find("joint_7"), std::string::npos) << unknown.err;
+}
+
+TEST_F(RosArmPeer, theArmComesToRestByItselfWhenTheProgramIsKilled) {
+    start(75);
+    test::RunningProgram jog(jogArguments(2.0));
+    ASSERT_TRUE(comesToMove());
+    ASSERT_TRUE(eventually([this] {
+        const std::vector<json> states = logOf("state");
+        return !states.empty() && states.back()["velocity"][kJoint].get<double>() > 0.9 * kRate_radPerS;
+    }));
+    jog.send(SIGKILL);
+    EXPECT_EQ(jog.wait().exitCode, -SIGKILL);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    const double lastCommand_s = steady_s(logOf("trajectory").back());
+    const double rest_s = lastAway_s(1e-3) - lastCommand_s;
+    const double braking_s = kRate_radPerS / kDeceleration_radPerS2;
+    EXPECT_LE(rest_s, kLease_s + kFirstPoint_s + braking_s + 0.02);
+    EXPECT_GT(rest_s, 0.0);
+    // No command moved it again.
+    EXPECT_NEAR(logOf("state").back()["velocity"][kJoint].get<double>(), 0.0, 1e-3);
+}
+
+TEST_F(RosArmPeer, anInterruptionHoldsTheArm) {
+    start(76);
+    test::RunningProgram jog(jogArguments(2.0));
+    ASSERT_TRUE(comesToMove());
+    jog.send(SIGINT);
+    const ProgramResult result = jog.wait();
+    EXPECT_EQ(result.exitCode, 1);
+    const json told = json::parse(result.out);
+    EXPECT_LT(told["held_s"].get<double>(), 1.9);
+    EXPECT_FALSE(told["time_to_rest_s"].is_null());
+    EXPECT_NEAR(logOf("state").back()["velocity"][kJoint].get<double>(), 0.0, 1e-3);
+}
+
+TEST_F(RosArmPeer, anotherWriterEndsTheMotion) {
+    start(77);
+    test::RunningProgram jog(jogArguments(2.0));
+    ASSERT_TRUE(comesToMove());
+    const peer::EndQos reliable{};
+    peer::DdsNode other(77);
+    (void)other.write(
+        "/arm_controller/joint_trajectory",
+        eprosima::fastdds::dds::TypeSupport(new trajectory_msgs::msg::JointTrajectoryPubSubType), reliable);
+    const ProgramResult result = jog.wait();
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.err.find("someone else commands /arm_controller/joint_trajectory"), std::string::npos)
+        << result.err;
+    EXPECT_LT(json::parse(result.out)["held_s"].get<double>(), 1.9);
+    // The next one does not even begin.
+    const std::size_t commands = logOf("trajectory").size();
+    const ProgramResult next = test::run(jogArguments(0.2));
+    EXPECT_EQ(next.exitCode, 1);
+    EXPECT_NE(next.err.find("someone else commands"), std::string::npos) << next.err;
+    EXPECT_EQ(logOf("trajectory").size(), commands);
+}
+
+TEST_F(RosArmPeer, jointStatesThatCannotBeBelievedEndTheMotion) {
+    start(78);
+    const std::vector<std::pair<const char*, const char*>> faults{
+        {"nan", "/joint_states tells a position that is no number"},
+        {"backward", "the stamps of /joint_states went back"},
+        {"missing", "/joint_states does not tell: joint_7"}};
+    for (const auto& [fault, text] : faults) {
+        const std::size_t before = logOf("trajectory").size();
+        test::RunningProgram jog(jogArguments(2.0));
+        ASSERT_TRUE(eventually([&] { return logOf("trajectory").size() > before + 5; })) << fault;
+        ASSERT_TRUE(m_robot.command(std::string("fault ") + fault));
+        const ProgramResult result = jog.wait();
+        EXPECT_EQ(result.exitCode, 1) << fault;
+        EXPECT_NE(result.err.find(text), std::string::npos) << fault << ": " << result.err;
+        ASSERT_TRUE(m_robot.command("fault none"));
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        EXPECT_NEAR(logOf("state").back()["velocity"][kJoint].get<double>(), 0.0, 1e-3) << fault;
+    }
+    // The order of the joints is no fault.
+    ASSERT_TRUE(m_robot.command("fault swapped"));
+    EXPECT_EQ(test::run(jogArguments(0.2)).exitCode, 0);
+}
+
+} // namespace
+} // namespace teleta
