@@ -14,12 +14,14 @@
 #include "app/cli/commands/site/site_commands.h"
 #include "app/cli/commands/tactile/tactile_commands.h"
 #include "app/common/version.h"
+#include "backend/core/failure.h"
 #include "backend/core/passwords.h"
 
 #include <QCoreApplication>
 
 #include <CLI/CLI.hpp>
 
+#include <new>
 #include <vector>
 
 namespace teleta::cli {
@@ -89,6 +91,15 @@ ExitCode printAbout(bool citation, bool json) {
     return kDone;
 }
 
+/// The outcome of a command, also when the memory of the computer is not enough.
+core::Expected<void> runWithin(const Command& command) {
+    try {
+        return command.run();
+    } catch (const std::bad_alloc&) {
+        return core::failed(core::ErrorKind::ioFailed, ProgramText::tr("there is not enough memory"));
+    }
+}
+
 } // namespace
 
 int runProgram(int argc, const char* const* argv) {
@@ -127,7 +138,7 @@ int runProgram(int argc, const char* const* argv) {
         for (const Command& command : commands) {
             if (!app.got_subcommand(command.name))
                 continue;
-            const core::Expected<void> done = command.run();
+            const core::Expected<void> done = runWithin(command);
             if (done)
                 return kDone;
             if (done.error().kind == core::ErrorKind::cancelled && readerIsGone())
