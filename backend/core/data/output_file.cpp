@@ -6,12 +6,16 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QSaveFile>
 
 #include <cerrno>
 #include <cstdio>
+#include <fcntl.h>
 #include <filesystem>
+#include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace teleta::core {
 
@@ -95,8 +99,23 @@ Expected<void> OutputFile::finish() {
         auto* file = qobject_cast<QSaveFile*>(m_device.get());
         if (file != nullptr && !file->commit())
             keepError();
+        else if (file != nullptr)
+            m_state = syncFolder(QFileInfo(file->fileName()).absolutePath().toStdString());
     }
     return m_state;
+}
+
+Expected<void> syncFolder(const std::string& path) {
+    const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    // A folder that may only be entered, and file systems that keep names in their own way.
+    if (folder < 0)
+        return {};
+    const int error = fsync(folder) == 0 ? 0 : errno;
+    close(folder);
+    if (error == 0 || error == EINVAL || error == ENOTSUP)
+        return {};
+    return failed(ErrorKind::ioFailed, OutputFileText::tr("cannot write: %1").arg(qt_error_string(error)), {},
+                  {path});
 }
 
 Expected<void> writeFile(const std::string& path, std::string_view content) {
@@ -106,8 +125,17 @@ Expected<void> writeFile(const std::string& path, std::string_view content) {
 }
 
 Expected<void> makeFolder(const std::string& path) {
+    // Each folder that is new has its name in the one above it.
+    std::vector<std::string> above;
+    QDir folder(QDir::cleanPath(QDir(QString::fromStdString(path)).absolutePath()));
+    while (!folder.exists() && !folder.isRoot()) {
+        folder.setPath(QFileInfo(folder.path()).path());
+        above.push_back(folder.path().toStdString());
+    }
     if (!QDir().mkpath(QString::fromStdString(path)))
         return failed(ErrorKind::ioFailed, OutputFileText::tr("cannot make the folder"), {}, {path});
+    for (const std::string& one : above)
+        TELETA_CHECK(syncFolder(one));
     return {};
 }
 

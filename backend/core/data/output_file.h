@@ -55,10 +55,15 @@ private:
     Expected<void> m_state;
 };
 
+/// Makes names that were given or taken in a folder last through a power cut; a file's own bytes are synced
+/// apart from that. Does nothing where the file system has no such call. Error: ioFailed. Thread: any.
+[[nodiscard]] Expected<void> syncFolder(const std::string& path);
+
 /// Writes a whole file, see OutputFile. Error: ioFailed, cancelled. Thread: any.
 [[nodiscard]] Expected<void> writeFile(const std::string& path, std::string_view content);
 
-/// Makes a folder, and those above it, unless they are there. Error: ioFailed. Thread: any.
+/// Makes a folder, and those above it, unless they are there. It lasts through a power cut. Error: ioFailed.
+/// Thread: any.
 [[nodiscard]] Expected<void> makeFolder(const std::string& path);
 
 } // namespace teleta::core

@@ -2,6 +2,7 @@
 #include "backend/study/store/trial_journal.h"
 
 #include "backend/core/data/input_file.h"
+#include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"
 #include "backend/study/store/trial_fields.h"
 
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fcntl.h>
 #include <stdexcept>
 #include <string_view>
 #include <unistd.h>
@@ -103,15 +103,6 @@ core::Unexpected journalFailed(const QString& message, const std::string& path) 
     return core::failed(core::ErrorKind::ioFailed, message, {}, {path});
 }
 
-/// Makes the entry of a file in its folder as durable as the file.
-bool syncFolder(const QString& folder) {
-    const int descriptor = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const bool done = descriptor >= 0 && fsync(descriptor) == 0;
-    if (descriptor >= 0)
-        ::close(descriptor);
-    return done;
-}
-
 } // namespace
 
 TrialJournal::TrialJournal(const std::string& folder, long long sessionKey)
@@ -128,7 +119,7 @@ core::Expected<void> TrialJournal::append(const PendingTrial& trial) const {
     const bool done = file.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered,
                                 QFileDevice::ReadOwner | QFileDevice::WriteOwner) &&
                       file.write(line) == line.size() && fsync(file.handle()) == 0;
-    if (done && syncFolder(QFileInfo(file).path()))
+    if (done && core::syncFolder(QFileInfo(file).path().toStdString()))
         return {};
     const QString reason = file.errorString();
     if (file.isOpen())
