@@ -23,28 +23,43 @@ FrameConditioner::FrameConditioner(std::size_t taxels, ConditioningSettings sett
         gain *= m_settings.inverted ? -m_settings.gain : m_settings.gain;
     m_dead = m_settings.dead;
     m_dead.resize(taxels, 0);
+    m_isPlain = std::ranges::all_of(m_tare, [](float tare) { return tare == 0.0F; }) &&
+                std::ranges::all_of(m_gain, [](double gain) { return gain == 1.0; });
+}
+
+template <bool isPlain>
+std::size_t FrameConditioner::applyTo(const float* raw, float* load_N, std::uint8_t* dead,
+                                      std::size_t taxels) const {
+    constexpr std::uint32_t kMagnitude = 0x7fffffffU;
+    constexpr std::uint32_t kInfinity = 0x7f800000U;
+    // As members they could be changed by what is written through dead, and were read again for each taxel.
+    const float* const tare = m_tare.data();
+    const double* const gain = m_gain.data();
+    const std::uint8_t* const isDead = m_dead.data();
+
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < taxels; ++i) {
+        const float load =
+            isPlain
+                ? raw[i]
+                : static_cast<float>(gain[i] * (static_cast<double>(raw[i]) - static_cast<double>(tare[i])));
+        // A value, tare or gain that is not finite gives a load that is not finite. Tested by its bits,
+        // because comparing with NaN raises the floating-point exception "invalid".
+        const bool finite = (std::bit_cast<std::uint32_t>(load) & kMagnitude) < kInfinity;
+        const bool usable = isDead[i] == 0 && finite;
+        const float clean = usable ? load : 0.0F;
+        load_N[i] = clean > 0.0F ? clean : 0.0F;
+        dead[i] = usable ? 0 : 1;
+        count += usable ? 0U : 1U;
+    }
+    return count;
 }
 
 std::size_t FrameConditioner::apply(std::span<const float> raw, std::span<float> load_N,
                                     std::span<std::uint8_t> dead) const {
     const std::size_t taxels = std::min({m_tare.size(), raw.size(), load_N.size(), dead.size()});
-    constexpr std::uint32_t kMagnitude = 0x7fffffffU;
-    constexpr std::uint32_t kInfinity = 0x7f800000U;
-
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < taxels; ++i) {
-        const auto load =
-            static_cast<float>(m_gain[i] * (static_cast<double>(raw[i]) - static_cast<double>(m_tare[i])));
-        // A value, tare or gain that is not finite gives a load that is not finite. Tested by its bits,
-        // because comparing with NaN raises the floating-point exception "invalid".
-        const bool finite = (std::bit_cast<std::uint32_t>(load) & kMagnitude) < kInfinity;
-        const bool usable = m_dead[i] == 0 && finite;
-        const float clean = usable ? load : 0.0F;
-        load_N[i] = clean > 0.0F ? clean : 0.0F;
-        dead[i] = usable ? 0 : 1;
-        count += dead[i];
-    }
-    return count;
+    return m_isPlain ? applyTo<true>(raw.data(), load_N.data(), dead.data(), taxels)
+                     : applyTo<false>(raw.data(), load_N.data(), dead.data(), taxels);
 }
 
 } // namespace teleta::contact

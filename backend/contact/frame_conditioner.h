@@ -36,10 +36,14 @@ public:
     [[nodiscard]] const ConditioningSettings& settings() const { return m_settings; }
 
 private:
+    template <bool isPlain>
+    std::size_t applyTo(const float* raw, float* load_N, std::uint8_t* dead, std::size_t taxels) const;
+
     ConditioningSettings m_settings;
     std::vector<float> m_tare;        ///< the tare of the settings, or zeros
     std::vector<double> m_gain;       ///< load per raw unit, with its sign
     std::vector<std::uint8_t> m_dead; ///< the mask of the settings, or zeros
+    bool m_isPlain = false;           ///< every tare is 0 and every gain 1: the loads are the raw values
 };
 
 } // namespace teleta::contact

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,8 +52,8 @@ py::dict features(const py::object& frames, double pitch_m, const py::dict& argu
         for (std::size_t i = 0; i < input.count; ++i) {
             if (i % pause == 0 && !work.goOn())
                 break;
-            conditioner.apply(input.frame(i), load_N, dead);
-            columns.add(extractor.compute(load_N, dead));
+            const bool anyDead = conditioner.apply(input.frame(i), load_N, dead) > 0;
+            columns.add(extractor.compute(load_N, anyDead ? dead : std::span<const std::uint8_t>()));
         }
     }
     work.rethrow();

@@ -75,6 +75,36 @@ TEST(FrameConditioner, eachTaxelHasItsOwnGain) {
               (std::vector<float>{1.0F, 2.0F}));
 }
 
+TEST(FrameConditioner, framesOfAnyLengthFollowTheDefinition) {
+    // Several taxels are computed at once, and without a tare and gains in another way.
+    const std::vector<float> values{1.5F, kNan,  -2.0F,      0.0F, kInfinity, 3e38F,
+                                    2.0F, -0.0F, -kInfinity, 7.0F, 1e-42F};
+    for (std::size_t taxels = 1; taxels <= 70; ++taxels) {
+        std::vector<float> raw(taxels);
+        ConditioningSettings plain;
+        plain.dead.resize(taxels);
+        for (std::size_t i = 0; i < taxels; ++i) {
+            raw[i] = values[(3 * i + taxels) % values.size()];
+            plain.dead[i] = i % 13 == 5 ? 1 : 0;
+        }
+        ConditioningSettings doubled = plain;
+        doubled.gain = 2.0;
+        for (const ConditioningSettings& settings : {plain, doubled}) {
+            const Conditioned frame = condition(settings, raw);
+            std::size_t count = 0;
+            for (std::size_t i = 0; i < taxels; ++i) {
+                const auto load = static_cast<float>(settings.gain * static_cast<double>(raw[i]));
+                const bool isDead = settings.dead[i] != 0 || !std::isfinite(load);
+                ASSERT_EQ(frame.dead[i], isDead ? 1 : 0) << taxels << " taxels, " << i;
+                ASSERT_EQ(frame.load_N[i], isDead || std::signbit(load) ? 0.0F : load) << taxels << ", " << i;
+                ASSERT_FALSE(std::signbit(frame.load_N[i])) << taxels << ", " << i;
+                count += isDead ? 1U : 0U;
+            }
+            EXPECT_EQ(frame.count, count);
+        }
+    }
+}
+
 TEST(FrameConditioner, valuesThatAreNotFiniteAreDeadAndCounted) {
     const Conditioned frame = condition({}, {kNan, kInfinity, -kInfinity, 1.0F});
     EXPECT_EQ(frame.dead, (std::vector<std::uint8_t>{1, 1, 1, 0}));
