@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>CertificateText</name>
+    <message numerus="yes">
+        <source>%1, %n core(s)</source>
+        <translation>
+            <numerusform>%1, %n core</numerusform>
+            <numerusform>%1, %n cores</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ComparisonContent</name>
     <message numerus="yes">
         <source>no spread of the times in %n case(s): nothing left out</source>
@@ -171,6 +181,16 @@
         <translation>
             <numerusform>Stimuli: the frames of %n trial were counted.</numerusform>
             <numerusform>Stimuli: the frames of %n trials were counted.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RosArmCheckReport</name>
+    <message numerus="yes">
+        <source>the arm cannot be moved: %n problem(s)</source>
+        <translation>
+            <numerusform>the arm cannot be moved: %n problem</numerusform>
+            <numerusform>the arm cannot be moved: %n problems</numerusform>
         </translation>
     </message>
 </context>

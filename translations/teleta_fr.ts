@@ -283,6 +283,57 @@
     </message>
 </context>
 <context>
+    <name>ArmChainText</name>
+    <message>
+        <source>the work was cut short</source>
+        <translation>le travail a été interrompu</translation>
+    </message>
+    <message>
+        <source>nobody told %1 in domain %2 within %3 s</source>
+        <translation>personne n’a publié&#xa0;%1 dans le domaine&#xa0;%2 en&#xa0;%3 s</translation>
+    </message>
+    <message>
+        <source>a publisher that is reliable and keeps what it sent</source>
+        <translation>un émetteur en « reliable&#xa0;» qui garde ce qu’il a envoyé</translation>
+    </message>
+    <message>
+        <source>the robot in this domain, or description = &quot;FILE.urdf&quot;</source>
+        <translation>le robot dans ce domaine, ou description = &quot;FILE.urdf&quot;</translation>
+    </message>
+    <message>
+        <source>two joints of the arm are called &quot;%1&quot; on the wire</source>
+        <translation>deux articulations du bras s’appellent «&#xa0;%1&#xa0;» sur le réseau</translation>
+    </message>
+    <message>
+        <source>[joint_names] to name each joint once</source>
+        <translation>que [joint_names] nomme chaque articulation une seule fois</translation>
+    </message>
+    <message>
+        <source>the description states no speed of %1</source>
+        <translation>la description n’indique pas de vitesse pour&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>[joint_names] names %1, which the description has not</source>
+        <translation>[joint_names] nomme&#xa0;%1, que la description n’a pas</translation>
+    </message>
+    <message>
+        <source>effort_stop has %1 numbers, the arm has %2 joints</source>
+        <translation>effort_stop a&#xa0;%1 nombres, le bras a&#xa0;%2 articulations</translation>
+    </message>
+    <message>
+        <source>effort_contains_gravity needs all masses; %1 has none</source>
+        <translation>effort_contains_gravity demande toutes les masses&#xa0;;&#xa0;%1 n’en a pas</translation>
+    </message>
+    <message>
+        <source>the file requires %1, which is not watched from here</source>
+        <translation>le fichier exige&#xa0;%1, qui n’est pas surveillé d’ici</translation>
+    </message>
+    <message>
+        <source>force_stop_N needs a force at the wrist, which is not read from here</source>
+        <translation>force_stop_N demande une force au poignet, qui n’est pas lue d’ici</translation>
+    </message>
+</context>
+<context>
     <name>ArmCommand</name>
     <message>
         <source>no end</source>
@@ -356,8 +407,107 @@
         <translation>%1 kg sont bougés.</translation>
     </message>
     <message>
-        <source>Descriptions of robot arms (URDF)</source>
-        <translation>Descriptions de bras robotisés (URDF)</translation>
+        <source>Move a joint of an arm over ROS 2 for a short time</source>
+        <translation>Bouger une articulation d’un bras par ROS 2 pendant un court instant</translation>
+    </message>
+    <message>
+        <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
+        <translation>Fichier qui décrit le bras (kind = &quot;ros_arm&quot;)</translation>
+    </message>
+    <message>
+        <source>Joint to move, as the URDF names it</source>
+        <translation>Articulation à bouger, telle que l’URDF la nomme</translation>
+    </message>
+    <message>
+        <source>Speed in rad/s, of a prismatic joint in m/s</source>
+        <translation>Vitesse en rad/s, en m/s pour une articulation prismatique</translation>
+    </message>
+    <message>
+        <source>How long to move it, at most %1</source>
+        <translation>Durée du mouvement, au plus&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Move without asking</source>
+        <translation>Bouger sans demander</translation>
+    </message>
+    <message>
+        <source>Robot arms: descriptions (URDF), and a joint that is moved over ROS 2</source>
+        <translation>Bras robotisés&#xa0;: descriptions (URDF), et une articulation qui est bougée par ROS 2</translation>
+    </message>
+</context>
+<context>
+    <name>ArmJogText</name>
+    <message>
+        <source>the arm has no joint &quot;%1&quot;; it has %2</source>
+        <translation>le bras n’a pas d’articulation «&#xa0;%1&#xa0;»&#xa0;; il a&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>speed of the joint</source>
+        <translation>vitesse de l’articulation</translation>
+    </message>
+    <message>
+        <source>speed of the tip</source>
+        <translation>vitesse de l’extrémité</translation>
+    </message>
+    <message>
+        <source>end of the joint</source>
+        <translation>butée de l’articulation</translation>
+    </message>
+    <message>
+        <source>box of the tip</source>
+        <translation>boîte de l’extrémité</translation>
+    </message>
+    <message>
+        <source>effort</source>
+        <translation>effort</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>force</translation>
+    </message>
+    <message>
+        <source>the arm lags</source>
+        <translation>le bras est en retard</translation>
+    </message>
+    <message>
+        <source>the arm cannot be moved: %1</source>
+        <translation>le bras ne peut pas être bougé&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>no joint states came</source>
+        <translation>aucun état des articulations n’est arrivé</translation>
+    </message>
+    <message>
+        <source>%1 moved %2 %3 in %4 s.</source>
+        <translation>%1 a bougé de&#xa0;%2&#xa0;%3 en&#xa0;%4 s.</translation>
+    </message>
+    <message>
+        <source>It was at rest %1 s after the command ended.</source>
+        <translation>L’articulation était à l’arrêt&#xa0;%1 s après la fin de la commande.</translation>
+    </message>
+    <message>
+        <source>It was not seen at rest.</source>
+        <translation>L’articulation n’a pas été vue à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>Limits that acted: %1.</source>
+        <translation>Limites qui sont intervenues&#xa0;:&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>without a terminal to ask on, --yes is needed to move an arm</source>
+        <translation>sans terminal où demander, --yes est nécessaire pour bouger un bras</translation>
+    </message>
+    <message>
+        <source>This moves %1 of %2 at %3 %4/s for %5 s. Type &quot;yes&quot; to move it: </source>
+        <translation>Ceci bouge&#xa0;%1 de&#xa0;%2 à&#xa0;%3&#xa0;%4/s pendant&#xa0;%5 s. Tapez « yes&#xa0;» pour le faire&#xa0;: </translation>
+    </message>
+    <message>
+        <source>nothing was moved</source>
+        <translation>rien n’a été bougé</translation>
+    </message>
+    <message>
+        <source>the motion was cut short: %1</source>
+        <translation>le mouvement a été interrompu&#xa0;:&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -1068,6 +1218,367 @@
     <message>
         <source>a symmetric matrix without negative variances</source>
         <translation>une matrice symétrique sans variance négative</translation>
+    </message>
+</context>
+<context>
+    <name>CertificateText</name>
+    <message>
+        <source>The program is ended by SIGKILL. Only the driver&apos;s watchdog is left.</source>
+        <translation>SIGKILL met fin au programme. Il ne reste que le chien de garde du pilote.</translation>
+    </message>
+    <message>
+        <source>SIGTERM, as when a session ends.</source>
+        <translation>SIGTERM, comme à la fin d’une session.</translation>
+    </message>
+    <message>
+        <source>SIGINT, as by Ctrl-C.</source>
+        <translation>SIGINT, comme par Ctrl-C.</translation>
+    </message>
+    <message>
+        <source>SIGHUP, as when a terminal closes.</source>
+        <translation>SIGHUP, comme à la fermeture d’un terminal.</translation>
+    </message>
+    <message>
+        <source>SIGSTOP, later SIGCONT, as when the computer sleeps.</source>
+        <translation>SIGSTOP, puis SIGCONT, comme quand l’ordinateur se met en veille.</translation>
+    </message>
+    <message>
+        <source>The line is cut and cannot be opened for a while.</source>
+        <translation>La ligne est coupée et ne peut pas être rouverte pendant un moment.</translation>
+    </message>
+    <message>
+        <source>The driver&apos;s answers are held back.</source>
+        <translation>Les réponses du pilote sont retenues.</translation>
+    </message>
+    <message>
+        <source>What the program sends does not arrive.</source>
+        <translation>Ce que le programme envoie n’arrive pas.</translation>
+    </message>
+    <message>
+        <source>The driver&apos;s answers are replaced by garbage, by refusals, or by answers to other requests.</source>
+        <translation>Les réponses du pilote sont remplacées par des données absurdes, par des refus ou par des réponses à d’autres requêtes.</translation>
+    </message>
+    <message>
+        <source>STOP is engaged.</source>
+        <translation>STOP est enclenché.</translation>
+    </message>
+    <message>
+        <source>The recording can grow no more; then STOP. Timed from STOP.</source>
+        <translation>L’enregistrement ne peut plus grandir&#xa0;; puis STOP. Temps compté à partir de STOP.</translation>
+    </message>
+    <message>
+        <source>The program gets no more memory; then STOP. Timed from STOP.</source>
+        <translation>Le programme n’obtient plus de mémoire&#xa0;; puis STOP. Temps compté à partir de STOP.</translation>
+    </message>
+    <message>
+        <source>The wall clock is set by an hour; then STOP. Timed from STOP.</source>
+        <translation>L’horloge du système est décalée d’une heure&#xa0;; puis STOP. Temps compté à partir de STOP.</translation>
+    </message>
+    <message>
+        <source>No fault was injected.</source>
+        <translation>Aucun défaut n’a été injecté.</translation>
+    </message>
+    <message>
+        <source>Passed: after each of %1 faults the motors were at zero within %2 ms. Nothing went on unasked, and nothing of the recordings was lost. With a confidence of 95 %, at most %3 % of such faults take longer.</source>
+        <translation>Réussi&#xa0;: après chacun des&#xa0;%1 défauts, les moteurs étaient à zéro en&#xa0;%2 ms au plus. Rien n’a continué sans être demandé, et rien des enregistrements n’a été perdu. Avec une confiance de 95&#xa0;%, au plus&#xa0;%3&#xa0;% de tels défauts prennent plus de temps.</translation>
+    </message>
+    <message>
+        <source>Not passed: of %1 faults, %2 left the motors on for more than %3 ms, %4 were followed by motion that nobody had asked for, %5 frames were lost, and %6 recordings were damaged.</source>
+        <translation>Non réussi&#xa0;: sur&#xa0;%1 défauts,&#xa0;%2 ont laissé les moteurs en marche plus de&#xa0;%3 ms,&#xa0;%4 ont été suivis de mouvements que personne n’avait demandés,&#xa0;%5 trames ont été perdues et&#xa0;%6 enregistrements ont été endommagés.</translation>
+    </message>
+    <message>
+        <source>Time from the fault until the motors were at zero, in ms</source>
+        <translation>Temps du défaut jusqu’à la mise à zéro des moteurs, en ms</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>99 %</source>
+        <translation>99&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Longest</source>
+        <translation>Le plus long</translation>
+    </message>
+    <message>
+        <source>Over the bound</source>
+        <translation>Au-delà de la limite</translation>
+    </message>
+    <message>
+        <source>Share at most (%)</source>
+        <translation>Part au plus (%)</translation>
+    </message>
+    <message>
+        <source>Went on unasked</source>
+        <translation>Suites non demandées</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>Trames perdues</translation>
+    </message>
+    <message>
+        <source>Files damaged</source>
+        <translation>Fichiers endommagés</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tous</translation>
+    </message>
+    <message>
+        <source>Times until the motors were at zero, of each kind</source>
+        <translation>Temps jusqu’à la mise à zéro des moteurs, pour chaque type</translation>
+    </message>
+    <message>
+        <source>Time until zero (ms)</source>
+        <translation>Temps jusqu’à zéro (ms)</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>What was looked at</source>
+        <translation>Ce qui a été examiné</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Élément</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Driver of the motors</source>
+        <translation>Pilote des moteurs</translation>
+    </message>
+    <message>
+        <source>%1 (SIMULATED)</source>
+        <translation>%1 (SIMULÉ)</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>Système</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Processeur</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n core(s)</source>
+        <translation>
+            <numerusform>%1,&#xa0;%n cœur</numerusform>
+            <numerusform>%1,&#xa0;%n cœurs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Load of the last minute</source>
+        <translation>Charge de la dernière minute</translation>
+    </message>
+    <message>
+        <source>Longest time between two looks at the motors</source>
+        <translation>Plus long temps entre deux observations des moteurs</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Killed</source>
+        <translation>Tué</translation>
+    </message>
+    <message>
+        <source>Terminated</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Interrompu</translation>
+    </message>
+    <message>
+        <source>Terminal closed</source>
+        <translation>Terminal fermé</translation>
+    </message>
+    <message>
+        <source>Put to sleep</source>
+        <translation>Mis en veille</translation>
+    </message>
+    <message>
+        <source>Unplugged</source>
+        <translation>Débranché</translation>
+    </message>
+    <message>
+        <source>Answers late</source>
+        <translation>Réponses tardives</translation>
+    </message>
+    <message>
+        <source>Requests lost</source>
+        <translation>Requêtes perdues</translation>
+    </message>
+    <message>
+        <source>Answers wrong</source>
+        <translation>Réponses fausses</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Disk full, STOP</source>
+        <translation>Disque plein, STOP</translation>
+    </message>
+    <message>
+        <source>Memory refused, STOP</source>
+        <translation>Mémoire refusée, STOP</translation>
+    </message>
+    <message>
+        <source>Clock set, STOP</source>
+        <translation>Horloge décalée, STOP</translation>
+    </message>
+    <message>
+        <source>SIMULATED: the driver of the motors is a program.</source>
+        <translation>SIMULÉ&#xa0;: le pilote des moteurs est un programme.</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Défauts</translation>
+    </message>
+    <message>
+        <source>What each fault is</source>
+        <translation>Ce qu’est chaque défaut</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>language of the page, as BCP 47 has it</comment>
+        <translation>fr</translation>
+    </message>
+    <message>
+        <source>Certificate of faults</source>
+        <translation>Certificat d’injection de défauts</translation>
+    </message>
+</context>
+<context>
+    <name>CertifyCommand</name>
+    <message>
+        <source>File of a Modbus motor driver over TCP; default: a simulated one. Nobody may wear its motors, which turn the whole time</source>
+        <translation>Fichier d’un pilote de moteurs Modbus sur TCP&#xa0;; par défaut&#xa0;: un pilote simulé. Personne ne doit porter ses moteurs, qui tournent tout le temps</translation>
+    </message>
+    <message>
+        <source>With --bracelet: nobody wears the motors</source>
+        <translation>Avec --bracelet&#xa0;: personne ne porte les moteurs</translation>
+    </message>
+    <message>
+        <source>Number of faults</source>
+        <translation>Nombre de défauts</translation>
+    </message>
+    <message>
+        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer</source>
+        <translation>Types de défauts, séparés par des virgules&#xa0;:&#xa0;%1. Par défaut&#xa0;: tous sauf clock_step, qui règle l’horloge de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Time in which the motors must be at zero</source>
+        <translation>Temps dans lequel les moteurs doivent être à zéro</translation>
+    </message>
+    <message>
+        <source>Of the order and the phases of the faults</source>
+        <translation>Graine de l’ordre et des phases des défauts</translation>
+    </message>
+    <message>
+        <source>Where the report goes: NAME.html and NAME.json</source>
+        <translation>Où va le rapport&#xa0;: NAME.html et NAME.json</translation>
+    </message>
+    <message>
+        <source>the motors will turn the whole time; take them off everybody and add --yes</source>
+        <translation>les moteurs tourneront tout le temps&#xa0;; retirez-les à tout le monde et ajoutez --yes</translation>
+    </message>
+    <message>
+        <source>the device has no motors</source>
+        <translation>l’appareil n’a pas de moteurs</translation>
+    </message>
+    <message>
+        <source>a table [tactors]</source>
+        <translation>une table [tactors]</translation>
+    </message>
+    <message>
+        <source>faults of the line can only be injected into a TCP line</source>
+        <translation>des défauts de ligne ne peuvent être injectés que dans une ligne TCP</translation>
+    </message>
+    <message>
+        <source>The certificate is not passed.</source>
+        <translation>Le certificat n’est pas obtenu.</translation>
+    </message>
+    <message>
+        <source>The program under test follows a simulated array by live setpoints, drives the motors within their limits, and records.</source>
+        <translation>Le programme testé suit une matrice simulée par des consignes en direct, commande les moteurs dans leurs limites et enregistre.</translation>
+    </message>
+    <message>
+        <source>Interrupted: %1 of %2 faults were injected.</source>
+        <translation>Interrompu&#xa0;:&#xa0;%1 défauts sur&#xa0;%2 ont été injectés.</translation>
+    </message>
+    <message>
+        <source>The driver of the motors is SIMULATED: a Modbus server with a watchdog of 100 ms.</source>
+        <translation>Le pilote des moteurs est SIMULÉ&#xa0;: un serveur Modbus avec un chien de garde de 100 ms.</translation>
+    </message>
+    <message>
+        <source>Not covered: arms, and bracelets that are not Modbus drivers over TCP.</source>
+        <translation>Non couverts&#xa0;: les bras, et les bracelets qui ne sont pas des pilotes Modbus sur TCP.</translation>
+    </message>
+    <message>
+        <source>A damaged recording was kept: %1</source>
+        <translation>Un enregistrement endommagé a été gardé&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 faults: median %2, 99 % %3, longest %4 ms; %5 over the bound</source>
+        <translation>%1 défauts&#xa0;: médiane&#xa0;%2, 99&#xa0;%&#xa0;%3, le plus long&#xa0;%4 ms&#xa0;;&#xa0;%5 au-delà de la limite</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tous</translation>
+    </message>
+    <message>
+        <source>Went on unasked</source>
+        <translation>Suites non demandées</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>Trames perdues</translation>
+    </message>
+    <message>
+        <source>Files damaged</source>
+        <translation>Fichiers endommagés</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Inject faults into what drives the motors, and report how soon they are off</source>
+        <translation>Injecter des défauts dans ce qui commande les moteurs, et rapporter en combien de temps ceux-ci sont arrêtés</translation>
+    </message>
+</context>
+<context>
+    <name>ChainProcess</name>
+    <message>
+        <source>the program cannot be started: %1</source>
+        <translation>le programme ne peut pas être démarré&#xa0;:&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -2647,6 +3158,17 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>DriverText</name>
+    <message>
+        <source>the simulated motor driver cannot open a port: %1</source>
+        <translation>le pilote de moteurs simulé ne peut pas ouvrir de port&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the device has no motors</source>
+        <translation>l’appareil n’a pas de moteurs</translation>
+    </message>
+</context>
+<context>
     <name>EqualStrength</name>
     <message>
         <source>tactor %1 has no level at which it feels as strong as tactor %2</source>
@@ -2929,6 +3451,21 @@ Exemples&#xa0;:
     <message>
         <source>16-bit samples, 1 is full scale. Vibrations drive voice coils; bare intensities are for programs that make the vibration themselves.</source>
         <translation>Échantillons de 16 bits, 1 est la pleine échelle. Les vibrations pilotent des actionneurs à bobine mobile&#xa0;; les intensités brutes sont destinées aux programmes qui produisent eux-mêmes la vibration.</translation>
+    </message>
+</context>
+<context>
+    <name>FaultInjector</name>
+    <message>
+        <source>the program that drives the motors ended by itself</source>
+        <translation>le programme qui commande les moteurs s’est terminé de lui-même</translation>
+    </message>
+    <message>
+        <source>the motors did not turn within 30 s</source>
+        <translation>les moteurs n’ont pas tourné en 30 s</translation>
+    </message>
+    <message>
+        <source>the driver of the motors does not answer any more</source>
+        <translation>le pilote des moteurs ne répond plus</translation>
     </message>
 </context>
 <context>
@@ -5065,6 +5602,17 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>PartText</name>
+    <message>
+        <source>a part of the program cannot be loaded: %1</source>
+        <translation>une partie du programme ne peut pas être chargée&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>a complete installation of the program</source>
+        <translation>une installation complète du programme</translation>
+    </message>
+</context>
+<context>
     <name>ParticipantReport</name>
     <message>
         <source>In this part nothing was tested yet.</source>
@@ -6068,6 +6616,10 @@ Run %2 --help for more.
         <source>Print how to cite the program, as BibTeX</source>
         <translation>Afficher comment citer le programme, en BibTeX</translation>
     </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>la mémoire ne suffit pas</translation>
+    </message>
 </context>
 <context>
     <name>Provenance</name>
@@ -6375,6 +6927,13 @@ Run %2 --help for more.
     <message>
         <source>at most %1, from the base to the tip</source>
         <translation>au plus %1, de la base à la pointe</translation>
+    </message>
+</context>
+<context>
+    <name>RelayText</name>
+    <message>
+        <source>no line to the driver can be opened: %1</source>
+        <translation>aucune ligne vers le pilote ne peut être ouverte&#xa0;:&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -7077,6 +7636,204 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RosArm</name>
+    <message>
+        <source>the arm cannot be moved: %1</source>
+        <translation>le bras ne peut pas être bougé&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 does not tell: %2</source>
+        <translation>%1 n’indique pas&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>%1 tells no effort, so effort_stop cannot hold the arm</source>
+        <translation>%1 n’indique pas d’effort&#xa0;: effort_stop ne peut donc pas maintenir le bras</translation>
+    </message>
+    <message>
+        <source>no controller reads %1</source>
+        <translation>aucun contrôleur ne lit&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>other programs are being looked for</source>
+        <translation>d’autres programmes sont recherchés</translation>
+    </message>
+</context>
+<context>
+    <name>RosArmCheck</name>
+    <message>
+        <source>a publisher is best effort, reliable was asked</source>
+        <translation>un émetteur est en « best effort&#xa0;», « reliable&#xa0;» a été demandé</translation>
+    </message>
+    <message>
+        <source>the reader asks for what was sent before it came, which a command is not</source>
+        <translation>le lecteur demande ce qui a été envoyé avant son arrivée, ce qui n’est pas le cas d’une commande</translation>
+    </message>
+    <message>
+        <source>a publisher offers other qualities than were asked</source>
+        <translation>un émetteur offre d’autres qualités de service que celles demandées</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>personne ne publie&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>nothing was sent on %1</source>
+        <translation>rien n’a été envoyé sur&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 does not tell: %2</source>
+        <translation>%1 n’indique pas&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>%1 tells all %2 joints</source>
+        <translation>%1 indique toutes les&#xa0;%2 articulations</translation>
+    </message>
+    <message>
+        <source>%1 publishers of %2</source>
+        <translation>%1 émetteurs de&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>%1 tells %2, the arm has not</source>
+        <translation>%1 indique&#xa0;%2, que le bras n’a pas</translation>
+    </message>
+    <message>
+        <source>%1 messages contradict themselves and were left out</source>
+        <translation>%1 messages se contredisent et ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>%1 samples a second, longest gap %2 s</source>
+        <translation>%1 échantillons par seconde, plus long intervalle&#xa0;%2 s</translation>
+    </message>
+    <message>
+        <source>; joint_timeout_s is %1</source>
+        <translation>&#xa0;; joint_timeout_s vaut&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>told, in %1 as the file says</source>
+        <translation>indiqué, en&#xa0;%1 comme le dit le fichier</translation>
+    </message>
+    <message>
+        <source>not told, so effort_stop cannot hold the arm</source>
+        <translation>non indiqué&#xa0;: effort_stop ne peut donc pas maintenir le bras</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>%1 stamps are zero</source>
+        <translation>%1 horodatages sont à zéro</translation>
+    </message>
+    <message>
+        <source>stamps are %1 s behind this computer</source>
+        <translation>les horodatages ont&#xa0;%1 s de retard sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>someone else commands %1</source>
+        <translation>quelqu’un d’autre commande&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 has the type %2</source>
+        <translation>%1 a le type&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>reads %1</source>
+        <translation>lit&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>cannot be reached: %1</source>
+        <translation>ne peut pas être atteint&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>nobody reads %1</source>
+        <translation>personne ne lit&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>; there is %1</source>
+        <translation>&#xa0;; il y a&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the check was cut short</source>
+        <translation>la vérification a été interrompue</translation>
+    </message>
+</context>
+<context>
+    <name>RosArmCheckReport</name>
+    <message numerus="yes">
+        <source>the arm cannot be moved: %n problem(s)</source>
+        <translation>
+            <numerusform>le bras ne peut pas être bougé&#xa0;:&#xa0;%n problème</numerusform>
+            <numerusform>le bras ne peut pas être bougé&#xa0;:&#xa0;%n problèmes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RosArmFault</name>
+    <message>
+        <source>someone else commands %1</source>
+        <translation>quelqu’un d’autre commande&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 tells a position that is no number</source>
+        <translation>%1 indique une position qui n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the position of %1 jumped</source>
+        <translation>la position de&#xa0;%1 a sauté</translation>
+    </message>
+    <message>
+        <source>the stamps of %1 went back</source>
+        <translation>les horodatages de&#xa0;%1 ont reculé</translation>
+    </message>
+    <message>
+        <source>the arm does not follow its commands</source>
+        <translation>le bras ne suit pas ses commandes</translation>
+    </message>
+</context>
+<context>
+    <name>RosArmFile</name>
+    <message>
+        <source>&quot;%1&quot; is no name of a topic</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nom de topic</translation>
+    </message>
+    <message>
+        <source>parts of letters, digits and _ after slashes, for example /joint_states</source>
+        <translation>des parties de lettres, de chiffres et de _ après des barres obliques, par exemple /joint_states</translation>
+    </message>
+    <message>
+        <source>no adapter that is offered moves an arm unguarded</source>
+        <translation>aucun adaptateur proposé ne bouge un bras sans protection</translation>
+    </message>
+    <message>
+        <source>two joints are called &quot;%1&quot; on the wire</source>
+        <translation>deux articulations s’appellent «&#xa0;%1&#xa0;» sur le réseau</translation>
+    </message>
+    <message>
+        <source>a name of its own for each joint</source>
+        <translation>un nom propre à chaque articulation</translation>
+    </message>
+    <message>
+        <source>a side of the box has no length</source>
+        <translation>un côté de la boîte n’a pas de longueur</translation>
+    </message>
+    <message>
+        <source>[lowest, highest] for x, y and z</source>
+        <translation>[minimum, maximum] pour x, y et z</translation>
+    </message>
+    <message>
+        <source>STOP would brake less than letting go</source>
+        <translation>STOP freinerait moins que le relâchement</translation>
+    </message>
+    <message>
+        <source>at least deceleration_radPerS2, %1</source>
+        <translation>au moins deceleration_radPerS2,&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the efforts of this arm are not in Nm</source>
+        <translation>les efforts de ce bras ne sont pas en Nm</translation>
+    </message>
+</context>
+<context>
     <name>RosCommand</name>
     <message>
         <source>a publisher is best effort, reliable was asked</source>
@@ -7149,6 +7906,14 @@ Run %2 --help for more.
     <message>
         <source>Topics and nodes of ROS 2, without ROS</source>
         <translation>Topics et nœuds de ROS 2, sans ROS</translation>
+    </message>
+    <message>
+        <source>Watch an arm for 5 s and say what keeps it from being moved</source>
+        <translation>Observer un bras pendant 5 s et dire ce qui empêche de le bouger</translation>
+    </message>
+    <message>
+        <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
+        <translation>Fichier qui décrit le bras (kind = &quot;ros_arm&quot;)</translation>
     </message>
 </context>
 <context>
@@ -7780,6 +8545,212 @@ Run %2 --help for more.
     <message>
         <source>the lens folds the image over itself: no camera has such a lens</source>
         <translation>l’objectif de la caméra se replie&#xa0;: aucune caméra n’en a de tel</translation>
+    </message>
+</context>
+<context>
+    <name>SiteCommand</name>
+    <message>
+        <source>Check the certificates and permissions of a site, or tell the commands that make them</source>
+        <translation>Vérifier les certificats et les permissions d’un site, ou donner les commandes qui les créent</translation>
+    </message>
+    <message>
+        <source>Folder with identity_ca.pem, permissions_ca.pem, governance.p7s and one folder for each site, console and viewer</source>
+        <translation>Dossier avec identity_ca.pem, permissions_ca.pem, governance.p7s et un dossier pour chaque site, console et observateur</translation>
+    </message>
+    <message>
+        <source>Check nothing, print the commands of openssl that make the folder for a site of this name</source>
+        <translation>Ne rien vérifier, afficher les commandes openssl qui créent le dossier pour un site de ce nom</translation>
+    </message>
+    <message>
+        <source>Consoles that may control</source>
+        <translation>Consoles qui peuvent commander</translation>
+    </message>
+    <message>
+        <source>Consoles that only watch</source>
+        <translation>Consoles qui ne font qu’observer</translation>
+    </message>
+    <message>
+        <source>These keys are not safe to use.</source>
+        <translation>Ces clés ne peuvent pas être utilisées sans danger.</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3, until %4</source>
+        <translation>%1 (%2)&#xa0;:&#xa0;%3, jusqu’au&#xa0;%4</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Refusé&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Avertissement&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Keys of a site, where a robot is at another place</source>
+        <translation>Clés d’un site, là où un robot est à un autre endroit</translation>
+    </message>
+</context>
+<context>
+    <name>SiteKeys</name>
+    <message>
+        <source>&apos;%1&apos; is no name of a site or a console</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nom de site ni de console</translation>
+    </message>
+    <message>
+        <source>a small letter, then at most 30 of a-z, 0-9 and _</source>
+        <translation>une lettre minuscule, puis au plus 30 caractères parmi a-z, 0-9 et _</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is taken already</source>
+        <translation>«&#xa0;%1&#xa0;» est déjà pris</translation>
+    </message>
+    <message>
+        <source>No topic of a site (rt/teleta/SITE/...) is allowed.</source>
+        <translation>Aucun topic d’un site (rt/teleta/SITE/...) n’est permis.</translation>
+    </message>
+    <message>
+        <source>%1 must not publish %2.</source>
+        <translation>%1 ne doit pas publier&#xa0;%2.</translation>
+    </message>
+    <message>
+        <source>%1 needs to publish %2.</source>
+        <translation>%1 doit pouvoir publier&#xa0;%2.</translation>
+    </message>
+    <message>
+        <source>%1 must not subscribe to %2.</source>
+        <translation>%1 ne doit pas s’abonner à&#xa0;%2.</translation>
+    </message>
+    <message>
+        <source>%1 needs to subscribe to %2.</source>
+        <translation>%1 doit pouvoir s’abonner à&#xa0;%2.</translation>
+    </message>
+    <message>
+        <source>%1 must not relay %2.</source>
+        <translation>%1 ne doit pas relayer&#xa0;%2.</translation>
+    </message>
+    <message>
+        <source>What is signed is not XML.</source>
+        <translation>Ce qui est signé n’est pas du XML.</translation>
+    </message>
+    <message>
+        <source>The validity needs not_before and not_after as 2026-01-31T00:00:00, without a time zone.</source>
+        <translation>La validité demande not_before et not_after sous la forme 2026-01-31T00:00:00, sans fuseau horaire.</translation>
+    </message>
+    <message>
+        <source>The permissions do not hold yet.</source>
+        <translation>Les permissions ne sont pas encore valables.</translation>
+    </message>
+    <message>
+        <source>The permissions have expired.</source>
+        <translation>Les permissions ont expiré.</translation>
+    </message>
+    <message>
+        <source>The grant has a deny_rule. It needs none: what is not allowed is denied.</source>
+        <translation>L’autorisation (grant) a une deny_rule. Il n’en faut pas&#xa0;: ce qui n’est pas permis est refusé.</translation>
+    </message>
+    <message>
+        <source>The default of the grant is not DENY.</source>
+        <translation>La valeur par défaut de l’autorisation (grant) n’est pas DENY.</translation>
+    </message>
+    <message>
+        <source>No grant names the subject of the certificate, %1.</source>
+        <translation>Aucune autorisation (grant) ne nomme le sujet du certificat,&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>What is signed has no domain_rule.</source>
+        <translation>Ce qui est signé n’a pas de domain_rule.</translation>
+    </message>
+    <message>
+        <source>%1 must be %2.</source>
+        <translation>%1 doit être&#xa0;%2.</translation>
+    </message>
+    <message>
+        <source>Both authorities have one key. Whoever has a certificate could sign permissions of its own.</source>
+        <translation>Les deux autorités ont la même clé. Quiconque a un certificat pourrait signer ses propres permissions.</translation>
+    </message>
+    <message>
+        <source>There is no folder of a site, a console or a viewer.</source>
+        <translation>Il n’y a aucun dossier de site, de console ou d’observateur.</translation>
+    </message>
+    <message>
+        <source>This is no certificate.</source>
+        <translation>Ce n’est pas un certificat.</translation>
+    </message>
+    <message>
+        <source>The file is missing.</source>
+        <translation>Le fichier manque.</translation>
+    </message>
+    <message>
+        <source>The certificate does not hold yet.</source>
+        <translation>Le certificat n’est pas encore valable.</translation>
+    </message>
+    <message>
+        <source>The certificate has expired.</source>
+        <translation>Le certificat a expiré.</translation>
+    </message>
+    <message>
+        <source>The certificate ends on %1.</source>
+        <translation>Le certificat prend fin le&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>This is no certificate authority (basicConstraints CA:TRUE).</source>
+        <translation>Ce n’est pas une autorité de certification (basicConstraints CA:TRUE).</translation>
+    </message>
+    <message>
+        <source>Its key usage lacks digitalSignature or keyCertSign.</source>
+        <translation>Il manque digitalSignature ou keyCertSign dans son usage de clé.</translation>
+    </message>
+    <message>
+        <source>It is not signed by itself.</source>
+        <translation>Il n’est pas signé par lui-même.</translation>
+    </message>
+    <message>
+        <source>Others can read or write this private key (chmod 600).</source>
+        <translation>D’autres peuvent lire ou écrire cette clé privée (chmod 600).</translation>
+    </message>
+    <message>
+        <source>This is no private key without a password.</source>
+        <translation>Ce n’est pas une clé privée sans mot de passe.</translation>
+    </message>
+    <message>
+        <source>The key does not belong to the certificate.</source>
+        <translation>La clé n’appartient pas au certificat.</translation>
+    </message>
+    <message>
+        <source>It is not signed by permissions_ca.pem itself.</source>
+        <translation>Il n’est pas signé par permissions_ca.pem même.</translation>
+    </message>
+    <message>
+        <source>Its subject is %1, the folder is called %2.</source>
+        <translation>Son sujet est&#xa0;%1, le dossier s’appelle&#xa0;%2.</translation>
+    </message>
+    <message>
+        <source>It is not signed by identity_ca.pem.</source>
+        <translation>Il n’est pas signé par identity_ca.pem.</translation>
+    </message>
+    <message>
+        <source>It verifies against permissions_ca.pem: its holder could sign permissions of its own. That authority must sign nothing but governance and permissions.</source>
+        <translation>Il est validé par permissions_ca.pem&#xa0;: son détenteur pourrait signer ses propres permissions. Cette autorité ne doit signer que la gouvernance et les permissions.</translation>
+    </message>
+    <message>
+        <source>The key is not here. That is right where it lies only on its own computer.</source>
+        <translation>La clé n’est pas ici. C’est correct si elle n’est que sur son propre ordinateur.</translation>
+    </message>
+    <message>
+        <source>The permissions end on %1.</source>
+        <translation>Les permissions prennent fin le&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>Its topics are those of the site %1, other permissions name %2.</source>
+        <translation>Ses topics sont ceux du site&#xa0;%1, d’autres permissions nomment&#xa0;%2.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Il n’y a pas de dossier&#xa0;%1.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be read.</source>
+        <translation>Le dossier&#xa0;%1 ne peut pas être lu.</translation>
     </message>
 </context>
 <context>
@@ -11377,6 +12348,14 @@ Run %2 --help for more.
     <message>
         <source>at most %1 levels</source>
         <translation>au plus&#xa0;%1 niveaux</translation>
+    </message>
+    <message>
+        <source>a list of %1 lists, each of %2 numbers</source>
+        <translation>une liste de&#xa0;%1 listes, chacune de&#xa0;%2 nombres</translation>
+    </message>
+    <message>
+        <source>a list of texts in quotes</source>
+        <translation>une liste de textes entre guillemets</translation>
     </message>
 </context>
 <context>
@@ -15697,8 +16676,8 @@ Run %2 --help for more.
         <translation>Aucune marque. M en pose une pendant un enregistrement&#xa0;; son texte peut alors être saisi.</translation>
     </message>
     <message>
-        <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a time goes there.</source>
-        <translation>Instants que quelqu’un a marqués dans l’enregistrement. Double-cliquez sur un texte ou appuyez sur Entrée pour le saisir&#xa0;; Suppr retire une marque, Ctrl+Z annule. Dans un enregistrement en cours de lecture, un double clic sur un temps y mène.</translation>
+        <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a mark goes there.</source>
+        <translation>Instants que quelqu’un a marqués dans l’enregistrement. Double-cliquez sur un texte ou appuyez sur Entrée pour le saisir&#xa0;; Suppr retire une marque, Ctrl+Z annule. Dans un enregistrement en cours de lecture, un double clic sur une marque y mène.</translation>
     </message>
 </context>
 <context>

@@ -283,6 +283,57 @@
     </message>
 </context>
 <context>
+    <name>ArmChainText</name>
+    <message>
+        <source>the work was cut short</source>
+        <translation>処理は途中で中断されました</translation>
+    </message>
+    <message>
+        <source>nobody told %1 in domain %2 within %3 s</source>
+        <translation>ドメイン %2 で%3 s以内に %1 を送信するものがありませんでした</translation>
+    </message>
+    <message>
+        <source>a publisher that is reliable and keeps what it sent</source>
+        <translation>reliableで、送信済みのデータを保持する送信側</translation>
+    </message>
+    <message>
+        <source>the robot in this domain, or description = &quot;FILE.urdf&quot;</source>
+        <translation>このドメインのロボット、または description = &quot;FILE.urdf&quot;</translation>
+    </message>
+    <message>
+        <source>two joints of the arm are called &quot;%1&quot; on the wire</source>
+        <translation>通信上の名前が「%1」の関節がアームに2つあります</translation>
+    </message>
+    <message>
+        <source>[joint_names] to name each joint once</source>
+        <translation>各関節の名前が1回ずつの [joint_names]</translation>
+    </message>
+    <message>
+        <source>the description states no speed of %1</source>
+        <translation>記述に%1の速度がありません</translation>
+    </message>
+    <message>
+        <source>[joint_names] names %1, which the description has not</source>
+        <translation>[joint_names] にある%1が記述にありません</translation>
+    </message>
+    <message>
+        <source>effort_stop has %1 numbers, the arm has %2 joints</source>
+        <translation>effort_stopの数値は%1個ですが、アームの関節は%2個です</translation>
+    </message>
+    <message>
+        <source>effort_contains_gravity needs all masses; %1 has none</source>
+        <translation>effort_contains_gravityにはすべての質量が必要ですが、%1に質量がありません</translation>
+    </message>
+    <message>
+        <source>the file requires %1, which is not watched from here</source>
+        <translation>ファイルは%1を必要としますが、ここからは監視されません</translation>
+    </message>
+    <message>
+        <source>force_stop_N needs a force at the wrist, which is not read from here</source>
+        <translation>force_stop_Nには手首の力が必要ですが、ここからは読み取られません</translation>
+    </message>
+</context>
+<context>
     <name>ArmCommand</name>
     <message>
         <source>no end</source>
@@ -355,8 +406,107 @@
         <translation>動く質量は%1 kgです。</translation>
     </message>
     <message>
-        <source>Descriptions of robot arms (URDF)</source>
-        <translation>ロボットアームの記述 (URDF)</translation>
+        <source>Move a joint of an arm over ROS 2 for a short time</source>
+        <translation>ROS 2でアームの関節を短時間動かします</translation>
+    </message>
+    <message>
+        <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
+        <translation>アームを記述したファイル (kind = &quot;ros_arm&quot;)</translation>
+    </message>
+    <message>
+        <source>Joint to move, as the URDF names it</source>
+        <translation>動かす関節 (URDFでの名前)</translation>
+    </message>
+    <message>
+        <source>Speed in rad/s, of a prismatic joint in m/s</source>
+        <translation>速度 (rad/s)。直動関節ではm/s</translation>
+    </message>
+    <message>
+        <source>How long to move it, at most %1</source>
+        <translation>動かす時間。%1以下</translation>
+    </message>
+    <message>
+        <source>Move without asking</source>
+        <translation>確認せずに動かす</translation>
+    </message>
+    <message>
+        <source>Robot arms: descriptions (URDF), and a joint that is moved over ROS 2</source>
+        <translation>ロボットアーム: 記述 (URDF)、およびROS 2での関節の動作</translation>
+    </message>
+</context>
+<context>
+    <name>ArmJogText</name>
+    <message>
+        <source>the arm has no joint &quot;%1&quot;; it has %2</source>
+        <translation>アームに関節「%1」がありません。アームにある関節: %2</translation>
+    </message>
+    <message>
+        <source>speed of the joint</source>
+        <translation>関節の速度</translation>
+    </message>
+    <message>
+        <source>speed of the tip</source>
+        <translation>先端の速度</translation>
+    </message>
+    <message>
+        <source>end of the joint</source>
+        <translation>関節の可動端</translation>
+    </message>
+    <message>
+        <source>box of the tip</source>
+        <translation>先端の可動範囲 (箱)</translation>
+    </message>
+    <message>
+        <source>effort</source>
+        <translation>トルク・力</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>the arm lags</source>
+        <translation>アームの遅れ</translation>
+    </message>
+    <message>
+        <source>the arm cannot be moved: %1</source>
+        <translation>アームを動かせません: %1</translation>
+    </message>
+    <message>
+        <source>no joint states came</source>
+        <translation>関節の状態が届きませんでした</translation>
+    </message>
+    <message>
+        <source>%1 moved %2 %3 in %4 s.</source>
+        <translation>%1は%4 sで%2 %3動きました。</translation>
+    </message>
+    <message>
+        <source>It was at rest %1 s after the command ended.</source>
+        <translation>指令の終了から%1 s後に静止しました。</translation>
+    </message>
+    <message>
+        <source>It was not seen at rest.</source>
+        <translation>静止は確認されませんでした。</translation>
+    </message>
+    <message>
+        <source>Limits that acted: %1.</source>
+        <translation>作用した制限: %1。</translation>
+    </message>
+    <message>
+        <source>without a terminal to ask on, --yes is needed to move an arm</source>
+        <translation>確認のための端末がない場合、アームを動かすには--yesが必要です</translation>
+    </message>
+    <message>
+        <source>This moves %1 of %2 at %3 %4/s for %5 s. Type &quot;yes&quot; to move it: </source>
+        <translation>%2の%1を%3 %4/sで%5 s動かします。動かすには&quot;yes&quot;と入力してください: </translation>
+    </message>
+    <message>
+        <source>nothing was moved</source>
+        <translation>何も動かしませんでした</translation>
+    </message>
+    <message>
+        <source>the motion was cut short: %1</source>
+        <translation>動作は途中で中断されました: %1</translation>
     </message>
 </context>
 <context>
@@ -1066,6 +1216,366 @@
     <message>
         <source>a symmetric matrix without negative variances</source>
         <translation>負の分散のない対称行列</translation>
+    </message>
+</context>
+<context>
+    <name>CertificateText</name>
+    <message>
+        <source>The program is ended by SIGKILL. Only the driver&apos;s watchdog is left.</source>
+        <translation>プログラムをSIGKILLで終了させます。残るのはドライバーのウォッチドッグだけです。</translation>
+    </message>
+    <message>
+        <source>SIGTERM, as when a session ends.</source>
+        <translation>セッションの終了時と同じSIGTERM。</translation>
+    </message>
+    <message>
+        <source>SIGINT, as by Ctrl-C.</source>
+        <translation>Ctrl-Cと同じSIGINT。</translation>
+    </message>
+    <message>
+        <source>SIGHUP, as when a terminal closes.</source>
+        <translation>端末が閉じたときと同じSIGHUP。</translation>
+    </message>
+    <message>
+        <source>SIGSTOP, later SIGCONT, as when the computer sleeps.</source>
+        <translation>コンピューターのスリープと同様に、SIGSTOPの後にSIGCONT。</translation>
+    </message>
+    <message>
+        <source>The line is cut and cannot be opened for a while.</source>
+        <translation>回線が切断され、しばらく開けません。</translation>
+    </message>
+    <message>
+        <source>The driver&apos;s answers are held back.</source>
+        <translation>ドライバーの応答を遅らせます。</translation>
+    </message>
+    <message>
+        <source>What the program sends does not arrive.</source>
+        <translation>プログラムの送信したものが届きません。</translation>
+    </message>
+    <message>
+        <source>The driver&apos;s answers are replaced by garbage, by refusals, or by answers to other requests.</source>
+        <translation>ドライバーの応答を、無意味なデータ、拒否、または別の要求への応答に置き換えます。</translation>
+    </message>
+    <message>
+        <source>STOP is engaged.</source>
+        <translation>STOPを作動させます。</translation>
+    </message>
+    <message>
+        <source>The recording can grow no more; then STOP. Timed from STOP.</source>
+        <translation>記録をそれ以上書き込めなくし、その後STOP。時間はSTOPから測ります。</translation>
+    </message>
+    <message>
+        <source>The program gets no more memory; then STOP. Timed from STOP.</source>
+        <translation>プログラムがそれ以上メモリを確保できなくし、その後STOP。時間はSTOPから測ります。</translation>
+    </message>
+    <message>
+        <source>The wall clock is set by an hour; then STOP. Timed from STOP.</source>
+        <translation>システム時計を1時間ずらし、その後STOP。時間はSTOPから測ります。</translation>
+    </message>
+    <message>
+        <source>No fault was injected.</source>
+        <translation>障害は注入されませんでした。</translation>
+    </message>
+    <message>
+        <source>Passed: after each of %1 faults the motors were at zero within %2 ms. Nothing went on unasked, and nothing of the recordings was lost. With a confidence of 95 %, at most %3 % of such faults take longer.</source>
+        <translation>合格: %1件の障害のいずれの後も、モーターは%2 ms以内にゼロになりました。指示なしに動作が続いたことはなく、記録は何も失われませんでした。95 %の信頼度で、これより長くかかるのはこのような障害の%3 %以下です。</translation>
+    </message>
+    <message>
+        <source>Not passed: of %1 faults, %2 left the motors on for more than %3 ms, %4 were followed by motion that nobody had asked for, %5 frames were lost, and %6 recordings were damaged.</source>
+        <translation>不合格: %1件の障害のうち、%2件でモーターが%3 msを超えて動き続け、%4件で指示のない動作が後に続きました。失われたフレームは%5個、破損した記録は%6件です。</translation>
+    </message>
+    <message>
+        <source>Time from the fault until the motors were at zero, in ms</source>
+        <translation>障害からモーターがゼロになるまでの時間、ms</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>障害</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>件数</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>中央値</translation>
+    </message>
+    <message>
+        <source>99 %</source>
+        <translation>99 %</translation>
+    </message>
+    <message>
+        <source>Longest</source>
+        <translation>最長</translation>
+    </message>
+    <message>
+        <source>Over the bound</source>
+        <translation>限界超過</translation>
+    </message>
+    <message>
+        <source>Share at most (%)</source>
+        <translation>割合の上限 (%)</translation>
+    </message>
+    <message>
+        <source>Went on unasked</source>
+        <translation>指示なしに動作を継続</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>フレーム損失</translation>
+    </message>
+    <message>
+        <source>Files damaged</source>
+        <translation>破損したファイル</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Times until the motors were at zero, of each kind</source>
+        <translation>種類ごとの、モーターがゼロになるまでの時間</translation>
+    </message>
+    <message>
+        <source>Time until zero (ms)</source>
+        <translation>ゼロまでの時間 (ms)</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>限界</translation>
+    </message>
+    <message>
+        <source>What was looked at</source>
+        <translation>試験の対象</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>項目</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>プログラム</translation>
+    </message>
+    <message>
+        <source>Driver of the motors</source>
+        <translation>モータードライバー</translation>
+    </message>
+    <message>
+        <source>%1 (SIMULATED)</source>
+        <translation>%1 (シミュレーション)</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>システム</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>プロセッサー</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n core(s)</source>
+        <translation>
+            <numerusform>%1、%nコア</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Load of the last minute</source>
+        <translation>直近1分間の負荷</translation>
+    </message>
+    <message>
+        <source>Longest time between two looks at the motors</source>
+        <translation>モーターを確認する間隔の最大値</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>シード</translation>
+    </message>
+    <message>
+        <source>Killed</source>
+        <translation>強制終了</translation>
+    </message>
+    <message>
+        <source>Terminated</source>
+        <translation>終了要求</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>中断</translation>
+    </message>
+    <message>
+        <source>Terminal closed</source>
+        <translation>端末の終了</translation>
+    </message>
+    <message>
+        <source>Put to sleep</source>
+        <translation>スリープ</translation>
+    </message>
+    <message>
+        <source>Unplugged</source>
+        <translation>取り外し</translation>
+    </message>
+    <message>
+        <source>Answers late</source>
+        <translation>応答の遅延</translation>
+    </message>
+    <message>
+        <source>Requests lost</source>
+        <translation>要求の損失</translation>
+    </message>
+    <message>
+        <source>Answers wrong</source>
+        <translation>誤った応答</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Disk full, STOP</source>
+        <translation>ディスク満杯、STOP</translation>
+    </message>
+    <message>
+        <source>Memory refused, STOP</source>
+        <translation>メモリ確保の拒否、STOP</translation>
+    </message>
+    <message>
+        <source>Clock set, STOP</source>
+        <translation>時計の変更、STOP</translation>
+    </message>
+    <message>
+        <source>SIMULATED: the driver of the motors is a program.</source>
+        <translation>シミュレーション: モータードライバーはプログラムです。</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>障害</translation>
+    </message>
+    <message>
+        <source>What each fault is</source>
+        <translation>各障害の内容</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>language of the page, as BCP 47 has it</comment>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>Certificate of faults</source>
+        <translation>障害試験の証明書</translation>
+    </message>
+</context>
+<context>
+    <name>CertifyCommand</name>
+    <message>
+        <source>File of a Modbus motor driver over TCP; default: a simulated one. Nobody may wear its motors, which turn the whole time</source>
+        <translation>TCPで接続するModbusモータードライバーのファイル。既定値: シミュレーションのドライバー。モーターは終始回り続けるため、誰も装着してはいけません</translation>
+    </message>
+    <message>
+        <source>With --bracelet: nobody wears the motors</source>
+        <translation>--bracelet使用時: モーターを誰も装着していません</translation>
+    </message>
+    <message>
+        <source>Number of faults</source>
+        <translation>障害の件数</translation>
+    </message>
+    <message>
+        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer</source>
+        <translation>障害の種類、コンマ区切り: %1。既定値: このコンピューターの時計を変更するclock_stepを除くすべて</translation>
+    </message>
+    <message>
+        <source>Time in which the motors must be at zero</source>
+        <translation>モーターがゼロにならなければならない時間</translation>
+    </message>
+    <message>
+        <source>Of the order and the phases of the faults</source>
+        <translation>障害の順序とタイミングのシード</translation>
+    </message>
+    <message>
+        <source>Where the report goes: NAME.html and NAME.json</source>
+        <translation>レポートの保存先: NAME.htmlとNAME.json</translation>
+    </message>
+    <message>
+        <source>the motors will turn the whole time; take them off everybody and add --yes</source>
+        <translation>モーターは終始回り続けます。全員からモーターを外し、--yesを付けてください</translation>
+    </message>
+    <message>
+        <source>the device has no motors</source>
+        <translation>デバイスにモーターがありません</translation>
+    </message>
+    <message>
+        <source>a table [tactors]</source>
+        <translation>表 [tactors]</translation>
+    </message>
+    <message>
+        <source>faults of the line can only be injected into a TCP line</source>
+        <translation>回線の障害はTCP回線にのみ注入できます</translation>
+    </message>
+    <message>
+        <source>The certificate is not passed.</source>
+        <translation>証明書は不合格です。</translation>
+    </message>
+    <message>
+        <source>The program under test follows a simulated array by live setpoints, drives the motors within their limits, and records.</source>
+        <translation>試験対象のプログラムは、ライブ設定値によってシミュレーションアレイに追従し、上限の範囲内でモーターを駆動し、記録します。</translation>
+    </message>
+    <message>
+        <source>Interrupted: %1 of %2 faults were injected.</source>
+        <translation>中断: %2件の障害のうち%1件が注入されました。</translation>
+    </message>
+    <message>
+        <source>The driver of the motors is SIMULATED: a Modbus server with a watchdog of 100 ms.</source>
+        <translation>モータードライバーはシミュレーションです: 100 msのウォッチドッグを持つModbusサーバー。</translation>
+    </message>
+    <message>
+        <source>Not covered: arms, and bracelets that are not Modbus drivers over TCP.</source>
+        <translation>対象外: アーム、およびTCPで接続するModbusドライバーではないブレスレット。</translation>
+    </message>
+    <message>
+        <source>A damaged recording was kept: %1</source>
+        <translation>破損した記録を保存しました: %1</translation>
+    </message>
+    <message>
+        <source>%1 faults: median %2, 99 % %3, longest %4 ms; %5 over the bound</source>
+        <translation>障害%1件: 中央値 %2、99 % %3、最長 %4 ms。限界超過%5件</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Went on unasked</source>
+        <translation>指示なしに動作を継続</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>フレーム損失</translation>
+    </message>
+    <message>
+        <source>Files damaged</source>
+        <translation>破損したファイル</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>レポート</translation>
+    </message>
+    <message>
+        <source>Inject faults into what drives the motors, and report how soon they are off</source>
+        <translation>モーターを駆動する側に障害を注入し、モーターがどれだけ早く停止するかを報告します</translation>
+    </message>
+</context>
+<context>
+    <name>ChainProcess</name>
+    <message>
+        <source>the program cannot be started: %1</source>
+        <translation>プログラムを起動できません: %1</translation>
     </message>
 </context>
 <context>
@@ -2643,6 +3153,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>DriverText</name>
+    <message>
+        <source>the simulated motor driver cannot open a port: %1</source>
+        <translation>シミュレーションのモータードライバーがポートを開けません: %1</translation>
+    </message>
+    <message>
+        <source>the device has no motors</source>
+        <translation>デバイスにモーターがありません</translation>
+    </message>
+</context>
+<context>
     <name>EqualStrength</name>
     <message>
         <source>tactor %1 has no level at which it feels as strong as tactor %2</source>
@@ -2920,6 +3441,21 @@ Examples:
     <message>
         <source>16-bit samples, 1 is full scale. Vibrations drive voice coils; bare intensities are for programs that make the vibration themselves.</source>
         <translation>16ビットのサンプル、1がフルスケール。振動はボイスコイルを駆動します。強度のみの出力は、振動を自ら生成するプログラム用です。</translation>
+    </message>
+</context>
+<context>
+    <name>FaultInjector</name>
+    <message>
+        <source>the program that drives the motors ended by itself</source>
+        <translation>モーターを駆動するプログラムがひとりでに終了しました</translation>
+    </message>
+    <message>
+        <source>the motors did not turn within 30 s</source>
+        <translation>30 s以内にモーターが回りませんでした</translation>
+    </message>
+    <message>
+        <source>the driver of the motors does not answer any more</source>
+        <translation>モータードライバーが応答しなくなりました</translation>
     </message>
 </context>
 <context>
@@ -5051,6 +5587,17 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>PartText</name>
+    <message>
+        <source>a part of the program cannot be loaded: %1</source>
+        <translation>プログラムの一部を読み込めません: %1</translation>
+    </message>
+    <message>
+        <source>a complete installation of the program</source>
+        <translation>プログラムの完全なインストール</translation>
+    </message>
+</context>
+<context>
     <name>ParticipantReport</name>
     <message>
         <source>In this part nothing was tested yet.</source>
@@ -6053,6 +6600,10 @@ Run %2 --help for more.
         <source>Print how to cite the program, as BibTeX</source>
         <translation>プログラムの引用方法をBibTeXで出力する</translation>
     </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>メモリが足りません</translation>
+    </message>
 </context>
 <context>
     <name>Provenance</name>
@@ -6360,6 +6911,13 @@ Run %2 --help for more.
     <message>
         <source>at most %1, from the base to the tip</source>
         <translation>最大 %1、基部から先端の順</translation>
+    </message>
+</context>
+<context>
+    <name>RelayText</name>
+    <message>
+        <source>no line to the driver can be opened: %1</source>
+        <translation>ドライバーへの回線を開けません: %1</translation>
     </message>
 </context>
 <context>
@@ -7057,6 +7615,203 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RosArm</name>
+    <message>
+        <source>the arm cannot be moved: %1</source>
+        <translation>アームを動かせません: %1</translation>
+    </message>
+    <message>
+        <source>%1 does not tell: %2</source>
+        <translation>%1 に次の情報がありません: %2</translation>
+    </message>
+    <message>
+        <source>%1 tells no effort, so effort_stop cannot hold the arm</source>
+        <translation>%1 にトルク・力の情報がないため、effort_stopでアームを保持できません</translation>
+    </message>
+    <message>
+        <source>no controller reads %1</source>
+        <translation>%1 を受信するコントローラーがありません</translation>
+    </message>
+    <message>
+        <source>other programs are being looked for</source>
+        <translation>ほかのプログラムを探しています</translation>
+    </message>
+</context>
+<context>
+    <name>RosArmCheck</name>
+    <message>
+        <source>a publisher is best effort, reliable was asked</source>
+        <translation>送信側はbest effortですが、reliableが要求されました</translation>
+    </message>
+    <message>
+        <source>the reader asks for what was sent before it came, which a command is not</source>
+        <translation>受信側は接続前に送信されたデータを要求していますが、指令はそれに当たりません</translation>
+    </message>
+    <message>
+        <source>a publisher offers other qualities than were asked</source>
+        <translation>送信側のQoSが要求と異なります</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>%1 を送信するものがありません</translation>
+    </message>
+    <message>
+        <source>nothing was sent on %1</source>
+        <translation>%1 へ何も送信されませんでした</translation>
+    </message>
+    <message>
+        <source>%1 does not tell: %2</source>
+        <translation>%1 に次の情報がありません: %2</translation>
+    </message>
+    <message>
+        <source>%1 tells all %2 joints</source>
+        <translation>%1 に%2個の関節すべての情報があります</translation>
+    </message>
+    <message>
+        <source>%1 publishers of %2</source>
+        <translation>%2 の送信側が%1個あります</translation>
+    </message>
+    <message>
+        <source>%1 tells %2, the arm has not</source>
+        <translation>%1 にある%2がアームにありません</translation>
+    </message>
+    <message>
+        <source>%1 messages contradict themselves and were left out</source>
+        <translation>内容が矛盾するメッセージ%1件を除外しました</translation>
+    </message>
+    <message>
+        <source>%1 samples a second, longest gap %2 s</source>
+        <translation>毎秒%1サンプル、最長の間隔 %2 s</translation>
+    </message>
+    <message>
+        <source>; joint_timeout_s is %1</source>
+        <translation>。joint_timeout_sは%1です</translation>
+    </message>
+    <message>
+        <source>told, in %1 as the file says</source>
+        <translation>情報あり。ファイルの記載どおり単位は%1です</translation>
+    </message>
+    <message>
+        <source>not told, so effort_stop cannot hold the arm</source>
+        <translation>情報がないため、effort_stopでアームを保持できません</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>情報なし</translation>
+    </message>
+    <message>
+        <source>%1 stamps are zero</source>
+        <translation>%1個のタイムスタンプがゼロです</translation>
+    </message>
+    <message>
+        <source>stamps are %1 s behind this computer</source>
+        <translation>タイムスタンプはこのコンピューターより%1 s遅れています</translation>
+    </message>
+    <message>
+        <source>someone else commands %1</source>
+        <translation>ほかのプログラムが %1 に指令を送っています</translation>
+    </message>
+    <message>
+        <source>%1 has the type %2</source>
+        <translation>%1 の型は%2です</translation>
+    </message>
+    <message>
+        <source>reads %1</source>
+        <translation>%1 を受信しています</translation>
+    </message>
+    <message>
+        <source>cannot be reached: %1</source>
+        <translation>到達できません: %1</translation>
+    </message>
+    <message>
+        <source>nobody reads %1</source>
+        <translation>%1 を受信するものがありません</translation>
+    </message>
+    <message>
+        <source>; there is %1</source>
+        <translation>。存在するもの: %1</translation>
+    </message>
+    <message>
+        <source>the check was cut short</source>
+        <translation>確認は途中で中断されました</translation>
+    </message>
+</context>
+<context>
+    <name>RosArmCheckReport</name>
+    <message numerus="yes">
+        <source>the arm cannot be moved: %n problem(s)</source>
+        <translation>
+            <numerusform>アームを動かせません: 問題%n件</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RosArmFault</name>
+    <message>
+        <source>someone else commands %1</source>
+        <translation>ほかのプログラムが %1 に指令を送っています</translation>
+    </message>
+    <message>
+        <source>%1 tells a position that is no number</source>
+        <translation>%1 の位置が数値ではありません</translation>
+    </message>
+    <message>
+        <source>the position of %1 jumped</source>
+        <translation>%1の位置が飛びました</translation>
+    </message>
+    <message>
+        <source>the stamps of %1 went back</source>
+        <translation>%1 のタイムスタンプが戻りました</translation>
+    </message>
+    <message>
+        <source>the arm does not follow its commands</source>
+        <translation>アームが指令に追従していません</translation>
+    </message>
+</context>
+<context>
+    <name>RosArmFile</name>
+    <message>
+        <source>&quot;%1&quot; is no name of a topic</source>
+        <translation>「%1」はトピックの名前ではありません</translation>
+    </message>
+    <message>
+        <source>parts of letters, digits and _ after slashes, for example /joint_states</source>
+        <translation>/の後に英字・数字・_からなる部分。例: /joint_states</translation>
+    </message>
+    <message>
+        <source>no adapter that is offered moves an arm unguarded</source>
+        <translation>使用できるアダプターに、保護なしでアームを動かすものはありません</translation>
+    </message>
+    <message>
+        <source>two joints are called &quot;%1&quot; on the wire</source>
+        <translation>通信上の名前が「%1」の関節が2つあります</translation>
+    </message>
+    <message>
+        <source>a name of its own for each joint</source>
+        <translation>関節ごとに固有の名前</translation>
+    </message>
+    <message>
+        <source>a side of the box has no length</source>
+        <translation>箱の辺に長さがありません</translation>
+    </message>
+    <message>
+        <source>[lowest, highest] for x, y and z</source>
+        <translation>x、y、zそれぞれの [最小, 最大]</translation>
+    </message>
+    <message>
+        <source>STOP would brake less than letting go</source>
+        <translation>STOPの減速が、手を離したときより弱くなります</translation>
+    </message>
+    <message>
+        <source>at least deceleration_radPerS2, %1</source>
+        <translation>deceleration_radPerS2以上、つまり%1以上</translation>
+    </message>
+    <message>
+        <source>the efforts of this arm are not in Nm</source>
+        <translation>このアームのトルク・力の単位がNmではありません</translation>
+    </message>
+</context>
+<context>
     <name>RosCommand</name>
     <message>
         <source>a publisher is best effort, reliable was asked</source>
@@ -7129,6 +7884,14 @@ Run %2 --help for more.
     <message>
         <source>Topics and nodes of ROS 2, without ROS</source>
         <translation>ROSなしでROS 2のトピックとノードを表示</translation>
+    </message>
+    <message>
+        <source>Watch an arm for 5 s and say what keeps it from being moved</source>
+        <translation>アームを5 s監視し、動かすのを妨げているものを示します</translation>
+    </message>
+    <message>
+        <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
+        <translation>アームを記述したファイル (kind = &quot;ros_arm&quot;)</translation>
     </message>
 </context>
 <context>
@@ -7760,6 +8523,212 @@ Run %2 --help for more.
     <message>
         <source>the lens folds the image over itself: no camera has such a lens</source>
         <translation>カメラのレンズが折り返しています: そのようなカメラはありません</translation>
+    </message>
+</context>
+<context>
+    <name>SiteCommand</name>
+    <message>
+        <source>Check the certificates and permissions of a site, or tell the commands that make them</source>
+        <translation>拠点の証明書と許可を検査するか、それらを作成するコマンドを示します</translation>
+    </message>
+    <message>
+        <source>Folder with identity_ca.pem, permissions_ca.pem, governance.p7s and one folder for each site, console and viewer</source>
+        <translation>identity_ca.pem、permissions_ca.pem、governance.p7sと、拠点、コンソール、ビューアーごとに1つのフォルダーを含むフォルダー</translation>
+    </message>
+    <message>
+        <source>Check nothing, print the commands of openssl that make the folder for a site of this name</source>
+        <translation>検査せずに、この名前の拠点のフォルダーを作成するopensslのコマンドを表示</translation>
+    </message>
+    <message>
+        <source>Consoles that may control</source>
+        <translation>操作できるコンソール</translation>
+    </message>
+    <message>
+        <source>Consoles that only watch</source>
+        <translation>閲覧のみのコンソール</translation>
+    </message>
+    <message>
+        <source>These keys are not safe to use.</source>
+        <translation>これらの鍵は安全に使用できません。</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3, until %4</source>
+        <translation>%1 (%2): %3、%4まで</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>拒否: %1</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>警告: %1</translation>
+    </message>
+    <message>
+        <source>Keys of a site, where a robot is at another place</source>
+        <translation>ロボットが別の場所にある拠点の鍵</translation>
+    </message>
+</context>
+<context>
+    <name>SiteKeys</name>
+    <message>
+        <source>&apos;%1&apos; is no name of a site or a console</source>
+        <translation>「%1」は拠点またはコンソールの名前ではありません</translation>
+    </message>
+    <message>
+        <source>a small letter, then at most 30 of a-z, 0-9 and _</source>
+        <translation>英小文字1字の後に、a-z、0-9、_を30字以下</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is taken already</source>
+        <translation>「%1」は既に使われています</translation>
+    </message>
+    <message>
+        <source>No topic of a site (rt/teleta/SITE/...) is allowed.</source>
+        <translation>拠点のトピック (rt/teleta/SITE/...) が1つも許可されていません。</translation>
+    </message>
+    <message>
+        <source>%1 must not publish %2.</source>
+        <translation>%1 に %2 の送信を許可してはいけません。</translation>
+    </message>
+    <message>
+        <source>%1 needs to publish %2.</source>
+        <translation>%1 には %2 の送信の許可が必要です。</translation>
+    </message>
+    <message>
+        <source>%1 must not subscribe to %2.</source>
+        <translation>%1 に %2 の受信を許可してはいけません。</translation>
+    </message>
+    <message>
+        <source>%1 needs to subscribe to %2.</source>
+        <translation>%1 には %2 の受信の許可が必要です。</translation>
+    </message>
+    <message>
+        <source>%1 must not relay %2.</source>
+        <translation>%1 に %2 の中継を許可してはいけません。</translation>
+    </message>
+    <message>
+        <source>What is signed is not XML.</source>
+        <translation>署名された内容がXMLではありません。</translation>
+    </message>
+    <message>
+        <source>The validity needs not_before and not_after as 2026-01-31T00:00:00, without a time zone.</source>
+        <translation>有効期間には、タイムゾーンのない2026-01-31T00:00:00の形式のnot_beforeとnot_afterが必要です。</translation>
+    </message>
+    <message>
+        <source>The permissions do not hold yet.</source>
+        <translation>許可はまだ有効ではありません。</translation>
+    </message>
+    <message>
+        <source>The permissions have expired.</source>
+        <translation>許可の有効期限が切れています。</translation>
+    </message>
+    <message>
+        <source>The grant has a deny_rule. It needs none: what is not allowed is denied.</source>
+        <translation>grantにdeny_ruleがあります。許可されていないものは拒否されるため、不要です。</translation>
+    </message>
+    <message>
+        <source>The default of the grant is not DENY.</source>
+        <translation>grantのdefaultがDENYではありません。</translation>
+    </message>
+    <message>
+        <source>No grant names the subject of the certificate, %1.</source>
+        <translation>証明書のサブジェクト %1 を指定するgrantがありません。</translation>
+    </message>
+    <message>
+        <source>What is signed has no domain_rule.</source>
+        <translation>署名された内容にdomain_ruleがありません。</translation>
+    </message>
+    <message>
+        <source>%1 must be %2.</source>
+        <translation>%1は%2でなければなりません。</translation>
+    </message>
+    <message>
+        <source>Both authorities have one key. Whoever has a certificate could sign permissions of its own.</source>
+        <translation>2つの認証局の鍵が同じです。証明書を持つ者が、自分の許可に署名できてしまいます。</translation>
+    </message>
+    <message>
+        <source>There is no folder of a site, a console or a viewer.</source>
+        <translation>拠点、コンソール、ビューアーのフォルダーがありません。</translation>
+    </message>
+    <message>
+        <source>This is no certificate.</source>
+        <translation>これは証明書ではありません。</translation>
+    </message>
+    <message>
+        <source>The file is missing.</source>
+        <translation>ファイルがありません。</translation>
+    </message>
+    <message>
+        <source>The certificate does not hold yet.</source>
+        <translation>証明書はまだ有効ではありません。</translation>
+    </message>
+    <message>
+        <source>The certificate has expired.</source>
+        <translation>証明書の有効期限が切れています。</translation>
+    </message>
+    <message>
+        <source>The certificate ends on %1.</source>
+        <translation>証明書の有効期限は%1です。</translation>
+    </message>
+    <message>
+        <source>This is no certificate authority (basicConstraints CA:TRUE).</source>
+        <translation>これは認証局ではありません (basicConstraints CA:TRUE)。</translation>
+    </message>
+    <message>
+        <source>Its key usage lacks digitalSignature or keyCertSign.</source>
+        <translation>鍵用途にdigitalSignatureまたはkeyCertSignがありません。</translation>
+    </message>
+    <message>
+        <source>It is not signed by itself.</source>
+        <translation>自己署名されていません。</translation>
+    </message>
+    <message>
+        <source>Others can read or write this private key (chmod 600).</source>
+        <translation>この秘密鍵はほかのユーザーが読み書きできます (chmod 600)。</translation>
+    </message>
+    <message>
+        <source>This is no private key without a password.</source>
+        <translation>これはパスワードのない秘密鍵ではありません。</translation>
+    </message>
+    <message>
+        <source>The key does not belong to the certificate.</source>
+        <translation>鍵が証明書と対応していません。</translation>
+    </message>
+    <message>
+        <source>It is not signed by permissions_ca.pem itself.</source>
+        <translation>permissions_ca.pem自体による署名ではありません。</translation>
+    </message>
+    <message>
+        <source>Its subject is %1, the folder is called %2.</source>
+        <translation>サブジェクトは %1 ですが、フォルダーの名前は %2 です。</translation>
+    </message>
+    <message>
+        <source>It is not signed by identity_ca.pem.</source>
+        <translation>identity_ca.pemによる署名がありません。</translation>
+    </message>
+    <message>
+        <source>It verifies against permissions_ca.pem: its holder could sign permissions of its own. That authority must sign nothing but governance and permissions.</source>
+        <translation>permissions_ca.pemで検証に通ります: 所有者が自分の許可に署名できてしまいます。この認証局は、governanceとpermissions以外に署名してはいけません。</translation>
+    </message>
+    <message>
+        <source>The key is not here. That is right where it lies only on its own computer.</source>
+        <translation>鍵はここにありません。鍵をそれ自身のコンピューターにだけ置く場合は、これで正常です。</translation>
+    </message>
+    <message>
+        <source>The permissions end on %1.</source>
+        <translation>許可の有効期限は%1です。</translation>
+    </message>
+    <message>
+        <source>Its topics are those of the site %1, other permissions name %2.</source>
+        <translation>トピックは拠点 %1 のものですが、ほかの許可は %2 を指定しています。</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>フォルダー %1 がありません。</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be read.</source>
+        <translation>フォルダー %1 を読み取れません。</translation>
     </message>
 </context>
 <context>
@@ -11349,6 +12318,14 @@ Run %2 --help for more.
     <message>
         <source>at most %1 levels</source>
         <translation>最大%1段</translation>
+    </message>
+    <message>
+        <source>a list of %1 lists, each of %2 numbers</source>
+        <translation>%1個のリストからなるリスト。各リストは%2個の数値</translation>
+    </message>
+    <message>
+        <source>a list of texts in quotes</source>
+        <translation>引用符で囲んだテキストのリスト</translation>
     </message>
 </context>
 <context>
@@ -15652,8 +16629,8 @@ Run %2 --help for more.
         <translation>マークはありません。記録中にMでマークを付けると、そのテキストを入力できます。</translation>
     </message>
     <message>
-        <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a time goes there.</source>
-        <translation>記録中に付けられたマークの時点です。テキストをダブルクリックするかEnterを押すと入力でき、Deleteでマークを削除、Ctrl+Zで元に戻します。再生中の記録では、時刻をダブルクリックするとそこへ移動します。</translation>
+        <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a mark goes there.</source>
+        <translation>記録中に付けられたマークの時点です。テキストをダブルクリックするかEnterを押すと入力でき、Deleteでマークを削除、Ctrl+Zで元に戻します。再生中の記録では、マークをダブルクリックするとそこへ移動します。</translation>
     </message>
 </context>
 <context>

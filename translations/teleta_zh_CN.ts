@@ -283,6 +283,57 @@
     </message>
 </context>
 <context>
+    <name>ArmChainText</name>
+    <message>
+        <source>the work was cut short</source>
+        <translation>工作被中断</translation>
+    </message>
+    <message>
+        <source>nobody told %1 in domain %2 within %3 s</source>
+        <translation>在 %3 s 内，域 %2 中没有程序发布 %1</translation>
+    </message>
+    <message>
+        <source>a publisher that is reliable and keeps what it sent</source>
+        <translation>设为 reliable 且保留已发送数据的发布者</translation>
+    </message>
+    <message>
+        <source>the robot in this domain, or description = &quot;FILE.urdf&quot;</source>
+        <translation>此域中的机器人，或 description = &quot;FILE.urdf&quot;</translation>
+    </message>
+    <message>
+        <source>two joints of the arm are called &quot;%1&quot; on the wire</source>
+        <translation>机械臂有两个关节在传输中都名为“%1”</translation>
+    </message>
+    <message>
+        <source>[joint_names] to name each joint once</source>
+        <translation>[joint_names] 中每个关节只命名一次</translation>
+    </message>
+    <message>
+        <source>the description states no speed of %1</source>
+        <translation>描述中未给出 %1 的速度</translation>
+    </message>
+    <message>
+        <source>[joint_names] names %1, which the description has not</source>
+        <translation>[joint_names] 列出了 %1，而描述中没有它</translation>
+    </message>
+    <message>
+        <source>effort_stop has %1 numbers, the arm has %2 joints</source>
+        <translation>effort_stop 有 %1 个数，而机械臂有 %2 个关节</translation>
+    </message>
+    <message>
+        <source>effort_contains_gravity needs all masses; %1 has none</source>
+        <translation>effort_contains_gravity 需要全部质量；%1 没有质量</translation>
+    </message>
+    <message>
+        <source>the file requires %1, which is not watched from here</source>
+        <translation>文件要求 %1，而此处不对其进行监视</translation>
+    </message>
+    <message>
+        <source>force_stop_N needs a force at the wrist, which is not read from here</source>
+        <translation>force_stop_N 需要腕部的力，而此处不读取该力</translation>
+    </message>
+</context>
+<context>
     <name>ArmCommand</name>
     <message>
         <source>no end</source>
@@ -355,8 +406,107 @@
         <translation>移动的质量为 %1 kg。</translation>
     </message>
     <message>
-        <source>Descriptions of robot arms (URDF)</source>
-        <translation>机械臂的描述 (URDF)</translation>
+        <source>Move a joint of an arm over ROS 2 for a short time</source>
+        <translation>通过 ROS 2 短时移动机械臂的一个关节</translation>
+    </message>
+    <message>
+        <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
+        <translation>描述机械臂的文件 (kind = &quot;ros_arm&quot;)</translation>
+    </message>
+    <message>
+        <source>Joint to move, as the URDF names it</source>
+        <translation>要移动的关节，采用 URDF 中的名称</translation>
+    </message>
+    <message>
+        <source>Speed in rad/s, of a prismatic joint in m/s</source>
+        <translation>速度，单位 rad/s；移动关节为 m/s</translation>
+    </message>
+    <message>
+        <source>How long to move it, at most %1</source>
+        <translation>移动的时长，至多 %1</translation>
+    </message>
+    <message>
+        <source>Move without asking</source>
+        <translation>不经询问直接移动</translation>
+    </message>
+    <message>
+        <source>Robot arms: descriptions (URDF), and a joint that is moved over ROS 2</source>
+        <translation>机械臂：描述 (URDF)，以及通过 ROS 2 移动关节</translation>
+    </message>
+</context>
+<context>
+    <name>ArmJogText</name>
+    <message>
+        <source>the arm has no joint &quot;%1&quot;; it has %2</source>
+        <translation>机械臂没有关节“%1”；它有 %2</translation>
+    </message>
+    <message>
+        <source>speed of the joint</source>
+        <translation>关节速度</translation>
+    </message>
+    <message>
+        <source>speed of the tip</source>
+        <translation>末端速度</translation>
+    </message>
+    <message>
+        <source>end of the joint</source>
+        <translation>关节极限</translation>
+    </message>
+    <message>
+        <source>box of the tip</source>
+        <translation>末端的活动范围框</translation>
+    </message>
+    <message>
+        <source>effort</source>
+        <translation>effort</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>the arm lags</source>
+        <translation>机械臂滞后</translation>
+    </message>
+    <message>
+        <source>the arm cannot be moved: %1</source>
+        <translation>无法移动机械臂：%1</translation>
+    </message>
+    <message>
+        <source>no joint states came</source>
+        <translation>未收到关节状态</translation>
+    </message>
+    <message>
+        <source>%1 moved %2 %3 in %4 s.</source>
+        <translation>%1 在 %4 s 内移动了 %2 %3。</translation>
+    </message>
+    <message>
+        <source>It was at rest %1 s after the command ended.</source>
+        <translation>指令结束 %1 s 后静止。</translation>
+    </message>
+    <message>
+        <source>It was not seen at rest.</source>
+        <translation>未观测到其静止。</translation>
+    </message>
+    <message>
+        <source>Limits that acted: %1.</source>
+        <translation>起作用的限制：%1。</translation>
+    </message>
+    <message>
+        <source>without a terminal to ask on, --yes is needed to move an arm</source>
+        <translation>没有可供询问的终端，移动机械臂需要 --yes</translation>
+    </message>
+    <message>
+        <source>This moves %1 of %2 at %3 %4/s for %5 s. Type &quot;yes&quot; to move it: </source>
+        <translation>这将使 %2 的 %1 以 %3 %4/s 移动 %5 s。键入 &quot;yes&quot; 以移动： </translation>
+    </message>
+    <message>
+        <source>nothing was moved</source>
+        <translation>未移动任何部分</translation>
+    </message>
+    <message>
+        <source>the motion was cut short: %1</source>
+        <translation>运动被中断：%1</translation>
     </message>
 </context>
 <context>
@@ -1066,6 +1216,366 @@
     <message>
         <source>a symmetric matrix without negative variances</source>
         <translation>没有负方差的对称矩阵</translation>
+    </message>
+</context>
+<context>
+    <name>CertificateText</name>
+    <message>
+        <source>The program is ended by SIGKILL. Only the driver&apos;s watchdog is left.</source>
+        <translation>程序被 SIGKILL 终止。只剩下驱动器的看门狗。</translation>
+    </message>
+    <message>
+        <source>SIGTERM, as when a session ends.</source>
+        <translation>SIGTERM，如同会话结束时。</translation>
+    </message>
+    <message>
+        <source>SIGINT, as by Ctrl-C.</source>
+        <translation>SIGINT，如同按下 Ctrl-C。</translation>
+    </message>
+    <message>
+        <source>SIGHUP, as when a terminal closes.</source>
+        <translation>SIGHUP，如同终端关闭时。</translation>
+    </message>
+    <message>
+        <source>SIGSTOP, later SIGCONT, as when the computer sleeps.</source>
+        <translation>SIGSTOP，随后 SIGCONT，如同计算机休眠时。</translation>
+    </message>
+    <message>
+        <source>The line is cut and cannot be opened for a while.</source>
+        <translation>线路中断，并在一段时间内无法打开。</translation>
+    </message>
+    <message>
+        <source>The driver&apos;s answers are held back.</source>
+        <translation>驱动器的应答被延迟。</translation>
+    </message>
+    <message>
+        <source>What the program sends does not arrive.</source>
+        <translation>程序发送的内容未送达。</translation>
+    </message>
+    <message>
+        <source>The driver&apos;s answers are replaced by garbage, by refusals, or by answers to other requests.</source>
+        <translation>驱动器的应答被替换为乱码、拒绝或对其他请求的应答。</translation>
+    </message>
+    <message>
+        <source>STOP is engaged.</source>
+        <translation>STOP 已触发。</translation>
+    </message>
+    <message>
+        <source>The recording can grow no more; then STOP. Timed from STOP.</source>
+        <translation>记录无法再增大；随后 STOP。自 STOP 起计时。</translation>
+    </message>
+    <message>
+        <source>The program gets no more memory; then STOP. Timed from STOP.</source>
+        <translation>程序无法再获得内存；随后 STOP。自 STOP 起计时。</translation>
+    </message>
+    <message>
+        <source>The wall clock is set by an hour; then STOP. Timed from STOP.</source>
+        <translation>系统时钟被拨动一小时；随后 STOP。自 STOP 起计时。</translation>
+    </message>
+    <message>
+        <source>No fault was injected.</source>
+        <translation>未注入任何故障。</translation>
+    </message>
+    <message>
+        <source>Passed: after each of %1 faults the motors were at zero within %2 ms. Nothing went on unasked, and nothing of the recordings was lost. With a confidence of 95 %, at most %3 % of such faults take longer.</source>
+        <translation>通过：%1 次故障中，每次故障后电机都在 %2 ms 内归零。没有任何动作未经请求而继续，记录也没有任何丢失。以 95 % 的置信度，至多 %3 % 的此类故障耗时更长。</translation>
+    </message>
+    <message>
+        <source>Not passed: of %1 faults, %2 left the motors on for more than %3 ms, %4 were followed by motion that nobody had asked for, %5 frames were lost, and %6 recordings were damaged.</source>
+        <translation>未通过：%1 次故障中，有 %2 次使电机继续运转超过 %3 ms，有 %4 次之后出现了无人请求的动作，丢失 %5 帧，损坏 %6 个记录。</translation>
+    </message>
+    <message>
+        <source>Time from the fault until the motors were at zero, in ms</source>
+        <translation>从故障到电机归零的时间，ms</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>次数</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>中位数</translation>
+    </message>
+    <message>
+        <source>99 %</source>
+        <translation>99 %</translation>
+    </message>
+    <message>
+        <source>Longest</source>
+        <translation>最长</translation>
+    </message>
+    <message>
+        <source>Over the bound</source>
+        <translation>超出时限</translation>
+    </message>
+    <message>
+        <source>Share at most (%)</source>
+        <translation>比例上限 (%)</translation>
+    </message>
+    <message>
+        <source>Went on unasked</source>
+        <translation>未经请求而继续</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>丢失的帧</translation>
+    </message>
+    <message>
+        <source>Files damaged</source>
+        <translation>损坏的文件</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Times until the motors were at zero, of each kind</source>
+        <translation>各类故障下电机归零的时间</translation>
+    </message>
+    <message>
+        <source>Time until zero (ms)</source>
+        <translation>归零时间 (ms)</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>时限</translation>
+    </message>
+    <message>
+        <source>What was looked at</source>
+        <translation>检查对象</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Driver of the motors</source>
+        <translation>电机驱动器</translation>
+    </message>
+    <message>
+        <source>%1 (SIMULATED)</source>
+        <translation>%1（模拟）</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>开始时间</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>系统</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>处理器</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n core(s)</source>
+        <translation>
+            <numerusform>%1，%n 个核心</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Load of the last minute</source>
+        <translation>最近一分钟的负载</translation>
+    </message>
+    <message>
+        <source>Longest time between two looks at the motors</source>
+        <translation>两次查看电机之间的最长时间</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>Killed</source>
+        <translation>强制终止</translation>
+    </message>
+    <message>
+        <source>Terminated</source>
+        <translation>终止</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>中断</translation>
+    </message>
+    <message>
+        <source>Terminal closed</source>
+        <translation>终端关闭</translation>
+    </message>
+    <message>
+        <source>Put to sleep</source>
+        <translation>休眠</translation>
+    </message>
+    <message>
+        <source>Unplugged</source>
+        <translation>拔出</translation>
+    </message>
+    <message>
+        <source>Answers late</source>
+        <translation>应答延迟</translation>
+    </message>
+    <message>
+        <source>Requests lost</source>
+        <translation>请求丢失</translation>
+    </message>
+    <message>
+        <source>Answers wrong</source>
+        <translation>应答错误</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Disk full, STOP</source>
+        <translation>磁盘已满，STOP</translation>
+    </message>
+    <message>
+        <source>Memory refused, STOP</source>
+        <translation>内存分配被拒，STOP</translation>
+    </message>
+    <message>
+        <source>Clock set, STOP</source>
+        <translation>时钟被拨动，STOP</translation>
+    </message>
+    <message>
+        <source>SIMULATED: the driver of the motors is a program.</source>
+        <translation>模拟：电机驱动器是一个程序。</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>What each fault is</source>
+        <translation>各类故障的含义</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>language of the page, as BCP 47 has it</comment>
+        <translation>zh-Hans</translation>
+    </message>
+    <message>
+        <source>Certificate of faults</source>
+        <translation>故障测试证书</translation>
+    </message>
+</context>
+<context>
+    <name>CertifyCommand</name>
+    <message>
+        <source>File of a Modbus motor driver over TCP; default: a simulated one. Nobody may wear its motors, which turn the whole time</source>
+        <translation>TCP 上 Modbus 电机驱动器的文件；默认：模拟的驱动器。任何人都不得佩戴其电机，电机会一直转动</translation>
+    </message>
+    <message>
+        <source>With --bracelet: nobody wears the motors</source>
+        <translation>与 --bracelet 一起使用：没有人佩戴电机</translation>
+    </message>
+    <message>
+        <source>Number of faults</source>
+        <translation>故障次数</translation>
+    </message>
+    <message>
+        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer</source>
+        <translation>故障类型，以逗号分隔：%1。默认：除 clock_step 以外的全部类型，因为它会拨动本计算机的时钟</translation>
+    </message>
+    <message>
+        <source>Time in which the motors must be at zero</source>
+        <translation>电机必须在此时间内归零</translation>
+    </message>
+    <message>
+        <source>Of the order and the phases of the faults</source>
+        <translation>故障的顺序和相位的种子</translation>
+    </message>
+    <message>
+        <source>Where the report goes: NAME.html and NAME.json</source>
+        <translation>报告的存放位置：NAME.html 和 NAME.json</translation>
+    </message>
+    <message>
+        <source>the motors will turn the whole time; take them off everybody and add --yes</source>
+        <translation>电机会一直转动；请确保没有人佩戴电机，并加上 --yes</translation>
+    </message>
+    <message>
+        <source>the device has no motors</source>
+        <translation>该设备没有电机</translation>
+    </message>
+    <message>
+        <source>a table [tactors]</source>
+        <translation>表 [tactors]</translation>
+    </message>
+    <message>
+        <source>faults of the line can only be injected into a TCP line</source>
+        <translation>线路故障只能注入 TCP 线路</translation>
+    </message>
+    <message>
+        <source>The certificate is not passed.</source>
+        <translation>证书测试未通过。</translation>
+    </message>
+    <message>
+        <source>The program under test follows a simulated array by live setpoints, drives the motors within their limits, and records.</source>
+        <translation>被测程序以实时设定值跟随模拟阵列，在限制范围内驱动电机，并进行记录。</translation>
+    </message>
+    <message>
+        <source>Interrupted: %1 of %2 faults were injected.</source>
+        <translation>已中断：%2 次故障中已注入 %1 次。</translation>
+    </message>
+    <message>
+        <source>The driver of the motors is SIMULATED: a Modbus server with a watchdog of 100 ms.</source>
+        <translation>电机驱动器为模拟：一个看门狗为 100 ms 的 Modbus 服务器。</translation>
+    </message>
+    <message>
+        <source>Not covered: arms, and bracelets that are not Modbus drivers over TCP.</source>
+        <translation>未涵盖：机械臂，以及不是 TCP 上 Modbus 驱动器的手环。</translation>
+    </message>
+    <message>
+        <source>A damaged recording was kept: %1</source>
+        <translation>已保留一个损坏的记录：%1</translation>
+    </message>
+    <message>
+        <source>%1 faults: median %2, 99 % %3, longest %4 ms; %5 over the bound</source>
+        <translation>%1 次故障：中位数 %2，99 % %3，最长 %4 ms；%5 次超出时限</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Went on unasked</source>
+        <translation>未经请求而继续</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>丢失的帧</translation>
+    </message>
+    <message>
+        <source>Files damaged</source>
+        <translation>损坏的文件</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Inject faults into what drives the motors, and report how soon they are off</source>
+        <translation>向驱动电机的程序和线路注入故障，并报告电机多快关闭</translation>
+    </message>
+</context>
+<context>
+    <name>ChainProcess</name>
+    <message>
+        <source>the program cannot be started: %1</source>
+        <translation>无法启动程序：%1</translation>
     </message>
 </context>
 <context>
@@ -2643,6 +3153,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>DriverText</name>
+    <message>
+        <source>the simulated motor driver cannot open a port: %1</source>
+        <translation>模拟电机驱动器无法打开端口：%1</translation>
+    </message>
+    <message>
+        <source>the device has no motors</source>
+        <translation>该设备没有电机</translation>
+    </message>
+</context>
+<context>
     <name>EqualStrength</name>
     <message>
         <source>tactor %1 has no level at which it feels as strong as tactor %2</source>
@@ -2920,6 +3441,21 @@ Examples:
     <message>
         <source>16-bit samples, 1 is full scale. Vibrations drive voice coils; bare intensities are for programs that make the vibration themselves.</source>
         <translation>16 位样本，1 为满量程。振动用于驱动音圈；纯强度用于自行产生振动的程序。</translation>
+    </message>
+</context>
+<context>
+    <name>FaultInjector</name>
+    <message>
+        <source>the program that drives the motors ended by itself</source>
+        <translation>驱动电机的程序自行结束</translation>
+    </message>
+    <message>
+        <source>the motors did not turn within 30 s</source>
+        <translation>电机在 30 s 内未转动</translation>
+    </message>
+    <message>
+        <source>the driver of the motors does not answer any more</source>
+        <translation>电机驱动器不再应答</translation>
     </message>
 </context>
 <context>
@@ -5051,6 +5587,17 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>PartText</name>
+    <message>
+        <source>a part of the program cannot be loaded: %1</source>
+        <translation>无法加载程序的一个组成部分：%1</translation>
+    </message>
+    <message>
+        <source>a complete installation of the program</source>
+        <translation>完整安装的程序</translation>
+    </message>
+</context>
+<context>
     <name>ParticipantReport</name>
     <message>
         <source>In this part nothing was tested yet.</source>
@@ -6053,6 +6600,10 @@ Run %2 --help for more.
         <source>Print how to cite the program, as BibTeX</source>
         <translation>以 BibTeX 输出本程序的引用方式</translation>
     </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
 </context>
 <context>
     <name>Provenance</name>
@@ -6360,6 +6911,13 @@ Run %2 --help for more.
     <message>
         <source>at most %1, from the base to the tip</source>
         <translation>最多 %1 个，从基座到末端</translation>
+    </message>
+</context>
+<context>
+    <name>RelayText</name>
+    <message>
+        <source>no line to the driver can be opened: %1</source>
+        <translation>无法打开到驱动器的线路：%1</translation>
     </message>
 </context>
 <context>
@@ -7057,6 +7615,203 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RosArm</name>
+    <message>
+        <source>the arm cannot be moved: %1</source>
+        <translation>无法移动机械臂：%1</translation>
+    </message>
+    <message>
+        <source>%1 does not tell: %2</source>
+        <translation>%1 未提供：%2</translation>
+    </message>
+    <message>
+        <source>%1 tells no effort, so effort_stop cannot hold the arm</source>
+        <translation>%1 不提供 effort，因此 effort_stop 无法使机械臂保持</translation>
+    </message>
+    <message>
+        <source>no controller reads %1</source>
+        <translation>没有控制器读取 %1</translation>
+    </message>
+    <message>
+        <source>other programs are being looked for</source>
+        <translation>正在查找其他程序</translation>
+    </message>
+</context>
+<context>
+    <name>RosArmCheck</name>
+    <message>
+        <source>a publisher is best effort, reliable was asked</source>
+        <translation>某个发布者为 best effort，而请求的是 reliable</translation>
+    </message>
+    <message>
+        <source>the reader asks for what was sent before it came, which a command is not</source>
+        <translation>读取者请求其加入之前发送的数据，而指令不是这样的数据</translation>
+    </message>
+    <message>
+        <source>a publisher offers other qualities than were asked</source>
+        <translation>某个发布者提供的 QoS 与请求的不同</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>没有程序发布 %1</translation>
+    </message>
+    <message>
+        <source>nothing was sent on %1</source>
+        <translation>%1 上未发送任何内容</translation>
+    </message>
+    <message>
+        <source>%1 does not tell: %2</source>
+        <translation>%1 未提供：%2</translation>
+    </message>
+    <message>
+        <source>%1 tells all %2 joints</source>
+        <translation>%1 提供了全部 %2 个关节</translation>
+    </message>
+    <message>
+        <source>%1 publishers of %2</source>
+        <translation>有 %1 个发布者发布 %2</translation>
+    </message>
+    <message>
+        <source>%1 tells %2, the arm has not</source>
+        <translation>%1 提供了 %2，而机械臂没有</translation>
+    </message>
+    <message>
+        <source>%1 messages contradict themselves and were left out</source>
+        <translation>%1 条消息自相矛盾，已略去</translation>
+    </message>
+    <message>
+        <source>%1 samples a second, longest gap %2 s</source>
+        <translation>每秒 %1 个样本，最长间隔 %2 s</translation>
+    </message>
+    <message>
+        <source>; joint_timeout_s is %1</source>
+        <translation>；joint_timeout_s 为 %1</translation>
+    </message>
+    <message>
+        <source>told, in %1 as the file says</source>
+        <translation>已提供，按文件所述单位为 %1</translation>
+    </message>
+    <message>
+        <source>not told, so effort_stop cannot hold the arm</source>
+        <translation>未提供，因此 effort_stop 无法使机械臂保持</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>未提供</translation>
+    </message>
+    <message>
+        <source>%1 stamps are zero</source>
+        <translation>%1 个时间戳为零</translation>
+    </message>
+    <message>
+        <source>stamps are %1 s behind this computer</source>
+        <translation>时间戳比本计算机落后 %1 s</translation>
+    </message>
+    <message>
+        <source>someone else commands %1</source>
+        <translation>另有程序在向 %1 发送指令</translation>
+    </message>
+    <message>
+        <source>%1 has the type %2</source>
+        <translation>%1 的类型为 %2</translation>
+    </message>
+    <message>
+        <source>reads %1</source>
+        <translation>读取 %1</translation>
+    </message>
+    <message>
+        <source>cannot be reached: %1</source>
+        <translation>无法连通：%1</translation>
+    </message>
+    <message>
+        <source>nobody reads %1</source>
+        <translation>没有程序读取 %1</translation>
+    </message>
+    <message>
+        <source>; there is %1</source>
+        <translation>；现有 %1</translation>
+    </message>
+    <message>
+        <source>the check was cut short</source>
+        <translation>检查被中断</translation>
+    </message>
+</context>
+<context>
+    <name>RosArmCheckReport</name>
+    <message numerus="yes">
+        <source>the arm cannot be moved: %n problem(s)</source>
+        <translation>
+            <numerusform>无法移动机械臂：%n 个问题</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RosArmFault</name>
+    <message>
+        <source>someone else commands %1</source>
+        <translation>另有程序在向 %1 发送指令</translation>
+    </message>
+    <message>
+        <source>%1 tells a position that is no number</source>
+        <translation>%1 提供的位置不是数</translation>
+    </message>
+    <message>
+        <source>the position of %1 jumped</source>
+        <translation>%1 的位置发生跳变</translation>
+    </message>
+    <message>
+        <source>the stamps of %1 went back</source>
+        <translation>%1 的时间戳倒退</translation>
+    </message>
+    <message>
+        <source>the arm does not follow its commands</source>
+        <translation>机械臂未跟随其指令</translation>
+    </message>
+</context>
+<context>
+    <name>RosArmFile</name>
+    <message>
+        <source>&quot;%1&quot; is no name of a topic</source>
+        <translation>“%1”不是话题名称</translation>
+    </message>
+    <message>
+        <source>parts of letters, digits and _ after slashes, for example /joint_states</source>
+        <translation>斜杠后由字母、数字和 _ 组成的各部分，例如 /joint_states</translation>
+    </message>
+    <message>
+        <source>no adapter that is offered moves an arm unguarded</source>
+        <translation>所提供的适配器均不会在无防护的情况下移动机械臂</translation>
+    </message>
+    <message>
+        <source>two joints are called &quot;%1&quot; on the wire</source>
+        <translation>有两个关节在传输中都名为“%1”</translation>
+    </message>
+    <message>
+        <source>a name of its own for each joint</source>
+        <translation>每个关节使用各自的名称</translation>
+    </message>
+    <message>
+        <source>a side of the box has no length</source>
+        <translation>活动范围框的一条边没有长度</translation>
+    </message>
+    <message>
+        <source>[lowest, highest] for x, y and z</source>
+        <translation>x、y 和 z 的 [最小值, 最大值]</translation>
+    </message>
+    <message>
+        <source>STOP would brake less than letting go</source>
+        <translation>STOP 的制动会弱于松手</translation>
+    </message>
+    <message>
+        <source>at least deceleration_radPerS2, %1</source>
+        <translation>至少为 deceleration_radPerS2，%1</translation>
+    </message>
+    <message>
+        <source>the efforts of this arm are not in Nm</source>
+        <translation>此机械臂的 effort 不以 Nm 为单位</translation>
+    </message>
+</context>
+<context>
     <name>RosCommand</name>
     <message>
         <source>a publisher is best effort, reliable was asked</source>
@@ -7129,6 +7884,14 @@ Run %2 --help for more.
     <message>
         <source>Topics and nodes of ROS 2, without ROS</source>
         <translation>无需 ROS 即可查看 ROS 2 的话题和节点</translation>
+    </message>
+    <message>
+        <source>Watch an arm for 5 s and say what keeps it from being moved</source>
+        <translation>观察机械臂 5 s，并指出无法移动它的原因</translation>
+    </message>
+    <message>
+        <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
+        <translation>描述机械臂的文件 (kind = &quot;ros_arm&quot;)</translation>
     </message>
 </context>
 <context>
@@ -7760,6 +8523,212 @@ Run %2 --help for more.
     <message>
         <source>the lens folds the image over itself: no camera has such a lens</source>
         <translation>相机的镜头模型发生折叠：没有相机会如此</translation>
+    </message>
+</context>
+<context>
+    <name>SiteCommand</name>
+    <message>
+        <source>Check the certificates and permissions of a site, or tell the commands that make them</source>
+        <translation>检查站点的证书和权限，或给出生成它们的命令</translation>
+    </message>
+    <message>
+        <source>Folder with identity_ca.pem, permissions_ca.pem, governance.p7s and one folder for each site, console and viewer</source>
+        <translation>含 identity_ca.pem、permissions_ca.pem、governance.p7s 以及每个站点、控制台和查看者各一个文件夹的文件夹</translation>
+    </message>
+    <message>
+        <source>Check nothing, print the commands of openssl that make the folder for a site of this name</source>
+        <translation>不作检查，输出为此名称的站点生成该文件夹的 openssl 命令</translation>
+    </message>
+    <message>
+        <source>Consoles that may control</source>
+        <translation>可进行控制的控制台</translation>
+    </message>
+    <message>
+        <source>Consoles that only watch</source>
+        <translation>只能查看的控制台</translation>
+    </message>
+    <message>
+        <source>These keys are not safe to use.</source>
+        <translation>这些密钥不能安全使用。</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3, until %4</source>
+        <translation>%1（%2）：%3，有效至 %4</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>已拒绝：%1</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>警告：%1</translation>
+    </message>
+    <message>
+        <source>Keys of a site, where a robot is at another place</source>
+        <translation>站点的密钥，用于机器人位于异地的情况</translation>
+    </message>
+</context>
+<context>
+    <name>SiteKeys</name>
+    <message>
+        <source>&apos;%1&apos; is no name of a site or a console</source>
+        <translation>“%1”不是站点或控制台的名称</translation>
+    </message>
+    <message>
+        <source>a small letter, then at most 30 of a-z, 0-9 and _</source>
+        <translation>一个小写字母，后接至多 30 个 a-z、0-9 和 _</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is taken already</source>
+        <translation>“%1”已被占用</translation>
+    </message>
+    <message>
+        <source>No topic of a site (rt/teleta/SITE/...) is allowed.</source>
+        <translation>未允许任何站点话题 (rt/teleta/SITE/...)。</translation>
+    </message>
+    <message>
+        <source>%1 must not publish %2.</source>
+        <translation>%1 不得发布 %2。</translation>
+    </message>
+    <message>
+        <source>%1 needs to publish %2.</source>
+        <translation>%1 需要能发布 %2。</translation>
+    </message>
+    <message>
+        <source>%1 must not subscribe to %2.</source>
+        <translation>%1 不得订阅 %2。</translation>
+    </message>
+    <message>
+        <source>%1 needs to subscribe to %2.</source>
+        <translation>%1 需要能订阅 %2。</translation>
+    </message>
+    <message>
+        <source>%1 must not relay %2.</source>
+        <translation>%1 不得转发 %2。</translation>
+    </message>
+    <message>
+        <source>What is signed is not XML.</source>
+        <translation>所签名的内容不是 XML。</translation>
+    </message>
+    <message>
+        <source>The validity needs not_before and not_after as 2026-01-31T00:00:00, without a time zone.</source>
+        <translation>有效期需要 not_before 和 not_after，格式为 2026-01-31T00:00:00，不带时区。</translation>
+    </message>
+    <message>
+        <source>The permissions do not hold yet.</source>
+        <translation>权限尚未生效。</translation>
+    </message>
+    <message>
+        <source>The permissions have expired.</source>
+        <translation>权限已过期。</translation>
+    </message>
+    <message>
+        <source>The grant has a deny_rule. It needs none: what is not allowed is denied.</source>
+        <translation>该授权含有 deny_rule。无需此项：未允许的即被拒绝。</translation>
+    </message>
+    <message>
+        <source>The default of the grant is not DENY.</source>
+        <translation>该授权的默认值不是 DENY。</translation>
+    </message>
+    <message>
+        <source>No grant names the subject of the certificate, %1.</source>
+        <translation>没有授权列出证书的主体 %1。</translation>
+    </message>
+    <message>
+        <source>What is signed has no domain_rule.</source>
+        <translation>所签名的内容没有 domain_rule。</translation>
+    </message>
+    <message>
+        <source>%1 must be %2.</source>
+        <translation>%1 必须为 %2。</translation>
+    </message>
+    <message>
+        <source>Both authorities have one key. Whoever has a certificate could sign permissions of its own.</source>
+        <translation>两个证书颁发机构使用同一密钥。任何持有证书者都可为自己签署权限。</translation>
+    </message>
+    <message>
+        <source>There is no folder of a site, a console or a viewer.</source>
+        <translation>没有站点、控制台或查看者的文件夹。</translation>
+    </message>
+    <message>
+        <source>This is no certificate.</source>
+        <translation>这不是证书。</translation>
+    </message>
+    <message>
+        <source>The file is missing.</source>
+        <translation>缺少该文件。</translation>
+    </message>
+    <message>
+        <source>The certificate does not hold yet.</source>
+        <translation>证书尚未生效。</translation>
+    </message>
+    <message>
+        <source>The certificate has expired.</source>
+        <translation>证书已过期。</translation>
+    </message>
+    <message>
+        <source>The certificate ends on %1.</source>
+        <translation>证书将于 %1 到期。</translation>
+    </message>
+    <message>
+        <source>This is no certificate authority (basicConstraints CA:TRUE).</source>
+        <translation>这不是证书颁发机构 (basicConstraints CA:TRUE)。</translation>
+    </message>
+    <message>
+        <source>Its key usage lacks digitalSignature or keyCertSign.</source>
+        <translation>其密钥用途缺少 digitalSignature 或 keyCertSign。</translation>
+    </message>
+    <message>
+        <source>It is not signed by itself.</source>
+        <translation>它不是自签名的。</translation>
+    </message>
+    <message>
+        <source>Others can read or write this private key (chmod 600).</source>
+        <translation>其他人可以读取或写入此私钥 (chmod 600)。</translation>
+    </message>
+    <message>
+        <source>This is no private key without a password.</source>
+        <translation>这不是无密码的私钥。</translation>
+    </message>
+    <message>
+        <source>The key does not belong to the certificate.</source>
+        <translation>该密钥与证书不匹配。</translation>
+    </message>
+    <message>
+        <source>It is not signed by permissions_ca.pem itself.</source>
+        <translation>它不是由 permissions_ca.pem 本身签名的。</translation>
+    </message>
+    <message>
+        <source>Its subject is %1, the folder is called %2.</source>
+        <translation>其主体为 %1，而文件夹名为 %2。</translation>
+    </message>
+    <message>
+        <source>It is not signed by identity_ca.pem.</source>
+        <translation>它不是由 identity_ca.pem 签名的。</translation>
+    </message>
+    <message>
+        <source>It verifies against permissions_ca.pem: its holder could sign permissions of its own. That authority must sign nothing but governance and permissions.</source>
+        <translation>它能通过 permissions_ca.pem 的验证：其持有者可为自己签署权限。该证书颁发机构只能签署 governance 和 permissions。</translation>
+    </message>
+    <message>
+        <source>The key is not here. That is right where it lies only on its own computer.</source>
+        <translation>密钥不在此处。若它只存放在其所属的计算机上，则属正常。</translation>
+    </message>
+    <message>
+        <source>The permissions end on %1.</source>
+        <translation>权限将于 %1 到期。</translation>
+    </message>
+    <message>
+        <source>Its topics are those of the site %1, other permissions name %2.</source>
+        <translation>其话题属于站点 %1，而其他权限列出的是 %2。</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>没有文件夹 %1。</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be read.</source>
+        <translation>无法读取文件夹 %1。</translation>
     </message>
 </context>
 <context>
@@ -11349,6 +12318,14 @@ Run %2 --help for more.
     <message>
         <source>at most %1 levels</source>
         <translation>最多 %1 层</translation>
+    </message>
+    <message>
+        <source>a list of %1 lists, each of %2 numbers</source>
+        <translation>含 %1 个列表的列表，每个列表含 %2 个数</translation>
+    </message>
+    <message>
+        <source>a list of texts in quotes</source>
+        <translation>带引号的文本的列表</translation>
     </message>
 </context>
 <context>
@@ -15652,8 +16629,8 @@ Run %2 --help for more.
         <translation>没有标记。记录时按 M 可添加标记，随后可输入其文字。</translation>
     </message>
     <message>
-        <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a time goes there.</source>
-        <translation>记录中被标记的时刻。双击文字或按 Enter 可输入，Delete 删除标记，Ctrl+Z 撤销。在回放的记录中，双击时间可跳转到该处。</translation>
+        <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a mark goes there.</source>
+        <translation>记录中被标记的时刻。双击文字或按 Enter 可输入，Delete 删除标记，Ctrl+Z 撤销。在回放的记录中，双击标记可跳转到该处。</translation>
     </message>
 </context>
 <context>

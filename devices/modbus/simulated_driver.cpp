@@ -28,7 +28,7 @@ namespace teleta::modbus {
 namespace {
 
 struct DriverText {
-    Q_DECLARE_TR_FUNCTIONS(SimulatedDriver)
+    Q_DECLARE_TR_FUNCTIONS(DriverText)
 };
 
 constexpr int kTableSize = 65536;

@@ -19,7 +19,7 @@ namespace teleta::ros_arm {
 namespace {
 
 struct ArmChainText {
-    Q_DECLARE_TR_FUNCTIONS(RosArmChain)
+    Q_DECLARE_TR_FUNCTIONS(ArmChainText)
 };
 
 constexpr const char* kDescriptionTopic = "/robot_description";

@@ -39,7 +39,7 @@ using arm_model::MotionFlag;
 using ros_arm::RosArm;
 
 struct ArmJogText {
-    Q_DECLARE_TR_FUNCTIONS(ArmJog)
+    Q_DECLARE_TR_FUNCTIONS(ArmJogText)
 };
 
 constexpr std::int64_t kCommandPeriod_ns = 20'000'000;

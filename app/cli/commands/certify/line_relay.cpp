@@ -25,7 +25,7 @@ namespace teleta::cli {
 namespace {
 
 struct RelayText {
-    Q_DECLARE_TR_FUNCTIONS(LineRelay)
+    Q_DECLARE_TR_FUNCTIONS(RelayText)
 };
 
 constexpr int kLook_ms = 2;
