@@ -22,6 +22,7 @@ constexpr double kPlotLeft = 78.0;
 constexpr double kLegendTop = 44.0;
 constexpr double kLegendRow = 18.0;
 constexpr double kBetweenLanes = 18.0;
+constexpr double kNameRow = 12.0; ///< room for the name above the first lane
 constexpr double kRight = 22.0;
 constexpr double kBottom = 46.0;
 constexpr double kLeastSize = 400.0;
@@ -90,14 +91,14 @@ std::vector<Lane> lanesFor(bool alone) {
                          2.0,
                          {{&ServoCurves::turnZ_rad, {}}},
                          &ServoCurves::turnZCommanded_rad});
-        lanes.push_back({FigureText::tr("Way, mm"),
+        lanes.push_back({FigureText::tr("Position, mm"),
                          1e3,
                          1.0,
                          {{&ServoCurves::x_m, QStringLiteral("x")},
                           {&ServoCurves::y_m, QStringLiteral("y")},
                           {&ServoCurves::z_m, QStringLiteral("z")}}});
     } else {
-        lanes.push_back({FigureText::tr("Way, mm"), 1e3, 1.0, {{&ServoCurves::way_m, {}}}});
+        lanes.push_back({FigureText::tr("Path, mm"), 1e3, 1.0, {{&ServoCurves::way_m, {}}}});
     }
     return lanes;
 }
@@ -171,8 +172,15 @@ public:
         m_plotTop = m_stripTop;
         if (hasStrip())
             m_plotTop += kStripRow * static_cast<double>(m_runs.size()) + kStripGap;
-        m_laneHeight =
-            std::max(24.0, (m_height - m_plotTop - kBottom) / static_cast<double>(m_rows) - kBetweenLanes);
+        m_laneHeight = laneHeight();
+        constexpr double kApart = 8.0;
+        m_namesAbove = std::ranges::any_of(m_lanes, [&](const Lane& lane) {
+            return lengthOf(lane.name) + kApart > m_laneHeight + kBetweenLanes;
+        });
+        if (m_namesAbove && hasStrip()) {
+            m_plotTop += kNameRow;
+            m_laneHeight = laneHeight();
+        }
         m_time_s = 1e-3;
         for (const ServoCurves& run : runs)
             if (!run.time_s.empty() && isShown(run.time_s.back()))
@@ -196,6 +204,9 @@ public:
 private:
     [[nodiscard]] double plotWidth() const {
         return m_width / static_cast<double>(m_columns) - kPlotLeft - kRight;
+    }
+    [[nodiscard]] double laneHeight() const {
+        return std::max(24.0, (m_height - m_plotTop - kBottom) / static_cast<double>(m_rows) - kBetweenLanes);
     }
     [[nodiscard]] double right() const { return m_left + plotWidth(); }
     [[nodiscard]] double top(std::size_t row) const {
@@ -380,14 +391,10 @@ private:
         return axisOf(low, high, lane.leastSpan, m_laneHeight / kPxPerTick);
     }
 
-    /// Beside the axis, or inside the lanes when these are lower than a name is long.
+    /// Beside the axis, or above the lanes when these are lower than a name is long.
     void nameLane(const QString& name, double upper) {
-        constexpr double kApart = 8.0;
-        const bool tooLong = std::ranges::any_of(m_lanes, [this](const Lane& lane) {
-            return lengthOf(lane.name) + kApart > m_laneHeight + kBetweenLanes;
-        });
-        if (tooLong) {
-            m_canvas.text(m_left + 5.0, upper + 12.0, name, QStringLiteral("ink small"));
+        if (m_namesAbove) {
+            m_canvas.text(m_left + 5.0, upper - 4.0, name, QStringLiteral("ink small"));
             return;
         }
         const double middle = upper + 0.5 * m_laneHeight;
@@ -490,6 +497,7 @@ private:
     double m_stripTop = 0.0;
     double m_plotTop = 0.0;
     double m_laneHeight = 0.0;
+    bool m_namesAbove = false; ///< of the lanes, in the gap between two
     double m_time_s = 0.0;
 };
 

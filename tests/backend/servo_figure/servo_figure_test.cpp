@@ -11,6 +11,7 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -101,7 +102,7 @@ TEST_F(ServoFigure, whatIsNoRunIsRefusedWithItsPlace) {
     EXPECT_FALSE(readServoCurves(m_folder.filePath("none").toStdString()));
 }
 
-TEST_F(ServoFigure, whereLanesAreLowTheirNamesStandInThem) {
+TEST_F(ServoFigure, whereLanesAreLowTheirNamesStandAboveThem) {
     const std::array runs{nineSteps("one"), nineSteps("two")};
     const auto lanes = count(servoFigure(runs).standalone(), "rotate(-90");
     EXPECT_GT(lanes, 2);
@@ -109,6 +110,21 @@ TEST_F(ServoFigure, whereLanesAreLowTheirNamesStandInThem) {
     EXPECT_EQ(count(low, "rotate(-90"), 0);
     EXPECT_NE(low.find(">Force, N<"), std::string::npos);
     EXPECT_NE(low.find(">CoP y, mm<"), std::string::npos);
+    // Above the highest line of their lane, where no curve is.
+    const auto yOf = [&](const std::string& name) {
+        const std::size_t end = low.find(name);
+        const std::size_t at = low.rfind(" y=\"", end) + 4;
+        return std::stod(low.substr(at));
+    };
+    EXPECT_GT(yOf(">CoP y, mm<") - yOf(">Force, N<"), 24.0);
+    const std::string one =
+        low.substr(low.find(">Force, N<"), low.find(">CoP y, mm<") - low.find(">Force, N<"));
+    for (std::size_t at = one.find("<path"); at != std::string::npos; at = one.find("<path", at + 1)) {
+        double x = 0.0;
+        double y = 0.0;
+        std::istringstream(one.substr(one.find('M', at) + 1)) >> x >> y;
+        EXPECT_GT(y, yOf(">Force, N<"));
+    }
 }
 
 TEST_F(ServoFigure, twoRunsAreInOneChartAndAGapIsNoLine) {
