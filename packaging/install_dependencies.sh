@@ -26,6 +26,8 @@ build_packages=(
     libeigen3-dev libceres-dev libboost-math-dev
     # files, queues, command line
     libsqlite3-dev libtomlplusplus-dev nlohmann-json3-dev libzip-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
+    # HDF5 and MAT files
+    libhdf5-dev libmatio-dev
     # MCAP files
     libzstd-dev liblz4-dev zlib1g-dev
     # figures as PDF and PNG without a GUI library
@@ -61,6 +63,8 @@ test_packages+=(python3-pymodbus python3-serial-asyncio python3-dbusmock dbus so
 test_packages+=(libmujoco-dev)
 # The other DDS of a robot on ROS 2.
 test_packages+=(libfastrtps-dev fastddsgen libtinyxml2-dev)
+# Independent writers of HDF5 and MAT files.
+test_packages+=(python3-h5py python3-scipy)
 # The program that makes keys of sites.
 test_packages+=(openssl)
 # Independent readers and writers of MCAP, which npm installs.

@@ -20,13 +20,13 @@ mkdir -p "$work"
 # packaging_value NAME: the value that packaging/CMakeLists.txt sets.
 packaging_value() {
     local value
-    value=$(sed -n "s/^set($1 \"\\(.*\\)\")\$/\\1/p" "$root/packaging/CMakeLists.txt")
-    [[ -n $value ]] || fail "packaging/CMakeLists.txt does not set $1 in one line"
+    value=$(tr '\n' ' ' <"$root/packaging/CMakeLists.txt" | sed -n "s/.*set($1 *\"\([^\"]*\)\").*/\1/p")
+    [[ -n $value ]] || fail "packaging/CMakeLists.txt does not set $1 to one text"
     printf '%s' "$value"
 }
 # Plugins and texts are those of the Debian package; shell completion does not work inside a Flatpak.
-plugins=$(packaging_value CPACK_DEBIAN_PACKAGE_DEPENDS)
-texts=$(packaging_value CPACK_DEBIAN_PACKAGE_RECOMMENDS)
+plugins=$(packaging_value CPACK_DEBIAN_CONSOLE_PACKAGE_DEPENDS)
+texts=$(packaging_value CPACK_DEBIAN_CONSOLE_PACKAGE_RECOMMENDS)
 texts=${texts/, bash-completion/}
 
 # needed_packages PROGRAM...: the packages of the libraries that programs built in the Sdk link.

@@ -20,9 +20,13 @@ inline constexpr std::uint64_t kMostValues = std::uint64_t{1} << 31U;
 struct ArrayHead {
     std::string name; ///< empty: the only one of a file that names none
     std::vector<std::uint64_t> shape{};
-    bool isColumnMajor = false; ///< the first index is the quickest one
-    std::string type{};         ///< as the file calls it
-    std::string problem{};      ///< why it cannot be read, translated; empty: it can
+    bool isColumnMajor = false;      ///< the first index is the quickest one
+    std::string type{};              ///< as the file calls it
+    std::string problem{};           ///< why it cannot be read, translated; empty: it can
+    bool axisIsOpen = false;         ///< no custom says which dimension counts the frames
+    std::string unit{};              ///< of the values; empty: not told
+    std::optional<double> rate_Hz{}; ///< as the file says, whatever it is worth
+    std::optional<double> pitch_m{};
 };
 
 /// The product of a shape; empty: more than kMostValues. Thread: any (pure).

@@ -37,8 +37,10 @@ QString listOf(const std::vector<ArrayHead>& arrays) {
             names << QStringLiteral("…");
             break;
         }
-        names << QStringLiteral("%1 (%2)").arg(QString::fromStdString(head.name).left(60),
-                                               QString::fromStdString(shapeText(head.shape)));
+        QString about = QString::fromStdString(shapeText(head.shape));
+        if (!head.problem.empty())
+            about += QStringLiteral("; ") + QString::fromStdString(head.problem);
+        names << QStringLiteral("%1 (%2)").arg(QString::fromStdString(head.name).left(60), about);
     }
     return names.join(QStringLiteral(", "));
 }
@@ -53,7 +55,17 @@ std::optional<std::size_t> named(const ArrayFile& file, const std::string& name)
     for (std::size_t i = 0; i < file.arrays().size(); ++i)
         if (file.arrays()[i].name == name)
             return i;
-    return std::nullopt;
+    // As HDF5 writes the path of a dataset.
+    return name.starts_with('/') ? named(file, name.substr(1)) : std::nullopt;
+}
+
+/// An array in the group of another one, or in none.
+std::optional<std::size_t> namedBeside(const ArrayFile& file, std::size_t array, const std::string& name) {
+    const std::string& frames = file.arrays()[array].name;
+    if (const std::size_t slash = frames.rfind('/'); slash != std::string::npos)
+        if (const auto found = named(file, frames.substr(0, slash + 1) + name))
+            return found;
+    return named(file, name);
 }
 
 core::Expected<std::size_t> choose(const ArrayFile& file, const FrameRequest& request) {
@@ -73,23 +85,24 @@ core::Expected<std::size_t> choose(const ArrayFile& file, const FrameRequest& re
         return std::size_t{0};
     if (const auto found = named(file, "frames"))
         return *found;
-    std::vector<std::size_t> found;
     for (const std::size_t dimensions : {3U, 2U}) {
-        for (std::size_t i = 0; found.size() < 2 && i < arrays.size(); ++i)
-            if (arrays[i].shape.size() == dimensions && !isVector(arrays[i]))
-                found.push_back(i);
-        if (found.size() == 1)
-            return found.front();
-        if (found.size() > 1)
-            break;
+        std::vector<ArrayHead> candidates;
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < arrays.size(); ++i)
+            if (arrays[i].shape.size() == dimensions && !isVector(arrays[i]) && arrays[i].problem.empty()) {
+                candidates.push_back(arrays[i]);
+                found = i;
+            }
+        if (candidates.size() == 1)
+            return found;
+        if (!candidates.empty())
+            return wrong(file.path(),
+                         ArrayFramesText::tr("several arrays can be the frames: %1").arg(listOf(candidates)),
+                         ArrayFramesText::tr("the name of one (--array NAME)"));
     }
-    return wrong(
-        file.path(),
-        found.empty()
-            ? ArrayFramesText::tr("no array can be frames; the file has: %1").arg(listOf(arrays))
-            : ArrayFramesText::tr("several arrays can be the frames; the file has: %1").arg(listOf(arrays)),
-        found.empty() ? ArrayFramesText::tr("an array of 3 dimensions: frames x rows x columns")
-                      : ArrayFramesText::tr("the name of one (--array NAME)"));
+    return wrong(file.path(),
+                 ArrayFramesText::tr("no array can be frames; the file has: %1").arg(listOf(arrays)),
+                 ArrayFramesText::tr("an array of 3 dimensions: frames x rows x columns"));
 }
 
 core::Expected<std::vector<double>> readVector(ArrayFile& file, std::size_t array) {
@@ -101,19 +114,22 @@ core::Expected<std::vector<double>> readVector(ArrayFile& file, std::size_t arra
     return values;
 }
 
+std::optional<double> positive(std::optional<double> value) {
+    return value && std::isfinite(*value) && *value > 0.0 ? value : std::nullopt;
+}
+
 /// The value of an array of one entry, such as pitch_m.
-core::Expected<std::optional<double>> scalar(ArrayFile& file, const std::string& name) {
-    const auto found = named(file, name);
+core::Expected<std::optional<double>> scalar(ArrayFile& file, std::size_t array, const std::string& name) {
+    const auto found = namedBeside(file, array, name);
     if (!found || !file.arrays()[*found].problem.empty() || valuesOf(file.arrays()[*found].shape) != 1U)
         return std::optional<double>();
     TELETA_TRY(const std::vector<double> values, readVector(file, *found));
-    const double value = values.empty() ? 0.0 : values.front();
-    return std::isfinite(value) && value > 0.0 ? std::optional<double>(value) : std::nullopt;
+    return values.empty() ? std::nullopt : positive(values.front());
 }
 
 /// The times that the file tells; empty: none.
 core::Expected<std::vector<double>> fileTimes(ArrayFile& file, std::size_t array) {
-    const auto found = named(file, "time_s");
+    const auto found = namedBeside(file, array, "time_s");
     if (!found || *found == array)
         return std::vector<double>();
     const ArrayHead& head = file.arrays()[*found];
@@ -133,12 +149,18 @@ core::Expected<std::vector<double>> fileTimes(ArrayFile& file, std::size_t array
     return readVector(file, *found);
 }
 
-FrameAxis axisOf(const ArrayHead& head, const FrameRequest& request, std::span<const double> times_s) {
+core::Expected<FrameAxis> axisOf(const ArrayFile& file, const ArrayHead& head, const FrameRequest& request,
+                                 std::span<const double> times_s) {
     if (request.axis != FrameAxis::automatic)
         return request.axis;
-    const std::uint64_t last = head.shape.back();
-    const bool lastHasTheTimes = !times_s.empty() && times_s.size() == last && last != head.shape.front();
-    return lastHasTheTimes ? FrameAxis::last : FrameAxis::first;
+    const bool isFirst = !times_s.empty() && times_s.size() == head.shape.front();
+    const bool isLast = !times_s.empty() && times_s.size() == head.shape.back();
+    if (head.axisIsOpen && isFirst == isLast)
+        return wrong(file.path(),
+                     ArrayFramesText::tr("%1 does not say which of its dimensions counts the frames")
+                         .arg(listOf({head})),
+                     ArrayFramesText::tr("--frame-axis first or last, or a time_s for each frame"));
+    return isLast && !isFirst ? FrameAxis::last : FrameAxis::first;
 }
 
 /// Where each dimension goes in frames x rows x columns, in the order in which the file has them, the
@@ -334,7 +356,7 @@ core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& reques
                          .arg(QString::fromStdString(shapeText(head.shape))),
                      ArrayFramesText::tr("at most %1 values").arg(kMostValues));
     TELETA_TRY(auto times_s, fileTimes(file, array));
-    const FrameAxis axis = axisOf(head, request, times_s);
+    TELETA_TRY(const FrameAxis axis, axisOf(file, head, request, times_s));
 
     FrameSeries series;
     TELETA_TRY(series.layout, sidesOf(file, head, axis, request));
@@ -349,8 +371,13 @@ core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& reques
     if (!times_s.empty() && request.rate_Hz)
         return wrong(file.path(), ArrayFramesText::tr("the file has times of its own, in time_s"),
                      ArrayFramesText::tr("no rate"));
-    TELETA_TRY(std::optional<double> rate_Hz, scalar(file, "rate_hz"));
-    TELETA_TRY(std::optional<double> pitch_m, scalar(file, "pitch_m"));
+    TELETA_TRY(std::optional<double> rate_Hz, scalar(file, array, "rate_hz"));
+    TELETA_TRY(std::optional<double> pitch_m, scalar(file, array, "pitch_m"));
+    if (!rate_Hz)
+        rate_Hz = positive(head.rate_Hz);
+    if (!pitch_m)
+        pitch_m = positive(head.pitch_m);
+    series.unit = head.unit;
     if (request.rate_Hz)
         rate_Hz = request.rate_Hz;
     if (!rate_Hz && !request.needsTimes)

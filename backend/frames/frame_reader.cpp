@@ -3,6 +3,9 @@
 
 #include "backend/core/data/file_kind.h"
 #include "backend/core/failure.h"
+#include "backend/frames/file_apart.h"
+#include "backend/frames/hdf5_file.h"
+#include "backend/frames/mat_file.h"
 #include "backend/frames/numpy_file.h"
 #include "backend/frames/table_file.h"
 #include "backend/frames/tekscan_file.h"
@@ -46,10 +49,15 @@ core::Expected<FrameSeries> load(FileKind kind, const FrameRequest& request, con
         return framesOf(openNpy(request.path), request, goOn);
     case FileKind::zip:
         return framesOf(openNpz(request.path), request, goOn);
+    case FileKind::hdf5:
+        return framesOf(openApart(request.path, openHdf5), request, goOn);
+    case FileKind::matlab:
+    case FileKind::matlab7:
+        return framesOf(openApart(request.path, openMat), request, goOn);
     default:
-        return core::failed(core::ErrorKind::badInput,
-                            FrameReaderText::tr("the file is %1").arg(describe(kind)),
-                            FrameReaderText::tr("frames as CSV, npy, npz, or Tekscan ASCII"), {request.path});
+        return core::failed(
+            core::ErrorKind::badInput, FrameReaderText::tr("the file is %1").arg(describe(kind)),
+            FrameReaderText::tr("frames as CSV, npy, npz, HDF5, MAT, or Tekscan ASCII"), {request.path});
     }
 }
 
@@ -88,9 +96,22 @@ core::Unexpected withOptions(core::Error error, const std::string& path, bool is
     return core::Unexpected(std::move(error));
 }
 
+/// "run.h5:/group/dataset" names the array of a file, unless there is a file of that name.
+FrameRequest withArrayOf(FrameRequest request) {
+    const std::size_t colon = request.path.rfind(":/");
+    if (!request.array.empty() || colon == std::string::npos ||
+        QFileInfo::exists(QString::fromStdString(request.path)) ||
+        !QFileInfo(QString::fromStdString(request.path.substr(0, colon))).isFile())
+        return request;
+    request.array = request.path.substr(colon + 1);
+    request.path.resize(colon);
+    return request;
+}
+
 } // namespace
 
-core::Expected<FrameReader> FrameReader::open(const FrameRequest& request, const GoOn& goOn) {
+core::Expected<FrameReader> FrameReader::open(const FrameRequest& given, const GoOn& goOn) {
+    const FrameRequest request = withArrayOf(given);
     const bool fromPipe = isPipe(request.path);
     FileKind kind = FileKind::text;
     if (!fromPipe) {

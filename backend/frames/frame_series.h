@@ -47,8 +47,9 @@ using GoOn = std::function<bool()>;
 [[nodiscard]] core::Expected<void> checkTimes(std::span<const double> time_s, const std::string& path);
 
 /// Finds the frames among the arrays of a file and reads them: the array that the request names, else
-/// `frames`, else the only one of three dimensions, else the only one of two; times are `time_s`, else the
-/// rate. Values are rounded to float. Error: badInput that lists what is there, with place and reason.
+/// `frames`, else the only one of three dimensions, else the only one of two; times are `time_s` beside it,
+/// else the rate. Values are rounded to float. Error: badInput that lists what is there, with place and
+/// reason.
 [[nodiscard]] core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& request,
                                                    const GoOn& goOn);
 

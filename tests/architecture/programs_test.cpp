@@ -53,10 +53,10 @@ constexpr char kToolkits[] =
     "|libQCustomPlot|libgtk";
 constexpr char kDisplays[] = "libX11|libxcb|libwayland|libGL|libEGL|libOpenGL";
 
-/// What the parts of the program load when a command needs them: see backend/opencv.
+/// What the parts of the program load when a command needs them: see backend/opencv and backend/frames.
 constexpr char kLoadedLater[] =
     "libopencv_(imgcodecs|videoio|video|calib3d|highgui)|libgdal|libgdcm|libheif|libav(codec|format)"
-    "|libgst|librsvg|libcairo";
+    "|libgst|librsvg|libcairo|libhdf5|libmatio";
 constexpr std::ptrdiff_t kMostLibraries = 75; ///< of the command line at its start
 
 using Names = std::vector<std::string>;

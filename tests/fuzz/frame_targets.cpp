@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/file_kind.h"
 #include "backend/frames/frame_reader.h"
 #include "tests/fuzz/memory_file.h"
 
@@ -41,6 +42,20 @@ bool frameNumpy(Bytes bytes) {
     request.rate_Hz = 100.0;
     request.axis = frames::FrameAxis::last;
     return readsFrames(file, request) || isRead;
+}
+
+bool frameArrays(Bytes bytes) {
+    const core::FileKind kind =
+        core::fileKindOf(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())
+                             .substr(0, core::kFileKindBytes));
+    if (kind != core::FileKind::hdf5 && kind != core::FileKind::matlab && kind != core::FileKind::matlab7)
+        return false;
+    const MemoryFile file(bytes);
+    frames::FrameRequest request;
+    request.rate_Hz = 100.0;
+    request.axis = frames::FrameAxis::first;
+    const bool isRead = readsFrames(file, request);
+    return readsFrames(file, {}) || isRead;
 }
 
 bool frameTekscan(Bytes bytes) {

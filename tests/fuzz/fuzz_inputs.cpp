@@ -16,6 +16,7 @@ const std::map<std::string, Target>& targets() {
         {"contour_csv", contourCsv},
         {"cost_csv", costCsv},
         {"csv", csv},
+        {"frame_arrays", frameArrays},
         {"frame_csv", frameCsv},
         {"frame_numpy", frameNumpy},
         {"frame_table", frameTable},

@@ -18,7 +18,8 @@ using Bytes = std::span<const std::uint8_t>;
 // Readers of tables.
 bool csv(Bytes bytes);
 bool frameCsv(Bytes bytes);
-bool frameNumpy(Bytes bytes); ///< npy and npz
+bool frameNumpy(Bytes bytes);  ///< npy and npz
+bool frameArrays(Bytes bytes); ///< HDF5 and MAT
 bool frameTekscan(Bytes bytes);
 bool frameTable(Bytes bytes); ///< of another program
 bool gainCsv(Bytes bytes);    ///< of a 2 x 3 array

@@ -432,8 +432,8 @@ def read_frames(
     Parameters
     ----------
     path : str or os.PathLike
-        CSV with the columns time_s,t0,t1,...; a recording, whose first array is read; npy, npz,
-        a recording of Tekscan in ASCII, or a table of another program.
+        CSV with the columns time_s,t0,t1,...; a recording, whose first array is read; npy, npz, HDF5,
+        a MAT file, a recording of Tekscan in ASCII, or a table of another program.
     rows, columns : int, optional
         Size of the array. None: that of the file, or a known array with as many taxels, or the most
         nearly square one.
@@ -442,7 +442,8 @@ def read_frames(
     array : str, optional
         Name of the frames in a file of several arrays. None: frames, or the only one of three dimensions.
     frame_axis : {"first", "last"}, optional
-        Dimension that counts the frames. None: the first, or the one with as many entries as time_s.
+        Dimension that counts the frames. None: the first, or the one with as many entries as time_s;
+        of a MAT file only the latter.
     taxel_columns : str, optional
         Columns of a table of another program that are taxels, from 1, such as "2..85".
     time_column : str, optional

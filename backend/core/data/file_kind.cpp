@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace teleta::core {
 
@@ -63,6 +64,32 @@ bool isBinary(char c) {
     return byte < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != '\v' && c != '\x1a';
 }
 
+/// Whether the bytes begin with the head of a variable of a MAT file of version 4, which has no signature:
+/// five numbers of 32 bit (order, precision and kind as MOPT, rows, columns, an imaginary part, length of the
+/// name), and a name of MATLAB that ends with a zero.
+bool isMat4(std::string_view head) {
+    constexpr std::size_t kHead = 20;
+    if (head.size() < kHead)
+        return false;
+    const bool isBigEndian = head[0] == 0 && (head[1] != 0 || head[2] != 0);
+    const auto number = [&](std::size_t i) {
+        std::uint32_t value = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            value = value << 8U | static_cast<unsigned char>(head[4 * i + (isBigEndian ? k : 3 - k)]);
+        return value;
+    };
+    const std::uint32_t form = number(0);
+    const std::uint32_t order = isBigEndian ? 1 : 0;
+    if (form / 1000 != order || form / 100 % 10 != 0 || form / 10 % 10 > 5 || form % 10 > 2 ||
+        number(3) > 1 || number(4) < 2 || number(4) > 64 || head.size() < kHead + number(4))
+        return false;
+    const std::string_view name = head.substr(kHead, number(4) - 1);
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    return head[kHead + name.size()] == '\0' && isLetter(name[0]) && std::ranges::all_of(name, [&](char c) {
+               return isLetter(c) || c == '_' || (c >= '0' && c <= '9');
+           });
+}
+
 } // namespace
 
 FileKind fileKindOf(std::string_view head) {
@@ -70,6 +97,8 @@ FileKind fileKindOf(std::string_view head) {
         if (head.size() >= signature.at + signature.bytes.size() &&
             head.substr(signature.at, signature.bytes.size()) == signature.bytes)
             return signature.kind;
+    if (isMat4(head))
+        return FileKind::matlab;
     return std::ranges::any_of(head, isBinary) ? FileKind::binary : FileKind::text;
 }
 

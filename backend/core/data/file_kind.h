@@ -17,7 +17,7 @@ enum class FileKind {
     npy,  ///< an array of NumPy
     zip,  ///< npz is one
     hdf5,
-    matlab,  ///< MAT file of version 5, 6 or 7
+    matlab,  ///< MAT file of version 4, 5, 6 or 7
     matlab7, ///< MAT file of version 7.3: HDF5 behind a header
     sqlite,  ///< recordings and stores of studies
     mcap,
