@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/data/file_kind.h"
 #include "backend/frames/frame_reader.h"
+#include "tests/backend/core/temporary_folder.h"
 #include "tests/fuzz/memory_file.h"
 
 #include <cmath>
@@ -12,8 +13,8 @@ namespace teleta::fuzz {
 namespace {
 
 /// Whether the file is read; what it gives is sound.
-bool readsFrames(const MemoryFile& file, frames::FrameRequest request) {
-    request.path = file.path();
+bool readsFrames(const std::string& path, frames::FrameRequest request) {
+    request.path = path;
     request.guessesShape = true;
     const core::Expected<frames::FrameSeries> series = frames::readFrames(request);
     if (!series) {
@@ -38,10 +39,10 @@ bool frameNumpy(Bytes bytes) {
         return false;
     const MemoryFile file(bytes);
     frames::FrameRequest request;
-    const bool isRead = readsFrames(file, request);
+    const bool isRead = readsFrames(file.path(), request);
     request.rate_Hz = 100.0;
     request.axis = frames::FrameAxis::last;
-    return readsFrames(file, request) || isRead;
+    return readsFrames(file.path(), request) || isRead;
 }
 
 bool frameArrays(Bytes bytes) {
@@ -50,27 +51,29 @@ bool frameArrays(Bytes bytes) {
                              .substr(0, core::kFileKindBytes));
     if (kind != core::FileKind::hdf5 && kind != core::FileKind::matlab && kind != core::FileKind::matlab7)
         return false;
-    const MemoryFile file(bytes);
+    // libhdf5 asks for the real path of a file, which one in memory does not have.
+    const test::TemporaryFolder folder;
+    const std::string path = folder.write("input", textOf(bytes));
     frames::FrameRequest request;
     request.rate_Hz = 100.0;
     request.axis = frames::FrameAxis::first;
-    const bool isRead = readsFrames(file, request);
-    return readsFrames(file, {}) || isRead;
+    const bool isRead = readsFrames(path, request);
+    return readsFrames(path, {}) || isRead;
 }
 
 bool frameTekscan(Bytes bytes) {
-    return readsFrames(MemoryFile(bytes), {});
+    return readsFrames(MemoryFile(bytes).path(), {});
 }
 
 bool frameTable(Bytes bytes) {
     const MemoryFile file(bytes);
     frames::FrameRequest request;
-    const bool isOwn = readsFrames(file, request);
+    const bool isOwn = readsFrames(file.path(), request);
     request.rate_Hz = 100.0;
-    const bool isRead = readsFrames(file, request);
+    const bool isRead = readsFrames(file.path(), request);
     request.rate_Hz.reset();
     request.timeColumn = "1";
-    return readsFrames(file, std::move(request)) || isRead || isOwn;
+    return readsFrames(file.path(), std::move(request)) || isRead || isOwn;
 }
 
 } // namespace teleta::fuzz
