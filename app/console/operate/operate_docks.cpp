@@ -12,6 +12,7 @@
 #include <QEvent>
 #include <QIODevice>
 #include <QMouseEvent>
+#include <QScopedValueRollback>
 #include <QScreen>
 #include <QScrollArea>
 #include <QStyle>
@@ -113,6 +114,13 @@ void OperateDocks::add(Dock dock, QWidget* view) {
     addDockWidget(Qt::LeftDockWidgetArea, frame);
     frame->installEventFilter(this);
     m_docks[dock] = frame;
+    // A person moves it, unless a layout is being built.
+    connect(frame, &QDockWidget::topLevelChanged, this, [this] {
+        if (m_building)
+            return;
+        m_default[index()] = false;
+        QMetaObject::invokeMethod(this, &OperateDocks::noteSizes, Qt::QueuedConnection);
+    });
     // One that was closed is opened where it was, which may be nowhere by now.
     connect(frame, &QDockWidget::visibilityChanged, this, &OperateDocks::bringBack, Qt::QueuedConnection);
 }
@@ -146,8 +154,12 @@ void OperateDocks::setKind(Kind kind) {
 }
 
 bool OperateDocks::restore(const QByteArray& layout) {
+    const QScopedValueRollback building(m_building, true);
     if (!restoreState(layout, kLayoutVersion))
         return false;
+    m_sizesIn = {};
+    if (isVisible())
+        QMetaObject::invokeMethod(this, &OperateDocks::noteSizes, Qt::QueuedConnection);
     // What is not in a layout stays where it was.
     for (std::size_t i = 0; i < kDocks; ++i)
         if (!belongs(m_kind, i))
@@ -310,6 +322,7 @@ void OperateDocks::resetLayout() {
 }
 
 void OperateDocks::arrange() {
+    const QScopedValueRollback building(m_building, true);
     for (QDockWidget* dock : m_docks) {
         dock->setFloating(false);
         removeDockWidget(dock); // hides it
@@ -405,11 +418,64 @@ void OperateDocks::shareSpace() {
                 {pictures * 14 / 27, pictures * 13 / 27, std::max(height() - pictures, 1)}, Qt::Vertical);
 }
 
+void OperateDocks::noteSizes() {
+    m_sizesIn = size();
+    for (std::size_t i = 0; i < kDocks; ++i)
+        m_sizes[i] = m_docks[i]->isVisible() && !m_docks[i]->isFloating() ? m_docks[i]->size() : QSize();
+}
+
+void OperateDocks::keepSizes() {
+    if (m_sizesIn.isEmpty())
+        return;
+    const auto isForm = [](std::size_t dock) {
+        return dock == processing || dock == stiffness || dock == bracelet || dock == jog ||
+               dock == feedback || dock == servo;
+    };
+    int forms = 0;
+    for (std::size_t i = 0; i < kDocks; ++i)
+        if (isForm(i) && m_sizes[i].isValid())
+            forms = std::max(forms, m_sizes[i].width());
+    const double wider = std::max(width() - forms, 1) / std::max(1.0, m_sizesIn.width() - forms * 1.0);
+    const double higher = static_cast<double>(height()) / m_sizesIn.height();
+    QList<QDockWidget*> docks;
+    QList<int> widths;
+    QList<int> heights;
+    for (std::size_t i = 0; i < kDocks; ++i) {
+        if (!m_sizes[i].isValid() || !m_docks[i]->isVisible() || m_docks[i]->isFloating())
+            continue;
+        docks << m_docks[i];
+        widths << (isForm(i) ? m_sizes[i].width() : std::max(1, qRound(wider * m_sizes[i].width())));
+        heights << std::max(1, qRound(higher * m_sizes[i].height()));
+    }
+    resizeDocks(docks, widths, Qt::Horizontal);
+    resizeDocks(docks, heights, Qt::Vertical);
+}
+
+bool OperateDocks::event(QEvent* event) {
+    const bool done = QMainWindow::event(event);
+    // Qt accepts only the release of a separator.
+    if (event->type() == QEvent::MouseButtonRelease && event->isAccepted()) {
+        m_default[index()] = false;
+        noteSizes();
+    }
+    return done;
+}
+
 void OperateDocks::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     // Only now do the docks have room. A layout that was restored keeps its own shares.
+    QMetaObject::invokeMethod(
+        this, [this] { m_default[index()] ? shareSpace() : noteSizes(); }, Qt::QueuedConnection);
+}
+
+void OperateDocks::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (!isVisible() || !m_alone.isEmpty())
+        return;
     if (m_default[index()])
-        QMetaObject::invokeMethod(this, &OperateDocks::shareSpace, Qt::QueuedConnection);
+        shareSpace();
+    else
+        keepSizes();
 }
 
 void OperateDocks::retranslate() {

@@ -95,7 +95,9 @@ signals:
     void maximisedChanged(bool any);
 
 protected:
+    bool event(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void childEvent(QChildEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -104,6 +106,10 @@ private:
     [[nodiscard]] bool restore(const QByteArray& layout);
     void arrange();
     void shareSpace();
+    /// Remembers the sizes of the docks that are seen.
+    void noteSizes();
+    /// Those that were noted, in a window of another size: forms keep their width, pictures grow and shrink.
+    void keepSizes();
     void enableActions();
     void bringBack();
     void showFocus(const QWidget* before, const QWidget* now);
@@ -118,7 +124,11 @@ private:
     QString m_lastUsed;    ///< name of the dock that had the focus last
     QString m_forward;     ///< name of the dock that comes to the front with the next layout
     std::array<QByteArray, kKinds> m_layouts; ///< of the kinds that are not shown; empty: never shown
-    std::array<bool, kKinds> m_default{true, true, true, true}; ///< shares its space anew when it is shown
+    std::array<bool, kKinds> m_default{true, true, true,
+                                       true}; ///< shares its space anew when it is shown or resized
+    bool m_building = false;                  ///< a layout is built or restored
+    std::array<QSize, kDocks> m_sizes{};      ///< as they were chosen; of a dock that was not seen: invalid
+    QSize m_sizesIn;                          ///< of this widget then
 };
 
 } // namespace teleta::console

@@ -10,6 +10,8 @@
 #include <QTabBar>
 #include <QTest>
 
+#include <cstdlib>
+
 using teleta::console::OperateDocks;
 
 namespace {
@@ -182,6 +184,51 @@ private slots:
         QCOMPARE(d.docks.maximised(), QString("marks"));
         d.docks.toggleMaximised();
         QCOMPARE(d.docks.maximised(), QString());
+    }
+
+    void aLargerWindowGivesItsRoomToThePictures() {
+        Docks d;
+        d.docks.setKind(OperateDocks::Kind::arm);
+        d.docks.resize(1000, 700);
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        QCoreApplication::sendPostedEvents();
+        const auto* jog = d.docks.findChild<QDockWidget*>("jog");
+        const auto* view = d.docks.findChild<QDockWidget*>("reconstruction");
+        const int form = jog->width();
+        const int picture = view->width();
+        d.docks.resize(1600, 1000);
+        QTRY_COMPARE_WITH_TIMEOUT(jog->width(), form, kPatience_ms);
+        QVERIFY2(view->width() > picture + 250, qPrintable(QString::number(view->width())));
+        d.docks.resize(1000, 700);
+        QTRY_COMPARE_WITH_TIMEOUT(view->width(), picture, kPatience_ms);
+    }
+
+    void sizesThatWereDraggedStayWhenTheWindowIsResizedAndShownAgain() {
+        Docks d;
+        d.docks.setKind(OperateDocks::Kind::arm);
+        d.docks.resize(1200, 800);
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        QCoreApplication::sendPostedEvents();
+        const auto* jog = d.docks.findChild<QDockWidget*>("jog");
+        const auto* heatmap = d.docks.findChild<QDockWidget*>("heatmap");
+        const int before = jog->width();
+        // The separator between the pictures and the column.
+        const QPoint at(jog->x() - 2, jog->geometry().center().y());
+        QTest::mousePress(&d.docks, Qt::LeftButton, {}, at);
+        QTest::mouseMove(&d.docks, at + QPoint(60, 0));
+        QTRY_COMPARE_WITH_TIMEOUT(jog->width(), before - 60, kPatience_ms); // Qt drags by a timer
+        QTest::mouseRelease(&d.docks, Qt::LeftButton, {}, at + QPoint(60, 0));
+        QTRY_COMPARE_WITH_TIMEOUT(jog->width(), before - 60, kPatience_ms);
+        const int share = 1000 * heatmap->width() / (d.docks.width() - jog->width());
+        d.docks.resize(1700, 1000);
+        QTRY_COMPARE_WITH_TIMEOUT(jog->width(), before - 60, kPatience_ms);
+        QVERIFY(std::abs(1000 * heatmap->width() / (d.docks.width() - jog->width()) - share) <= 5);
+        d.docks.hide(); // another page
+        d.docks.show();
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(jog->width(), before - 60);
     }
 
     void whatIsSavedAndWhatAnotherSourceShowsKnowsOfNoMaximisedDock() {
