@@ -78,7 +78,7 @@ void BraceletView::retranslate() {
 }
 
 void BraceletView::describe() {
-    QStringList parts{m_title, m_note};
+    QStringList parts{shownTitle(), m_note};
     for (std::size_t i = 0; i < core::kTactors; ++i)
         if (percent(m_intensities[i]) > 0)
             parts << tr("motor %1: %2 %").arg(i + 1).arg(percent(m_intensities[i]));
@@ -110,6 +110,23 @@ void BraceletView::setNote(const QString& note) {
         return;
     describe();
     update();
+}
+
+void BraceletView::setAlarming(bool alarming) {
+    if (std::exchange(m_alarming, alarming) != alarming)
+        update();
+}
+
+void BraceletView::setPreview(bool preview) {
+    if (std::exchange(m_preview, preview) == preview)
+        return;
+    describe();
+    update();
+}
+
+QString BraceletView::shownTitle() const {
+    return m_preview && !m_title.isEmpty() ? tr("%1: preview", "a pattern that is not played").arg(m_title)
+                                           : m_title;
 }
 
 void BraceletView::setProvenance(base::Provenance provenance) {
@@ -149,7 +166,7 @@ void BraceletView::paintEvent(QPaintEvent*) {
         base::paintProvenance(painter, layout.title, m_provenance, palette(), 0.5 * layout.em);
     painter.setPen(m_title.isEmpty() ? faint : text);
     painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
-                     metrics.elidedText(m_title.isEmpty() ? tr("Nothing is playing") : m_title,
+                     metrics.elidedText(m_title.isEmpty() ? tr("Nothing is playing") : shownTitle(),
                                         Qt::ElideRight, title.width()));
 
     painter.setPen(Qt::NoPen);
@@ -165,18 +182,18 @@ void BraceletView::paintEvent(QPaintEvent*) {
         painter.setBrush(base::mixed(ground, text, 0.02));
         painter.drawEllipse(centre, layout.radius, layout.radius);
         if (intensity > 0.0) {
-            painter.setPen(Qt::NoPen);
-            painter.setBrush(accent);
+            painter.setPen(m_preview ? QPen(accent, 1.5, Qt::DashLine) : QPen(Qt::NoPen));
+            painter.setBrush(m_preview ? base::mixed(ground, accent, 0.12) : accent);
             const double filled = layout.radius * std::sqrt(intensity);
             painter.drawEllipse(centre, filled, filled);
         }
-        painter.setPen(intensity > 0.3 ? base::readableOn(accent) : text);
+        painter.setPen(intensity > 0.3 && !m_preview ? base::readableOn(accent) : text);
         painter.drawText(
             QRectF(centre.x() - layout.radius, centre.y() - 0.5 * line, 2.0 * layout.radius, line),
             Qt::AlignCenter, QString::number(i + 1));
         const QRectF below(centre.x() - 2.0 * layout.em, centre.y() + layout.radius + 0.1 * line,
                            4.0 * layout.em, line);
-        painter.setPen(intensity > 0.0 ? text : faint);
+        painter.setPen(intensity > 0.0 && !m_preview ? text : faint);
         base::drawTabularText(painter, below, Qt::AlignCenter,
                               base::withUnit(QString::number(percent(intensity)), QStringLiteral("%")));
         painter.setPen(faint);
@@ -185,9 +202,11 @@ void BraceletView::paintEvent(QPaintEvent*) {
                          base::withUnit(QString::number(kDegreesApart * static_cast<double>(i)),
                                         QStringLiteral("\u00b0")));
     }
-    painter.setPen(faint);
+    const QFont noted = m_alarming ? base::bold(small) : small;
+    painter.setFont(noted);
+    painter.setPen(m_alarming ? base::statusColours(palette()).lost : faint);
     painter.drawText(layout.note, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetricsF(small).elidedText(m_note, Qt::ElideRight, layout.note.width()));
+                     QFontMetricsF(noted).elidedText(m_note, Qt::ElideRight, layout.note.width()));
     base::paintFocusFrame(painter, *this);
 }
 

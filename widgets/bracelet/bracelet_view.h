@@ -43,6 +43,11 @@ public:
     void setTitle(const QString& title);
     /// State of the bracelet: for example that none is connected, or that STOP is engaged.
     void setNote(const QString& note);
+    /// The note tells why nothing can be felt now: it is written in the colour of what is lost.
+    void setAlarming(bool alarming);
+    /// The intensities are those of a pattern that is not played: discs are outlined, not filled.
+    void setPreview(bool preview);
+    [[nodiscard]] bool isPreview() const { return m_preview; }
     void setProvenance(base::Provenance provenance);
     /// Whether single tactors can be felt by holding them; off by default.
     void setHoldable(bool holdable);
@@ -66,12 +71,15 @@ protected:
 private:
     void retranslate();
     void describe();
+    [[nodiscard]] QString shownTitle() const;
     void hold(std::optional<std::size_t> tactor);
 
     core::Intensities m_intensities{};
     QString m_title;
     QString m_note;
     base::Provenance m_provenance = base::Provenance::live;
+    bool m_alarming = false;
+    bool m_preview = false;
     bool m_holdable = false;
     std::optional<std::size_t> m_held;
 };

@@ -282,7 +282,9 @@ void PatternEditor::retranslate() {
     name(m_save, tr("Save"), tr("Save the pattern; a new one is added to your own patterns"));
     name(m_saveAs, tr("Save as\u2026"), tr("Save the pattern under another name"));
     name(m_exportTo, tr("Export\u2026"), tr("Write HJIF, .haptic, AHAP, .tact, CSV or WAV"));
-    name(m_play, m_playing ? tr("Pause") : tr("Play"), tr("Play from the playhead, or pause (Space)"));
+    name(m_play, m_playing ? tr("Pause") : tr("Play"),
+         m_stopped ? tr("STOP is engaged: release it to play")
+                   : tr("Play from the playhead, or pause (Space)"));
     name(m_stop, tr("Stop"), tr("Stop playing"));
     name(m_loop, tr("Loop"), tr("Repeat from the beginning; Shift and dragging on the ruler set the range"));
     name(m_undo, tr("Undo"), tr("Undo the last edit"));
@@ -357,6 +359,13 @@ void PatternEditor::setPlaying(bool playing) {
     retranslate();
 }
 
+void PatternEditor::setStopped(bool stopped) {
+    if (std::exchange(m_stopped, stopped) == stopped)
+        return;
+    m_play->setEnabled(!stopped);
+    retranslate();
+}
+
 bool PatternEditor::looping() const {
     return m_loop->isChecked();
 }
@@ -364,7 +373,7 @@ bool PatternEditor::looping() const {
 void PatternEditor::togglePlay() {
     if (m_playing)
         emit stopRequested();
-    else
+    else if (!m_stopped)
         emit playRequested(m_document->pattern());
 }
 

@@ -38,6 +38,8 @@ public:
     /// Moves the playhead. Emits nothing.
     void setPlayhead(double time_s);
     void setPlaying(bool playing);
+    /// STOP is engaged: nothing can be played until it is released.
+    void setStopped(bool stopped);
     [[nodiscard]] bool isPlaying() const { return m_playing; }
     /// Whether playing repeats; the range is timeline()->loop(), or the whole pattern without it.
     [[nodiscard]] bool looping() const;
@@ -118,6 +120,7 @@ private:
     QAction* m_fit;
     QAction* m_add;
     bool m_playing = false;
+    bool m_stopped = false;
 };
 
 } // namespace teleta::pattern

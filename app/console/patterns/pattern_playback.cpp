@@ -123,6 +123,8 @@ void PatternPlayback::tick() {
             end();
         else if (const auto position_s = m_station.playingPosition_s())
             m_editor.setPlayhead(m_range.begin_s + *position_s);
+    } else if (m_way == Way::shown && m_station.isStopped()) {
+        end();
     } else if (m_way == Way::shown) {
         const double length_s = m_range.end_s - m_range.begin_s;
         const double position_s = shownAt_s();

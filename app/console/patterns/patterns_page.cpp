@@ -19,6 +19,7 @@
 #include "widgets/pattern/pattern_library.h"
 #include "widgets/pattern/timeline/timeline_view.h"
 
+#include <QApplication>
 #include <QDateTime>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -546,9 +547,28 @@ void PatternsPage::tick() {
     m_playback->tick();
     m_picture->setIntensities(m_playback->intensities());
     m_picture->setNote(m_playback->note());
+    m_picture->setAlarming(m_station.isStopped());
+    m_picture->setPreview(!m_station.isDriven());
+    m_editor->setStopped(m_station.isStopped());
     m_picture->setHoldable(m_station.isFree());
     m_picture->setTitle(pattern::displayName(m_editor->document()->pattern()));
     m_picture->setProvenance(m_station.isSimulated() ? base::Provenance::simulated : base::Provenance::live);
+}
+
+void PatternsPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (event->spontaneous())
+        return;
+    // Whoever comes to the page and presses Space wants to hear the pattern, not to filter the library, the
+    // first field. Queued: the pages give the focus away after this.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            const QWidget* focus = QApplication::focusWidget();
+            if (isVisible() && focus != nullptr && m_editor->library()->isAncestorOf(focus))
+                m_editor->timeline()->setFocus(Qt::OtherFocusReason);
+        },
+        Qt::QueuedConnection);
 }
 
 void PatternsPage::dragEnterEvent(QDragEnterEvent* event) {

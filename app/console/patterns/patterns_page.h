@@ -71,6 +71,7 @@ signals:
     void recoveryOffered(const QString& text);
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 

@@ -67,6 +67,39 @@ private slots:
         QVERIFY(at(2, 0.3) != accent);
     }
 
+    void aPreviewIsOutlinedAndNotFilled() {
+        m_view->setTitle("Circle");
+        m_view->setIntensities({1.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+        m_view->setPreview(true);
+        const auto at = [this] {
+            const auto layout = m_view->layoutNow();
+            return m_view->grab().toImage().pixelColor(
+                (layout.centre[0] + QPointF(0.0, -0.8 * layout.radius)).toPoint());
+        };
+        const QColor accent = m_view->palette().color(QPalette::Highlight);
+        QVERIFY(at() != accent);
+        QVERIFY(m_view->accessibleDescription().contains("Circle: preview"));
+        m_view->setPreview(false);
+        QCOMPARE(at(), accent);
+        QVERIFY(!m_view->accessibleDescription().contains("preview"));
+    }
+
+    void aNoteThatAlarmsHasTheColourOfWhatIsLost() {
+        m_view->setNote("STOP is engaged: the bracelet is off.");
+        const QColor lost = teleta::base::statusColours(m_view->palette()).lost;
+        const auto hasIt = [&] {
+            const QImage image = m_view->grab().toImage();
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    if (image.pixelColor(x, y) == lost)
+                        return true;
+            return false;
+        };
+        QVERIFY(!hasIt());
+        m_view->setAlarming(true);
+        QVERIFY(hasIt());
+    }
+
     void saysInWordsWhatVibrates() {
         m_view->setTitle(QStringLiteral("Circle"));
         m_view->setIntensities({0.0, 0.5, 0.0, 0.0, 0.0, 1.0});

@@ -7,9 +7,13 @@
 #include "widgets/pattern/timeline/timeline_view.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QPushButton>
+#include <QStackedWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 
 #include <cmath>
 #include <memory>
@@ -74,6 +78,56 @@ private slots:
         m_page.reset();
         m_collection.reset();
         m_station.reset();
+    }
+
+    void whileStoppedNothingPlaysAndThePictureIsAPreview() {
+        connectBracelet();
+        const auto* picture = m_page->findChild<bracelet::BraceletView*>();
+        const auto playButton = [this]() -> QToolButton* {
+            for (auto* button : editor().findChildren<QToolButton*>())
+                if (button->text() == "Play" || button->text() == "Pause")
+                    return button;
+            return nullptr;
+        };
+        QVERIFY(playButton() != nullptr && playButton()->isEnabled());
+        m_stop.engage();
+        QTRY_VERIFY(!playButton()->isEnabled());
+        QVERIFY2(playButton()->toolTip().contains("STOP"), qPrintable(playButton()->toolTip()));
+        QTest::mouseClick(playButton(), Qt::LeftButton);
+        space();
+        QVERIFY(!editor().isPlaying());
+        QVERIFY(picture->isPreview());
+        m_stop.release();
+        QTRY_VERIFY(playButton()->isEnabled() && m_station->isFree());
+        QTest::mouseClick(playButton(), Qt::LeftButton);
+        QVERIFY(editor().isPlaying());
+        QTRY_VERIFY(!picture->isPreview());
+    }
+
+    void stopEndsAPatternThatIsOnlyShown() {
+        QVERIFY(!m_station->isFree());
+        space();
+        QVERIFY(editor().isPlaying());
+        m_stop.engage();
+        QTRY_VERIFY(!editor().isPlaying());
+    }
+
+    void spacePlaysWhenThePageIsComeTo() {
+        QStackedWidget pages;
+        auto* other = new QPushButton;
+        pages.addWidget(other);
+        pages.addWidget(m_page.get());
+        pages.resize(1500, 900);
+        pages.show();
+        pages.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&pages));
+        other->setFocus();
+        pages.setCurrentWidget(m_page.get());
+        QTRY_VERIFY(editor().timeline()->hasFocus());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QVERIFY(editor().isPlaying());
+        pages.removeWidget(m_page.get());
+        m_page->setParent(nullptr);
     }
 
     void thePictureShowsThePatternAtThePlayheadWhileNothingDrivesTheBracelet() {
