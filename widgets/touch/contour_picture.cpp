@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace teleta::touch {
 
@@ -23,6 +24,22 @@ constexpr double kSmallestExtent_m = 0.005;
 
 QPointF toPoint(const contour::Point& p) {
     return {p.x(), p.y()};
+}
+
+/// The parts of a circle that lie in a rectangle, because SVG pictures have no clipping.
+void drawCircleIn(QPainter& painter, const QRectF& rect, const QPointF& centre, double radius) {
+    constexpr int kSteps = 720;
+    QPolygonF part;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kSteps;
+        const QPointF at = centre + radius * QPointF(std::cos(angle), std::sin(angle));
+        if (rect.contains(at))
+            part << at;
+        if (!rect.contains(at) || i == kSteps) {
+            painter.drawPolyline(part);
+            part.clear();
+        }
+    }
 }
 
 } // namespace
@@ -123,7 +140,8 @@ void ContourPicture::paintAxes(QPainter& painter, const QRectF& plot, const QTra
                      Qt::AlignLeft | Qt::AlignVCenter, tr("y [mm]"));
 }
 
-void ContourPicture::paintShape(QPainter& painter, const QTransform& toPlot, const QPalette& palette) const {
+void ContourPicture::paintShape(QPainter& painter, const QRectF& plot, const QTransform& toPlot,
+                                const QPalette& palette) const {
     const double em = QFontMetricsF(font).height();
     const QColor curve = palette.color(QPalette::Link);
     const QColor vertex = base::statusColours(palette).stale;
@@ -132,13 +150,26 @@ void ContourPicture::paintShape(QPainter& painter, const QTransform& toPlot, con
         const double radius = circle.radius_m * toPlot.m11();
         painter.setPen(QPen(vertex, 1.5, Qt::DashLine));
         painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(toPlot.map(toPoint(circle.centre_m)), radius, radius);
+        drawCircleIn(painter, plot, toPlot.map(toPoint(circle.centre_m)), radius);
     }
+    // Between touches that lie close together at a corner the spline turns as it likes: the shape that was
+    // recognised is what is to be seen.
+    const bool hasEdges = contour.recognition && contour.recognition->vertices_m.size() > 1;
     QPolygonF line;
     for (const teleta::contour::Point& p : contour.curve_m)
         line << toPlot.map(toPoint(p));
-    painter.setPen(QPen(curve, 2.0));
+    painter.setPen(hasEdges ? QPen(base::mixed(palette.color(QPalette::Base), curve, 0.4), 1.0)
+                            : QPen(curve, 2.0));
     painter.drawPolyline(line);
+    if (hasEdges) {
+        QPolygonF edges;
+        for (const teleta::contour::Point& p : contour.recognition->vertices_m)
+            edges << toPlot.map(toPoint(p));
+        if (contour.recognition->closed)
+            edges << edges.front();
+        painter.setPen(QPen(vertex, 1.5, Qt::DashLine));
+        painter.drawPolyline(edges);
+    }
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette.color(QPalette::Text));
     for (const teleta::contour::Point& p : contour.points_m)
@@ -188,7 +219,7 @@ void ContourPicture::paint(QPainter& painter, const QSizeF& size, const QPalette
     if (!toPlot)
         return;
     paintAxes(painter, plotRect(size), *toPlot, palette);
-    paintShape(painter, *toPlot, palette);
+    paintShape(painter, plotRect(size), *toPlot, palette);
 }
 
 QString ContourPicture::csv() const {

@@ -42,7 +42,8 @@ private:
     void paintHead(QPainter& painter, const QSizeF& size, const QPalette& palette) const;
     void paintAxes(QPainter& painter, const QRectF& plot, const QTransform& toPlot,
                    const QPalette& palette) const;
-    void paintShape(QPainter& painter, const QTransform& toPlot, const QPalette& palette) const;
+    void paintShape(QPainter& painter, const QRectF& plot, const QTransform& toPlot,
+                    const QPalette& palette) const;
 };
 
 } // namespace teleta::touch

@@ -88,7 +88,9 @@ private slots:
             base::applyTheme(dark ? base::ThemeChoice::dark : base::ThemeChoice::light);
             ContourView view;
             view.resize(500, 400);
-            view.setContour(square());
+            pipeline::ExploredContour contour = square();
+            contour.recognition.reset();
+            view.setContour(contour);
             const QImage picture = view.grab().toImage();
             const auto mapping = view.picture().mapping(QSizeF(view.size()));
             const QPoint middle = mapping->map(QPointF(0.15, 0.1)).toPoint();
@@ -99,6 +101,48 @@ private slots:
             QVERIFY(found);
         }
         base::applyTheme(base::ThemeChoice::light);
+    }
+
+    void drawsTheShapeThatWasRecognisedInFrontOfTheSpline() {
+        ContourView view;
+        view.resize(500, 400);
+        view.setContour(square());
+        const QImage picture = view.grab().toImage();
+        const auto mapping = view.picture().mapping(QSizeF(view.size()));
+        const QColor shape = base::statusColours(view.palette()).stale;
+        int dashes = 0;
+        for (double x_m = 0.11; x_m < 0.19; x_m += 0.0005) {
+            const QPoint at = mapping->map(QPointF(x_m, 0.1)).toPoint();
+            for (int dy = -1; dy <= 1; ++dy)
+                dashes += picture.pixelColor(at + QPoint(0, dy)) == shape ? 1 : 0;
+        }
+        QVERIFY2(dashes > 20, qPrintable(QString::number(dashes)));
+    }
+
+    void aLargeCircleStaysInsideTheChart() {
+        ContourView view;
+        view.resize(500, 400);
+        pipeline::ExploredContour arc;
+        arc.revision = 1;
+        arc.points_m = {{0.1, 0.0}, {0.1007, 0.01}, {0.1027, 0.02}};
+        arc.curve_m = arc.points_m;
+        arc.recognition.emplace();
+        arc.recognition->shape = contour::Shape::arc;
+        arc.recognition->confidence = 0.9;
+        arc.recognition->circle = contour::Circle{{0.175, 0.0}, 0.075, 0.0};
+        view.setContour(arc);
+        const QImage picture = view.grab().toImage();
+        const QRectF plot = view.picture().plotRect(QSizeF(view.size()));
+        const QColor circle = base::statusColours(view.palette()).stale;
+        int inside = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                if (picture.pixelColor(x, y) == circle) {
+                    ++inside;
+                    QVERIFY2(plot.adjusted(-2, -2, 2, 2).contains(x, y),
+                             qPrintable(QString("%1, %2").arg(x).arg(y)));
+                }
+        QVERIFY(inside > 20);
     }
 
     void aSinglePointHasAPicture() {
