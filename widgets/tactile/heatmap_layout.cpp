@@ -30,7 +30,7 @@ HeatmapLayout::HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics,
     const double axisBottom = 2.3 * em;
     const double barWidth = 0.9 * em;
     const double barLabels = metrics.horizontalAdvance(QStringLiteral("8888.")) + 1.2 * em;
-    m_viewport = QRectF(inner.left() + axisLeft, m_header.bottom() + 0.7 * em, 0.0, 0.0);
+    m_viewport = QRectF(inner.left() + axisLeft, m_header.bottom() + 1.1 * em, 0.0, 0.0);
     m_viewport.setRight(std::max(m_viewport.left() + 1.0, inner.right() - barLabels - barWidth - em));
     m_viewport.setBottom(std::max(m_viewport.top() + 1.0, m_legend.top() - axisBottom));
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 namespace teleta::tactile {
 
@@ -111,6 +112,8 @@ void HeatmapPainter::paint(QPainter& painter, const HeatmapLayout& layout, const
         paintVeil();
     painter.restore();
     paintColourBar();
+    if (content.old)
+        paintVeilText();
     paintHeader();
     paintLegend();
     if (medium == Medium::screen)
@@ -124,8 +127,20 @@ void HeatmapPainter::paintVeil() {
     QColor veil = m_palette.color(QPalette::Window);
     veil.setAlpha(kVeil);
     m_painter->fillRect(all, veil);
+}
+
+/// Wider than an array that is narrow.
+void HeatmapPainter::paintVeilText() {
+    const QString text = tr("No new data: the last frame is shown.");
+    QRectF room = m_layout->visible();
+    const double missing = std::max(0.0, std::min(12.0 * m_em, m_layout->header().width()) - room.width());
+    room.adjust(-0.5 * missing, 0.0, 0.5 * missing, 0.0);
+    const QRectF words = QFontMetricsF(m_painter->font())
+                             .boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, text)
+                             .adjusted(-0.4 * m_em, -0.2 * m_em, 0.4 * m_em, 0.2 * m_em);
+    m_painter->fillRect(words, m_palette.color(QPalette::Window));
     m_painter->setPen(m_palette.color(QPalette::WindowText));
-    m_painter->drawText(all, Qt::AlignCenter | Qt::TextWordWrap, tr("No new data: the last frame is shown."));
+    m_painter->drawText(room, Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
 double HeatmapPainter::markRadius() const {
@@ -266,6 +281,7 @@ void HeatmapPainter::paintContactLabels() {
     const QFont normal = m_painter->font();
     m_painter->setFont(font);
     const QFontMetricsF metrics(font);
+    std::vector<QRectF> taken;
     for (const contact::Contact& contact : m_content->snapshot.contacts) {
         const QString text = QStringLiteral("#%1").arg(contact.id);
         const QSizeF size(metrics.horizontalAdvance(text) + 0.6 * m_em, metrics.height() + 2.0);
@@ -278,7 +294,15 @@ void HeatmapPainter::paintContactLabels() {
         top = std::clamp(top, visible.top(), std::max(visible.top(), visible.bottom() - size.height()));
         const double left = std::clamp((roomAbove ? above : below).x(), visible.left(),
                                        std::max(visible.left(), visible.right() - size.width()));
-        const QRectF chip(QPointF(left, top), size);
+        QRectF chip(QPointF(left, top), size);
+        // Beside one that is there, or else not at all: the list of contacts has it.
+        for (const QRectF& other : taken)
+            if (chip.intersects(other))
+                chip.moveLeft(other.right() + 1.0);
+        if (chip.right() > visible.right() + 0.5 ||
+            std::ranges::any_of(taken, [&](const QRectF& other) { return chip.intersects(other); }))
+            continue;
+        taken.push_back(chip);
         const QColor colour = base::identityColour(contact.id, true);
         m_painter->setPen(Qt::NoPen);
         m_painter->setBrush(colour);
@@ -429,11 +453,11 @@ void HeatmapPainter::paintColourBar() {
         m_painter->drawText(QPointF(right + 0.2 * m_em, y + 0.5 * (metrics.ascent() - metrics.descent())),
                             base::significantDigits(i * step, 4));
     }
-    const QRectF unitRect(bar.left() - 0.2 * m_em, bar.top() - 1.35 * m_em, 6.0 * m_em, m_em);
+    const QRectF unitRect(bar.left(), bar.top() - 1.15 * m_em, 6.0 * m_em, m_em);
     m_painter->drawText(unitRect, Qt::AlignLeft | Qt::AlignVCenter, m_content->unit());
     const QString mode = m_content->rangeFixed ? tr("fixed") : tr("auto");
     m_painter->setPen(m_palette.color(QPalette::PlaceholderText));
-    m_painter->drawText(QRectF(bar.left() - 0.2 * m_em, bar.bottom() + 0.35 * m_em, 6.0 * m_em, m_em),
+    m_painter->drawText(QRectF(bar.left(), bar.bottom() + 0.35 * m_em, 6.0 * m_em, m_em),
                         Qt::AlignLeft | Qt::AlignVCenter, mode);
 
     const double threshold = m_content->snapshot.threshold_N;

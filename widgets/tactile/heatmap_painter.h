@@ -38,6 +38,7 @@ private:
     void paintMarks();
     void paintCursor();
     void paintVeil();
+    void paintVeilText();
     void paintScales();
     void paintColourBar();
     void paintHeader();

@@ -19,6 +19,11 @@ QString millimetres(double length_m) {
     return base::withUnit(QLocale().toString(length_m * 1e3, 'g', 3), QStringLiteral("mm"));
 }
 
+/// Without the filling that keeps changing numbers in place.
+QString quantity(double value, const QString& unit) {
+    return base::withUnit(base::threeDigits(value).remove(QChar(0x2007)), unit);
+}
+
 } // namespace
 
 std::optional<QPointF> placeInPicture(vtkRenderer& renderer, const Eigen::Vector3d& p_World) {
@@ -93,7 +98,7 @@ void OverlayMaker::addContacts(const TouchScene& scene, OverlayContent& content)
             {*place,
              //: A contact in the 3-D view: its number and its force
              tr("%1: %2").arg(mark.contact.id).arg(base::withUnit(force.text().trimmed(), unit)), mark.colour,
-             true});
+             true, true});
     }
     std::erase_if(m_forces, [&](const auto& known) {
         return std::none_of(marks.begin(), marks.end(),
@@ -145,11 +150,10 @@ void OverlayMaker::addTubeMarks(const TouchScene& scene, OverlayContent& content
 QString wordsFor(const contact::Contact& contact, const QString& unit) {
     return OverlayMaker::tr("Contact %1\nForce %2, peak %3\nx %4, y %5\nArea %6")
         .arg(contact.id)
-        .arg(base::withUnit(base::threeDigits(contact.force_N), unit),
-             base::withUnit(base::threeDigits(contact.peak_N), unit),
-             base::withUnit(base::threeDigits(contact.x_m * 1e3), QStringLiteral("mm")),
-             base::withUnit(base::threeDigits(contact.y_m * 1e3), QStringLiteral("mm")),
-             base::withUnit(base::threeDigits(contact.area_m2 * 1e6), QStringLiteral("mm\u00b2")));
+        .arg(quantity(contact.force_N, unit), quantity(contact.peak_N, unit),
+             quantity(contact.x_m * 1e3, QStringLiteral("mm")),
+             quantity(contact.y_m * 1e3, QStringLiteral("mm")),
+             quantity(contact.area_m2 * 1e6, QStringLiteral("mm\u00b2")));
 }
 
 QString contactRows(const TouchScene& scene) {

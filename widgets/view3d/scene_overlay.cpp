@@ -19,6 +19,7 @@ namespace teleta::view3d {
 namespace {
 
 constexpr double kLegendFrom = 15.0; ///< height in em
+constexpr double kLeader_em = 2.0;   ///< length of the line to a card at the side
 
 class OverlayPainter {
 public:
@@ -79,6 +80,13 @@ private:
                           m_metrics.height() * 1.2);
         const QPointF foot = placed(label);
         QRectF rect(foot - QPointF(0.5 * room.width(), room.height() + 0.4 * m_em), room);
+        if (label.beside) {
+            // Outwards: what the point belongs to is more often in the middle.
+            const bool isLeft = foot.x() < 0.5 * m_size.width();
+            const double left =
+                isLeft ? foot.x() - kLeader_em * m_em - room.width() : foot.x() + kLeader_em * m_em;
+            rect.moveTopLeft({left, foot.y() - 0.5 * room.height()});
+        }
         rect.moveLeft(
             std::clamp(rect.left(), m_margin, std::max(m_margin, m_size.width() - m_margin - room.width())));
         rect.moveTop(
@@ -94,6 +102,9 @@ private:
             return; // no room left
         m_cards.push_back(rect);
         m_painter.setPen(QPen(label.colour, 1.0));
+        if (label.beside && !rect.contains(foot))
+            m_painter.drawLine(foot, {std::clamp(foot.x(), rect.left(), rect.right()),
+                                      std::clamp(foot.y(), rect.top(), rect.bottom())});
         m_painter.setBrush(base::translucent(m_content.colours.backgroundTop, 0.86F));
         m_painter.drawRoundedRect(rect, 3.0, 3.0);
         m_painter.setPen(Qt::NoPen);

@@ -23,7 +23,8 @@ struct OverlayLabel {
     QPointF place; ///< position of the point, as shares of the picture's width and height from the top left
     QString text;
     QColor colour;
-    bool boxed = false; ///< on a small card with a dot in its colour; cards do not overlap
+    bool boxed = false;  ///< on a small card with a dot in its colour; cards do not overlap
+    bool beside = false; ///< a card at the side of the point, tied to it by a line: it hides nothing there
 };
 
 /// Everything written over the 3-D picture. A value, so that a saved picture keeps its own.
