@@ -190,6 +190,10 @@ void MotorChart::drawRecording() {
     m_recording->clearItems();
     m_recording->xAxis->setLabel(tr("time (s)"));
     m_recording->yAxis->setLabel(tr("speed (Hz)"));
+    if (!m_live.empty()) {
+        drawLive();
+        return;
+    }
     m_recording->legend->setVisible(m_evidence != nullptr);
     if (!m_evidence) {
         QCPItemText* text = addText(m_recording, colours.color(QPalette::PlaceholderText));
@@ -218,8 +222,37 @@ void MotorChart::drawRecording() {
     m_recording->replot(QCustomPlot::rpQueuedReplot);
 }
 
+void MotorChart::addLive(double time_s, double speed_Hz, double duration_s) {
+    m_liveDuration_s = duration_s;
+    if (m_live.empty() || time_s > m_live.back().x())
+        m_live.emplace_back(time_s, speed_Hz);
+    drawRecording();
+}
+
+void MotorChart::endLive() {
+    if (m_live.empty())
+        return;
+    m_live.clear();
+    drawRecording();
+    showAll();
+}
+
+void MotorChart::drawLive() {
+    constexpr double kLeastTop_Hz = 100.0;
+    m_recording->legend->setVisible(false);
+    QCPGraph* graph = addGraph(m_recording, QPen(m_colours.color(QPalette::Highlight), 2.0), tr("measured"));
+    double highest_Hz = kLeastTop_Hz;
+    for (const QPointF& point : m_live) {
+        graph->addData(point.x(), point.y());
+        highest_Hz = std::max(highest_Hz, point.y());
+    }
+    m_recording->xAxis->setRange(0.0, m_liveDuration_s);
+    m_recording->yAxis->setRange(-10.0, 1.2 * highest_Hz);
+    m_recording->replot(QCustomPlot::rpQueuedReplot);
+}
+
 void MotorChart::showAll() {
-    if (!m_evidence)
+    if (!m_evidence || !m_live.empty())
         return;
     const motors::MotorRecording& recording = m_evidence->recording;
     const auto [low, high] = std::ranges::minmax_element(recording.speed_Hz);

@@ -9,6 +9,10 @@
 #include "widgets/base/sized_view.h"
 
 #include <QPalette>
+#include <QPointF>
+
+#include <cstddef>
+#include <vector>
 
 class QCPItemText;
 class QCustomPlot;
@@ -31,6 +35,13 @@ public:
     /// evidence: null when the motor was not measured in this session.
     void setMotor(std::size_t number, const motors::CalibratedMotor& motor,
                   std::shared_ptr<const Evidence> evidence, base::Provenance provenance);
+    /// The motor is being measured: a speed at a time of the measurement, in place of the recording.
+    /// duration_s: of the whole measurement.
+    void addLive(double time_s, double speed_Hz, double duration_s);
+    /// The measurement is over, or another one begins.
+    void endLive();
+    /// Speeds of the measurement that runs.
+    [[nodiscard]] std::size_t liveSpeeds() const { return m_live.size(); }
     [[nodiscard]] base::Figure curveFigure();
     [[nodiscard]] base::Figure recordingFigure();
 
@@ -42,6 +53,7 @@ private:
     void draw();
     void drawCurve();
     void drawRecording();
+    void drawLive();
     void showAll();
     QCPItemText* addText(QCustomPlot* chart, const QColor& colour) const;
     [[nodiscard]] base::Figure figure(QCustomPlot* plot, const QString& name, std::function<QString()> csv);
@@ -49,6 +61,8 @@ private:
     std::size_t m_number = 0;
     motors::CalibratedMotor m_motor;
     std::shared_ptr<const Evidence> m_evidence;
+    std::vector<QPointF> m_live; ///< s, Hz
+    double m_liveDuration_s = 0.0;
     base::Provenance m_provenance = base::Provenance::live;
     QPalette m_colours;
     QCustomPlot* m_curve;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/calibrate/motors_view.h"
 
+#include "backend/motors/excitation.h"
 #include "backend/motors/strength_balance.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
@@ -226,14 +227,24 @@ void MotorsView::balanceByCurves() {
     verdict()->setText(tr("Every measured motor is now limited to the top speed of the slowest one."));
 }
 
-void MotorsView::setMeasuring(std::optional<std::size_t> motor, double progress) {
+void MotorsView::setMeasuring(std::optional<std::size_t> motor, double progress, std::size_t number,
+                              std::size_t of) {
+    static const double kDuration_s = motors::stairsAndPulses().duration_s;
     m_progress->setValue(static_cast<int>(100.0 * progress));
+    if (motor != m_measuring)
+        m_chart->endLive();
+    if (motor && m_facts.speeds_Hz)
+        m_chart->addLive(progress * kDuration_s, (*m_facts.speeds_Hz)[*motor], kDuration_s);
     if (motor == m_measuring)
         return;
     m_measuring = motor;
     if (motor) {
         m_measureText->setText(
-            tr("Measuring motor %1: steps up to full drive, then pulses.").arg(*motor + 1));
+            of > 1 ? tr("Measuring motor %1, %2 of %3: steps up to full drive, then pulses.")
+                         .arg(*motor + 1)
+                         .arg(number)
+                         .arg(of)
+                   : tr("Measuring motor %1: steps up to full drive, then pulses.").arg(*motor + 1));
         m_table->selectMotor(*motor);
     }
     refresh();
@@ -243,9 +254,15 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
                          const core::Expected<motors::MotorFit>& fit) {
     m_table->selectMotor(motor);
     if (!fit) {
-        verdict()->setText(tr("Motor %1 was not calibrated. %2", "a motor, and why not")
-                               .arg(motor + 1)
-                               .arg(QString::fromStdString(core::describe(fit.error()))));
+        const core::Error& why = fit.error();
+        QString text =
+            tr("Motor %1 was not calibrated. %2", "a motor, and why not")
+                .arg(motor + 1)
+                .arg(QString::fromStdString(why.where.file.empty() ? why.message : core::describe(why)));
+        // What was expected of a person, not of a file, is what to do next.
+        if (why.where.file.empty() && !why.expected.empty())
+            text += QLatin1Char('\n') + tr("What to do: %1.").arg(QString::fromStdString(why.expected));
+        verdict()->setText(text);
         return;
     }
     m_evidence[motor] = std::make_shared<const MotorChart::Evidence>(MotorChart::Evidence{recording, *fit});

@@ -55,7 +55,9 @@ public:
     [[nodiscard]] const motors::MotorCalibration& calibration() const { return m_calibration; }
 
     /// The motor being measured; empty: none. progress: 0 .. 1.
-    void setMeasuring(std::optional<std::size_t> motor, double progress = 0.0);
+    /// of: how many are measured one after the other, and number: which of them it is, from 1.
+    void setMeasuring(std::optional<std::size_t> motor, double progress = 0.0, std::size_t number = 1,
+                      std::size_t of = 1);
     /// Applies the fit of a recording, or shows why there is none.
     void takeFit(std::size_t motor, const motors::MotorRecording& recording,
                  const core::Expected<motors::MotorFit>& fit);

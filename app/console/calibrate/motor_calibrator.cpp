@@ -38,6 +38,7 @@ MotorCalibrator::MotorCalibrator(BraceletService& station, QWidget* parent)
     connect(m_view, &MotorsView::stopRequested, &m_station, &BraceletService::stopPlaying);
     connect(m_view, &MotorsView::measureRequested, this, [this](const std::vector<std::size_t>& motors) {
         m_waiting.assign(motors.rbegin(), motors.rend());
+        m_asked = motors.size();
         measureNext();
     });
     connect(m_view, &MotorsView::cancelMeasureRequested, this, &MotorCalibrator::cancel);
@@ -108,7 +109,8 @@ void MotorCalibrator::tick() {
     if (m_run && (m_station.isReserved() || (!m_run->begun && !m_station.isReady())))
         refuseRun();
     if (m_measuring)
-        m_view->setMeasuring(m_measuring, m_run ? m_run->progress.load() : 0.0);
+        m_view->setMeasuring(m_measuring, m_run ? m_run->progress.load() : 0.0, m_asked - m_waiting.size(),
+                             m_asked);
 }
 
 void MotorCalibrator::measureNext() {
@@ -127,7 +129,7 @@ void MotorCalibrator::measureNext() {
         return run->end.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     });
     m_runs.push_back(m_run);
-    m_view->setMeasuring(m_measuring);
+    m_view->setMeasuring(m_measuring, 0.0, m_asked - m_waiting.size(), m_asked);
     base::runInBackground(
         this,
         [session = std::move(session), run = m_run, motor = *m_measuring]() mutable {

@@ -69,6 +69,7 @@ private:
     BraceletService& m_station;
     calibrate::MotorsView* m_view;
     std::vector<std::size_t> m_waiting; ///< motors still to be measured, the next one last
+    std::size_t m_asked = 0;            ///< how many were to be measured
     std::optional<std::size_t> m_measuring;
     std::shared_ptr<Run> m_run;
     std::vector<std::shared_ptr<Run>> m_runs; ///< runs whose thread may still use the bracelet

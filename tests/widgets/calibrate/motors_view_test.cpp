@@ -90,6 +90,24 @@ private slots:
         QCOMPARE(desk.view.calibration().motors[1].profile.name, std::string("left of the bone"));
     }
 
+    void aMeasurementIsShownWhileItRuns() {
+        Desk desk;
+        auto* chart = desk.view.findChild<teleta::calibrate::MotorChart*>();
+        QVERIFY(chart != nullptr);
+        BraceletFacts facts = simulatedOne();
+        facts.speeds_Hz = {0.0, 0.0, 120.0, 0.0, 0.0, 0.0};
+        desk.view.setFacts(facts);
+        for (int i = 1; i <= 20; ++i)
+            desk.view.setMeasuring(2, 0.01 * i, 3, 6);
+        QCOMPARE(chart->liveSpeeds(), std::size_t(20));
+        QVERIFY(desk.says("3 of 6"));
+        desk.view.setMeasuring(3, 0.0, 4, 6);
+        QVERIFY(desk.says("4 of 6"));
+        QCOMPARE(chart->liveSpeeds(), std::size_t(1)); // of the next one
+        desk.view.setMeasuring(std::nullopt);
+        QCOMPARE(chart->liveSpeeds(), std::size_t(0));
+    }
+
     void aLongStateIsCutAndToldByItsToolTip() {
         Desk desk;
         const int before = desk.view.minimumSizeHint().width();
