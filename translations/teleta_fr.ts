@@ -294,7 +294,7 @@
     </message>
     <message>
         <source>a publisher that is reliable and keeps what it sent</source>
-        <translation>un émetteur en « reliable&#xa0;» qui garde ce qu’il a envoyé</translation>
+        <translation>un émetteur en «&#xa0;reliable&#xa0;» qui garde ce qu’il a envoyé</translation>
     </message>
     <message>
         <source>the robot in this domain, or description = &quot;FILE.urdf&quot;</source>
@@ -499,7 +499,7 @@
     </message>
     <message>
         <source>This moves %1 of %2 at %3 %4/s for %5 s. Type &quot;yes&quot; to move it: </source>
-        <translation>Ceci bouge&#xa0;%1 de&#xa0;%2 à&#xa0;%3&#xa0;%4/s pendant&#xa0;%5 s. Tapez « yes&#xa0;» pour le faire&#xa0;: </translation>
+        <translation>Ceci bouge&#xa0;%1 de&#xa0;%2 à&#xa0;%3&#xa0;%4/s pendant&#xa0;%5 s. Tapez «&#xa0;yes&#xa0;» pour le faire&#xa0;: </translation>
     </message>
     <message>
         <source>nothing was moved</source>
@@ -531,10 +531,6 @@
     <message>
         <source>no array can be frames; the file has: %1</source>
         <translation>aucun tableau ne peut constituer les trames&#xa0;; le fichier a&#xa0;:&#xa0;%1</translation>
-    </message>
-    <message>
-        <source>several arrays can be the frames; the file has: %1</source>
-        <translation>plusieurs tableaux peuvent constituer les trames&#xa0;; le fichier a&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
         <source>an array of 3 dimensions: frames x rows x columns</source>
@@ -655,6 +651,18 @@
     <message>
         <source>no rate</source>
         <translation>pas de fréquence</translation>
+    </message>
+    <message>
+        <source>several arrays can be the frames: %1</source>
+        <translation>plusieurs tableaux peuvent être les images&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 does not say which of its dimensions counts the frames</source>
+        <translation>%1 ne dit pas laquelle de ses dimensions compte les images</translation>
+    </message>
+    <message>
+        <source>--frame-axis first or last, or a time_s for each frame</source>
+        <translation>--frame-axis first ou last, ou un time_s par image</translation>
     </message>
 </context>
 <context>
@@ -3580,10 +3588,6 @@ Exemples&#xa0;:
         <translation>Rotation z, °</translation>
     </message>
     <message>
-        <source>Way, mm</source>
-        <translation>Trajet, mm</translation>
-    </message>
-    <message>
         <source>Tactile servoing: force and features over time</source>
         <translation>Asservissement tactile&#xa0;: force et caractéristiques au cours du temps</translation>
     </message>
@@ -3630,6 +3634,45 @@ Exemples&#xa0;:
     <message>
         <source>Subject response, % and trials</source>
         <translation>Réponse du sujet,&#xa0;% et essais</translation>
+    </message>
+    <message>
+        <source>Position, mm</source>
+        <translation>Position, mm</translation>
+    </message>
+    <message>
+        <source>Path, mm</source>
+        <translation>Trajet, mm</translation>
+    </message>
+</context>
+<context>
+    <name>FileApartText</name>
+    <message>
+        <source>reading it takes too long</source>
+        <translation>sa lecture prend trop de temps</translation>
+    </message>
+    <message>
+        <source>reading it takes too much memory</source>
+        <translation>sa lecture prend trop de mémoire</translation>
+    </message>
+    <message>
+        <source>the library that reads it stopped</source>
+        <translation>la bibliothèque qui le lit s’est arrêtée</translation>
+    </message>
+    <message>
+        <source>the file changed while it was read</source>
+        <translation>le fichier a changé pendant la lecture</translation>
+    </message>
+    <message>
+        <source>no process can be started to read the file: %1</source>
+        <translation>aucun processus ne peut être lancé pour lire le fichier&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the file is damaged: %1</source>
+        <translation>le fichier est endommagé&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>un fichier entier</translation>
     </message>
 </context>
 <context>
@@ -3939,10 +3982,6 @@ Exemples&#xa0;:
         <translation>le fichier est&#xa0;%1</translation>
     </message>
     <message>
-        <source>frames as CSV, npy, npz, or Tekscan ASCII</source>
-        <translation>des trames en CSV, npy, npz ou ASCII de Tekscan</translation>
-    </message>
-    <message>
         <source>the frames do not fit into the memory</source>
         <translation>les trames ne tiennent pas en mémoire</translation>
     </message>
@@ -3961,6 +4000,10 @@ Exemples&#xa0;:
     <message>
         <source>the file</source>
         <translation>le fichier</translation>
+    </message>
+    <message>
+        <source>frames as CSV, npy, npz, HDF5, MAT, or Tekscan ASCII</source>
+        <translation>des images en CSV, npy, npz, HDF5, MAT ou ASCII de Tekscan</translation>
     </message>
 </context>
 <context>
@@ -4162,6 +4205,57 @@ Exemples&#xa0;:
     <message>
         <source>3D mouse</source>
         <translation>Souris 3D</translation>
+    </message>
+</context>
+<context>
+    <name>Hdf5FileText</name>
+    <message>
+        <source>the file has too many datasets</source>
+        <translation>le fichier a trop de jeux de données</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the HDF5 file is damaged: %1</source>
+        <translation>le fichier HDF5 est endommagé&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>a whole HDF5 file</source>
+        <translation>un fichier HDF5 entier</translation>
+    </message>
+    <message>
+        <source>it is damaged: %1</source>
+        <translation>il est endommagé&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>it has no values</source>
+        <translation>il n’a pas de valeurs</translation>
+    </message>
+    <message>
+        <source>it holds texts</source>
+        <translation>il contient des textes</translation>
+    </message>
+    <message>
+        <source>its values have several parts</source>
+        <translation>ses valeurs ont plusieurs parties</translation>
+    </message>
+    <message>
+        <source>its values are no real numbers</source>
+        <translation>ses valeurs ne sont pas des nombres réels</translation>
+    </message>
+    <message>
+        <source>its values lie in other files</source>
+        <translation>ses valeurs sont dans d’autres fichiers</translation>
+    </message>
+    <message>
+        <source>it is packed with %1; gzip and shuffle are read</source>
+        <translation>il est compressé par&#xa0;%1&#xa0;; gzip et shuffle sont lus</translation>
+    </message>
+    <message>
+        <source>its values were never written</source>
+        <translation>ses valeurs n’ont jamais été écrites</translation>
     </message>
 </context>
 <context>
@@ -4816,6 +4910,76 @@ Exemples&#xa0;:
     <message>
         <source>Points on the tactile cylinder that belong to pixels of its camera</source>
         <translation>Points du cylindre tactile que montrent des pixels de sa caméra</translation>
+    </message>
+</context>
+<context>
+    <name>MatCheckText</name>
+    <message>
+        <source>the MAT file is damaged at byte %1: %2</source>
+        <translation>le fichier MAT est endommagé à l’octet&#xa0;%1&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>a whole MAT file</source>
+        <translation>un fichier MAT entier</translation>
+    </message>
+    <message>
+        <source>it ends in its head</source>
+        <translation>il s’arrête dans son en-tête</translation>
+    </message>
+    <message>
+        <source>it ends in the head of a variable</source>
+        <translation>il s’arrête dans l’en-tête d’une variable</translation>
+    </message>
+    <message>
+        <source>a variable has %1 bytes, there are %2</source>
+        <translation>une variable a&#xa0;%1 octets, il y en a&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>a packed variable does not unpack</source>
+        <translation>une variable compressée ne se décompresse pas</translation>
+    </message>
+    <message>
+        <source>this is no head of a variable</source>
+        <translation>ce n’est pas l’en-tête d’une variable</translation>
+    </message>
+</context>
+<context>
+    <name>MatFileText</name>
+    <message>
+        <source>the file has too many variables</source>
+        <translation>le fichier a trop de variables</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the MAT file is damaged</source>
+        <translation>le fichier MAT est endommagé</translation>
+    </message>
+    <message>
+        <source>a whole MAT file of version 4, 5, 6, 7 or 7.3</source>
+        <translation>un fichier MAT entier de version 4, 5, 6, 7 ou 7.3</translation>
+    </message>
+    <message>
+        <source>its values are complex</source>
+        <translation>ses valeurs sont complexes</translation>
+    </message>
+    <message>
+        <source>it is sparse</source>
+        <translation>elle est creuse</translation>
+    </message>
+    <message>
+        <source>it holds texts</source>
+        <translation>il contient des textes</translation>
+    </message>
+    <message>
+        <source>it holds other variables</source>
+        <translation>elle contient d’autres variables</translation>
+    </message>
+    <message>
+        <source>its values are no real numbers</source>
+        <translation>ses valeurs ne sont pas des nombres réels</translation>
     </message>
 </context>
 <context>
@@ -7662,7 +7826,7 @@ Run %2 --help for more.
     <name>RosArmCheck</name>
     <message>
         <source>a publisher is best effort, reliable was asked</source>
-        <translation>un émetteur est en « best effort&#xa0;», « reliable&#xa0;» a été demandé</translation>
+        <translation>un émetteur est en «&#xa0;best effort&#xa0;», «&#xa0;reliable&#xa0;» a été demandé</translation>
     </message>
     <message>
         <source>the reader asks for what was sent before it came, which a command is not</source>
@@ -13277,6 +13441,11 @@ Run %2 --help for more.
         <source>Nothing is playing</source>
         <translation>Rien n’est joué</translation>
     </message>
+    <message>
+        <source>%1: preview</source>
+        <comment>a pattern that is not played</comment>
+        <translation>%1&#xa0;: aperçu</translation>
+    </message>
 </context>
 <context>
     <name>teleta::bracelet::StrengthPanel</name>
@@ -13932,6 +14101,14 @@ Run %2 --help for more.
     <message>
         <source>%1 of %2 motors calibrated, not saved</source>
         <translation>%1 moteurs sur&#xa0;%2 étalonnés, non enregistré</translation>
+    </message>
+    <message>
+        <source>Measuring motor %1, %2 of %3: steps up to full drive, then pulses.</source>
+        <translation>Mesure du moteur&#xa0;%1,&#xa0;%2 sur&#xa0;%3&#xa0;: des échelons jusqu’à la pleine commande, puis des impulsions.</translation>
+    </message>
+    <message>
+        <source>What to do: %1.</source>
+        <translation>À faire&#xa0;:&#xa0;%1.</translation>
     </message>
 </context>
 <context>
@@ -15682,10 +15859,6 @@ Run %2 --help for more.
         <translation>Toucher %1&#xa0;: %2. %3 a été envoyé.</translation>
     </message>
     <message>
-        <source>&amp;Felt</source>
-        <translation>&amp;Senti</translation>
-    </message>
-    <message>
         <source>Stiffness and shape</source>
         <translation>Raideur et forme</translation>
     </message>
@@ -15743,6 +15916,10 @@ Run %2 --help for more.
     <message>
         <source>Touch %1: %2. %3 was not played: no bracelet is connected, or a study or a calibration is using it.</source>
         <translation>Toucher&#xa0;%1&#xa0;:&#xa0;%2.&#xa0;%3 n’a pas été joué&#xa0;: il n’y a pas de bracelet, ou une étude ou un étalonnage s’en sert.</translation>
+    </message>
+    <message>
+        <source>&amp;Play of a touch:</source>
+        <translation>&amp;Jouer d’un contact&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -17029,6 +17206,11 @@ Run %2 --help for more.
         <source>The blocks that cannot be read are passed over; the others are played.</source>
         <translation>Les blocs illisibles sont ignorés&#xa0;; les autres sont lus.</translation>
     </message>
+    <message>
+        <source>%1: joints</source>
+        <comment>a source</comment>
+        <translation>%1&#xa0;: articulations</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>
@@ -17990,6 +18172,14 @@ Run %2 --help for more.
     <message>
         <source>MCAP files (*.mcap)</source>
         <translation>Fichiers MCAP (*.mcap)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Export here</source>
+        <translation>Exporter ici</translation>
     </message>
 </context>
 <context>
@@ -19007,6 +19197,10 @@ Run %2 --help for more.
     <message>
         <source>built-in, edits create a copy</source>
         <translation>intégré, toute modification en fait une copie</translation>
+    </message>
+    <message>
+        <source>STOP is engaged: release it to play</source>
+        <translation>STOP est enclenché&#xa0;: relâchez-le pour jouer</translation>
     </message>
 </context>
 <context>
@@ -20891,10 +21085,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Motif</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Aperçu</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Annuler</translation>
     </message>
@@ -20981,6 +21171,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>unknown stiffness</source>
         <translation>raideur inconnue</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Genre</translation>
     </message>
 </context>
 <context>
@@ -21080,6 +21274,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>Shape</source>
         <translation>Forme</translation>
     </message>
+    <message>
+        <source>When its first touch was evaluated; Touches has when that began, a moment before</source>
+        <translation>Moment où son premier contact a été évalué&#xa0;; Contacts indique quand il a commencé, un instant avant</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::StiffnessGauge</name>
@@ -21158,10 +21356,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>La peau n’a pas senti ce contact.</translation>
     </message>
     <message>
-        <source>Force at the contact; ? marks what the arm cannot observe in its configuration</source>
-        <translation>Force au contact&#xa0;;&#xa0;? marque ce que le bras ne peut pas observer dans sa configuration</translation>
-    </message>
-    <message>
         <source>Condition number of the force: longest over shortest lever; large is bad</source>
         <translation>Conditionnement de la force&#xa0;: plus long bras de levier sur le plus court&#xa0;; grand est mauvais</translation>
     </message>
@@ -21208,6 +21402,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>cannot tell</source>
         <translation>indéterminé</translation>
+    </message>
+    <message>
+        <source>Force at the contact; a dash marks what the arm cannot observe in its configuration</source>
+        <translation>Force au contact&#xa0;; un tiret marque ce que le bras ne peut pas observer dans sa configuration</translation>
     </message>
 </context>
 <context>

@@ -532,10 +532,6 @@
         <translation>フレームとして使える配列がありません。ファイルにある配列: %1</translation>
     </message>
     <message>
-        <source>several arrays can be the frames; the file has: %1</source>
-        <translation>フレームとして使える配列が複数あります。ファイルにある配列: %1</translation>
-    </message>
-    <message>
         <source>an array of 3 dimensions: frames x rows x columns</source>
         <translation>3次元の配列: フレーム x 行 x 列</translation>
     </message>
@@ -654,6 +650,18 @@
     <message>
         <source>no rate</source>
         <translation>レートの指定なし</translation>
+    </message>
+    <message>
+        <source>several arrays can be the frames: %1</source>
+        <translation>フレームになり得る配列が複数あります：%1</translation>
+    </message>
+    <message>
+        <source>%1 does not say which of its dimensions counts the frames</source>
+        <translation>%1 はどの次元がフレームを数えるかを示していません</translation>
+    </message>
+    <message>
+        <source>--frame-axis first or last, or a time_s for each frame</source>
+        <translation>--frame-axis first または last、もしくは各フレームの time_s</translation>
     </message>
 </context>
 <context>
@@ -3570,10 +3578,6 @@ Examples:
         <translation>z軸回りの回転、°</translation>
     </message>
     <message>
-        <source>Way, mm</source>
-        <translation>移動量、mm</translation>
-    </message>
-    <message>
         <source>Tactile servoing: force and features over time</source>
         <translation>触覚サーボ: 力と特徴量の時間変化</translation>
     </message>
@@ -3620,6 +3624,45 @@ Examples:
     <message>
         <source>Subject response, % and trials</source>
         <translation>参加者の応答、%と試行数</translation>
+    </message>
+    <message>
+        <source>Position, mm</source>
+        <translation>位置、mm</translation>
+    </message>
+    <message>
+        <source>Path, mm</source>
+        <translation>経路、mm</translation>
+    </message>
+</context>
+<context>
+    <name>FileApartText</name>
+    <message>
+        <source>reading it takes too long</source>
+        <translation>読み取りに時間がかかりすぎます</translation>
+    </message>
+    <message>
+        <source>reading it takes too much memory</source>
+        <translation>読み取りにメモリーを使いすぎます</translation>
+    </message>
+    <message>
+        <source>the library that reads it stopped</source>
+        <translation>読み取るライブラリーが停止しました</translation>
+    </message>
+    <message>
+        <source>the file changed while it was read</source>
+        <translation>読み取り中にファイルが変わりました</translation>
+    </message>
+    <message>
+        <source>no process can be started to read the file: %1</source>
+        <translation>ファイルを読むプロセスを開始できません：%1</translation>
+    </message>
+    <message>
+        <source>the file is damaged: %1</source>
+        <translation>ファイルが壊れています：%1</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>完全なファイル</translation>
     </message>
 </context>
 <context>
@@ -3929,10 +3972,6 @@ Examples:
         <translation>ファイルの形式は%1です</translation>
     </message>
     <message>
-        <source>frames as CSV, npy, npz, or Tekscan ASCII</source>
-        <translation>CSV、npy、npz、またはTekscan ASCIIのフレーム</translation>
-    </message>
-    <message>
         <source>the frames do not fit into the memory</source>
         <translation>フレームがメモリに収まりません</translation>
     </message>
@@ -3951,6 +3990,10 @@ Examples:
     <message>
         <source>the file</source>
         <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>frames as CSV, npy, npz, HDF5, MAT, or Tekscan ASCII</source>
+        <translation>CSV、npy、npz、HDF5、MAT、または Tekscan ASCII のフレーム</translation>
     </message>
 </context>
 <context>
@@ -4151,6 +4194,57 @@ Examples:
     <message>
         <source>3D mouse</source>
         <translation>3Dマウス</translation>
+    </message>
+</context>
+<context>
+    <name>Hdf5FileText</name>
+    <message>
+        <source>the file has too many datasets</source>
+        <translation>ファイルのデータセットが多すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>最大 %1</translation>
+    </message>
+    <message>
+        <source>the HDF5 file is damaged: %1</source>
+        <translation>HDF5 ファイルが壊れています：%1</translation>
+    </message>
+    <message>
+        <source>a whole HDF5 file</source>
+        <translation>完全な HDF5 ファイル</translation>
+    </message>
+    <message>
+        <source>it is damaged: %1</source>
+        <translation>壊れています：%1</translation>
+    </message>
+    <message>
+        <source>it has no values</source>
+        <translation>値がありません</translation>
+    </message>
+    <message>
+        <source>it holds texts</source>
+        <translation>文字列が入っています</translation>
+    </message>
+    <message>
+        <source>its values have several parts</source>
+        <translation>値が複数の部分から成ります</translation>
+    </message>
+    <message>
+        <source>its values are no real numbers</source>
+        <translation>値が実数ではありません</translation>
+    </message>
+    <message>
+        <source>its values lie in other files</source>
+        <translation>値が別のファイルにあります</translation>
+    </message>
+    <message>
+        <source>it is packed with %1; gzip and shuffle are read</source>
+        <translation>%1 で圧縮されています。読めるのは gzip と shuffle です</translation>
+    </message>
+    <message>
+        <source>its values were never written</source>
+        <translation>値が一度も書かれていません</translation>
     </message>
 </context>
 <context>
@@ -4801,6 +4895,76 @@ Examples:
     <message>
         <source>Points on the tactile cylinder that belong to pixels of its camera</source>
         <translation>カメラの画素に写る触覚円筒上の点</translation>
+    </message>
+</context>
+<context>
+    <name>MatCheckText</name>
+    <message>
+        <source>the MAT file is damaged at byte %1: %2</source>
+        <translation>MAT ファイルがバイト %1 で壊れています：%2</translation>
+    </message>
+    <message>
+        <source>a whole MAT file</source>
+        <translation>完全な MAT ファイル</translation>
+    </message>
+    <message>
+        <source>it ends in its head</source>
+        <translation>ヘッダーの途中で終わっています</translation>
+    </message>
+    <message>
+        <source>it ends in the head of a variable</source>
+        <translation>変数のヘッダーの途中で終わっています</translation>
+    </message>
+    <message>
+        <source>a variable has %1 bytes, there are %2</source>
+        <translation>変数は %1 バイトですが、%2 バイトしかありません</translation>
+    </message>
+    <message>
+        <source>a packed variable does not unpack</source>
+        <translation>圧縮された変数を展開できません</translation>
+    </message>
+    <message>
+        <source>this is no head of a variable</source>
+        <translation>これは変数のヘッダーではありません</translation>
+    </message>
+</context>
+<context>
+    <name>MatFileText</name>
+    <message>
+        <source>the file has too many variables</source>
+        <translation>ファイルの変数が多すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>最大 %1</translation>
+    </message>
+    <message>
+        <source>the MAT file is damaged</source>
+        <translation>MAT ファイルが壊れています</translation>
+    </message>
+    <message>
+        <source>a whole MAT file of version 4, 5, 6, 7 or 7.3</source>
+        <translation>バージョン 4、5、6、7 または 7.3 の完全な MAT ファイル</translation>
+    </message>
+    <message>
+        <source>its values are complex</source>
+        <translation>値が複素数です</translation>
+    </message>
+    <message>
+        <source>it is sparse</source>
+        <translation>疎行列です</translation>
+    </message>
+    <message>
+        <source>it holds texts</source>
+        <translation>文字列が入っています</translation>
+    </message>
+    <message>
+        <source>it holds other variables</source>
+        <translation>ほかの変数が入っています</translation>
+    </message>
+    <message>
+        <source>its values are no real numbers</source>
+        <translation>値が実数ではありません</translation>
     </message>
 </context>
 <context>
@@ -13246,6 +13410,11 @@ Run %2 --help for more.
         <source>Nothing is playing</source>
         <translation>再生していません</translation>
     </message>
+    <message>
+        <source>%1: preview</source>
+        <comment>a pattern that is not played</comment>
+        <translation>%1：プレビュー</translation>
+    </message>
 </context>
 <context>
     <name>teleta::bracelet::StrengthPanel</name>
@@ -13896,6 +14065,14 @@ Run %2 --help for more.
     <message>
         <source>%1 of %2 motors calibrated, not saved</source>
         <translation>%2個中%1個のモーターをキャリブレーション済み、未保存</translation>
+    </message>
+    <message>
+        <source>Measuring motor %1, %2 of %3: steps up to full drive, then pulses.</source>
+        <translation>モーター %1 を測定中（%3 個中 %2 個目）：最大駆動までの段階、続いてパルス。</translation>
+    </message>
+    <message>
+        <source>What to do: %1.</source>
+        <translation>対処：%1。</translation>
     </message>
 </context>
 <context>
@@ -15637,10 +15814,6 @@ Run %2 --help for more.
         <translation>タッチ%1: %2。%3 を送信しました。</translation>
     </message>
     <message>
-        <source>&amp;Felt</source>
-        <translation>感じる内容(&amp;F)</translation>
-    </message>
-    <message>
         <source>Stiffness and shape</source>
         <translation>剛性と形状</translation>
     </message>
@@ -15698,6 +15871,10 @@ Run %2 --help for more.
     <message>
         <source>Touch %1: %2. %3 was not played: no bracelet is connected, or a study or a calibration is using it.</source>
         <translation>タッチ%1: %2。%3は再生されませんでした。ブレスレットがないか、実験またはキャリブレーションで使用中です。</translation>
+    </message>
+    <message>
+        <source>&amp;Play of a touch:</source>
+        <translation>タッチのうち再生するもの(&amp;P)：</translation>
     </message>
 </context>
 <context>
@@ -16981,6 +17158,11 @@ Run %2 --help for more.
         <source>The blocks that cannot be read are passed over; the others are played.</source>
         <translation>読み取れないブロックは飛ばされ、ほかのブロックは再生されます。</translation>
     </message>
+    <message>
+        <source>%1: joints</source>
+        <comment>a source</comment>
+        <translation>%1：関節</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>
@@ -17937,6 +18119,14 @@ Run %2 --help for more.
     <message>
         <source>MCAP files (*.mcap)</source>
         <translation>MCAPファイル (*.mcap)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>エクスポート…</translation>
+    </message>
+    <message>
+        <source>Export here</source>
+        <translation>ここにエクスポート</translation>
     </message>
 </context>
 <context>
@@ -18952,6 +19142,10 @@ Run %2 --help for more.
     <message>
         <source>built-in, edits create a copy</source>
         <translation>組み込み、編集するとコピーを作成</translation>
+    </message>
+    <message>
+        <source>STOP is engaged: release it to play</source>
+        <translation>STOPが作動中です。再生するには解除してください</translation>
     </message>
 </context>
 <context>
@@ -20834,10 +21028,6 @@ Double-click to type the upper end.</source>
         <translation>パターン</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>プレビュー</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>元に戻す(&amp;U)</translation>
     </message>
@@ -20924,6 +21114,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>unknown stiffness</source>
         <translation>硬さ不明</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
     </message>
 </context>
 <context>
@@ -21022,6 +21216,10 @@ Double-click to type the upper end.</source>
         <source>Shape</source>
         <translation>形状</translation>
     </message>
+    <message>
+        <source>When its first touch was evaluated; Touches has when that began, a moment before</source>
+        <translation>最初のタッチが評価された時刻。タッチ一覧には、その少し前の開始時刻があります</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::StiffnessGauge</name>
@@ -21099,10 +21297,6 @@ Double-click to type the upper end.</source>
         <translation>皮膚がこの接触を感知しませんでした。</translation>
     </message>
     <message>
-        <source>Force at the contact; ? marks what the arm cannot observe in its configuration</source>
-        <translation>接触点での力。?は、アームがこの姿勢では観測できない成分</translation>
-    </message>
-    <message>
         <source>Condition number of the force: longest over shortest lever; large is bad</source>
         <translation>力の条件数: 最長と最短のてこの比。大きいほど悪い</translation>
     </message>
@@ -21149,6 +21343,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>cannot tell</source>
         <translation>判定不能</translation>
+    </message>
+    <message>
+        <source>Force at the contact; a dash marks what the arm cannot observe in its configuration</source>
+        <translation>接触点の力。ダッシュは、その姿勢でアームが観測できないものを示します</translation>
     </message>
 </context>
 <context>

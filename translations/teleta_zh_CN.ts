@@ -532,10 +532,6 @@
         <translation>没有可作为帧的数组；文件中有：%1</translation>
     </message>
     <message>
-        <source>several arrays can be the frames; the file has: %1</source>
-        <translation>可作为帧的数组不止一个；文件中有：%1</translation>
-    </message>
-    <message>
         <source>an array of 3 dimensions: frames x rows x columns</source>
         <translation>三维数组：帧 x 行 x 列</translation>
     </message>
@@ -654,6 +650,18 @@
     <message>
         <source>no rate</source>
         <translation>不指定帧率</translation>
+    </message>
+    <message>
+        <source>several arrays can be the frames: %1</source>
+        <translation>有多个数组可以是帧：%1</translation>
+    </message>
+    <message>
+        <source>%1 does not say which of its dimensions counts the frames</source>
+        <translation>%1 没有说明哪一维是帧数</translation>
+    </message>
+    <message>
+        <source>--frame-axis first or last, or a time_s for each frame</source>
+        <translation>--frame-axis first 或 last，或每帧一个 time_s</translation>
     </message>
 </context>
 <context>
@@ -3570,10 +3578,6 @@ Examples:
         <translation>绕 z 转动，°</translation>
     </message>
     <message>
-        <source>Way, mm</source>
-        <translation>位移，mm</translation>
-    </message>
-    <message>
         <source>Tactile servoing: force and features over time</source>
         <translation>触觉伺服：力与特征随时间的变化</translation>
     </message>
@@ -3620,6 +3624,45 @@ Examples:
     <message>
         <source>Subject response, % and trials</source>
         <translation>被试的回答，% 与试次数</translation>
+    </message>
+    <message>
+        <source>Position, mm</source>
+        <translation>位置，mm</translation>
+    </message>
+    <message>
+        <source>Path, mm</source>
+        <translation>路径，mm</translation>
+    </message>
+</context>
+<context>
+    <name>FileApartText</name>
+    <message>
+        <source>reading it takes too long</source>
+        <translation>读取它耗时过长</translation>
+    </message>
+    <message>
+        <source>reading it takes too much memory</source>
+        <translation>读取它占用内存过多</translation>
+    </message>
+    <message>
+        <source>the library that reads it stopped</source>
+        <translation>读取它的库停止了</translation>
+    </message>
+    <message>
+        <source>the file changed while it was read</source>
+        <translation>读取期间文件发生了变化</translation>
+    </message>
+    <message>
+        <source>no process can be started to read the file: %1</source>
+        <translation>无法启动读取文件的进程：%1</translation>
+    </message>
+    <message>
+        <source>the file is damaged: %1</source>
+        <translation>文件已损坏：%1</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>完整的文件</translation>
     </message>
 </context>
 <context>
@@ -3929,10 +3972,6 @@ Examples:
         <translation>文件是%1</translation>
     </message>
     <message>
-        <source>frames as CSV, npy, npz, or Tekscan ASCII</source>
-        <translation>CSV、npy、npz 或 Tekscan ASCII 格式的帧</translation>
-    </message>
-    <message>
         <source>the frames do not fit into the memory</source>
         <translation>内存不足，无法容纳这些帧</translation>
     </message>
@@ -3951,6 +3990,10 @@ Examples:
     <message>
         <source>the file</source>
         <translation>文件</translation>
+    </message>
+    <message>
+        <source>frames as CSV, npy, npz, HDF5, MAT, or Tekscan ASCII</source>
+        <translation>CSV、npy、npz、HDF5、MAT 或 Tekscan ASCII 格式的帧</translation>
     </message>
 </context>
 <context>
@@ -4151,6 +4194,57 @@ Examples:
     <message>
         <source>3D mouse</source>
         <translation>3D 鼠标</translation>
+    </message>
+</context>
+<context>
+    <name>Hdf5FileText</name>
+    <message>
+        <source>the file has too many datasets</source>
+        <translation>文件的数据集过多</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>the HDF5 file is damaged: %1</source>
+        <translation>HDF5 文件已损坏：%1</translation>
+    </message>
+    <message>
+        <source>a whole HDF5 file</source>
+        <translation>完整的 HDF5 文件</translation>
+    </message>
+    <message>
+        <source>it is damaged: %1</source>
+        <translation>已损坏：%1</translation>
+    </message>
+    <message>
+        <source>it has no values</source>
+        <translation>没有数值</translation>
+    </message>
+    <message>
+        <source>it holds texts</source>
+        <translation>其中是文本</translation>
+    </message>
+    <message>
+        <source>its values have several parts</source>
+        <translation>其数值由多个部分组成</translation>
+    </message>
+    <message>
+        <source>its values are no real numbers</source>
+        <translation>其数值不是实数</translation>
+    </message>
+    <message>
+        <source>its values lie in other files</source>
+        <translation>其数值在其他文件中</translation>
+    </message>
+    <message>
+        <source>it is packed with %1; gzip and shuffle are read</source>
+        <translation>它用 %1 压缩；可读取 gzip 和 shuffle</translation>
+    </message>
+    <message>
+        <source>its values were never written</source>
+        <translation>其数值从未写入</translation>
     </message>
 </context>
 <context>
@@ -4801,6 +4895,76 @@ Examples:
     <message>
         <source>Points on the tactile cylinder that belong to pixels of its camera</source>
         <translation>相机像素所对应的触觉圆柱上的点</translation>
+    </message>
+</context>
+<context>
+    <name>MatCheckText</name>
+    <message>
+        <source>the MAT file is damaged at byte %1: %2</source>
+        <translation>MAT 文件在字节 %1 处损坏：%2</translation>
+    </message>
+    <message>
+        <source>a whole MAT file</source>
+        <translation>完整的 MAT 文件</translation>
+    </message>
+    <message>
+        <source>it ends in its head</source>
+        <translation>在文件头中结束</translation>
+    </message>
+    <message>
+        <source>it ends in the head of a variable</source>
+        <translation>在变量头中结束</translation>
+    </message>
+    <message>
+        <source>a variable has %1 bytes, there are %2</source>
+        <translation>一个变量有 %1 字节，实有 %2 字节</translation>
+    </message>
+    <message>
+        <source>a packed variable does not unpack</source>
+        <translation>一个压缩的变量无法解压</translation>
+    </message>
+    <message>
+        <source>this is no head of a variable</source>
+        <translation>这不是变量头</translation>
+    </message>
+</context>
+<context>
+    <name>MatFileText</name>
+    <message>
+        <source>the file has too many variables</source>
+        <translation>文件的变量过多</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>至多 %1</translation>
+    </message>
+    <message>
+        <source>the MAT file is damaged</source>
+        <translation>MAT 文件已损坏</translation>
+    </message>
+    <message>
+        <source>a whole MAT file of version 4, 5, 6, 7 or 7.3</source>
+        <translation>版本 4、5、6、7 或 7.3 的完整 MAT 文件</translation>
+    </message>
+    <message>
+        <source>its values are complex</source>
+        <translation>其数值是复数</translation>
+    </message>
+    <message>
+        <source>it is sparse</source>
+        <translation>它是稀疏的</translation>
+    </message>
+    <message>
+        <source>it holds texts</source>
+        <translation>其中是文本</translation>
+    </message>
+    <message>
+        <source>it holds other variables</source>
+        <translation>其中是其他变量</translation>
+    </message>
+    <message>
+        <source>its values are no real numbers</source>
+        <translation>其数值不是实数</translation>
     </message>
 </context>
 <context>
@@ -13246,6 +13410,11 @@ Run %2 --help for more.
         <source>Nothing is playing</source>
         <translation>未在播放</translation>
     </message>
+    <message>
+        <source>%1: preview</source>
+        <comment>a pattern that is not played</comment>
+        <translation>%1：预览</translation>
+    </message>
 </context>
 <context>
     <name>teleta::bracelet::StrengthPanel</name>
@@ -13896,6 +14065,14 @@ Run %2 --help for more.
     <message>
         <source>%1 of %2 motors calibrated, not saved</source>
         <translation>%2 个电机中已标定 %1 个，未保存</translation>
+    </message>
+    <message>
+        <source>Measuring motor %1, %2 of %3: steps up to full drive, then pulses.</source>
+        <translation>正在测量电机 %1（第 %2 个，共 %3 个）：逐级升至最大驱动，然后是脉冲。</translation>
+    </message>
+    <message>
+        <source>What to do: %1.</source>
+        <translation>处理办法：%1。</translation>
     </message>
 </context>
 <context>
@@ -15637,10 +15814,6 @@ Run %2 --help for more.
         <translation>触碰 %1：%2。已发送 %3。</translation>
     </message>
     <message>
-        <source>&amp;Felt</source>
-        <translation>感觉内容(&amp;F)</translation>
-    </message>
-    <message>
         <source>Stiffness and shape</source>
         <translation>刚度和形状</translation>
     </message>
@@ -15698,6 +15871,10 @@ Run %2 --help for more.
     <message>
         <source>Touch %1: %2. %3 was not played: no bracelet is connected, or a study or a calibration is using it.</source>
         <translation>触碰 %1：%2。%3 未播放：没有手环，或研究或标定正在使用它。</translation>
+    </message>
+    <message>
+        <source>&amp;Play of a touch:</source>
+        <translation>播放触碰的(&amp;P)：</translation>
     </message>
 </context>
 <context>
@@ -16981,6 +17158,11 @@ Run %2 --help for more.
         <source>The blocks that cannot be read are passed over; the others are played.</source>
         <translation>无法读取的数据块会被跳过，其余的会被播放。</translation>
     </message>
+    <message>
+        <source>%1: joints</source>
+        <comment>a source</comment>
+        <translation>%1：关节</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>
@@ -17937,6 +18119,14 @@ Run %2 --help for more.
     <message>
         <source>MCAP files (*.mcap)</source>
         <translation>MCAP 文件 (*.mcap)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Export here</source>
+        <translation>导出到此处</translation>
     </message>
 </context>
 <context>
@@ -18952,6 +19142,10 @@ Run %2 --help for more.
     <message>
         <source>built-in, edits create a copy</source>
         <translation>内置，编辑时生成副本</translation>
+    </message>
+    <message>
+        <source>STOP is engaged: release it to play</source>
+        <translation>STOP 已按下：释放后才能播放</translation>
     </message>
 </context>
 <context>
@@ -20834,10 +21028,6 @@ Double-click to type the upper end.</source>
         <translation>图案</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>预览</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>撤销(&amp;U)</translation>
     </message>
@@ -20924,6 +21114,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>unknown stiffness</source>
         <translation>刚度未知</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>种类</translation>
     </message>
 </context>
 <context>
@@ -21022,6 +21216,10 @@ Double-click to type the upper end.</source>
         <source>Shape</source>
         <translation>形状</translation>
     </message>
+    <message>
+        <source>When its first touch was evaluated; Touches has when that began, a moment before</source>
+        <translation>其首次触碰被评估的时间；触碰列表给出稍早的开始时间</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::StiffnessGauge</name>
@@ -21099,10 +21297,6 @@ Double-click to type the upper end.</source>
         <translation>皮肤未感觉到此接触。</translation>
     </message>
     <message>
-        <source>Force at the contact; ? marks what the arm cannot observe in its configuration</source>
-        <translation>接触处的力；? 表示机械臂在此构型下不可观测的分量</translation>
-    </message>
-    <message>
         <source>Condition number of the force: longest over shortest lever; large is bad</source>
         <translation>力的条件数：最长力臂与最短力臂之比；越大越差</translation>
     </message>
@@ -21149,6 +21343,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>cannot tell</source>
         <translation>无法判断</translation>
+    </message>
+    <message>
+        <source>Force at the contact; a dash marks what the arm cannot observe in its configuration</source>
+        <translation>接触处的力；短横线表示机械臂在当前构型下无法观测的量</translation>
     </message>
 </context>
 <context>

@@ -186,6 +186,7 @@ void CameraPanel::showTexts() {
     else if (!m_nextRung.isEmpty())
         problem = tr("Preparing the finder %1.").arg(m_nextRung);
     m_problem->setText(problem);
+    m_problem->setToolTip(problem); // where a low dock cuts it
     m_problem->setVisible(!problem.isEmpty());
     base::setTextColour(m_problem, isLost ? colours.lost : palette().color(QPalette::WindowText));
     if (!m_carrier) {

@@ -152,6 +152,8 @@ void styleAxes(QCPAxisRect* rect, const QFont& font, const QPalette& palette) {
         axis->setTickPen(QPen(faint, 1.0));
         axis->setTickLabelColor(text);
         axis->setTickLabelFont(small);
+        axis->setLabelColor(faint);
+        axis->setLabelFont(small);
         axis->setTickLengthIn(0);
         axis->setTickLengthOut(static_cast<int>(0.2 * em));
         axis->setTickLabelPadding(static_cast<int>(0.2 * em));

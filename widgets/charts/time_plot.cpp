@@ -116,7 +116,7 @@ void TimePlot::arrange() {
     m_header->setMaximumSize(QWIDGETSIZE_MAX, px(kHeaderHeight_em));
     m_header->setMargins(QMargins(px(0.5), 0, px(0.5), 0));
     const QFontMetricsF small(base::sized(font(), base::kSmallText));
-    const int left = static_cast<int>(small.horizontalAdvance(m_shape.widestTick)) + px(1.0);
+    const int left = static_cast<int>(small.horizontalAdvance(m_shape.widestTick) + small.height()) + px(1.0);
     m_grid->setColumnSpacing(px(0.6));
     m_grid->setRowSpacing(shownLanes() > 1 ? px(0.35) : 0);
     // The time axis has its own row, so that all lanes are equally high.
@@ -132,6 +132,8 @@ void TimePlot::arrange() {
         lane.panel->setMinimumSize(px(m_shape.panelWidth_em), 0);
         lane.panel->setMaximumSize(px(m_shape.panelWidth_em), height);
         lane.rect->axis(QCPAxis::atBottom)->setTickLabels(false);
+        lane.rect->axis(QCPAxis::atLeft)->setLabel(laneUnit(lane.id));
+        lane.rect->axis(QCPAxis::atLeft)->setLabelPadding(0);
         if (lane.shown)
             last = &lane;
     }
@@ -254,6 +256,8 @@ void TimePlot::showValues(const SampleHistory& history, std::optional<std::size_
             lines.push_back({curveColour(curve.style.colour, m_colours), curve.style.dashed,
                              curveName(lane.id, i), base::withUnit(number, unit)});
         }
+        if (QCPAxis* axis = lane.rect->axis(QCPAxis::atLeft); axis->label() != unit)
+            axis->setLabel(unit);
         lane.panel->setTitle(laneTitle(lane.id));
         lane.panel->setLines(std::move(lines));
     }

@@ -103,11 +103,11 @@ QString DeviceStrip::compose(const Cell& cell, Detail detail, const QString& nam
     const bool live = reading.state == core::DeviceState::live;
     QStringList parts{name};
     // The symbol alone says that a device works.
-    if (!live || detail < Detail::troubles)
+    if (!live || detail < Detail::nameAndRate)
         parts << word;
-    if (live && detail < Detail::nameAndState)
+    if (live && detail < Detail::troubles)
         parts << base::withUnit(cell.rate.text().trimmed(), tr("Hz"));
-    if (reading.lost > 0 || detail < Detail::nameAndState)
+    if (reading.lost > 0 || detail < Detail::nameAndRate)
         parts << tr("%1 lost", "frames").arg(base::shortCount(reading.lost));
     if (reading.active && cell.latency_ms.shown() && live && detail == Detail::all)
         parts << tr("to screen %1 ms").arg(cell.latency_ms.text().trimmed());
@@ -160,7 +160,7 @@ void DeviceStrip::arrange() {
     const int wanted_px = place(Detail::all);
     if (wanted_px > width()) {
         for (const Detail detail :
-             {Detail::withoutLatencies, Detail::nameAndState, Detail::troubles, Detail::cutShort})
+             {Detail::withoutLatencies, Detail::nameAndRate, Detail::troubles, Detail::cutShort})
             if (place(detail) <= width())
                 break;
     }

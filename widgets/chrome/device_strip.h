@@ -59,7 +59,7 @@ protected:
 
 private:
     /// Of the full text.
-    enum class Detail { all, withoutLatencies, nameAndState, troubles, cutShort };
+    enum class Detail { all, withoutLatencies, nameAndRate, troubles, cutShort };
     struct Cell {
         DeviceReading reading;
         base::SteadyNumber rate{1.0};

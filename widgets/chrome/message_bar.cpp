@@ -158,10 +158,15 @@ void MessageBar::settle() {
 }
 
 bool MessageBar::event(QEvent* event) {
-    if (event->type() == QEvent::LayoutRequest && isVisible())
+    if (event->type() == QEvent::LayoutRequest && isVisible()) {
         settle();
-    else if (event->type() == QEvent::LanguageChange)
+    } else if (event->type() == QEvent::LanguageChange) {
+        // What leaves by itself goes now: it is in the language in which it was said.
+        std::erase_if(m_entries, [](const Entry& entry) {
+            return entry.message.severity == Message::Severity::information;
+        });
         rebuild();
+    }
     return QWidget::event(event);
 }
 

@@ -138,7 +138,7 @@ void PatternMapTable::retranslate() {
     setWhatsThis(tr("<p>Which pattern the bracelet plays for what was recognised. The marked row was "
                     "recognised last.</p>"));
     m_table->setAccessibleName(tr("Patterns for what was recognised"));
-    m_table->setHorizontalHeaderLabels({tr("Recognised"), tr("Pattern"), tr("Preview")});
+    m_table->setHorizontalHeaderLabels({tr("Recognised"), tr("Pattern"), tr("Kind")});
     m_undoButton->setText(tr("&Undo"));
     m_redoButton->setText(tr("&Redo"));
     m_reset->setText(tr("&Defaults"));

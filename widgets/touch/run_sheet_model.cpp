@@ -166,7 +166,7 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
     case name:
         return nameOf(object.number);
     case time:
-        return base::withUnit(locale.toString(object.first_s, 'f', 1), QStringLiteral("s"));
+        return base::withUnit(locale.toString(object.first_s, 'f', 3), QStringLiteral("s"));
     case place: {
         const auto millimetres = [](double value_m) { return base::fixedDigits(1e3 * value_m, 0); };
         return base::withUnit(QStringLiteral("%1, %2").arg(millimetres(object.p_Base_Centre_m.x()),
@@ -178,7 +178,7 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
     case contact:
         return ContactText::of(object.contact);
     case force:
-        return base::siQuantity(object.highestForce_N, QStringLiteral("N")).trimmed();
+        return base::siQuantity(object.highestForce_N, QStringLiteral("N")).remove(QChar(0x2007));
     case stiffness: {
         if (!object.stiffness)
             return noValue();
@@ -202,6 +202,12 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
 QStringList RunSheetModel::titles() const {
     return {tr("No."),     tr("Name"),  tr("Found at"),  tr("Place x, y"), tr("Touches"),
             tr("Contact"), tr("Force"), tr("Stiffness"), tr("Material"),   tr("Shape")};
+}
+
+QVariant RunSheetModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (role == Qt::ToolTipRole && orientation == Qt::Horizontal && section == time)
+        return tr("When its first touch was evaluated; Touches has when that began, a moment before");
+    return TitledModel::headerData(section, orientation, role);
 }
 
 Qt::ItemFlags RunSheetModel::flags(const QModelIndex& index) const {

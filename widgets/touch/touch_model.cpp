@@ -23,7 +23,7 @@ using pipeline::TouchRecord;
 namespace {
 
 constexpr double kPerMilli = 1e3;
-constexpr char16_t kHidden = u'?'; ///< in the place of a component that the torques do not show
+constexpr char16_t kHidden = 0x2013; ///< in the place of a component that the torques do not show
 
 QString dash() {
     return QString(QChar(0x2014));
@@ -50,7 +50,7 @@ QString pointText(const TouchRecord& record) {
 }
 
 QString forceText(const TouchRecord& record) {
-    if (!record.force)
+    if (!record.force || std::ranges::none_of(record.force->observable, [](bool seen) { return seen; }))
         return dash();
     std::array<QString, 3> numbers;
     for (std::size_t i = 0; i < 3; ++i)
@@ -317,7 +317,7 @@ QVariant TouchModel::headerData(int section, Qt::Orientation orientation, int ro
         return int(Qt::AlignVCenter | (isLeftAligned(section) ? Qt::AlignLeft : Qt::AlignRight));
     if (role == Qt::ToolTipRole) {
         if (section == force)
-            return tr("Force at the contact; ? marks what the arm cannot observe in its configuration");
+            return tr("Force at the contact; a dash marks what the arm cannot observe in its configuration");
         if (section == condition)
             return tr("Condition number of the force: longest over shortest lever; large is bad");
         if (section == distance)

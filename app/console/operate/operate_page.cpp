@@ -207,6 +207,8 @@ void OperatePage::tickArray(pipeline::TouchChannel& array, SourceManager::Item& 
 std::vector<chrome::DeviceReading> OperatePage::readings() const {
     std::vector<chrome::DeviceReading> readings;
     std::vector<chrome::DeviceReading> joints;
+    const auto arms =
+        std::ranges::count_if(m_sources.items(), [](const auto& item) { return item.arm() != nullptr; });
     for (const SourceManager::Item& item : m_sources.items()) {
         chrome::DeviceReading reading;
         reading.state = core::DeviceState::connecting;
@@ -220,7 +222,8 @@ std::vector<chrome::DeviceReading> OperatePage::readings() const {
         readings.push_back(std::move(reading));
         if (const auto arm = item.arm()) {
             reading = readingOf(arm->jointStatus(), item, arm->description().nominalRate_Hz);
-            reading.name = tr("joints");
+            // Of several arms each has its own.
+            reading.name = arms > 1 ? tr("%1: joints", "a source").arg(item.name) : tr("joints");
             reading.displayed = arm->samplesProcessed() - arm->samplesNotShown();
             joints.push_back(std::move(reading));
         }

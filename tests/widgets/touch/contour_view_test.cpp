@@ -132,7 +132,9 @@ private slots:
         arc.recognition->circle = contour::Circle{{0.175, 0.0}, 0.075, 0.0};
         view.setContour(arc);
         const QImage picture = view.grab().toImage();
-        const QRectF plot = view.picture().plotRect(QSizeF(view.size()));
+        // Below the heading, with room for the labels of the axes.
+        const double em = QFontMetricsF(view.font()).height();
+        const QRectF plot(4.0 * em, 4.3 * em, view.width() - 5.0 * em, view.height() - 6.5 * em);
         const QColor circle = base::statusColours(view.palette()).stale;
         int inside = 0;
         for (int y = 0; y < picture.height(); ++y)

@@ -62,7 +62,7 @@ private slots:
         Desk desk;
         QCOMPARE(desk.rows(), 3);
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::number), QString("1"));
-        QCOMPARE(cell(desk.sheet, 0, RunSheetModel::time), QString("12.5 s"));
+        QCOMPARE(cell(desk.sheet, 0, RunSheetModel::time), QString("12.500 s"));
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::place), QString::fromUtf8("190, \u221212 mm"));
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::contact), QString("edge"));
         QCOMPARE(cell(desk.sheet, 0, RunSheetModel::stiffness), QString::fromUtf8("282 N/m (275 … 290 N/m)"));

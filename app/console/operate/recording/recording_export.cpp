@@ -30,39 +30,43 @@ RecordingExport::~RecordingExport() {
 }
 
 void RecordingExport::ask(const QString& suggested) {
-    base::askToOpen(m_window,
-                    {.title = tr("Export recording as CSV"),
-                     .filters = {tr("Recordings (*.teleta)")},
-                     .folder = QFileInfo(suggested).path()},
-                    [this](const QString& path) { askForFolder(path); })
-        ->selectFile(suggested);
+    QFileDialog* dialog = base::askToOpen(m_window,
+                                          {.title = tr("Export recording as CSV"),
+                                           .filters = {tr("Recordings (*.teleta)")},
+                                           .folder = QFileInfo(suggested).path()},
+                                          [this](const QString& path) { askForFolder(path); });
+    dialog->setLabelText(QFileDialog::Accept, tr("Export…"));
+    dialog->selectFile(suggested);
 }
 
 void RecordingExport::askForFolder(const QString& path) {
     const base::FileQuestion question{.title = tr("Folder for the CSV files"),
                                       .folder = QFileInfo(path).absolutePath()};
-    base::askForFolder(m_window, question, [this, path](const QString& chosen) {
+    QFileDialog* dialog = base::askForFolder(m_window, question, [this, path](const QString& chosen) {
         // A folder of its own: several recordings have streams of the same names.
         start(path, chosen + QLatin1Char('/') + QFileInfo(path).completeBaseName());
     });
+    dialog->setLabelText(QFileDialog::Accept, tr("Export here"));
 }
 
 void RecordingExport::askMcap(const QString& suggested) {
-    base::askToOpen(m_window,
-                    {.title = tr("Export recording as MCAP"),
-                     .filters = {tr("Recordings (*.teleta)")},
-                     .folder = QFileInfo(suggested).path()},
-                    [this](const QString& path) {
-                        const QFileInfo recording(path);
-                        base::askToSave(m_window,
-                                        {.title = tr("MCAP file"),
-                                         .filters = {tr("MCAP files (*.mcap)")},
-                                         .folder = recording.absolutePath(),
-                                         .suffix = QStringLiteral("mcap"),
-                                         .name = recording.completeBaseName() + QStringLiteral(".mcap")},
-                                        [this, path](const QString& file) { startMcap(path, file); });
-                    })
-        ->selectFile(suggested);
+    QFileDialog* dialog =
+        base::askToOpen(m_window,
+                        {.title = tr("Export recording as MCAP"),
+                         .filters = {tr("Recordings (*.teleta)")},
+                         .folder = QFileInfo(suggested).path()},
+                        [this](const QString& path) {
+                            const QFileInfo recording(path);
+                            base::askToSave(m_window,
+                                            {.title = tr("MCAP file"),
+                                             .filters = {tr("MCAP files (*.mcap)")},
+                                             .folder = recording.absolutePath(),
+                                             .suffix = QStringLiteral("mcap"),
+                                             .name = recording.completeBaseName() + QStringLiteral(".mcap")},
+                                            [this, path](const QString& file) { startMcap(path, file); });
+                        });
+    dialog->setLabelText(QFileDialog::Accept, tr("Export…"));
+    dialog->selectFile(suggested);
 }
 
 void RecordingExport::start(const QString& path, const QString& folder) {
