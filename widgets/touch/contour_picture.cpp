@@ -167,7 +167,7 @@ void ContourPicture::paintShape(QPainter& painter, const QRectF& plot, const QTr
             edges << toPlot.map(toPoint(p));
         if (contour.recognition->closed)
             edges << edges.front();
-        painter.setPen(QPen(vertex, 1.5, Qt::DashLine));
+        painter.setPen(QPen(vertex, 2.0, Qt::DashLine));
         painter.drawPolyline(edges);
     }
     painter.setPen(Qt::NoPen);

@@ -15,6 +15,7 @@
 #include <QScopedValueRollback>
 #include <QScreen>
 #include <QScrollArea>
+#include <QSet>
 #include <QStyle>
 #include <QTabBar>
 
@@ -437,18 +438,30 @@ void OperateDocks::keepSizes() {
             forms = std::max(forms, m_sizes[i].width());
     const double wider = std::max(width() - forms, 1) / std::max(1.0, m_sizesIn.width() - forms * 1.0);
     const double higher = static_cast<double>(height()) / m_sizesIn.height();
-    QList<QDockWidget*> docks;
+    const auto isSeen = [this](std::size_t dock) {
+        return m_sizes[dock].isValid() && m_docks[dock]->isVisible() && !m_docks[dock]->isFloating();
+    };
+    // What stands above or below a form is as wide as that.
+    QSet<int> columnsOfForms;
+    for (std::size_t i = 0; i < kDocks; ++i)
+        if (isForm(i) && isSeen(i))
+            columnsOfForms << m_docks[i]->x();
+    QList<QDockWidget*> inRows;
+    QList<QDockWidget*> inColumns;
     QList<int> widths;
     QList<int> heights;
     for (std::size_t i = 0; i < kDocks; ++i) {
-        if (!m_sizes[i].isValid() || !m_docks[i]->isVisible() || m_docks[i]->isFloating())
+        if (!isSeen(i))
             continue;
-        docks << m_docks[i];
-        widths << (isForm(i) ? m_sizes[i].width() : std::max(1, qRound(wider * m_sizes[i].width())));
+        inColumns << m_docks[i];
         heights << std::max(1, qRound(higher * m_sizes[i].height()));
+        if (!isForm(i) && columnsOfForms.contains(m_docks[i]->x()))
+            continue;
+        inRows << m_docks[i];
+        widths << (isForm(i) ? m_sizes[i].width() : std::max(1, qRound(wider * m_sizes[i].width())));
     }
-    resizeDocks(docks, widths, Qt::Horizontal);
-    resizeDocks(docks, heights, Qt::Vertical);
+    resizeDocks(inRows, widths, Qt::Horizontal);
+    resizeDocks(inColumns, heights, Qt::Vertical);
 }
 
 bool OperateDocks::event(QEvent* event) {
