@@ -43,12 +43,12 @@ std::size_t FrameConditioner::applyTo(const float* raw, float* load_N, std::uint
             isPlain
                 ? raw[i]
                 : static_cast<float>(gain[i] * (static_cast<double>(raw[i]) - static_cast<double>(tare[i])));
-        // A value, tare or gain that is not finite gives a load that is not finite. Tested by its bits,
-        // because comparing with NaN raises the floating-point exception "invalid".
-        const bool finite = (std::bit_cast<std::uint32_t>(load) & kMagnitude) < kInfinity;
-        const bool usable = isDead[i] == 0 && finite;
-        const float clean = usable ? load : 0.0F;
-        load_N[i] = clean > 0.0F ? clean : 0.0F;
+        // A value, tare or gain that is not finite gives a load that is not finite. It is tested by its bits,
+        // as is its sign: comparing with NaN raises the floating-point exception "invalid", and several
+        // taxels at once are compared before those that are not usable are left out.
+        const auto bits = std::bit_cast<std::uint32_t>(load);
+        const bool usable = isDead[i] == 0 && (bits & kMagnitude) < kInfinity;
+        load_N[i] = std::bit_cast<float>(usable && bits <= kMagnitude ? bits : 0U);
         dead[i] = usable ? 0 : 1;
         count += usable ? 0U : 1U;
     }
