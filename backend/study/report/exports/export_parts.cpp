@@ -26,7 +26,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct PartText {
+struct ExportPartText {
     Q_DECLARE_TR_FUNCTIONS(StudyExport)
 };
 
@@ -42,8 +42,8 @@ core::Expected<void> writeChecked(const std::string& path, const std::string& co
     TELETA_CHECK(core::writeFile(path, content));
     QFile file(name);
     if (!file.open(QIODevice::ReadOnly) || file.readAll().toStdString() != content)
-        return core::failed(core::ErrorKind::ioFailed, PartText::tr("the file differs from what was written"),
-                            {}, {path});
+        return core::failed(core::ErrorKind::ioFailed,
+                            ExportPartText::tr("the file differs from what was written"), {}, {path});
     return {};
 }
 
