@@ -221,14 +221,17 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(jog->width(), before - 60, kPatience_ms); // Qt drags by a timer
         QTest::mouseRelease(&d.docks, Qt::LeftButton, {}, at + QPoint(60, 0));
         QTRY_COMPARE_WITH_TIMEOUT(jog->width(), before - 60, kPatience_ms);
+        // Qt shares out what the separators take.
+        constexpr int kRest = 5;
+        const auto isAsDragged = [&] { return std::abs(jog->width() - (before - 60)) <= kRest; };
         const int share = 1000 * heatmap->width() / (d.docks.width() - jog->width());
         d.docks.resize(1700, 1000);
-        QTRY_COMPARE_WITH_TIMEOUT(jog->width(), before - 60, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(isAsDragged(), kPatience_ms);
         QVERIFY(std::abs(1000 * heatmap->width() / (d.docks.width() - jog->width()) - share) <= 5);
         d.docks.hide(); // another page
         d.docks.show();
         QCoreApplication::sendPostedEvents();
-        QCOMPARE(jog->width(), before - 60);
+        QVERIFY2(isAsDragged(), qPrintable(QString::number(jog->width())));
     }
 
     void whatIsSavedAndWhatAnotherSourceShowsKnowsOfNoMaximisedDock() {

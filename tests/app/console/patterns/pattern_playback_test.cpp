@@ -51,6 +51,13 @@ class PatternPlaybackTest : public QObject {
     [[nodiscard]] core::Intensities pictured() const {
         return m_page->findChild<bracelet::BraceletView*>()->intensities();
     }
+    /// While nothing is played.
+    [[nodiscard]] QToolButton* playButton() const {
+        for (auto* button : editor().findChildren<QToolButton*>())
+            if (button->text() == "Play")
+                return button;
+        return nullptr;
+    }
     void space() { QTest::keyClick(editor().timeline(), Qt::Key_Space); }
     void connectBracelet() {
         m_station->choose(BraceletChoice::simulated);
@@ -83,10 +90,7 @@ private slots:
     void whileStoppedNothingPlaysAndThePictureIsAPreview() {
         connectBracelet();
         const auto* picture = m_page->findChild<bracelet::BraceletView*>();
-        QToolButton* play = nullptr;
-        for (auto* button : editor().findChildren<QToolButton*>())
-            if (button->text() == "Play")
-                play = button;
+        QToolButton* play = playButton();
         QVERIFY(play != nullptr);
         QVERIFY(play->isEnabled());
         m_stop.engage();
@@ -241,11 +245,14 @@ private slots:
     void itStopsWithTheBraceletAndWithSTOP() {
         connectBracelet();
         editor().document()->setPattern(steadyPattern(0.5, 60.0));
+        const QToolButton* play = playButton();
+        QVERIFY(play != nullptr);
         space();
         QTRY_COMPARE(m_station->given()[1], 0.5);
         m_stop.engage();
-        QTRY_VERIFY(!editor().isPlaying());
+        QTRY_VERIFY(!editor().isPlaying() && !play->isEnabled());
         m_stop.release();
+        QTRY_VERIFY(play->isEnabled());
         space();
         QTRY_COMPARE(m_station->given()[1], 0.5);
         m_station->choose(BraceletChoice::none);
