@@ -3,7 +3,7 @@
 # Installs what is missing, builds everything with warnings as errors and runs all checks:
 #   format      clang-format of every C++ file
 #   ci          the whole project: all tests, those with OpenGL on a screen in memory
-#   headless    backend and command line without any GUI library; statistics and faults over many runs only in ci
+#   headless    backend and command line without any GUI library; peers, statistics and faults over many runs only in ci
 #   tsan        threads: parts of backend and devices under the thread sanitizer
 #   asan        parts of the backend, the hard cases of the others and inputs that once broke a parser, under the address
 #               and undefined-behaviour sanitizers
@@ -65,9 +65,10 @@ check_build() {
     local preset=$1 folder
     shift
     local targets=(all) folders=(.) ctest_arguments=("${labels[@]}")
-    # Statistics and faults over many runs take minutes. They are the same without a GUI, and a sanitizer finds its errors in a
-    # few runs.
-    [[ $preset == ci ]] || ctest_arguments+=(-E '(_accuracy|file_faults|allocation_failure|cli_certify)_test$')
+    # Peers, and statistics and faults over many runs, take minutes. They are the same without a GUI, and a sanitizer finds its
+    # errors in a few runs.
+    local slow='(_accuracy|file_faults|allocation_failure|cli_certify|study_kill|written_files)_test$'
+    [[ $preset == ci ]] || ctest_arguments=(-LE '^(soak|peer)$' -E "$slow")
     if (($#)); then
         folders=("${@/#/tests/}")
         targets=("${folders[@]/%//all}" "${more_tests[@]}")
