@@ -7,17 +7,17 @@
 #   tsan        threads: parts of backend and devices under the thread sanitizer
 #   asan        parts of the backend, the hard cases of the others and inputs that once broke a parser, under the address
 #               and undefined-behaviour sanitizers
+# Runs only when named:
 #   alone       the programs of the preset dev: each source compiles by itself, without the other sources of a unity build,
 #               and with assertions
-# Runs only when named:
 #   soak        takes many minutes: every effect of every scene with a camera left out once; the console for an hour
 #               with arm, array, camera, bracelet and recording (TELETA_SOAK_S: other seconds)
 # Arguments name the checks to run. Every check runs, even when another one fails; the summary comes last.
 set -uo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
-all_checks=(format ci headless tsan asan alone)
-more_checks=(soak)
+all_checks=(format ci headless tsan asan)
+more_checks=(alone soak)
 for name in "$@"; do
     if [[ " ${all_checks[*]} ${more_checks[*]} " != *" $name "* ]]; then
         printf "test: unknown check '%s' (expected %s)\n" "$name" "${all_checks[*]} ${more_checks[*]}" >&2
