@@ -48,6 +48,17 @@ std::vector<Violation> unfinished(const SourceFile& file) {
     return violations;
 }
 
+/// What git leaves where two changes met and nobody chose.
+std::vector<Violation> conflicts(const SourceFile& file) {
+    static const std::regex mark("^(<{7}|>{7}) ");
+    std::vector<Violation> violations;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+        if (std::regex_search(file.lines[i], mark))
+            violations.push_back({file.path, static_cast<int>(i) + 1, "an unresolved conflict"});
+    }
+    return violations;
+}
+
 /// What returns a part of a range does not compile with clang 14 and GCC 12's library.
 std::vector<Violation> notForTheFuzzer(const SourceFile& file) {
     static const std::regex call(
@@ -84,6 +95,12 @@ TEST(SourceFilesTest, haveNoUnfinishedWork) {
     EXPECT_EQ(checkAll(readFiles(TELETA_SOURCE_DIR, kFolders, kText), unfinished), "");
 }
 
+TEST(SourceFilesTest, haveNoConflictLeft) {
+    std::vector<std::string> endings = kText;
+    endings.insert(endings.end(), {".md", ".mjs", ".py", ".ts", ".txt", ".xml"});
+    EXPECT_EQ(checkAll(readFiles(TELETA_SOURCE_DIR, kFolders, endings), conflicts), "");
+}
+
 TEST(SourceFilesTest, areCompiledByTheFuzzersCompiler) {
     EXPECT_EQ(checkAll(readFiles(TELETA_SOURCE_DIR, {"backend", "devices"}, kCode), notForTheFuzzer), "");
 }
@@ -91,6 +108,9 @@ TEST(SourceFilesTest, areCompiledByTheFuzzersCompiler) {
 TEST(SourceFilesTest, findPlantedViolations) {
     EXPECT_EQ(notForTheFuzzer({"a.cpp", {"a();", "std::ranges::unique(a);"}}).size(), 1U);
     EXPECT_TRUE(notForTheFuzzer({"a.cpp", {"std::ranges::sort(a);", "std::unique(a, b);"}}).empty());
+    EXPECT_EQ(conflicts({"a.md", {"a", std::string(7, '<') + " HEAD", std::string(7, '>') + " b"}}).size(),
+              2U);
+    EXPECT_TRUE(conflicts({"a.md", {"=======", "a << b", " <<<<<<< "}}).empty());
     EXPECT_EQ(withoutLicenceLine({"a.cpp", {"#include <vector>"}}).size(), 1U);
     EXPECT_EQ(withoutLicenceLine({"a.sh", {"#!/bin/sh", "set -e"}}).size(), 1U);
     EXPECT_EQ(withoutLicenceLine({"a.cpp", {}}).size(), 1U);
