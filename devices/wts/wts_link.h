@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/device/file_descriptor.h"
+#include "backend/core/file_descriptor.h"
 #include "backend/core/error.h"
 #include "devices/wts/wake_pipe.h"
 #include "devices/wts/wts_config.h"

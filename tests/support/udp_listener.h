@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/device/file_descriptor.h"
+#include "backend/core/file_descriptor.h"
 
 #include <arpa/inet.h>
 #include <cstdint>

@@ -2,6 +2,7 @@
 #include "backend/core/data/output_file.h"
 
 #include "backend/core/failure.h"
+#include "backend/core/file_descriptor.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -106,15 +107,11 @@ Expected<void> OutputFile::finish() {
 }
 
 Expected<void> syncFolder(const std::string& path) {
-    const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const FileDescriptor folder(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     // A folder that may only be entered, and file systems that keep names in their own way.
-    if (folder < 0)
+    if (!folder.isOpen() || fsync(folder.get()) == 0 || errno == EINVAL || errno == ENOTSUP)
         return {};
-    const int error = fsync(folder) == 0 ? 0 : errno;
-    close(folder);
-    if (error == 0 || error == EINVAL || error == ENOTSUP)
-        return {};
-    return failed(ErrorKind::ioFailed, OutputFileText::tr("cannot write: %1").arg(qt_error_string(error)), {},
+    return failed(ErrorKind::ioFailed, OutputFileText::tr("cannot write: %1").arg(qt_error_string(errno)), {},
                   {path});
 }
 
