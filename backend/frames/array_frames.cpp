@@ -157,8 +157,7 @@ core::Expected<FrameAxis> axisOf(const ArrayFile& file, const ArrayHead& head, c
     const bool isLast = !times_s.empty() && times_s.size() == head.shape.back();
     if (head.axisIsOpen && isFirst == isLast)
         return wrong(file.path(),
-                     ArrayFramesText::tr("%1 does not say which of its dimensions counts the frames")
-                         .arg(listOf({head})),
+                     ArrayFramesText::tr("%1 does not say which dimension is the frames").arg(listOf({head})),
                      ArrayFramesText::tr("--frame-axis first or last, or a time_s for each frame"));
     return isLast && !isFirst ? FrameAxis::last : FrameAxis::first;
 }
@@ -258,27 +257,6 @@ core::Expected<core::ArrayLayout> sidesOf(const ArrayFile& file, const ArrayHead
 }
 
 } // namespace
-
-std::optional<std::uint64_t> valuesOf(std::span<const std::uint64_t> shape) {
-    std::uint64_t count = 1;
-    bool isEmpty = false;
-    for (const std::uint64_t side : shape) {
-        isEmpty = isEmpty || side == 0;
-        if (side != 0 && count > kMostValues / side)
-            return std::nullopt;
-        count *= side == 0 ? 1 : side;
-    }
-    return isEmpty ? 0 : count;
-}
-
-std::string shapeText(std::span<const std::uint64_t> shape) {
-    if (shape.empty())
-        return "1";
-    std::string text;
-    for (const std::uint64_t side : shape)
-        text += (text.empty() ? "" : " x ") + std::to_string(side);
-    return text;
-}
 
 core::Expected<core::ArrayLayout> layoutOf(const FrameRequest& request, std::uint64_t taxels,
                                            const QString& what) {

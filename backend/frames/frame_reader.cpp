@@ -3,10 +3,10 @@
 
 #include "backend/core/data/file_kind.h"
 #include "backend/core/failure.h"
-#include "backend/frames/file_apart.h"
-#include "backend/frames/hdf5_file.h"
-#include "backend/frames/mat_file.h"
-#include "backend/frames/numpy_file.h"
+#include "backend/frames/arrays/file_apart.h"
+#include "backend/frames/arrays/hdf5_file.h"
+#include "backend/frames/arrays/mat_file.h"
+#include "backend/frames/arrays/numpy_file.h"
 #include "backend/frames/table_file.h"
 #include "backend/frames/tekscan_file.h"
 

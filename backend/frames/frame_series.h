@@ -3,7 +3,7 @@
 
 #include "backend/core/data/array_layout.h"
 #include "backend/core/error.h"
-#include "backend/frames/array_file.h"
+#include "backend/frames/arrays/array_file.h"
 #include "backend/frames/frame_request.h"
 
 #include <QString>

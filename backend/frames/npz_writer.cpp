@@ -2,7 +2,7 @@
 #include "backend/frames/npz_writer.h"
 
 #include "backend/core/failure.h"
-#include "backend/frames/npy_header.h"
+#include "backend/frames/arrays/npy_header.h"
 
 #include <QCoreApplication>
 

@@ -89,8 +89,8 @@ def virtual_layout():
     "make, reason",
     [
         (lambda f, n: f.create_dataset(n, data=numbers("f4"), compression="lzf"), "lzf"),
-        (lambda f, n: f.create_dataset(n, data=numbers("f4").astype(complex)), "several parts"),
-        (lambda f, n: f.create_dataset(n, data="text"), "texts"),
+        (lambda f, n: f.create_dataset(n, data=numbers("f4").astype(complex)), "compound"),
+        (lambda f, n: f.create_dataset(n, data="text"), "contains text"),
         (lambda f, n: f.create_dataset(n, shape=(1 << 20, 6, 14), dtype="f4", chunks=(1, 6, 14)), "never written"),
         (lambda f, n: f.create_dataset(n, data=h5py.Empty("f4")), "no values"),
         (lambda f, n: f.create_dataset(n, shape=(1 << 30, 6, 14), dtype="f4", chunks=(1, 6, 14)), "never|too large"),

@@ -3,7 +3,7 @@
 
 #include "backend/core/device/stream_tap.h"
 #include "backend/core/failure.h"
-#include "backend/frames/array_file.h"
+#include "backend/frames/arrays/array_file.h"
 #include "backend/frames/npz_writer.h"
 
 #include <QCoreApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/frames/mat_check.h"
+#include "backend/frames/arrays/mat_check.h"
 
 #include "backend/core/failure.h"
 
@@ -79,12 +79,12 @@ core::Expected<void> checkMat5(const std::string& path) {
     constexpr qint64 kHead = 128;
     const QByteArray head = file.read(kHead);
     if (head.size() < kHead)
-        return brokenAt(path, head.size(), MatCheckText::tr("it ends in its head"));
+        return brokenAt(path, head.size(), MatCheckText::tr("it ends within its header"));
     const bool isBigEndian = head.endsWith("MI");
     for (qint64 offset = kHead; offset < file.size();) {
         std::array<char, 8> tag{};
         if (!file.seek(offset) || file.read(tag.data(), tag.size()) != static_cast<qint64>(tag.size()))
-            return brokenAt(path, offset, MatCheckText::tr("it ends in the head of a variable"));
+            return brokenAt(path, offset, MatCheckText::tr("it ends within the header of a variable"));
         const std::uint32_t type = numberAt(tag.data(), isBigEndian);
         const qint64 bytes = numberAt(tag.data() + 4, isBigEndian);
         const qint64 end = offset + static_cast<qint64>(tag.size()) + bytes;
@@ -94,7 +94,7 @@ core::Expected<void> checkMat5(const std::string& path) {
                                 .arg(bytes)
                                 .arg(file.size() - offset - static_cast<qint64>(tag.size())));
         if (type == kPacked && !unpacks(file, bytes))
-            return brokenAt(path, offset, MatCheckText::tr("a packed variable does not unpack"));
+            return brokenAt(path, offset, MatCheckText::tr("a compressed variable cannot be decompressed"));
         offset = end;
     }
     return {};
@@ -106,7 +106,7 @@ core::Expected<void> checkMat4(const std::string& path) {
     for (qint64 offset = 0; offset < file.size();) {
         std::array<char, 20> head{};
         if (!file.seek(offset) || file.read(head.data(), head.size()) != static_cast<qint64>(head.size()))
-            return brokenAt(path, offset, MatCheckText::tr("it ends in the head of a variable"));
+            return brokenAt(path, offset, MatCheckText::tr("it ends within the header of a variable"));
         const bool isBigEndian = numberAt(head.data(), false) > 4052;
         const auto number = [&](std::size_t i) { return numberAt(head.data() + 4 * i, isBigEndian); };
         constexpr std::array<std::uint32_t, 6> kBytes{8, 4, 4, 2, 2, 1};
@@ -115,7 +115,7 @@ core::Expected<void> checkMat4(const std::string& path) {
         constexpr std::uint64_t kMostSide = std::uint64_t{1} << 31U;
         if (number(0) > 5052 || precision >= kBytes.size() || number(1) > kMostSide ||
             number(2) > kMostSide || (number(1) != 0 && number(2) > kMostSide / number(1)))
-            return brokenAt(path, offset, MatCheckText::tr("this is no head of a variable"));
+            return brokenAt(path, offset, MatCheckText::tr("this is not the header of a variable"));
         const std::uint64_t bytes =
             number(4) + std::uint64_t{number(1)} * number(2) * kBytes[precision] * parts;
         const std::uint64_t left =

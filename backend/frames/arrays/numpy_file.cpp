@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/frames/numpy_file.h"
+#include "backend/frames/arrays/numpy_file.h"
 
 #include "backend/core/failure.h"
-#include "backend/frames/npy_header.h"
+#include "backend/frames/arrays/npy_header.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/frames/mat_file.h"
+#include "backend/frames/arrays/mat_file.h"
 
 #include "backend/core/failure.h"
-#include "backend/frames/array_libraries.h"
-#include "backend/frames/mat_check.h"
+#include "backend/frames/arrays/array_libraries.h"
+#include "backend/frames/arrays/mat_check.h"
 
 #include <QCoreApplication>
 
@@ -120,13 +120,13 @@ private:
         case MAT_C_SPARSE:
             return MatFileText::tr("it is sparse");
         case MAT_C_CHAR:
-            return MatFileText::tr("it holds texts");
+            return MatFileText::tr("it contains text");
         case MAT_C_CELL:
         case MAT_C_STRUCT:
         case MAT_C_OBJECT:
-            return MatFileText::tr("it holds other variables");
+            return MatFileText::tr("it contains other variables");
         default:
-            return MatFileText::tr("its values are no real numbers");
+            return MatFileText::tr("its values are not real numbers");
         }
     }
 

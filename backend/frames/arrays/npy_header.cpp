@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/frames/npy_header.h"
+#include "backend/frames/arrays/npy_header.h"
 
 #include "backend/core/failure.h"
 

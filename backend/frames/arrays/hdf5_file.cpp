@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/frames/hdf5_file.h"
+#include "backend/frames/arrays/hdf5_file.h"
 
 #include "backend/core/failure.h"
-#include "backend/frames/array_libraries.h"
+#include "backend/frames/arrays/array_libraries.h"
 
 #include <QCoreApplication>
 
@@ -200,11 +200,11 @@ private:
             return Hdf5FileText::tr("it has no values");
         const H5T_class_t kind = hdf5().classOf(type);
         if (kind != H5T_INTEGER && kind != H5T_FLOAT)
-            return kind == H5T_STRING     ? Hdf5FileText::tr("it holds texts")
-                   : kind == H5T_COMPOUND ? Hdf5FileText::tr("its values have several parts")
-                                          : Hdf5FileText::tr("its values are no real numbers");
+            return kind == H5T_STRING     ? Hdf5FileText::tr("it contains text")
+                   : kind == H5T_COMPOUND ? Hdf5FileText::tr("its values are compound")
+                                          : Hdf5FileText::tr("its values are not real numbers");
         if (hdf5().externalOf(creation) > 0 || hdf5().layoutOf(creation) == H5D_VIRTUAL)
-            return Hdf5FileText::tr("its values lie in other files");
+            return Hdf5FileText::tr("its values are stored in other files");
         for (int i = 0; i < hdf5().filtersOf(creation); ++i) {
             unsigned flags = 0;
             unsigned settings = 0;
@@ -215,7 +215,7 @@ private:
                                 name.size() - 1, name.data(), &settings);
             if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE &&
                 filter != H5Z_FILTER_FLETCHER32)
-                return Hdf5FileText::tr("it is packed with %1; gzip and shuffle are read")
+                return Hdf5FileText::tr("it is compressed with %1; only gzip and shuffle can be read")
                     .arg(name[0] == '\0' ? QString::number(filter) : QString::fromUtf8(name.data()));
         }
         // What was never written reads as zeros: a file of 2 kB may have 2^31 of them. gzip packs a

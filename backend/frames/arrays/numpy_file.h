@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
-#include "backend/frames/array_file.h"
+#include "backend/frames/arrays/array_file.h"
 
 #include <memory>
 #include <string>

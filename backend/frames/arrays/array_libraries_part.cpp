@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/frames/array_libraries.h"
+#include "backend/frames/arrays/array_libraries.h"
 
 const teleta::frames::ArrayLibraries teleta_array_libraries{
     .hdf5 =

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/frames/file_apart.h"
+#include "backend/frames/arrays/file_apart.h"
 
 #include "backend/core/failure.h"
+#include "backend/core/file_descriptor.h"
 
 #include <QCoreApplication>
 
@@ -234,8 +235,7 @@ public:
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
     ~Process() {
-        if (m_pipe >= 0)
-            ::close(m_pipe);
+        m_pipe = core::FileDescriptor(-1); // it ends when nobody reads
         if (m_id > 0)
             end();
     }
@@ -245,22 +245,22 @@ public:
         std::array<int, 2> pipe{};
         if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
             return false;
-        m_pipe = pipe[0];
+        m_pipe = core::FileDescriptor(pipe[0]);
+        const core::FileDescriptor writing(pipe[1]);
         m_id = ::fork();
         if (m_id == 0) {
             liveApart(values);
             try {
-                work(PipeWriter(pipe[1]));
+                work(PipeWriter(writing.get()));
             } catch (const std::bad_alloc&) {
                 ::_exit(kNoMemory);
             }
             ::_exit(0);
         }
-        ::close(pipe[1]);
         return m_id > 0;
     }
 
-    [[nodiscard]] PipeReader reader() const { return PipeReader(m_pipe); }
+    [[nodiscard]] PipeReader reader() const { return PipeReader(m_pipe.get()); }
 
     /// Why it stopped before it was done. It does not run any more.
     QString whyItStopped() {
@@ -269,7 +269,7 @@ public:
             return FileApartText::tr("reading it takes too long");
         if (WIFEXITED(status) && WEXITSTATUS(status) == kNoMemory)
             return FileApartText::tr("reading it takes too much memory");
-        return FileApartText::tr("the library that reads it stopped");
+        return FileApartText::tr("the library that reads it stopped unexpectedly");
     }
 
 private:
@@ -292,7 +292,7 @@ private:
         return status;
     }
 
-    int m_pipe = -1;
+    core::FileDescriptor m_pipe{-1};
     pid_t m_id = -1;
 };
 
