@@ -23,7 +23,7 @@ FaultTally tallyOf(const Certificate& certificate, FaultKind kind,
         ++tally.faults;
         tally.notZero += outcome.zero_s ? 0 : 1;
         tally.overBound += outcome.zero_s && *outcome.zero_s <= certificate.bound_s ? 0 : 1;
-        tally.droveUnasked += outcome.droveUnasked ? 1 : 0;
+        tally.restarted += outcome.restarted ? 1 : 0;
         tally.framesLost += outcome.framesLost;
         tally.filesDamaged += outcome.fileDamaged ? 1 : 0;
         if (outcome.zero_s)
@@ -51,7 +51,7 @@ nlohmann::ordered_json toJson(const FaultTally& tally) {
             {"not_zero", tally.notZero},
             {"over_bound", tally.overBound},
             {"share_over_bound_at_most", shareOverBoundAtMost(tally)},
-            {"drove_unasked", tally.droveUnasked},
+            {"restarted", tally.restarted},
             {"frames_lost", tally.framesLost},
             {"files_damaged", tally.filesDamaged}};
 }
@@ -81,7 +81,7 @@ FaultTally Certificate::total() const {
 
 bool Certificate::passes() const {
     const FaultTally all = total();
-    return all.faults > 0 && all.overBound == 0 && all.droveUnasked == 0 && all.framesLost == 0 &&
+    return all.faults > 0 && all.overBound == 0 && all.restarted == 0 && all.framesLost == 0 &&
            all.filesDamaged == 0;
 }
 
@@ -104,7 +104,7 @@ nlohmann::ordered_json toJson(const Certificate& certificate) {
     for (const FaultOutcome& outcome : certificate.outcomes)
         faults.push_back({{"kind", toString(outcome.kind)},
                           {"zero_s", orNull(outcome.zero_s)},
-                          {"drove_unasked", outcome.droveUnasked},
+                          {"restarted", outcome.restarted},
                           {"frames_lost", outcome.framesLost},
                           {"file_damaged", outcome.fileDamaged}});
     return {{"passes", certificate.passes()},

@@ -20,7 +20,7 @@ struct FaultOutcome {
     /// there; empty: they were still on when the watching ended.
     std::optional<double> zero_s{};
     /// They turned again although nobody had asked.
-    bool droveUnasked = false;
+    bool restarted = false;
     /// Frames that the program had said were safe and that are not in the recording.
     std::uint64_t framesLost = 0;
     /// The recording cannot be read, or was not completed where it should have been.
@@ -46,7 +46,7 @@ struct FaultTally {
     std::size_t faults = 0;
     std::size_t notZero = 0;   ///< motors still on when the watching ended
     std::size_t overBound = 0; ///< later than the bound, with notZero
-    std::size_t droveUnasked = 0;
+    std::size_t restarted = 0;
     std::uint64_t framesLost = 0;
     std::size_t filesDamaged = 0;
     std::optional<double> median_s{}; ///< of those that came to zero, as the next two; type 7

@@ -58,11 +58,12 @@ QString meaningOf(FaultKind kind) {
     case FaultKind::stop:
         return CertificateText::tr("STOP is engaged.");
     case FaultKind::diskFull:
-        return CertificateText::tr("The recording can grow no more; then STOP. Timed from STOP.");
+        return CertificateText::tr("The recording can no longer grow; then STOP. Timed from STOP.");
     case FaultKind::memoryRefused:
         return CertificateText::tr("The program gets no more memory; then STOP. Timed from STOP.");
     case FaultKind::clockStep:
-        return CertificateText::tr("The wall clock is set by an hour; then STOP. Timed from STOP.");
+        return CertificateText::tr(
+            "The wall clock is set an hour forward or back; then STOP. Timed from STOP.");
     }
     return {};
 }
@@ -74,20 +75,20 @@ QString verdict(const Certificate& certificate) {
         return paragraph(CertificateText::tr("No fault was injected."), QStringLiteral(" class=\"warning\""));
     if (certificate.passes())
         return paragraph(
-            CertificateText::tr("Passed: after each of %1 faults the motors were at zero within %2 ms. "
-                                "Nothing went on unasked, and nothing of the recordings was lost. With a "
-                                "confidence of 95 %, at most %3 % of such faults take longer.")
+            CertificateText::tr("Passed: after each of %1 faults the motors were at zero within %2 ms. They "
+                                "never restarted by themselves, and no recorded frame was lost. With 95 % "
+                                "confidence, at most %3 % of such faults take longer.")
                 .arg(all.faults)
                 .arg(bound)
                 .arg(100.0 * shareOverBoundAtMost(all), 0, 'f', 2));
     return paragraph(
-        CertificateText::tr("Not passed: of %1 faults, %2 left the motors on for more than %3 ms, %4 were "
-                            "followed by motion that nobody had asked for, %5 frames were lost, and %6 "
-                            "recordings were damaged.")
+        CertificateText::tr(
+            "Not passed: of %1 faults, %2 left the motors on for more than %3 ms. After %4 of them the "
+            "motors restarted by themselves. %5 recorded frames were lost, and %6 recordings were damaged.")
             .arg(all.faults)
             .arg(all.overBound)
             .arg(bound)
-            .arg(all.droveUnasked)
+            .arg(all.restarted)
             .arg(all.framesLost)
             .arg(all.filesDamaged),
         QStringLiteral(" class=\"warning\""));
@@ -96,17 +97,17 @@ QString verdict(const Certificate& certificate) {
 void addRow(figure::HtmlTable& table, const QString& name, const FaultTally& tally) {
     table.row({name, QString::number(tally.faults), ms(tally.median_s), ms(tally.p99_s), ms(tally.longest_s),
                QString::number(tally.overBound), QString::number(100.0 * shareOverBoundAtMost(tally), 'f', 2),
-               QString::number(tally.droveUnasked), QString::number(tally.framesLost),
+               QString::number(tally.restarted), QString::number(tally.framesLost),
                QString::number(tally.filesDamaged)});
 }
 
 QString kindTable(const Certificate& certificate) {
-    figure::HtmlTable table(CertificateText::tr("Time from the fault until the motors were at zero, in ms"),
-                            {CertificateText::tr("Fault"), CertificateText::tr("Number"),
-                             CertificateText::tr("Median"), CertificateText::tr("99 %"),
-                             CertificateText::tr("Longest"), CertificateText::tr("Over the bound"),
-                             CertificateText::tr("Share at most (%)"), CertificateText::tr("Went on unasked"),
-                             CertificateText::tr("Frames lost"), CertificateText::tr("Files damaged")});
+    figure::HtmlTable table(
+        CertificateText::tr("Time from the fault until the motors were at zero, in ms"),
+        {CertificateText::tr("Fault"), CertificateText::tr("Number"), CertificateText::tr("Median"),
+         CertificateText::tr("99 %"), CertificateText::tr("Longest"), CertificateText::tr("Over the bound"),
+         CertificateText::tr("Share, upper limit (%)"), CertificateText::tr("Restarted by itself"),
+         CertificateText::tr("Frames lost"), CertificateText::tr("Files damaged")});
     for (const FaultTally& tally : certificate.tallies())
         addRow(table, nameOf(tally.kind), tally);
     addRow(table, CertificateText::tr("All"), certificate.total());
@@ -127,7 +128,7 @@ QString timePicture(const Certificate& certificate) {
     end_s *= 1.05;
     const double bottom = kTop + kRow * static_cast<double>(tallies.size());
     figure::SvgCanvas canvas(kRight + 30.0, bottom + 50.0,
-                             CertificateText::tr("Times until the motors were at zero, of each kind"));
+                             CertificateText::tr("Times until the motors were at zero, by kind of fault"));
     const auto at = [&](double time_s) { return kLeft + (kRight - kLeft) * time_s / end_s; };
     for (int k = 0; k * kStep_s <= end_s; ++k) {
         canvas.line(at(k * kStep_s), kTop, at(k * kStep_s), bottom, QStringLiteral("soft"));
@@ -155,18 +156,18 @@ QString timePicture(const Certificate& certificate) {
 
 QString systemTable(const Certificate& certificate) {
     const CertifiedSystem& system = certificate.system;
-    figure::HtmlTable table(CertificateText::tr("What was looked at"), {CertificateText::tr("Part"), {}});
+    figure::HtmlTable table(CertificateText::tr("System under test"), {CertificateText::tr("Part"), {}});
     table.row({CertificateText::tr("Program"), QString::fromStdString(system.version)});
     table.row({CertificateText::tr("Driver of the motors"),
                system.simulated
                    ? CertificateText::tr("%1 (SIMULATED)").arg(QString::fromStdString(system.driver))
                    : QString::fromStdString(system.driver)});
-    table.row({CertificateText::tr("Begun"), QString::fromStdString(system.started)});
+    table.row({CertificateText::tr("Started"), QString::fromStdString(system.started)});
     table.row({CertificateText::tr("System"), QString::fromStdString(system.kernel)});
     table.row({CertificateText::tr("Processor"), CertificateText::tr("%1, %n core(s)", nullptr, system.cores)
                                                      .arg(QString::fromStdString(system.processor))});
-    table.row({CertificateText::tr("Load of the last minute"), QString::number(system.load, 'f', 2)});
-    table.row({CertificateText::tr("Longest time between two looks at the motors"),
+    table.row({CertificateText::tr("Load average (1 min)"), QString::number(system.load, 'f', 2)});
+    table.row({CertificateText::tr("Longest gap between two readings of the motors"),
                CertificateText::tr("%1 ms").arg(ms(system.resolution_s))});
     table.row({CertificateText::tr("Seed"), QString::number(certificate.seed)});
     return table.html();
@@ -215,7 +216,7 @@ QString certificatePage(const Certificate& certificate) {
     if (!certificate.outcomes.empty())
         body += heading(CertificateText::tr("Faults")) + kindTable(certificate) + timePicture(certificate);
     body += heading(CertificateText::tr("System")) + systemTable(certificate);
-    body += heading(CertificateText::tr("What each fault is"));
+    body += heading(CertificateText::tr("What each fault does"));
     for (const FaultTally& tally : certificate.tallies())
         body += QStringLiteral("<p><b>%1.</b> %2</p>\n")
                     .arg(nameOf(tally.kind).toHtmlEscaped(), meaningOf(tally.kind).toHtmlEscaped());

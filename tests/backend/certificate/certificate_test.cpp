@@ -64,7 +64,7 @@ TEST(Certificate, motorsThatStayOnAreOverEveryBound) {
 }
 
 TEST(Certificate, anyLossOrUnaskedMotionFails) {
-    for (auto change : {+[](FaultOutcome& outcome) { outcome.droveUnasked = true; },
+    for (auto change : {+[](FaultOutcome& outcome) { outcome.restarted = true; },
                         +[](FaultOutcome& outcome) { outcome.framesLost = 1; },
                         +[](FaultOutcome& outcome) { outcome.fileDamaged = true; }}) {
         FaultOutcome outcome = after(0.01);

@@ -70,11 +70,10 @@ QString msText(const std::optional<double>& time_s) {
 class CertifyCommand {
 public:
     void declare(CLI::App& app) {
-        addOption(
-            app, "--bracelet", m_driver,
-            CertifyText::tr("File of a Modbus motor driver over TCP; default: a simulated one. Nobody may "
-                            "wear its motors, which turn the whole time"),
-            "FILE");
+        addOption(app, "--bracelet", m_driver,
+                  CertifyText::tr("File of a Modbus motor driver over TCP; default: a simulated one. Nobody "
+                                  "may wear its motors: they run the whole time"),
+                  "FILE");
         addFlag(app, "--yes", m_yes, CertifyText::tr("With --bracelet: nobody wears the motors"));
         addOption(app, "--faults", m_faults, CertifyText::tr("Number of faults"),
                   CLI::Range(1LL, 1'000'000LL).description(""), "N");
@@ -88,12 +87,12 @@ public:
                   "KINDS")
             ->delimiter(',')
             ->check(CLI::IsMember(words).description(""));
-        addOption(app, "--bound", m_bound_s, CertifyText::tr("Time in which the motors must be at zero"),
+        addOption(app, "--bound", m_bound_s, CertifyText::tr("Longest time until the motors must be at zero"),
                   positive(), "S");
-        addOption(app, "--seed", m_seed, CertifyText::tr("Of the order and the phases of the faults"), seed(),
-                  "N");
-        addOption(app, "--out", m_out, CertifyText::tr("Where the report goes: NAME.html and NAME.json"),
-                  "NAME")
+        addOption(app, "--seed", m_seed, CertifyText::tr("Seed for the order and timing of the faults"),
+                  seed(), "N");
+        addOption(app, "--out", m_out,
+                  CertifyText::tr("Name of the report: NAME.html and NAME.json are written"), "NAME")
             ->capture_default_str();
         declareJson(app, m_json);
         // How this program starts itself.
@@ -106,8 +105,10 @@ public:
             return runChain({m_driver, m_port, m_recording});
         const bool simulated = m_driver.empty();
         if (!simulated && !m_yes)
-            refuse("--bracelet", CertifyText::tr("the motors will turn the whole time; take them off "
-                                                 "everybody and add --yes"));
+            refuse(
+                "--bracelet",
+                CertifyText::tr(
+                    "the motors will run the whole time; make sure that nobody wears them, then add --yes"));
         const std::string file = simulated ? kSimulatedDriver : m_driver;
         TELETA_TRY(modbus::RegisterMap map, modbus::readRegisterMap(file));
         if (!map.tactors)
@@ -121,7 +122,7 @@ public:
         const auto* tcp = std::get_if<modbus::TcpLink>(&map.link);
         if (tcp == nullptr)
             return core::failed(core::ErrorKind::badInput,
-                                CertifyText::tr("faults of the line can only be injected into a TCP line"),
+                                CertifyText::tr("only a driver over TCP can be certified"),
                                 QStringLiteral("link.kind = \"tcp\""), {file});
         TELETA_TRY(const auto relay, LineRelay::start(tcp->host, tcp->port));
         TELETA_TRY(const auto watch, MotorWatch::start(map));
@@ -130,7 +131,8 @@ public:
             return core::failed(core::ErrorKind::ioFailed, folder.errorString());
 
         Certificate certificate = begun(map.name, simulated);
-        FaultInjector injector({file, folder.path().toStdString(), m_bound_s, m_seed}, *relay, *watch);
+        FaultInjector injector({file, folder.path().toStdString(), m_out + "-damaged-", m_bound_s, m_seed},
+                               *relay, *watch);
         const core::Expected<void> injected = injectAll(injector, certificate);
         if (!injected && injected.error().kind != core::ErrorKind::cancelled)
             return injected;
@@ -140,7 +142,7 @@ public:
         if (!injected)
             return injected;
         if (!certificate.passes())
-            return core::failed(core::ErrorKind::refused, CertifyText::tr("The certificate is not passed."));
+            return core::failed(core::ErrorKind::refused, CertifyText::tr("The certificate was not passed."));
         return {};
     }
 
@@ -223,7 +225,7 @@ private:
             add(nameOf(tally.kind), tally);
         const FaultTally all = certificate.total();
         add(CertifyText::tr("All"), all);
-        fields.emplace_back(CertifyText::tr("Went on unasked"), QString::number(all.droveUnasked));
+        fields.emplace_back(CertifyText::tr("Restarted by itself"), QString::number(all.restarted));
         fields.emplace_back(CertifyText::tr("Frames lost"), QString::number(all.framesLost));
         fields.emplace_back(CertifyText::tr("Files damaged"), QString::number(all.filesDamaged));
         fields.emplace_back(CertifyText::tr("Report"), QString::fromStdString(m_out + ".html"));
@@ -247,7 +249,8 @@ private:
 Command certifyCommand() {
     return makeCommand<CertifyCommand>(
         "certify",
-        CertifyText::tr("Inject faults into what drives the motors, and report how soon they are off"),
+        CertifyText::tr(
+            "Inject faults into the program that drives the motors, and report how soon the motors stop"),
         "teleta certify --faults 4 --kinds kill,stop --bound 1 --out certificate");
 }
 

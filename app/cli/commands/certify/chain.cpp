@@ -64,29 +64,6 @@ constexpr double kFullForce_N = 20.0;
 constexpr double kLeast = 0.3; ///< so that a light touch counts as "on", too
 constexpr auto kLook = std::chrono::milliseconds(20);
 
-const char* wordOf(playback::PlayerEnding ending) {
-    using playback::PlayerEnding;
-    switch (ending) {
-    case PlayerEnding::none:
-        return "none";
-    case PlayerEnding::finished:
-        return "finished";
-    case PlayerEnding::stopped:
-        return "stopped";
-    case PlayerEnding::stopSwitch:
-        return "stop_switch";
-    case PlayerEnding::deviceLost:
-        return "device_lost";
-    case PlayerEnding::sourceFailed:
-        return "source_failed";
-    case PlayerEnding::stalled:
-        return "stalled";
-    case PlayerEnding::tooHot:
-        return "too_hot";
-    }
-    return "";
-}
-
 /// A line at once, whatever is buffered elsewhere. A reader who is gone is not this program's concern.
 void say(const std::string& line) {
     const std::string text = line + '\n';
@@ -123,12 +100,7 @@ private:
 /// Tells what changes.
 class Reporter {
 public:
-    void look(const core::BraceletSource& bracelet, const playback::Player& player,
-              const recording::Recorder& recorder) {
-        if (bracelet.connection() != m_connection) {
-            m_connection = bracelet.connection();
-            say("connected");
-        }
+    void look(const playback::Player& player, const recording::Recorder& recorder) {
         const playback::PlayerStatus status = player.status();
         if (status.begun_ns != m_begun_ns && status.mode == playback::PlayerMode::live) {
             m_begun_ns = status.begun_ns;
@@ -136,7 +108,7 @@ public:
         }
         if (status.ended_ns != m_ended_ns && status.mode == playback::PlayerMode::idle) {
             m_ended_ns = status.ended_ns;
-            say(std::string("idle ") + wordOf(status.ending));
+            say("idle");
         }
         const recording::RecorderStatus recorded = recorder.status();
         if (recorded.frames != m_safe) {
@@ -150,7 +122,6 @@ public:
     }
 
 private:
-    std::uint64_t m_connection = 0;
     std::int64_t m_begun_ns = 0;
     std::int64_t m_ended_ns = 0;
     std::uint64_t m_safe = 0;
@@ -207,7 +178,7 @@ core::Expected<void> runChain(const ChainOptions& options) {
             channel->process([&player](const pipeline::TouchSnapshot& snapshot) {
                 player.post(intensitiesOf(snapshot), snapshot.time_ns);
             });
-            reporter.look(*bracelet, player, *recorder);
+            reporter.look(player, *recorder);
         }
         // First the motors; then there is time for the rest.
         player.stop();

@@ -12,8 +12,8 @@ namespace teleta::cli {
 ///   simulated array -> processing -> live setpoints -> playback with its limits -> motor driver
 ///                   -> recording
 /// It takes commands as lines on standard input: "go" follows the touches from now on, "stop" engages STOP,
-/// "release" releases it. It says on standard output: "connected", "driving", "idle REASON", "safe FRAMES"
-/// (frames that the recording has on the disk), "recording failed".
+/// "release" releases it. It says on standard output: "driving", "idle", "safe FRAMES" (frames that the
+/// recording has on the disk), "recording failed".
 struct ChainOptions {
     std::string driver;     ///< file that describes the driver of the motors
     std::uint16_t port = 0; ///< of this computer under which the driver is reached

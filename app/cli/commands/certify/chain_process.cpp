@@ -24,7 +24,7 @@ namespace teleta::cli {
 namespace {
 
 struct ProcessText {
-    Q_DECLARE_TR_FUNCTIONS(ChainProcess)
+    Q_DECLARE_TR_FUNCTIONS(ProcessText)
 };
 
 /// Its signals act as usual, and those of a terminal do not reach it.
@@ -57,49 +57,51 @@ private:
     posix_spawnattr_t m_attributes{};
 };
 
+core::Unexpected notStarted(int error) {
+    return core::failed(
+        core::ErrorKind::ioFailed,
+        ProcessText::tr("the program cannot be started: %1").arg(QString::fromLocal8Bit(strerror(error))));
+}
+
+struct Pipe {
+    core::FileDescriptor reading;
+    core::FileDescriptor writing;
+
+    [[nodiscard]] static core::Expected<Pipe> open() {
+        std::array<int, 2> ends{};
+        if (pipe2(ends.data(), O_CLOEXEC) != 0)
+            return notStarted(errno);
+        return Pipe{core::FileDescriptor(ends[0]), core::FileDescriptor(ends[1])};
+    }
+};
+
 } // namespace
 
 core::Expected<std::unique_ptr<ChainProcess>> ChainProcess::start(const ChainOptions& options) {
-    const auto failed = [](int error) {
-        return core::failed(core::ErrorKind::ioFailed, ProcessText::tr("the program cannot be started: %1")
-                                                           .arg(QString::fromLocal8Bit(strerror(error))));
-    };
-    std::array<int, 2> commands{};
-    std::array<int, 2> answers{};
-    if (pipe2(commands.data(), O_CLOEXEC) != 0)
-        return failed(errno);
-    if (pipe2(answers.data(), O_CLOEXEC) != 0) {
-        const int error = errno;
-        close(commands[0]);
-        close(commands[1]);
-        return failed(error);
-    }
+    TELETA_TRY(Pipe commands, Pipe::open());
+    TELETA_TRY(Pipe answers, Pipe::open());
     std::vector<std::string> words{"teleta",     "certify",      "--chain", options.recording,
                                    "--bracelet", options.driver, "--port",  std::to_string(options.port)};
     std::vector<char*> arguments;
     for (std::string& word : words)
         arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    const SpawnSettings settings(commands[0], answers[1]);
+    const SpawnSettings settings(commands.reading.get(), answers.writing.get());
     pid_t process = -1;
     const int error = posix_spawn(&process, "/proc/self/exe", settings.files(), settings.attributes(),
                                   arguments.data(), environ);
-    close(commands[0]);
-    close(answers[1]);
-    if (error != 0) {
-        close(commands[1]);
-        close(answers[0]);
-        return failed(error);
-    }
-    fcntl(answers[0], F_SETFL, O_NONBLOCK);
-    return std::unique_ptr<ChainProcess>(
-        new ChainProcess(process, commands[1], answers[0], options.recording));
+    if (error != 0)
+        return notStarted(error);
+    fcntl(answers.reading.get(), F_SETFL, O_NONBLOCK);
+    return std::unique_ptr<ChainProcess>(new ChainProcess(process, std::move(commands.writing),
+                                                          std::move(answers.reading), options.recording));
 }
 
-ChainProcess::ChainProcess(pid_t process, int commands, int answers, std::string recording)
+ChainProcess::ChainProcess(pid_t process, core::FileDescriptor commands, core::FileDescriptor answers,
+                           std::string recording)
     : m_process(process)
-    , m_commands(commands)
-    , m_answers(answers)
+    , m_commands(std::move(commands))
+    , m_answers(std::move(answers))
     , m_recording(std::move(recording)) {
 }
 
@@ -109,13 +111,11 @@ ChainProcess::~ChainProcess() {
         signal(SIGKILL);
         waitpid(m_process, nullptr, 0);
     }
-    close(m_commands);
-    close(m_answers);
 }
 
 void ChainProcess::say(std::string line) {
     line += '\n';
-    (void)!write(m_commands, line.data(), line.size());
+    (void)!write(m_commands.get(), line.data(), line.size());
 }
 
 void ChainProcess::signal(int signal) const {
@@ -126,7 +126,7 @@ void ChainProcess::signal(int signal) const {
 const ChainProcess::State& ChainProcess::look() {
     std::array<char, 4096> piece{};
     ssize_t length = 0;
-    while ((length = read(m_answers, piece.data(), piece.size())) > 0)
+    while ((length = read(m_answers.get(), piece.data(), piece.size())) > 0)
         m_text.append(piece.data(), static_cast<std::size_t>(length));
     for (std::size_t end = 0; (end = m_text.find('\n')) != std::string::npos; m_text.erase(0, end + 1))
         take(std::string_view(m_text).substr(0, end));
@@ -135,11 +135,9 @@ const ChainProcess::State& ChainProcess::look() {
 
 void ChainProcess::take(std::string_view line) {
     constexpr std::string_view kSafe = "safe ";
-    if (line == "connected")
-        ++m_state.connections;
-    else if (line == "driving")
+    if (line == "driving")
         m_state.driving = true;
-    else if (line.starts_with("idle "))
+    else if (line == "idle")
         m_state.driving = false;
     else if (line == "recording failed")
         m_state.recordingFailed = true;

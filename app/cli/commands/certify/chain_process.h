@@ -3,6 +3,7 @@
 
 #include "app/cli/commands/certify/chain.h"
 #include "backend/core/error.h"
+#include "backend/core/file_descriptor.h"
 
 #include <chrono>
 #include <cstdint>
@@ -17,7 +18,6 @@ class ChainProcess {
 public:
     /// What the chain has said so far.
     struct State {
-        std::uint64_t connections = 0;
         bool driving = false;
         std::uint64_t safeFrames = 0;
         bool recordingFailed = false;
@@ -41,12 +41,13 @@ public:
     [[nodiscard]] const std::string& recording() const { return m_recording; }
 
 private:
-    ChainProcess(pid_t process, int commands, int answers, std::string recording);
+    ChainProcess(pid_t process, core::FileDescriptor commands, core::FileDescriptor answers,
+                 std::string recording);
     void take(std::string_view line);
 
     pid_t m_process;
-    int m_commands;
-    int m_answers;
+    core::FileDescriptor m_commands;
+    core::FileDescriptor m_answers;
     std::string m_recording;
     bool m_ended = false;
     std::string m_text; ///< not yet a line

@@ -35,6 +35,8 @@ struct InjectorText {
 
 constexpr std::int64_t kLongestStart_ns = 30'000'000'000;
 constexpr auto kAskAgain = 100ms;
+/// From a fault that the program outlives to STOP.
+constexpr auto kUntilStop = 100ms;
 /// How long the motors are watched beyond the bound.
 constexpr double kBeyond_s = 0.1;
 /// How long they are watched once the fault is over.
@@ -99,7 +101,10 @@ core::Expected<void> FaultInjector::driveAgain() {
     }
     const std::int64_t begin_ns = core::steadyNow_ns();
     m_chain->say("release");
-    while (!m_chain->look().driving || !m_watch.newest().on) {
+    for (;;) {
+        const ChainProcess::State& state = m_chain->look();
+        if (state.driving && m_watch.newest().on)
+            return {};
         if (interrupted())
             return core::Unexpected(interruption());
         if (m_chain->ended())
@@ -107,15 +112,14 @@ core::Expected<void> FaultInjector::driveAgain() {
                                 InjectorText::tr("the program that drives the motors ended by itself"));
         if (core::steadyNow_ns() - begin_ns > kLongestStart_ns)
             return core::failed(core::ErrorKind::unavailable,
-                                InjectorText::tr("the motors did not turn within 30 s"));
+                                InjectorText::tr("the motors did not start within 30 s"));
         if (m_watch.failed())
             return core::failed(core::ErrorKind::unavailable,
                                 InjectorText::tr("the driver of the motors does not answer any more"));
-        if (!m_chain->look().driving && m_chain->look().connections > 0)
+        if (!state.driving)
             m_chain->say("go");
-        std::this_thread::sleep_for(m_chain->look().driving ? 2ms : kAskAgain);
+        std::this_thread::sleep_for(state.driving ? 2ms : kAskAgain);
     }
-    return {};
 }
 
 core::Expected<void> FaultInjector::waitForMotors() {
@@ -125,6 +129,17 @@ core::Expected<void> FaultInjector::waitForMotors() {
         std::this_thread::sleep_for(std::chrono::microseconds(phase_us(m_random)));
         // Between two touches they are off for a moment.
     } while (!m_watch.newest().on || !m_chain->look().driving);
+    return {};
+}
+
+core::Expected<void> FaultInjector::waitForFullDisk() {
+    const std::int64_t begin_ns = core::steadyNow_ns();
+    while (!m_chain->look().recordingFailed) {
+        if (core::steadyNow_ns() - begin_ns > kLongestStart_ns)
+            return core::failed(core::ErrorKind::unavailable,
+                                InjectorText::tr("the recording did not fail on a full disk"));
+        std::this_thread::sleep_for(2ms);
+    }
     return {};
 }
 
@@ -179,8 +194,9 @@ core::Expected<FaultOutcome> FaultInjector::inject(FaultKind kind) {
     std::int64_t fault_ns = core::steadyNow_ns();
     begin(kind);
     if (isFollowedByStop(kind)) {
-        // A recording is written every 0.2 s.
-        std::this_thread::sleep_for(kind == FaultKind::diskFull ? 500ms : 100ms);
+        std::this_thread::sleep_for(kUntilStop);
+        if (kind == FaultKind::diskFull)
+            TELETA_CHECK(waitForFullDisk());
         fault_ns = core::steadyNow_ns();
     }
     if (isFollowedByStop(kind) || kind == FaultKind::stop)
@@ -195,7 +211,7 @@ core::Expected<FaultOutcome> FaultInjector::inject(FaultKind kind) {
         endChain(kind, outcome);
     } else {
         std::this_thread::sleep_for(kAfter);
-        outcome.droveUnasked = outcome.zero_s && m_watch.wasOnAfter(watched_ns);
+        outcome.restarted = outcome.zero_s && m_watch.wasOnAfter(watched_ns);
     }
     return outcome;
 }
@@ -224,13 +240,18 @@ void FaultInjector::lookAtRecording(FaultKind kind, FaultOutcome& outcome) {
             (!frames && safe > 0) || (shouldBeComplete && !(recording && recording->isComplete()));
         outcome.framesLost = frames && *frames >= safe ? 0 : safe - frames.value_or(0);
     }
-    if (outcome.fileDamaged || outcome.framesLost > 0) {
-        m_kept.push_back("damaged-" + std::to_string(m_chains) + ".teleta");
-        QFile::rename(QString::fromStdString(path), QString::fromStdString(m_kept.back()));
-        return;
+    const bool isKept = outcome.fileDamaged || outcome.framesLost > 0;
+    const std::string name = m_setup.keptAs + std::to_string(m_chains) + ".teleta";
+    // What SQLite has beside the file belongs to it.
+    for (const char* end : {"", "-wal", "-shm", "-journal"}) {
+        const QString file = QString::fromStdString(path + end);
+        if (isKept)
+            QFile::rename(file, QString::fromStdString(name + end));
+        else
+            QFile::remove(file);
     }
-    for (const char* end : {"", "-wal", "-shm", "-journal"})
-        QFile::remove(QString::fromStdString(path + end));
+    if (isKept)
+        m_kept.push_back(name);
 }
 
 } // namespace teleta::cli

@@ -22,6 +22,7 @@ public:
     struct Setup {
         std::string driver;   ///< file that describes it
         std::string folder;   ///< of the recordings, which are removed once they were looked at
+        std::string keptAs;   ///< how the paths of damaged recordings begin, which are kept
         double bound_s = 0.0; ///< motors are to be at zero after this
         std::uint64_t seed = 0;
     };
@@ -40,6 +41,7 @@ public:
 private:
     [[nodiscard]] core::Expected<void> driveAgain();
     [[nodiscard]] core::Expected<void> waitForMotors();
+    [[nodiscard]] core::Expected<void> waitForFullDisk();
     void begin(certificate::FaultKind kind);
     void end(certificate::FaultKind kind);
     [[nodiscard]] LineFault anyLie();

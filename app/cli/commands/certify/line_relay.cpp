@@ -2,6 +2,7 @@
 #include "app/cli/commands/certify/line_relay.h"
 
 #include "backend/core/failure.h"
+#include "backend/core/file_descriptor.h"
 
 #include <QCoreApplication>
 
@@ -24,49 +25,30 @@ namespace teleta::cli {
 
 namespace {
 
+using core::FileDescriptor;
+
 struct RelayText {
     Q_DECLARE_TR_FUNCTIONS(RelayText)
 };
 
 constexpr int kLook_ms = 2;
 
-/// An open socket; closed at the end.
-class Socket {
-public:
-    explicit Socket(int descriptor = -1)
-        : m_descriptor(descriptor) {}
-    Socket(Socket&& other) noexcept
-        : m_descriptor(std::exchange(other.m_descriptor, -1)) {}
-    Socket& operator=(Socket&& other) noexcept {
-        std::swap(m_descriptor, other.m_descriptor);
-        return *this;
-    }
-    ~Socket() {
-        if (m_descriptor >= 0)
-            close(m_descriptor);
-    }
-
-    [[nodiscard]] int get() const { return m_descriptor; }
-    [[nodiscard]] bool isOpen() const { return m_descriptor >= 0; }
-    void sendSoon() const {
-        const int yes = 1;
-        setsockopt(m_descriptor, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
-    }
-
-private:
-    int m_descriptor;
-};
+/// Small messages leave at once.
+void sendSoon(const FileDescriptor& socket) {
+    const int yes = 1;
+    setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+}
 
 struct Pair {
-    Socket program;
-    Socket server;
+    FileDescriptor program;
+    FileDescriptor server;
     std::string held; ///< answers that wait
     bool broken = false;
 };
 
 class Relay : public LineRelay {
 public:
-    Relay(Socket listener, std::uint16_t port, sockaddr_storage server, socklen_t length)
+    Relay(FileDescriptor listener, std::uint16_t port, sockaddr_storage server, socklen_t length)
         : m_listener(std::move(listener))
         , m_port(port)
         , m_server(server)
@@ -104,25 +86,25 @@ private:
     }
 
     void welcome() {
-        Socket program(accept4(m_listener.get(), nullptr, nullptr, SOCK_CLOEXEC));
+        FileDescriptor program(accept4(m_listener.get(), nullptr, nullptr, SOCK_CLOEXEC));
         if (!program.isOpen() || m_fault.load(std::memory_order_acquire) == LineFault::cut)
             return;
-        Socket server(socket(m_server.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
+        FileDescriptor server(socket(m_server.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
         if (connect(server.get(), reinterpret_cast<const sockaddr*>(&m_server), m_length) != 0)
             return;
-        program.sendSoon();
-        server.sendSoon();
+        sendSoon(program);
+        sendSoon(server);
         m_pairs.push_back({std::move(program), std::move(server), {}, false});
     }
 
     /// What waits in a socket; empty: its other end is gone.
-    [[nodiscard]] static std::string take(const Socket& from) {
+    [[nodiscard]] static std::string take(const FileDescriptor& from) {
         std::array<char, 4096> bytes{};
         const ssize_t length = recv(from.get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
         return length > 0 ? std::string(bytes.data(), static_cast<std::size_t>(length)) : std::string();
     }
 
-    [[nodiscard]] static bool pass(const Socket& to, const std::string& bytes) {
+    [[nodiscard]] static bool pass(const FileDescriptor& to, const std::string& bytes) {
         return send(to.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
     }
 
@@ -168,7 +150,7 @@ private:
         pair.broken = !pass(pair.program, bytes);
     }
 
-    Socket m_listener;
+    FileDescriptor m_listener;
     std::uint16_t m_port;
     sockaddr_storage m_server;
     socklen_t m_length;
@@ -195,7 +177,7 @@ core::Expected<std::unique_ptr<LineRelay>> LineRelay::start(const std::string& h
     std::memcpy(&server, found->ai_addr, length);
     freeaddrinfo(found);
 
-    Socket listener(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    FileDescriptor listener(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
     sockaddr_in own{};
     own.sin_family = AF_INET;
     own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);

@@ -47,7 +47,7 @@ TEST(CertifyCommand, afterEachKindOfFaultTheMotorsAreOffAndNothingIsLost) {
     EXPECT_EQ(report["passes"], true);
     EXPECT_EQ(report["system"]["simulated"], true);
     EXPECT_EQ(report["total"]["faults"], kinds.size());
-    EXPECT_EQ(report["total"]["drove_unasked"], 0);
+    EXPECT_EQ(report["total"]["restarted"], 0);
     EXPECT_EQ(report["total"]["frames_lost"], 0);
     EXPECT_EQ(report["total"]["files_damaged"], 0);
     std::set<std::string> seen;
@@ -66,7 +66,7 @@ TEST(CertifyCommand, aBoundThatIsNotKeptIsNotPassed) {
     const ProgramResult result =
         run({"certify", "--faults", "1", "--kinds", "kill", "--bound", "0.000001", "--out", name});
     EXPECT_EQ(result.exitCode, 1);
-    EXPECT_NE(result.err.find("The certificate is not passed"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("The certificate was not passed"), std::string::npos) << result.err;
     EXPECT_EQ(reportOf(name)["passes"], false);
     EXPECT_EQ(reportOf(name)["total"]["over_bound"], 1);
 }
@@ -107,7 +107,7 @@ TEST(CertifyCommand, tellsWhichDriversItCanCertify) {
         begin + "[tactors]\naddress = 0\ntype = 'uint16'\nunit = '1'\nfull = 1\n[watchdog]\naddress = 6\n");
     const ProgramResult line = run({"certify", "--bracelet", serial, "--yes"});
     EXPECT_EQ(line.exitCode, 3);
-    EXPECT_NE(line.err.find("TCP line"), std::string::npos) << line.err;
+    EXPECT_NE(line.err.find("over TCP"), std::string::npos) << line.err;
     EXPECT_EQ(run({"certify", "--kinds", "flood"}).exitCode, 2);
     EXPECT_EQ(run({"certify", "--faults", "0"}).exitCode, 2);
 }
