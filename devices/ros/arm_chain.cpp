@@ -36,7 +36,7 @@ core::Expected<std::string> takeDescription(const std::shared_ptr<const dds::Par
     for (const std::int64_t end_ns = core::steadyNow_ns() + kDescriptionWait_ns;
          core::steadyNow_ns() < end_ns;) {
         if (cancelled && cancelled())
-            return core::failed(core::ErrorKind::cancelled, ArmChainText::tr("the work was cut short"));
+            return core::failed(core::ErrorKind::cancelled, ArmChainText::tr("interrupted"));
         (void)reader.take([&text](const ros::String& message, const dds::SampleInfo&) {
             text = message.data == nullptr ? "" : message.data;
         });
@@ -45,12 +45,12 @@ core::Expected<std::string> takeDescription(const std::shared_ptr<const dds::Par
         waitSet.wait(kDescriptionLook_ns);
     }
     return core::failed(core::ErrorKind::unavailable,
-                        ArmChainText::tr("nobody told %1 in domain %2 within %3 s")
+                        ArmChainText::tr("nobody published %1 in domain %2 within %3 s")
                             .arg(QLatin1String(kDescriptionTopic))
                             .arg(participant->config().domain)
                             .arg(kDescriptionWait_ns / 1'000'000'000),
                         reader.incompatible()
-                            ? ArmChainText::tr("a publisher that is reliable and keeps what it sent")
+                            ? ArmChainText::tr("a publisher that is reliable and transient local")
                             : ArmChainText::tr("the robot in this domain, or description = \"FILE.urdf\""));
 }
 
@@ -80,9 +80,9 @@ core::Expected<std::vector<std::string>> wireNames(const RosArmFile& file,
         std::string name = file.wireName(chain.joint(i).name);
         if (std::ranges::find(names, name) != names.end())
             return core::failed(core::ErrorKind::badInput,
-                                ArmChainText::tr("two joints of the arm are called \"%1\" on the wire")
+                                ArmChainText::tr("two joints of the arm have the ROS name \"%1\"")
                                     .arg(QString::fromStdString(name)),
-                                ArmChainText::tr("[joint_names] to name each joint once"));
+                                ArmChainText::tr("a unique name for each joint in [joint_names]"));
         names.push_back(std::move(name));
     }
     return names;
@@ -92,12 +92,12 @@ QStringList obstacles(const RosArmFile& file, const arm_model::SerialChain& chai
     QStringList found;
     for (std::size_t i = 0; i < chain.joints(); ++i) {
         if (!(chain.joint(i).fastest > 0.0))
-            found << ArmChainText::tr("the description states no speed of %1")
+            found << ArmChainText::tr("the description gives no velocity limit for %1")
                          .arg(QString::fromStdString(chain.joint(i).name));
     }
     for (const auto& [joint, name] : file.jointNames) {
         if (!chain.model().findJoint(joint))
-            found << ArmChainText::tr("[joint_names] names %1, which the description has not")
+            found << ArmChainText::tr("[joint_names] names %1, which is not in the description")
                          .arg(QString::fromStdString(joint));
     }
     const std::size_t efforts = file.limits.effortStop_Nm.size();
@@ -106,17 +106,19 @@ QStringList obstacles(const RosArmFile& file, const arm_model::SerialChain& chai
                      .arg(efforts)
                      .arg(chain.joints());
     if (file.effortContainsGravity && chain.linkWithoutMass())
-        found << ArmChainText::tr("effort_contains_gravity needs all masses; %1 has none")
+        found << ArmChainText::tr("effort_contains_gravity needs the mass of every link; %1 has none")
                      .arg(QString::fromStdString(*chain.linkWithoutMass()));
     if (!file.required.empty()) {
         QStringList devices;
         for (const std::string& device : file.required)
             devices << QString::fromStdString(device);
-        found << ArmChainText::tr("the file requires %1, which is not watched from here")
+        found << ArmChainText::tr(
+                     "the file requires %1, which is not monitored when the arm is driven directly")
                      .arg(devices.join(QStringLiteral(", ")));
     }
     if (file.limits.forceStop_N)
-        found << ArmChainText::tr("force_stop_N needs a force at the wrist, which is not read from here");
+        found << ArmChainText::tr("force_stop_N needs a force sensor at the wrist, which is not read when "
+                                  "the arm is driven directly");
     return found;
 }
 

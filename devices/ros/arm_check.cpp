@@ -7,6 +7,7 @@
 #include "backend/ros/stamps.h"
 #include "backend/ros/topic_names.h"
 #include "devices/dds/endpoint.h"
+#include "devices/dds/qos_text.h"
 #include "devices/dds/wait_set.h"
 #include "devices/ros/arm_chain.h"
 #include "devices/ros/joint_watch.h"
@@ -47,18 +48,6 @@ QString shortNumber(double value) {
     return QString::number(value, 'g', 3);
 }
 
-QString reasonOf(ros::QosMismatch mismatch) {
-    switch (mismatch) {
-    case ros::QosMismatch::reliability:
-        return ArmCheckText::tr("a publisher is best effort, reliable was asked");
-    case ros::QosMismatch::durability:
-        return ArmCheckText::tr("the reader asks for what was sent before it came, which a command is not");
-    case ros::QosMismatch::other:
-        break;
-    }
-    return ArmCheckText::tr("a publisher offers other qualities than were asked");
-}
-
 double wallClock_s() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
@@ -83,23 +72,27 @@ void findJoints(Findings& findings, const RosArmFile& file, std::size_t joints, 
     const auto writers = std::ranges::count_if(
         seen.ends, [&](const dds::FoundEnd& end) { return end.writes && end.ddsTopic == ddsTopic; });
     if (seen.counters.messages == 0)
-        findings.problem("joints", writers == 0 ? ArmCheckText::tr("nobody publishes %1").arg(topic)
-                                                : ArmCheckText::tr("nothing was sent on %1").arg(topic) +
-                                                      (seen.jointMismatch ? QStringLiteral(": ") +
-                                                                                reasonOf(*seen.jointMismatch)
-                                                                          : QString()));
+        findings.problem("joints", writers == 0
+                                       ? ArmCheckText::tr("nobody publishes %1").arg(topic)
+                                       : ArmCheckText::tr("nothing was sent on %1").arg(topic) +
+                                             (seen.jointMismatch
+                                                  ? QStringLiteral(": ") + dds::describe(*seen.jointMismatch)
+                                                  : QString()));
     else if (!seen.missing.empty())
-        findings.problem("joints", ArmCheckText::tr("%1 does not tell: %2").arg(topic, listOf(seen.missing)));
+        findings.problem("joints",
+                         ArmCheckText::tr("%1 does not report: %2").arg(topic, listOf(seen.missing)));
     else
-        findings.good("joints", ArmCheckText::tr("%1 tells all %2 joints").arg(topic).arg(joints));
+        findings.good("joints", ArmCheckText::tr("%1 reports all %2 joints").arg(topic).arg(joints));
     if (writers > 1)
         findings.note("joints", ArmCheckText::tr("%1 publishers of %2").arg(writers).arg(topic));
     if (!seen.unknown.empty())
-        findings.note("joints",
-                      ArmCheckText::tr("%1 tells %2, the arm has not").arg(topic, listOf(seen.unknown)));
+        findings.note(
+            "joints",
+            ArmCheckText::tr("%1 reports %2, which the arm does not have").arg(topic, listOf(seen.unknown)));
     if (seen.counters.malformed > 0)
-        findings.note("joints", ArmCheckText::tr("%1 messages contradict themselves and were left out")
-                                    .arg(seen.counters.malformed));
+        findings.note(
+            "joints",
+            ArmCheckText::tr("%1 messages were inconsistent and were ignored").arg(seen.counters.malformed));
     if (seen.fault)
         findings.problem("joints", describe(*seen.fault));
 }
@@ -122,11 +115,11 @@ void findEffort(Findings& findings, const RosArmFile& file, const ArmObservation
         return;
     const QString unit = QLatin1String(file.effortUnit == EffortUnit::ampere ? "A" : "Nm");
     if (seen.effortTold)
-        findings.good("effort", ArmCheckText::tr("told, in %1 as the file says").arg(unit));
+        findings.good("effort", ArmCheckText::tr("reported, in %1 according to the file").arg(unit));
     else if (!file.limits.effortStop_Nm.empty())
-        findings.problem("effort", ArmCheckText::tr("not told, so effort_stop cannot hold the arm"));
+        findings.problem("effort", ArmCheckText::tr("not reported, so effort_stop cannot work"));
     else
-        findings.note("effort", ArmCheckText::tr("not told"));
+        findings.note("effort", ArmCheckText::tr("not reported"));
 }
 
 void findClock(Findings& findings, const ArmObservation& seen) {
@@ -168,7 +161,7 @@ void findController(Findings& findings, const RosArmFile& file, const std::vecto
         if (ros::rosTypeOf(end.ddsType) != kTrajectoryType)
             why = ArmCheckText::tr("%1 has the type %2").arg(topic, asText(ros::rosTypeOf(end.ddsType)));
         else if (mismatch)
-            why = reasonOf(*mismatch);
+            why = dds::describe(*mismatch);
         else
             reads = true;
     }
@@ -180,7 +173,7 @@ void findController(Findings& findings, const RosArmFile& file, const std::vecto
     QString text = why ? ArmCheckText::tr("cannot be reached: %1").arg(*why)
                        : ArmCheckText::tr("nobody reads %1").arg(topic);
     if (!why && !others.empty())
-        text += ArmCheckText::tr("; there is %1").arg(listOf(others));
+        text += ArmCheckText::tr("; found: %1").arg(listOf(others));
     findings.problem("controller", text);
 }
 
@@ -207,7 +200,7 @@ core::Expected<WatchedArm> watchArm(const RosArmFile& file, double time_s,
     std::int64_t now_ns = start_ns;
     for (; now_ns < end_ns; now_ns = core::steadyNow_ns()) {
         if (cancelled && cancelled())
-            return core::failed(core::ErrorKind::cancelled, ArmCheckText::tr("the check was cut short"));
+            return core::failed(core::ErrorKind::cancelled, ArmCheckText::tr("the check was interrupted"));
         (void)reader.take([&](const ros::JointState& message, const dds::SampleInfo&) {
             const std::int64_t read_ns = core::steadyNow_ns();
             const std::optional<ros::JoinedJoints> joints = watch.take(message, read_ns);

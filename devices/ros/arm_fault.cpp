@@ -19,7 +19,7 @@ QString describe(const ArmFault& fault) {
     case ArmFaultKind::otherWriter:
         return ArmFaultText::tr("someone else commands %1").arg(what);
     case ArmFaultKind::notFinite:
-        return ArmFaultText::tr("%1 tells a position that is no number").arg(what);
+        return ArmFaultText::tr("%1 reports a position that is not a number").arg(what);
     case ArmFaultKind::jumped:
         return ArmFaultText::tr("the position of %1 jumped").arg(what);
     case ArmFaultKind::backward:

@@ -201,16 +201,16 @@ QString RosArm::problemOf(const RosArmState& state) const {
         QStringList names;
         for (const std::string& name : state.missing)
             names << QString::fromStdString(name);
-        return RosArmText::tr("%1 does not tell: %2")
+        return RosArmText::tr("%1 does not report: %2")
             .arg(QString::fromStdString(m_file.jointStates), names.join(QStringLiteral(", ")));
     }
     if (state.effortMissing)
-        return RosArmText::tr("%1 tells no effort, so effort_stop cannot hold the arm")
+        return RosArmText::tr("%1 reports no effort, so effort_stop cannot work")
             .arg(QString::fromStdString(m_file.jointStates));
     if (state.controllers == 0)
         return RosArmText::tr("no controller reads %1").arg(QString::fromStdString(m_file.commandTopic()));
     if (!state.ready)
-        return RosArmText::tr("other programs are being looked for");
+        return RosArmText::tr("looking for other programs");
     return {};
 }
 

@@ -51,7 +51,7 @@ std::string topic(TomlTable& table, std::string_view key, const std::optional<st
     if (!name.empty() && !ros::isTopicName(name))
         table.fail(
             key,
-            ArmFileText::tr("\"%1\" is no name of a topic").arg(QString::fromStdString(name)).toStdString(),
+            ArmFileText::tr("\"%1\" is not a topic name").arg(QString::fromStdString(name)).toStdString(),
             ArmFileText::tr("parts of letters, digits and _ after slashes, for example /joint_states")
                 .toStdString());
     return name;
@@ -61,8 +61,7 @@ void readAdapter(TomlTable& root) {
     // Further adapters would move an arm that nobody stops, or need a program of the robot's side.
     (void)choiceOr(root, "adapter", {"trajectory"}, 0);
     if (root.boolean("unguarded", false))
-        root.fail("unguarded",
-                  ArmFileText::tr("no adapter that is offered moves an arm unguarded").toStdString(),
+        root.fail("unguarded", ArmFileText::tr("no available adapter moves an arm unguarded").toStdString(),
                   "false");
 }
 
@@ -87,10 +86,10 @@ void readJointNames(TomlTable& root, RosArmFile& file) {
         const std::string name = table.text(joint);
         if (!onTheWire.insert(name).second)
             table.fail(joint,
-                       ArmFileText::tr("two joints are called \"%1\" on the wire")
+                       ArmFileText::tr("two joints have the ROS name \"%1\"")
                            .arg(QString::fromStdString(name))
                            .toStdString(),
-                       ArmFileText::tr("a name of its own for each joint").toStdString());
+                       ArmFileText::tr("a unique name for each joint").toStdString());
         file.jointNames.emplace(joint, name);
     }
 }
@@ -105,7 +104,7 @@ void readBox(TomlTable& table, arm_model::MotionLimits& limits) {
     for (int axis = 0; axis < 3; ++axis) {
         const std::vector<double>& row = rows[static_cast<std::size_t>(axis)];
         if (!(row[0] < row[1]))
-            table.fail("box_m", ArmFileText::tr("a side of the box has no length").toStdString(),
+            table.fail("box_m", ArmFileText::tr("a side of the box is empty or reversed").toStdString(),
                        ArmFileText::tr("[lowest, highest] for x, y and z").toStdString());
         box.min()(axis) = row[0];
         box.max()(axis) = row[1];
@@ -131,7 +130,7 @@ void readLimits(TomlTable& root, RosArmFile& file) {
         *value = table.number(key, NumberRange::positiveUpTo(1.0), *value);
     if (limits.stopDeceleration_radPerS2 < limits.deceleration_radPerS2)
         table.fail("stop_deceleration_radPerS2",
-                   ArmFileText::tr("STOP would brake less than letting go").toStdString(),
+                   ArmFileText::tr("STOP would brake more gently than letting go").toStdString(),
                    ArmFileText::tr("at least deceleration_radPerS2, %1")
                        .arg(limits.deceleration_radPerS2)
                        .toStdString());

@@ -73,7 +73,7 @@ bool canMove(const std::vector<ArmFinding>& findings) {
 TEST(ArmCheck, anArmInOrderHasNothingInItsWay) {
     const std::vector<ArmFinding> findings = findingsOf(fileOf(), sevenJoints(), goodArm());
     EXPECT_TRUE(canMove(findings));
-    EXPECT_EQ(textsOf(findings, "joints", FindingLevel::good), "/joint_states tells all 7 joints;");
+    EXPECT_EQ(textsOf(findings, "joints", FindingLevel::good), "/joint_states reports all 7 joints;");
     EXPECT_EQ(textsOf(findings, "rate", FindingLevel::good), "100 samples a second, longest gap 0.012 s;");
     EXPECT_EQ(textsOf(findings, "clock", FindingLevel::good), "stamps are 0.002 s behind this computer;");
 }
@@ -86,7 +86,7 @@ TEST(ArmCheck, saysWhatIsWrongWithTheJoints) {
     seen.fault = ArmFault{ArmFaultKind::jumped, "joint_1"};
     const std::vector<ArmFinding> findings = findingsOf(fileOf(), sevenJoints(), seen);
     EXPECT_EQ(textsOf(findings, "joints"),
-              "/joint_states does not tell: joint_7;the position of joint_1 jumped;");
+              "/joint_states does not report: joint_7;the position of joint_1 jumped;");
     EXPECT_EQ(textsOf(findings, "joints", FindingLevel::note),
               "/joint_states tells joint_8, the arm has not;"
               "2 messages contradict themselves and were left out;");
@@ -117,7 +117,7 @@ TEST(ArmCheck, aLimitThatCannotActHoldsTheArm) {
     EXPECT_TRUE(canMove(findingsOf(fileOf(), sevenJoints(), seen)));
     const std::string efforts = "[limits]\neffort_stop = [1, 1, 1, 1, 1, 1, 1]\n";
     EXPECT_EQ(textsOf(findingsOf(fileOf(efforts), sevenJoints(), seen), "effort"),
-              "not told, so effort_stop cannot hold the arm;");
+              "not reported, so effort_stop cannot work;");
     EXPECT_EQ(
         textsOf(findingsOf(fileOf("[limits]\neffort_stop = [1, 1]\n"), sevenJoints(), goodArm()), "file"),
         "effort_stop has 2 numbers, the arm has 7 joints;");

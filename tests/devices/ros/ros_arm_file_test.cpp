@@ -82,13 +82,14 @@ TEST(RosArmFile, saysWhereItIsWrong) {
               "arm.toml:7:9: wrong type for \"peers\" (expected a list of texts in quotes)");
     EXPECT_EQ(
         errorWith("[joint_names]\na = \"x\"\nb = \"x\"\n"),
-        "arm.toml:8:5: two joints are called \"x\" on the wire (expected a name of its own for each joint)");
+        "arm.toml:8:5: two joints are called \"x\" on the wire (expected a unique name for each joint)");
     EXPECT_EQ(
         errorWith("joint_states = \"joint states\"\n"),
-        "arm.toml:6:16: \"joint states\" is no name of a topic (expected parts of letters, digits and _ "
+        "arm.toml:6:16: \"joint states\" is not a topic name (expected parts of letters, digits and _ "
         "after slashes, for example /joint_states)");
-    EXPECT_EQ(errorWith("[limits]\nbox_m = [[0, 1], [1, 1], [0, 1]]\n"),
-              "arm.toml:7:9: a side of the box has no length (expected [lowest, highest] for x, y and z)");
+    EXPECT_EQ(
+        errorWith("[limits]\nbox_m = [[0, 1], [1, 1], [0, 1]]\n"),
+        "arm.toml:7:9: a side of the box is empty or reversed (expected [lowest, highest] for x, y and z)");
     EXPECT_EQ(parseRosArm("kind = \"ros_arm\"\n", "arm.toml").error().message, "\"name\" is missing");
 }
 
@@ -96,15 +97,15 @@ TEST(RosArmFile, whatCannotBeKeptIsRefused) {
     EXPECT_EQ(errorWith("adapter = \"velocity\"\n"),
               "arm.toml:6:11: unknown value \"velocity\" of \"adapter\" (expected one of: trajectory)");
     EXPECT_EQ(errorWith("unguarded = true\n"),
-              "arm.toml:6:13: no adapter that is offered moves an arm unguarded (expected false)");
+              "arm.toml:6:13: no available adapter moves an arm unguarded (expected false)");
     EXPECT_EQ(errorWith("effort_contains_gravity = true\n"),
               "arm.toml:6:27: the efforts of this arm are not in Nm (expected effort_unit = \"Nm\")");
     EXPECT_EQ(errorWith("effort_unit = \"A\"\n[limits]\neffort_stop = [1, 2]\n"),
               "arm.toml:8:15: the efforts of this arm are not in Nm (expected effort_unit = \"Nm\")");
-    EXPECT_EQ(
-        errorWith("[limits]\nstop_deceleration_radPerS2 = 1\n"),
-        "arm.toml:7:30: STOP would brake less than letting go (expected at least deceleration_radPerS2, "
-        "3)");
+    EXPECT_EQ(errorWith("[limits]\nstop_deceleration_radPerS2 = 1\n"),
+              "arm.toml:7:30: STOP would brake more gently than letting go (expected at least "
+              "deceleration_radPerS2, "
+              "3)");
 }
 
 } // namespace

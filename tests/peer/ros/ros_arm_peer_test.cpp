@@ -189,7 +189,7 @@ TEST_F(RosArmPeer, aCheckSaysWhatIsInTheWay) {
     const ProgramResult result = check();
     EXPECT_EQ(result.exitCode, 1) << result.out;
     const json rows = json::parse(result.out);
-    EXPECT_EQ(resultOf(rows, "joints"), "/joint_states does not tell: joint_7") << result.out;
+    EXPECT_EQ(resultOf(rows, "joints"), "/joint_states does not report: joint_7") << result.out;
     EXPECT_NE(resultOf(rows, "controller").find("asks for what was sent before it came"), std::string::npos)
         << result.out;
     EXPECT_EQ(resultOf(rows, "writers"), "someone else commands /arm_controller/joint_trajectory")
@@ -286,9 +286,9 @@ TEST_F(RosArmPeer, anotherWriterEndsTheMotion) {
 TEST_F(RosArmPeer, jointStatesThatCannotBeBelievedEndTheMotion) {
     start(78);
     const std::vector<std::pair<const char*, const char*>> faults{
-        {"nan", "/joint_states tells a position that is no number"},
+        {"nan", "/joint_states reports a position that is not a number"},
         {"backward", "the stamps of /joint_states went back"},
-        {"missing", "/joint_states does not tell: joint_7"}};
+        {"missing", "/joint_states does not report: joint_7"}};
     for (const auto& [fault, text] : faults) {
         const std::size_t before = logOf("trajectory").size();
         test::RunningProgram jog(jogArguments(2.0));

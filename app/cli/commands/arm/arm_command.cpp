@@ -146,7 +146,7 @@ public:
             ->check(nonZero())
             ->required();
         addOption(jog, "--seconds", m_jog.time_s,
-                  ArmText::tr("How long to move it, at most %1").arg(kLongestJog_s), "S")
+                  ArmText::tr("Duration of the motion, at most %1").arg(kLongestJog_s), "S")
             ->check(positive() & between(0.0, kLongestJog_s))
             ->required();
         addFlag(jog, "--yes", m_jog.yes, ArmText::tr("Move without asking"));
@@ -284,7 +284,7 @@ private:
 
 Command armCommand() {
     return makeCommand<ArmCommand>(
-        "arm", ArmText::tr("Robot arms: descriptions (URDF), and a joint that is moved over ROS 2"),
+        "arm", ArmText::tr("Show the description of a robot arm (URDF), or jog an arm over ROS 2"),
         "teleta arm show seven-joints\n"
         "  teleta arm show four-joints --json");
 }

@@ -58,13 +58,13 @@ struct Limit {
 
 /// All but the acceleration, which acts in each motion.
 std::vector<Limit> limitTexts() {
-    return {{MotionFlag::jointRate, "joint_rate", ArmJogText::tr("speed of the joint")},
-            {MotionFlag::tipSpeed, "tip_speed", ArmJogText::tr("speed of the tip")},
-            {MotionFlag::jointEnd, "joint_end", ArmJogText::tr("end of the joint")},
-            {MotionFlag::workspace, "workspace", ArmJogText::tr("box of the tip")},
+    return {{MotionFlag::jointRate, "joint_rate", ArmJogText::tr("joint speed")},
+            {MotionFlag::tipSpeed, "tip_speed", ArmJogText::tr("tip speed")},
+            {MotionFlag::jointEnd, "joint_end", ArmJogText::tr("joint limit")},
+            {MotionFlag::workspace, "workspace", ArmJogText::tr("workspace box")},
             {MotionFlag::effort, "effort", ArmJogText::tr("effort")},
             {MotionFlag::force, "force", ArmJogText::tr("force")},
-            {MotionFlag::leash, "leash", ArmJogText::tr("the arm lags")}};
+            {MotionFlag::leash, "leash", ArmJogText::tr("the arm lags behind")}};
 }
 
 /// One joint of the arm and the operator's hand on it.
@@ -93,8 +93,9 @@ public:
     void hurry() { m_nextCommand_ns = 0; }
 
     void start() { m_arm.start(m_wakeup); }
+    /// All but the newest sample. seen() first.
     void forget() {
-        m_track.clear();
+        m_track.erase(m_track.begin(), m_track.end() - 1);
         m_flags = 0;
     }
 
@@ -110,8 +111,7 @@ public:
         return std::nullopt;
     }
     [[nodiscard]] bool atRest() const {
-        return seen() && m_track.back().first - std::max(lastAway_ns().value_or(0), m_track.front().first) >
-                             kRestTime_ns;
+        return m_track.back().first - lastAway_ns().value_or(m_track.front().first) > kRestTime_ns;
     }
 
 private:
@@ -174,16 +174,16 @@ core::Expected<void> waitUntilReady(Jog& jog, const RosArm& arm) {
         if (core::steadyNow_ns() > end_ns)
             return core::failed(core::ErrorKind::unavailable,
                                 ArmJogText::tr("the arm cannot be moved: %1")
-                                    .arg(state.problem.empty() ? ArmJogText::tr("no joint states came")
-                                                               : QString::fromStdString(state.problem)));
+                                    .arg(state.problem.empty()
+                                             ? ArmJogText::tr("no joint states were received")
+                                             : QString::fromStdString(state.problem)));
     }
 }
 
+/// After waitUntilReady(), which has seen the joint.
 JogResult move(Jog& jog, const RosArm& arm, double rate, double time_s) {
     JogResult result;
     jog.forget();
-    while (!jog.seen() && !interrupted())
-        jog.turn(0.0);
     const double from = jog.position();
     const std::int64_t start_ns = core::steadyNow_ns();
     const std::int64_t end_ns = start_ns + std::llround(time_s * 1e9);
@@ -227,7 +227,7 @@ core::Expected<void> print(const JogResult& result, const ArmJogOptions& options
                    QLatin1Char(' ');
     text += result.toRest_s ? ArmJogText::tr("It was at rest %1 s after the command ended.")
                                   .arg(forPeople(*result.toRest_s, 3))
-                            : ArmJogText::tr("It was not seen at rest.");
+                            : ArmJogText::tr("It was not seen to come to rest.");
     text += QLatin1Char('\n');
     QStringList limits;
     for (const Limit& limit : limitTexts()) {
@@ -235,8 +235,8 @@ core::Expected<void> print(const JogResult& result, const ArmJogOptions& options
             limits << limit.text;
     }
     if (!limits.isEmpty())
-        text += ArmJogText::tr("Limits that acted: %1.").arg(limits.join(QStringLiteral(", "))) +
-                QLatin1Char('\n');
+        text +=
+            ArmJogText::tr("Active limits: %1.").arg(limits.join(QStringLiteral(", "))) + QLatin1Char('\n');
     return printText(text.toStdString());
 }
 
@@ -245,7 +245,7 @@ core::Expected<void> print(const JogResult& result, const ArmJogOptions& options
 core::Expected<void> jogArm(const ArmJogOptions& options) {
     TELETA_TRY(const ros_arm::RosArmFile file, ros_arm::readRosArm(options.path));
     if (!options.yes && isatty(STDIN_FILENO) == 0)
-        refuse("--yes", ArmJogText::tr("without a terminal to ask on, --yes is needed to move an arm"));
+        refuse("--yes", ArmJogText::tr("there is no terminal to ask on; add --yes to move the arm"));
     const core::StopSwitch stop;
     core::Expected<std::unique_ptr<RosArm>> opened = RosArm::open(file, stop, interrupted);
     if (!opened)

@@ -14,6 +14,7 @@
 #include "devices/dds/domain_config.h"
 #include "devices/dds/endpoint.h"
 #include "devices/dds/participant.h"
+#include "devices/dds/qos_text.h"
 #include "devices/dds/wait_set.h"
 
 #include <QCoreApplication>
@@ -62,18 +63,6 @@ std::optional<std::string_view> common(const std::vector<dds::FoundEnd>& ends, V
     return word;
 }
 
-QString reasonOf(ros::QosMismatch mismatch) {
-    switch (mismatch) {
-    case ros::QosMismatch::reliability:
-        return RosText::tr("a publisher is best effort, reliable was asked");
-    case ros::QosMismatch::durability:
-        return RosText::tr("a publisher keeps nothing of what it sent, which was asked");
-    case ros::QosMismatch::other:
-        break;
-    }
-    return RosText::tr("a publisher offers other qualities than were asked");
-}
-
 class RosCommand : public CommandGroup {
 public:
     void declare(CLI::App& app) {
@@ -96,7 +85,7 @@ public:
         declareDomain(echo);
         declareJson(echo, m_json);
         CLI::App& check =
-            addPart(app, "check", RosText::tr("Watch an arm for 5 s and say what keeps it from being moved"),
+            addPart(app, "check", RosText::tr("Watch an arm for 5 s and report what prevents moving it"),
                     [this] { return reportArmCheck(m_armPath, m_json); });
         addOption(check, "arm", m_armPath, RosText::tr("File that describes the arm (kind = \"ros_arm\")"),
                   "ARM.toml")
@@ -311,7 +300,7 @@ private:
                 warn(RosText::tr("nothing was sent on %1 within %2 s")
                          .arg(QString::fromStdString(topic))
                          .arg(kTopicWait.count()) +
-                     (mismatch ? QStringLiteral(": ") + reasonOf(*mismatch) : QString()));
+                     (mismatch ? QStringLiteral(": ") + dds::describe(*mismatch) : QString()));
                 warned = true;
             }
             if (reader.takeAny(print) > 0)
