@@ -285,15 +285,15 @@
 <context>
     <name>ArmChainText</name>
     <message>
-        <source>the work was cut short</source>
+        <source>interrupted</source>
         <translation>le travail a été interrompu</translation>
     </message>
     <message>
-        <source>nobody told %1 in domain %2 within %3 s</source>
+        <source>nobody published %1 in domain %2 within %3 s</source>
         <translation>personne n’a publié&#xa0;%1 dans le domaine&#xa0;%2 en&#xa0;%3 s</translation>
     </message>
     <message>
-        <source>a publisher that is reliable and keeps what it sent</source>
+        <source>a publisher that is reliable and transient local</source>
         <translation>un émetteur en «&#xa0;reliable&#xa0;» qui garde ce qu’il a envoyé</translation>
     </message>
     <message>
@@ -301,19 +301,19 @@
         <translation>le robot dans ce domaine, ou description = &quot;FILE.urdf&quot;</translation>
     </message>
     <message>
-        <source>two joints of the arm are called &quot;%1&quot; on the wire</source>
+        <source>two joints of the arm have the ROS name &quot;%1&quot;</source>
         <translation>deux articulations du bras s’appellent «&#xa0;%1&#xa0;» sur le réseau</translation>
     </message>
     <message>
-        <source>[joint_names] to name each joint once</source>
+        <source>a unique name for each joint in [joint_names]</source>
         <translation>que [joint_names] nomme chaque articulation une seule fois</translation>
     </message>
     <message>
-        <source>the description states no speed of %1</source>
+        <source>the description gives no velocity limit for %1</source>
         <translation>la description n’indique pas de vitesse pour&#xa0;%1</translation>
     </message>
     <message>
-        <source>[joint_names] names %1, which the description has not</source>
+        <source>[joint_names] names %1, which is not in the description</source>
         <translation>[joint_names] nomme&#xa0;%1, que la description n’a pas</translation>
     </message>
     <message>
@@ -321,15 +321,15 @@
         <translation>effort_stop a&#xa0;%1 nombres, le bras a&#xa0;%2 articulations</translation>
     </message>
     <message>
-        <source>effort_contains_gravity needs all masses; %1 has none</source>
+        <source>effort_contains_gravity needs the mass of every link; %1 has none</source>
         <translation>effort_contains_gravity demande toutes les masses&#xa0;;&#xa0;%1 n’en a pas</translation>
     </message>
     <message>
-        <source>the file requires %1, which is not watched from here</source>
+        <source>the file requires %1, which is not monitored when the arm is driven directly</source>
         <translation>le fichier exige&#xa0;%1, qui n’est pas surveillé d’ici</translation>
     </message>
     <message>
-        <source>force_stop_N needs a force at the wrist, which is not read from here</source>
+        <source>force_stop_N needs a force sensor at the wrist, which is not read when the arm is driven directly</source>
         <translation>force_stop_N demande une force au poignet, qui n’est pas lue d’ici</translation>
     </message>
 </context>
@@ -423,7 +423,7 @@
         <translation>Vitesse en rad/s, en m/s pour une articulation prismatique</translation>
     </message>
     <message>
-        <source>How long to move it, at most %1</source>
+        <source>Duration of the motion, at most %1</source>
         <translation>Durée du mouvement, au plus&#xa0;%1</translation>
     </message>
     <message>
@@ -431,7 +431,7 @@
         <translation>Bouger sans demander</translation>
     </message>
     <message>
-        <source>Robot arms: descriptions (URDF), and a joint that is moved over ROS 2</source>
+        <source>Show the description of a robot arm (URDF), or jog an arm over ROS 2</source>
         <translation>Bras robotisés&#xa0;: descriptions (URDF), et une articulation qui est bougée par ROS 2</translation>
     </message>
 </context>
@@ -442,19 +442,19 @@
         <translation>le bras n’a pas d’articulation «&#xa0;%1&#xa0;»&#xa0;; il a&#xa0;%2</translation>
     </message>
     <message>
-        <source>speed of the joint</source>
+        <source>joint speed</source>
         <translation>vitesse de l’articulation</translation>
     </message>
     <message>
-        <source>speed of the tip</source>
+        <source>tip speed</source>
         <translation>vitesse de l’extrémité</translation>
     </message>
     <message>
-        <source>end of the joint</source>
+        <source>joint limit</source>
         <translation>butée de l’articulation</translation>
     </message>
     <message>
-        <source>box of the tip</source>
+        <source>workspace box</source>
         <translation>boîte de l’extrémité</translation>
     </message>
     <message>
@@ -466,7 +466,7 @@
         <translation>force</translation>
     </message>
     <message>
-        <source>the arm lags</source>
+        <source>the arm lags behind</source>
         <translation>le bras est en retard</translation>
     </message>
     <message>
@@ -474,7 +474,7 @@
         <translation>le bras ne peut pas être bougé&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
-        <source>no joint states came</source>
+        <source>no joint states were received</source>
         <translation>aucun état des articulations n’est arrivé</translation>
     </message>
     <message>
@@ -486,15 +486,15 @@
         <translation>L’articulation était à l’arrêt&#xa0;%1 s après la fin de la commande.</translation>
     </message>
     <message>
-        <source>It was not seen at rest.</source>
+        <source>It was not seen to come to rest.</source>
         <translation>L’articulation n’a pas été vue à l’arrêt.</translation>
     </message>
     <message>
-        <source>Limits that acted: %1.</source>
+        <source>Active limits: %1.</source>
         <translation>Limites qui sont intervenues&#xa0;:&#xa0;%1.</translation>
     </message>
     <message>
-        <source>without a terminal to ask on, --yes is needed to move an arm</source>
+        <source>there is no terminal to ask on; add --yes to move the arm</source>
         <translation>sans terminal où demander, --yes est nécessaire pour bouger un bras</translation>
     </message>
     <message>
@@ -657,7 +657,7 @@
         <translation>plusieurs tableaux peuvent être les images&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
-        <source>%1 does not say which of its dimensions counts the frames</source>
+        <source>%1 does not say which dimension is the frames</source>
         <translation>%1 ne dit pas laquelle de ses dimensions compte les images</translation>
     </message>
     <message>
@@ -1271,7 +1271,7 @@
         <translation>STOP est enclenché.</translation>
     </message>
     <message>
-        <source>The recording can grow no more; then STOP. Timed from STOP.</source>
+        <source>The recording can no longer grow; then STOP. Timed from STOP.</source>
         <translation>L’enregistrement ne peut plus grandir&#xa0;; puis STOP. Temps compté à partir de STOP.</translation>
     </message>
     <message>
@@ -1279,7 +1279,7 @@
         <translation>Le programme n’obtient plus de mémoire&#xa0;; puis STOP. Temps compté à partir de STOP.</translation>
     </message>
     <message>
-        <source>The wall clock is set by an hour; then STOP. Timed from STOP.</source>
+        <source>The wall clock is set an hour forward or back; then STOP. Timed from STOP.</source>
         <translation>L’horloge du système est décalée d’une heure&#xa0;; puis STOP. Temps compté à partir de STOP.</translation>
     </message>
     <message>
@@ -1287,11 +1287,11 @@
         <translation>Aucun défaut n’a été injecté.</translation>
     </message>
     <message>
-        <source>Passed: after each of %1 faults the motors were at zero within %2 ms. Nothing went on unasked, and nothing of the recordings was lost. With a confidence of 95 %, at most %3 % of such faults take longer.</source>
+        <source>Passed: after each of %1 faults the motors were at zero within %2 ms. They never restarted by themselves, and no recorded frame was lost. With 95 % confidence, at most %3 % of such faults take longer.</source>
         <translation>Réussi&#xa0;: après chacun des&#xa0;%1 défauts, les moteurs étaient à zéro en&#xa0;%2 ms au plus. Rien n’a continué sans être demandé, et rien des enregistrements n’a été perdu. Avec une confiance de 95&#xa0;%, au plus&#xa0;%3&#xa0;% de tels défauts prennent plus de temps.</translation>
     </message>
     <message>
-        <source>Not passed: of %1 faults, %2 left the motors on for more than %3 ms, %4 were followed by motion that nobody had asked for, %5 frames were lost, and %6 recordings were damaged.</source>
+        <source>Not passed: of %1 faults, %2 left the motors on for more than %3 ms. After %4 of them the motors restarted by themselves. %5 recorded frames were lost, and %6 recordings were damaged.</source>
         <translation>Non réussi&#xa0;: sur&#xa0;%1 défauts,&#xa0;%2 ont laissé les moteurs en marche plus de&#xa0;%3 ms,&#xa0;%4 ont été suivis de mouvements que personne n’avait demandés,&#xa0;%5 trames ont été perdues et&#xa0;%6 enregistrements ont été endommagés.</translation>
     </message>
     <message>
@@ -1323,11 +1323,11 @@
         <translation>Au-delà de la limite</translation>
     </message>
     <message>
-        <source>Share at most (%)</source>
+        <source>Share, upper limit (%)</source>
         <translation>Part au plus (%)</translation>
     </message>
     <message>
-        <source>Went on unasked</source>
+        <source>Restarted by itself</source>
         <translation>Suites non demandées</translation>
     </message>
     <message>
@@ -1343,7 +1343,7 @@
         <translation>Tous</translation>
     </message>
     <message>
-        <source>Times until the motors were at zero, of each kind</source>
+        <source>Times until the motors were at zero, by kind of fault</source>
         <translation>Temps jusqu’à la mise à zéro des moteurs, pour chaque type</translation>
     </message>
     <message>
@@ -1355,7 +1355,7 @@
         <translation>limite</translation>
     </message>
     <message>
-        <source>What was looked at</source>
+        <source>System under test</source>
         <translation>Ce qui a été examiné</translation>
     </message>
     <message>
@@ -1375,7 +1375,7 @@
         <translation>%1 (SIMULÉ)</translation>
     </message>
     <message>
-        <source>Begun</source>
+        <source>Started</source>
         <translation>Début</translation>
     </message>
     <message>
@@ -1394,11 +1394,11 @@
         </translation>
     </message>
     <message>
-        <source>Load of the last minute</source>
+        <source>Load average (1 min)</source>
         <translation>Charge de la dernière minute</translation>
     </message>
     <message>
-        <source>Longest time between two looks at the motors</source>
+        <source>Longest gap between two readings of the motors</source>
         <translation>Plus long temps entre deux observations des moteurs</translation>
     </message>
     <message>
@@ -1470,7 +1470,7 @@
         <translation>Défauts</translation>
     </message>
     <message>
-        <source>What each fault is</source>
+        <source>What each fault does</source>
         <translation>Ce qu’est chaque défaut</translation>
     </message>
     <message>
@@ -1486,7 +1486,7 @@
 <context>
     <name>CertifyCommand</name>
     <message>
-        <source>File of a Modbus motor driver over TCP; default: a simulated one. Nobody may wear its motors, which turn the whole time</source>
+        <source>File of a Modbus motor driver over TCP; default: a simulated one. Nobody may wear its motors: they run the whole time</source>
         <translation>Fichier d’un pilote de moteurs Modbus sur TCP&#xa0;; par défaut&#xa0;: un pilote simulé. Personne ne doit porter ses moteurs, qui tournent tout le temps</translation>
     </message>
     <message>
@@ -1502,19 +1502,19 @@
         <translation>Types de défauts, séparés par des virgules&#xa0;:&#xa0;%1. Par défaut&#xa0;: tous sauf clock_step, qui règle l’horloge de cet ordinateur</translation>
     </message>
     <message>
-        <source>Time in which the motors must be at zero</source>
+        <source>Longest time until the motors must be at zero</source>
         <translation>Temps dans lequel les moteurs doivent être à zéro</translation>
     </message>
     <message>
-        <source>Of the order and the phases of the faults</source>
+        <source>Seed for the order and timing of the faults</source>
         <translation>Graine de l’ordre et des phases des défauts</translation>
     </message>
     <message>
-        <source>Where the report goes: NAME.html and NAME.json</source>
+        <source>Name of the report: NAME.html and NAME.json are written</source>
         <translation>Où va le rapport&#xa0;: NAME.html et NAME.json</translation>
     </message>
     <message>
-        <source>the motors will turn the whole time; take them off everybody and add --yes</source>
+        <source>the motors will run the whole time; make sure that nobody wears them, then add --yes</source>
         <translation>les moteurs tourneront tout le temps&#xa0;; retirez-les à tout le monde et ajoutez --yes</translation>
     </message>
     <message>
@@ -1526,11 +1526,11 @@
         <translation>une table [tactors]</translation>
     </message>
     <message>
-        <source>faults of the line can only be injected into a TCP line</source>
+        <source>only a driver over TCP can be certified</source>
         <translation>des défauts de ligne ne peuvent être injectés que dans une ligne TCP</translation>
     </message>
     <message>
-        <source>The certificate is not passed.</source>
+        <source>The certificate was not passed.</source>
         <translation>Le certificat n’est pas obtenu.</translation>
     </message>
     <message>
@@ -1562,7 +1562,7 @@
         <translation>Tous</translation>
     </message>
     <message>
-        <source>Went on unasked</source>
+        <source>Restarted by itself</source>
         <translation>Suites non demandées</translation>
     </message>
     <message>
@@ -1578,15 +1578,8 @@
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>Inject faults into what drives the motors, and report how soon they are off</source>
+        <source>Inject faults into the program that drives the motors, and report how soon the motors stop</source>
         <translation>Injecter des défauts dans ce qui commande les moteurs, et rapporter en combien de temps ceux-ci sont arrêtés</translation>
-    </message>
-</context>
-<context>
-    <name>ChainProcess</name>
-    <message>
-        <source>the program cannot be started: %1</source>
-        <translation>le programme ne peut pas être démarré&#xa0;:&#xa0;%1</translation>
     </message>
 </context>
 <context>
@@ -3468,12 +3461,16 @@ Exemples&#xa0;:
         <translation>le programme qui commande les moteurs s’est terminé de lui-même</translation>
     </message>
     <message>
-        <source>the motors did not turn within 30 s</source>
+        <source>the motors did not start within 30 s</source>
         <translation>les moteurs n’ont pas tourné en 30 s</translation>
     </message>
     <message>
         <source>the driver of the motors does not answer any more</source>
         <translation>le pilote des moteurs ne répond plus</translation>
+    </message>
+    <message>
+        <source>the recording did not fail on a full disk</source>
+        <translation>l’enregistrement n’a pas échoué sur un disque plein</translation>
     </message>
 </context>
 <context>
@@ -3655,7 +3652,7 @@ Exemples&#xa0;:
         <translation>sa lecture prend trop de mémoire</translation>
     </message>
     <message>
-        <source>the library that reads it stopped</source>
+        <source>the library that reads it stopped unexpectedly</source>
         <translation>la bibliothèque qui le lit s’est arrêtée</translation>
     </message>
     <message>
@@ -4234,23 +4231,23 @@ Exemples&#xa0;:
         <translation>il n’a pas de valeurs</translation>
     </message>
     <message>
-        <source>it holds texts</source>
+        <source>it contains text</source>
         <translation>il contient des textes</translation>
     </message>
     <message>
-        <source>its values have several parts</source>
+        <source>its values are compound</source>
         <translation>ses valeurs ont plusieurs parties</translation>
     </message>
     <message>
-        <source>its values are no real numbers</source>
+        <source>its values are not real numbers</source>
         <translation>ses valeurs ne sont pas des nombres réels</translation>
     </message>
     <message>
-        <source>its values lie in other files</source>
+        <source>its values are stored in other files</source>
         <translation>ses valeurs sont dans d’autres fichiers</translation>
     </message>
     <message>
-        <source>it is packed with %1; gzip and shuffle are read</source>
+        <source>it is compressed with %1; only gzip and shuffle can be read</source>
         <translation>il est compressé par&#xa0;%1&#xa0;; gzip et shuffle sont lus</translation>
     </message>
     <message>
@@ -4923,11 +4920,11 @@ Exemples&#xa0;:
         <translation>un fichier MAT entier</translation>
     </message>
     <message>
-        <source>it ends in its head</source>
+        <source>it ends within its header</source>
         <translation>il s’arrête dans son en-tête</translation>
     </message>
     <message>
-        <source>it ends in the head of a variable</source>
+        <source>it ends within the header of a variable</source>
         <translation>il s’arrête dans l’en-tête d’une variable</translation>
     </message>
     <message>
@@ -4935,11 +4932,11 @@ Exemples&#xa0;:
         <translation>une variable a&#xa0;%1 octets, il y en a&#xa0;%2</translation>
     </message>
     <message>
-        <source>a packed variable does not unpack</source>
+        <source>a compressed variable cannot be decompressed</source>
         <translation>une variable compressée ne se décompresse pas</translation>
     </message>
     <message>
-        <source>this is no head of a variable</source>
+        <source>this is not the header of a variable</source>
         <translation>ce n’est pas l’en-tête d’une variable</translation>
     </message>
 </context>
@@ -4970,15 +4967,15 @@ Exemples&#xa0;:
         <translation>elle est creuse</translation>
     </message>
     <message>
-        <source>it holds texts</source>
+        <source>it contains text</source>
         <translation>il contient des textes</translation>
     </message>
     <message>
-        <source>it holds other variables</source>
+        <source>it contains other variables</source>
         <translation>elle contient d’autres variables</translation>
     </message>
     <message>
-        <source>its values are no real numbers</source>
+        <source>its values are not real numbers</source>
         <translation>ses valeurs ne sont pas des nombres réels</translation>
     </message>
 </context>
@@ -6715,6 +6712,13 @@ Aire %6</translation>
     </message>
 </context>
 <context>
+    <name>ProcessText</name>
+    <message>
+        <source>the program cannot be started: %1</source>
+        <translation>le programme ne peut pas être lancé&#xa0;:&#xa0;%1</translation>
+    </message>
+</context>
+<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -6833,6 +6837,21 @@ Run %2 --help for more.
     <message>
         <source>another name</source>
         <translation>un autre nom</translation>
+    </message>
+</context>
+<context>
+    <name>QosText</name>
+    <message>
+        <source>the publisher is best effort, the subscriber asks for reliable</source>
+        <translation>l’émetteur est en «&#xa0;best effort&#xa0;», le récepteur demande «&#xa0;reliable&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the publisher is volatile, the subscriber asks for transient local</source>
+        <translation>l’émetteur est «&#xa0;volatile&#xa0;», le récepteur demande «&#xa0;transient local&#xa0;»</translation>
+    </message>
+    <message>
+        <source>publisher and subscriber have incompatible qualities of service (QoS)</source>
+        <translation>l’émetteur et le récepteur ont des qualités de service (QoS) incompatibles</translation>
     </message>
 </context>
 <context>
@@ -7806,11 +7825,11 @@ Run %2 --help for more.
         <translation>le bras ne peut pas être bougé&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
-        <source>%1 does not tell: %2</source>
+        <source>%1 does not report: %2</source>
         <translation>%1 n’indique pas&#xa0;:&#xa0;%2</translation>
     </message>
     <message>
-        <source>%1 tells no effort, so effort_stop cannot hold the arm</source>
+        <source>%1 reports no effort, so effort_stop cannot work</source>
         <translation>%1 n’indique pas d’effort&#xa0;: effort_stop ne peut donc pas maintenir le bras</translation>
     </message>
     <message>
@@ -7818,24 +7837,12 @@ Run %2 --help for more.
         <translation>aucun contrôleur ne lit&#xa0;%1</translation>
     </message>
     <message>
-        <source>other programs are being looked for</source>
+        <source>looking for other programs</source>
         <translation>d’autres programmes sont recherchés</translation>
     </message>
 </context>
 <context>
     <name>RosArmCheck</name>
-    <message>
-        <source>a publisher is best effort, reliable was asked</source>
-        <translation>un émetteur est en «&#xa0;best effort&#xa0;», «&#xa0;reliable&#xa0;» a été demandé</translation>
-    </message>
-    <message>
-        <source>the reader asks for what was sent before it came, which a command is not</source>
-        <translation>le lecteur demande ce qui a été envoyé avant son arrivée, ce qui n’est pas le cas d’une commande</translation>
-    </message>
-    <message>
-        <source>a publisher offers other qualities than were asked</source>
-        <translation>un émetteur offre d’autres qualités de service que celles demandées</translation>
-    </message>
     <message>
         <source>nobody publishes %1</source>
         <translation>personne ne publie&#xa0;%1</translation>
@@ -7845,11 +7852,11 @@ Run %2 --help for more.
         <translation>rien n’a été envoyé sur&#xa0;%1</translation>
     </message>
     <message>
-        <source>%1 does not tell: %2</source>
+        <source>%1 does not report: %2</source>
         <translation>%1 n’indique pas&#xa0;:&#xa0;%2</translation>
     </message>
     <message>
-        <source>%1 tells all %2 joints</source>
+        <source>%1 reports all %2 joints</source>
         <translation>%1 indique toutes les&#xa0;%2 articulations</translation>
     </message>
     <message>
@@ -7857,11 +7864,11 @@ Run %2 --help for more.
         <translation>%1 émetteurs de&#xa0;%2</translation>
     </message>
     <message>
-        <source>%1 tells %2, the arm has not</source>
+        <source>%1 reports %2, which the arm does not have</source>
         <translation>%1 indique&#xa0;%2, que le bras n’a pas</translation>
     </message>
     <message>
-        <source>%1 messages contradict themselves and were left out</source>
+        <source>%1 messages were inconsistent and were ignored</source>
         <translation>%1 messages se contredisent et ont été laissés de côté</translation>
     </message>
     <message>
@@ -7873,15 +7880,15 @@ Run %2 --help for more.
         <translation>&#xa0;; joint_timeout_s vaut&#xa0;%1</translation>
     </message>
     <message>
-        <source>told, in %1 as the file says</source>
+        <source>reported, in %1 according to the file</source>
         <translation>indiqué, en&#xa0;%1 comme le dit le fichier</translation>
     </message>
     <message>
-        <source>not told, so effort_stop cannot hold the arm</source>
+        <source>not reported, so effort_stop cannot work</source>
         <translation>non indiqué&#xa0;: effort_stop ne peut donc pas maintenir le bras</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>not reported</source>
         <translation>non indiqué</translation>
     </message>
     <message>
@@ -7913,11 +7920,11 @@ Run %2 --help for more.
         <translation>personne ne lit&#xa0;%1</translation>
     </message>
     <message>
-        <source>; there is %1</source>
+        <source>; found: %1</source>
         <translation>&#xa0;; il y a&#xa0;%1</translation>
     </message>
     <message>
-        <source>the check was cut short</source>
+        <source>the check was interrupted</source>
         <translation>la vérification a été interrompue</translation>
     </message>
 </context>
@@ -7938,7 +7945,7 @@ Run %2 --help for more.
         <translation>quelqu’un d’autre commande&#xa0;%1</translation>
     </message>
     <message>
-        <source>%1 tells a position that is no number</source>
+        <source>%1 reports a position that is not a number</source>
         <translation>%1 indique une position qui n’est pas un nombre</translation>
     </message>
     <message>
@@ -7957,7 +7964,7 @@ Run %2 --help for more.
 <context>
     <name>RosArmFile</name>
     <message>
-        <source>&quot;%1&quot; is no name of a topic</source>
+        <source>&quot;%1&quot; is not a topic name</source>
         <translation>«&#xa0;%1&#xa0;» n’est pas un nom de topic</translation>
     </message>
     <message>
@@ -7965,19 +7972,19 @@ Run %2 --help for more.
         <translation>des parties de lettres, de chiffres et de _ après des barres obliques, par exemple /joint_states</translation>
     </message>
     <message>
-        <source>no adapter that is offered moves an arm unguarded</source>
+        <source>no available adapter moves an arm unguarded</source>
         <translation>aucun adaptateur proposé ne bouge un bras sans protection</translation>
     </message>
     <message>
-        <source>two joints are called &quot;%1&quot; on the wire</source>
+        <source>two joints have the ROS name &quot;%1&quot;</source>
         <translation>deux articulations s’appellent «&#xa0;%1&#xa0;» sur le réseau</translation>
     </message>
     <message>
-        <source>a name of its own for each joint</source>
+        <source>a unique name for each joint</source>
         <translation>un nom propre à chaque articulation</translation>
     </message>
     <message>
-        <source>a side of the box has no length</source>
+        <source>a side of the box is empty or reversed</source>
         <translation>un côté de la boîte n’a pas de longueur</translation>
     </message>
     <message>
@@ -7985,7 +7992,7 @@ Run %2 --help for more.
         <translation>[minimum, maximum] pour x, y et z</translation>
     </message>
     <message>
-        <source>STOP would brake less than letting go</source>
+        <source>STOP would brake more gently than letting go</source>
         <translation>STOP freinerait moins que le relâchement</translation>
     </message>
     <message>
@@ -7999,18 +8006,6 @@ Run %2 --help for more.
 </context>
 <context>
     <name>RosCommand</name>
-    <message>
-        <source>a publisher is best effort, reliable was asked</source>
-        <translation>un émetteur est en «&#xa0;best effort&#xa0;», «&#xa0;reliable&#xa0;» a été demandé</translation>
-    </message>
-    <message>
-        <source>a publisher keeps nothing of what it sent, which was asked</source>
-        <translation>un émetteur ne garde rien de ce qu’il a envoyé, ce qui a été demandé</translation>
-    </message>
-    <message>
-        <source>a publisher offers other qualities than were asked</source>
-        <translation>un émetteur offre d’autres qualités de service que celles demandées</translation>
-    </message>
     <message>
         <source>List topics and who publishes and reads them</source>
         <translation>Lister les topics et qui les publie et les lit</translation>
@@ -8072,7 +8067,7 @@ Run %2 --help for more.
         <translation>Topics et nœuds de ROS 2, sans ROS</translation>
     </message>
     <message>
-        <source>Watch an arm for 5 s and say what keeps it from being moved</source>
+        <source>Watch an arm for 5 s and report what prevents moving it</source>
         <translation>Observer un bras pendant 5 s et dire ce qui empêche de le bouger</translation>
     </message>
     <message>
@@ -8714,7 +8709,7 @@ Run %2 --help for more.
 <context>
     <name>SiteCommand</name>
     <message>
-        <source>Check the certificates and permissions of a site, or tell the commands that make them</source>
+        <source>Check the certificates and permissions of a site, or print the commands that create them</source>
         <translation>Vérifier les certificats et les permissions d’un site, ou donner les commandes qui les créent</translation>
     </message>
     <message>
@@ -8722,11 +8717,11 @@ Run %2 --help for more.
         <translation>Dossier avec identity_ca.pem, permissions_ca.pem, governance.p7s et un dossier pour chaque site, console et observateur</translation>
     </message>
     <message>
-        <source>Check nothing, print the commands of openssl that make the folder for a site of this name</source>
+        <source>Instead of checking, print the openssl commands that create the folder for a site of this name</source>
         <translation>Ne rien vérifier, afficher les commandes openssl qui créent le dossier pour un site de ce nom</translation>
     </message>
     <message>
-        <source>Consoles that may control</source>
+        <source>Consoles that may take control</source>
         <translation>Consoles qui peuvent commander</translation>
     </message>
     <message>
@@ -8750,22 +8745,22 @@ Run %2 --help for more.
         <translation>Avertissement&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
-        <source>Keys of a site, where a robot is at another place</source>
+        <source>Keys of a remote site</source>
         <translation>Clés d’un site, là où un robot est à un autre endroit</translation>
     </message>
 </context>
 <context>
     <name>SiteKeys</name>
     <message>
-        <source>&apos;%1&apos; is no name of a site or a console</source>
+        <source>&apos;%1&apos; is not a valid name for a site or a console</source>
         <translation>«&#xa0;%1&#xa0;» n’est pas un nom de site ni de console</translation>
     </message>
     <message>
-        <source>a small letter, then at most 30 of a-z, 0-9 and _</source>
+        <source>a lowercase letter, then at most 30 of a-z, 0-9 and _</source>
         <translation>une lettre minuscule, puis au plus 30 caractères parmi a-z, 0-9 et _</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is taken already</source>
+        <source>&apos;%1&apos; is already taken</source>
         <translation>«&#xa0;%1&#xa0;» est déjà pris</translation>
     </message>
     <message>
@@ -8793,7 +8788,7 @@ Run %2 --help for more.
         <translation>%1 ne doit pas relayer&#xa0;%2.</translation>
     </message>
     <message>
-        <source>What is signed is not XML.</source>
+        <source>The signed document is not XML.</source>
         <translation>Ce qui est signé n’est pas du XML.</translation>
     </message>
     <message>
@@ -8801,7 +8796,7 @@ Run %2 --help for more.
         <translation>La validité demande not_before et not_after sous la forme 2026-01-31T00:00:00, sans fuseau horaire.</translation>
     </message>
     <message>
-        <source>The permissions do not hold yet.</source>
+        <source>The permissions are not valid yet.</source>
         <translation>Les permissions ne sont pas encore valables.</translation>
     </message>
     <message>
@@ -8821,7 +8816,7 @@ Run %2 --help for more.
         <translation>Aucune autorisation (grant) ne nomme le sujet du certificat,&#xa0;%1.</translation>
     </message>
     <message>
-        <source>What is signed has no domain_rule.</source>
+        <source>The signed document has no domain_rule.</source>
         <translation>Ce qui est signé n’a pas de domain_rule.</translation>
     </message>
     <message>
@@ -8829,15 +8824,15 @@ Run %2 --help for more.
         <translation>%1 doit être&#xa0;%2.</translation>
     </message>
     <message>
-        <source>Both authorities have one key. Whoever has a certificate could sign permissions of its own.</source>
+        <source>Both authorities share one key. Anyone with a certificate could sign their own permissions.</source>
         <translation>Les deux autorités ont la même clé. Quiconque a un certificat pourrait signer ses propres permissions.</translation>
     </message>
     <message>
-        <source>There is no folder of a site, a console or a viewer.</source>
+        <source>There is no folder for a site, a console or a viewer.</source>
         <translation>Il n’y a aucun dossier de site, de console ou d’observateur.</translation>
     </message>
     <message>
-        <source>This is no certificate.</source>
+        <source>This is not a certificate.</source>
         <translation>Ce n’est pas un certificat.</translation>
     </message>
     <message>
@@ -8845,7 +8840,7 @@ Run %2 --help for more.
         <translation>Le fichier manque.</translation>
     </message>
     <message>
-        <source>The certificate does not hold yet.</source>
+        <source>The certificate is not valid yet.</source>
         <translation>Le certificat n’est pas encore valable.</translation>
     </message>
     <message>
@@ -8857,7 +8852,7 @@ Run %2 --help for more.
         <translation>Le certificat prend fin le&#xa0;%1.</translation>
     </message>
     <message>
-        <source>This is no certificate authority (basicConstraints CA:TRUE).</source>
+        <source>This is not a certificate authority (basicConstraints CA:TRUE).</source>
         <translation>Ce n’est pas une autorité de certification (basicConstraints CA:TRUE).</translation>
     </message>
     <message>
@@ -8865,7 +8860,7 @@ Run %2 --help for more.
         <translation>Il manque digitalSignature ou keyCertSign dans son usage de clé.</translation>
     </message>
     <message>
-        <source>It is not signed by itself.</source>
+        <source>It is not self-signed.</source>
         <translation>Il n’est pas signé par lui-même.</translation>
     </message>
     <message>
@@ -8873,7 +8868,7 @@ Run %2 --help for more.
         <translation>D’autres peuvent lire ou écrire cette clé privée (chmod 600).</translation>
     </message>
     <message>
-        <source>This is no private key without a password.</source>
+        <source>This is not a private key without a password.</source>
         <translation>Ce n’est pas une clé privée sans mot de passe.</translation>
     </message>
     <message>
@@ -8893,11 +8888,11 @@ Run %2 --help for more.
         <translation>Il n’est pas signé par identity_ca.pem.</translation>
     </message>
     <message>
-        <source>It verifies against permissions_ca.pem: its holder could sign permissions of its own. That authority must sign nothing but governance and permissions.</source>
+        <source>It verifies against permissions_ca.pem, so its holder could sign their own permissions. That authority must sign nothing but governance and permissions.</source>
         <translation>Il est validé par permissions_ca.pem&#xa0;: son détenteur pourrait signer ses propres permissions. Cette autorité ne doit signer que la gouvernance et les permissions.</translation>
     </message>
     <message>
-        <source>The key is not here. That is right where it lies only on its own computer.</source>
+        <source>The key is not here. That is fine if it is kept only on its own computer.</source>
         <translation>La clé n’est pas ici. C’est correct si elle n’est que sur son propre ordinateur.</translation>
     </message>
     <message>
@@ -8905,7 +8900,7 @@ Run %2 --help for more.
         <translation>Les permissions prennent fin le&#xa0;%1.</translation>
     </message>
     <message>
-        <source>Its topics are those of the site %1, other permissions name %2.</source>
+        <source>Its topics belong to the site %1, those of other permissions to %2.</source>
         <translation>Ses topics sont ceux du site&#xa0;%1, d’autres permissions nomment&#xa0;%2.</translation>
     </message>
     <message>
@@ -15918,7 +15913,7 @@ Run %2 --help for more.
         <translation>Toucher&#xa0;%1&#xa0;:&#xa0;%2.&#xa0;%3 n’a pas été joué&#xa0;: il n’y a pas de bracelet, ou une étude ou un étalonnage s’en sert.</translation>
     </message>
     <message>
-        <source>&amp;Play of a touch:</source>
+        <source>What to &amp;play:</source>
         <translation>&amp;Jouer d’un contact&#xa0;:</translation>
     </message>
 </context>
@@ -21275,7 +21270,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Forme</translation>
     </message>
     <message>
-        <source>When its first touch was evaluated; Touches has when that began, a moment before</source>
+        <source>When its first touch was evaluated; Touches shows when it began, a moment earlier</source>
         <translation>Moment où son premier contact a été évalué&#xa0;; Contacts indique quand il a commencé, un instant avant</translation>
     </message>
 </context>
@@ -21404,7 +21399,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>indéterminé</translation>
     </message>
     <message>
-        <source>Force at the contact; a dash marks what the arm cannot observe in its configuration</source>
+        <source>Force at the contact; a dash marks what the arm cannot observe in this pose</source>
         <translation>Force au contact&#xa0;; un tiret marque ce que le bras ne peut pas observer dans sa configuration</translation>
     </message>
 </context>

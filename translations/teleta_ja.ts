@@ -285,15 +285,15 @@
 <context>
     <name>ArmChainText</name>
     <message>
-        <source>the work was cut short</source>
+        <source>interrupted</source>
         <translation>処理は途中で中断されました</translation>
     </message>
     <message>
-        <source>nobody told %1 in domain %2 within %3 s</source>
+        <source>nobody published %1 in domain %2 within %3 s</source>
         <translation>ドメイン %2 で%3 s以内に %1 を送信するものがありませんでした</translation>
     </message>
     <message>
-        <source>a publisher that is reliable and keeps what it sent</source>
+        <source>a publisher that is reliable and transient local</source>
         <translation>reliableで、送信済みのデータを保持する送信側</translation>
     </message>
     <message>
@@ -301,19 +301,19 @@
         <translation>このドメインのロボット、または description = &quot;FILE.urdf&quot;</translation>
     </message>
     <message>
-        <source>two joints of the arm are called &quot;%1&quot; on the wire</source>
+        <source>two joints of the arm have the ROS name &quot;%1&quot;</source>
         <translation>通信上の名前が「%1」の関節がアームに2つあります</translation>
     </message>
     <message>
-        <source>[joint_names] to name each joint once</source>
+        <source>a unique name for each joint in [joint_names]</source>
         <translation>各関節の名前が1回ずつの [joint_names]</translation>
     </message>
     <message>
-        <source>the description states no speed of %1</source>
+        <source>the description gives no velocity limit for %1</source>
         <translation>記述に%1の速度がありません</translation>
     </message>
     <message>
-        <source>[joint_names] names %1, which the description has not</source>
+        <source>[joint_names] names %1, which is not in the description</source>
         <translation>[joint_names] にある%1が記述にありません</translation>
     </message>
     <message>
@@ -321,15 +321,15 @@
         <translation>effort_stopの数値は%1個ですが、アームの関節は%2個です</translation>
     </message>
     <message>
-        <source>effort_contains_gravity needs all masses; %1 has none</source>
+        <source>effort_contains_gravity needs the mass of every link; %1 has none</source>
         <translation>effort_contains_gravityにはすべての質量が必要ですが、%1に質量がありません</translation>
     </message>
     <message>
-        <source>the file requires %1, which is not watched from here</source>
+        <source>the file requires %1, which is not monitored when the arm is driven directly</source>
         <translation>ファイルは%1を必要としますが、ここからは監視されません</translation>
     </message>
     <message>
-        <source>force_stop_N needs a force at the wrist, which is not read from here</source>
+        <source>force_stop_N needs a force sensor at the wrist, which is not read when the arm is driven directly</source>
         <translation>force_stop_Nには手首の力が必要ですが、ここからは読み取られません</translation>
     </message>
 </context>
@@ -422,7 +422,7 @@
         <translation>速度 (rad/s)。直動関節ではm/s</translation>
     </message>
     <message>
-        <source>How long to move it, at most %1</source>
+        <source>Duration of the motion, at most %1</source>
         <translation>動かす時間。%1以下</translation>
     </message>
     <message>
@@ -430,7 +430,7 @@
         <translation>確認せずに動かす</translation>
     </message>
     <message>
-        <source>Robot arms: descriptions (URDF), and a joint that is moved over ROS 2</source>
+        <source>Show the description of a robot arm (URDF), or jog an arm over ROS 2</source>
         <translation>ロボットアーム: 記述 (URDF)、およびROS 2での関節の動作</translation>
     </message>
 </context>
@@ -441,19 +441,19 @@
         <translation>アームに関節「%1」がありません。アームにある関節: %2</translation>
     </message>
     <message>
-        <source>speed of the joint</source>
+        <source>joint speed</source>
         <translation>関節の速度</translation>
     </message>
     <message>
-        <source>speed of the tip</source>
+        <source>tip speed</source>
         <translation>先端の速度</translation>
     </message>
     <message>
-        <source>end of the joint</source>
+        <source>joint limit</source>
         <translation>関節の可動端</translation>
     </message>
     <message>
-        <source>box of the tip</source>
+        <source>workspace box</source>
         <translation>先端の可動範囲 (箱)</translation>
     </message>
     <message>
@@ -465,7 +465,7 @@
         <translation>力</translation>
     </message>
     <message>
-        <source>the arm lags</source>
+        <source>the arm lags behind</source>
         <translation>アームの遅れ</translation>
     </message>
     <message>
@@ -473,7 +473,7 @@
         <translation>アームを動かせません: %1</translation>
     </message>
     <message>
-        <source>no joint states came</source>
+        <source>no joint states were received</source>
         <translation>関節の状態が届きませんでした</translation>
     </message>
     <message>
@@ -485,15 +485,15 @@
         <translation>指令の終了から%1 s後に静止しました。</translation>
     </message>
     <message>
-        <source>It was not seen at rest.</source>
+        <source>It was not seen to come to rest.</source>
         <translation>静止は確認されませんでした。</translation>
     </message>
     <message>
-        <source>Limits that acted: %1.</source>
+        <source>Active limits: %1.</source>
         <translation>作用した制限: %1。</translation>
     </message>
     <message>
-        <source>without a terminal to ask on, --yes is needed to move an arm</source>
+        <source>there is no terminal to ask on; add --yes to move the arm</source>
         <translation>確認のための端末がない場合、アームを動かすには--yesが必要です</translation>
     </message>
     <message>
@@ -656,7 +656,7 @@
         <translation>フレームになり得る配列が複数あります：%1</translation>
     </message>
     <message>
-        <source>%1 does not say which of its dimensions counts the frames</source>
+        <source>%1 does not say which dimension is the frames</source>
         <translation>%1 はどの次元がフレームを数えるかを示していません</translation>
     </message>
     <message>
@@ -1269,7 +1269,7 @@
         <translation>STOPを作動させます。</translation>
     </message>
     <message>
-        <source>The recording can grow no more; then STOP. Timed from STOP.</source>
+        <source>The recording can no longer grow; then STOP. Timed from STOP.</source>
         <translation>記録をそれ以上書き込めなくし、その後STOP。時間はSTOPから測ります。</translation>
     </message>
     <message>
@@ -1277,7 +1277,7 @@
         <translation>プログラムがそれ以上メモリを確保できなくし、その後STOP。時間はSTOPから測ります。</translation>
     </message>
     <message>
-        <source>The wall clock is set by an hour; then STOP. Timed from STOP.</source>
+        <source>The wall clock is set an hour forward or back; then STOP. Timed from STOP.</source>
         <translation>システム時計を1時間ずらし、その後STOP。時間はSTOPから測ります。</translation>
     </message>
     <message>
@@ -1285,11 +1285,11 @@
         <translation>障害は注入されませんでした。</translation>
     </message>
     <message>
-        <source>Passed: after each of %1 faults the motors were at zero within %2 ms. Nothing went on unasked, and nothing of the recordings was lost. With a confidence of 95 %, at most %3 % of such faults take longer.</source>
+        <source>Passed: after each of %1 faults the motors were at zero within %2 ms. They never restarted by themselves, and no recorded frame was lost. With 95 % confidence, at most %3 % of such faults take longer.</source>
         <translation>合格: %1件の障害のいずれの後も、モーターは%2 ms以内にゼロになりました。指示なしに動作が続いたことはなく、記録は何も失われませんでした。95 %の信頼度で、これより長くかかるのはこのような障害の%3 %以下です。</translation>
     </message>
     <message>
-        <source>Not passed: of %1 faults, %2 left the motors on for more than %3 ms, %4 were followed by motion that nobody had asked for, %5 frames were lost, and %6 recordings were damaged.</source>
+        <source>Not passed: of %1 faults, %2 left the motors on for more than %3 ms. After %4 of them the motors restarted by themselves. %5 recorded frames were lost, and %6 recordings were damaged.</source>
         <translation>不合格: %1件の障害のうち、%2件でモーターが%3 msを超えて動き続け、%4件で指示のない動作が後に続きました。失われたフレームは%5個、破損した記録は%6件です。</translation>
     </message>
     <message>
@@ -1321,11 +1321,11 @@
         <translation>限界超過</translation>
     </message>
     <message>
-        <source>Share at most (%)</source>
+        <source>Share, upper limit (%)</source>
         <translation>割合の上限 (%)</translation>
     </message>
     <message>
-        <source>Went on unasked</source>
+        <source>Restarted by itself</source>
         <translation>指示なしに動作を継続</translation>
     </message>
     <message>
@@ -1341,7 +1341,7 @@
         <translation>すべて</translation>
     </message>
     <message>
-        <source>Times until the motors were at zero, of each kind</source>
+        <source>Times until the motors were at zero, by kind of fault</source>
         <translation>種類ごとの、モーターがゼロになるまでの時間</translation>
     </message>
     <message>
@@ -1353,7 +1353,7 @@
         <translation>限界</translation>
     </message>
     <message>
-        <source>What was looked at</source>
+        <source>System under test</source>
         <translation>試験の対象</translation>
     </message>
     <message>
@@ -1373,7 +1373,7 @@
         <translation>%1 (シミュレーション)</translation>
     </message>
     <message>
-        <source>Begun</source>
+        <source>Started</source>
         <translation>開始</translation>
     </message>
     <message>
@@ -1391,11 +1391,11 @@
         </translation>
     </message>
     <message>
-        <source>Load of the last minute</source>
+        <source>Load average (1 min)</source>
         <translation>直近1分間の負荷</translation>
     </message>
     <message>
-        <source>Longest time between two looks at the motors</source>
+        <source>Longest gap between two readings of the motors</source>
         <translation>モーターを確認する間隔の最大値</translation>
     </message>
     <message>
@@ -1467,7 +1467,7 @@
         <translation>障害</translation>
     </message>
     <message>
-        <source>What each fault is</source>
+        <source>What each fault does</source>
         <translation>各障害の内容</translation>
     </message>
     <message>
@@ -1483,7 +1483,7 @@
 <context>
     <name>CertifyCommand</name>
     <message>
-        <source>File of a Modbus motor driver over TCP; default: a simulated one. Nobody may wear its motors, which turn the whole time</source>
+        <source>File of a Modbus motor driver over TCP; default: a simulated one. Nobody may wear its motors: they run the whole time</source>
         <translation>TCPで接続するModbusモータードライバーのファイル。既定値: シミュレーションのドライバー。モーターは終始回り続けるため、誰も装着してはいけません</translation>
     </message>
     <message>
@@ -1499,19 +1499,19 @@
         <translation>障害の種類、コンマ区切り: %1。既定値: このコンピューターの時計を変更するclock_stepを除くすべて</translation>
     </message>
     <message>
-        <source>Time in which the motors must be at zero</source>
+        <source>Longest time until the motors must be at zero</source>
         <translation>モーターがゼロにならなければならない時間</translation>
     </message>
     <message>
-        <source>Of the order and the phases of the faults</source>
+        <source>Seed for the order and timing of the faults</source>
         <translation>障害の順序とタイミングのシード</translation>
     </message>
     <message>
-        <source>Where the report goes: NAME.html and NAME.json</source>
+        <source>Name of the report: NAME.html and NAME.json are written</source>
         <translation>レポートの保存先: NAME.htmlとNAME.json</translation>
     </message>
     <message>
-        <source>the motors will turn the whole time; take them off everybody and add --yes</source>
+        <source>the motors will run the whole time; make sure that nobody wears them, then add --yes</source>
         <translation>モーターは終始回り続けます。全員からモーターを外し、--yesを付けてください</translation>
     </message>
     <message>
@@ -1523,11 +1523,11 @@
         <translation>表 [tactors]</translation>
     </message>
     <message>
-        <source>faults of the line can only be injected into a TCP line</source>
+        <source>only a driver over TCP can be certified</source>
         <translation>回線の障害はTCP回線にのみ注入できます</translation>
     </message>
     <message>
-        <source>The certificate is not passed.</source>
+        <source>The certificate was not passed.</source>
         <translation>証明書は不合格です。</translation>
     </message>
     <message>
@@ -1559,7 +1559,7 @@
         <translation>すべて</translation>
     </message>
     <message>
-        <source>Went on unasked</source>
+        <source>Restarted by itself</source>
         <translation>指示なしに動作を継続</translation>
     </message>
     <message>
@@ -1575,15 +1575,8 @@
         <translation>レポート</translation>
     </message>
     <message>
-        <source>Inject faults into what drives the motors, and report how soon they are off</source>
+        <source>Inject faults into the program that drives the motors, and report how soon the motors stop</source>
         <translation>モーターを駆動する側に障害を注入し、モーターがどれだけ早く停止するかを報告します</translation>
-    </message>
-</context>
-<context>
-    <name>ChainProcess</name>
-    <message>
-        <source>the program cannot be started: %1</source>
-        <translation>プログラムを起動できません: %1</translation>
     </message>
 </context>
 <context>
@@ -3458,12 +3451,16 @@ Examples:
         <translation>モーターを駆動するプログラムがひとりでに終了しました</translation>
     </message>
     <message>
-        <source>the motors did not turn within 30 s</source>
+        <source>the motors did not start within 30 s</source>
         <translation>30 s以内にモーターが回りませんでした</translation>
     </message>
     <message>
         <source>the driver of the motors does not answer any more</source>
         <translation>モータードライバーが応答しなくなりました</translation>
+    </message>
+    <message>
+        <source>the recording did not fail on a full disk</source>
+        <translation>ディスクが満杯でも記録が失敗しませんでした</translation>
     </message>
 </context>
 <context>
@@ -3645,7 +3642,7 @@ Examples:
         <translation>読み取りにメモリーを使いすぎます</translation>
     </message>
     <message>
-        <source>the library that reads it stopped</source>
+        <source>the library that reads it stopped unexpectedly</source>
         <translation>読み取るライブラリーが停止しました</translation>
     </message>
     <message>
@@ -4223,23 +4220,23 @@ Examples:
         <translation>値がありません</translation>
     </message>
     <message>
-        <source>it holds texts</source>
+        <source>it contains text</source>
         <translation>文字列が入っています</translation>
     </message>
     <message>
-        <source>its values have several parts</source>
+        <source>its values are compound</source>
         <translation>値が複数の部分から成ります</translation>
     </message>
     <message>
-        <source>its values are no real numbers</source>
+        <source>its values are not real numbers</source>
         <translation>値が実数ではありません</translation>
     </message>
     <message>
-        <source>its values lie in other files</source>
+        <source>its values are stored in other files</source>
         <translation>値が別のファイルにあります</translation>
     </message>
     <message>
-        <source>it is packed with %1; gzip and shuffle are read</source>
+        <source>it is compressed with %1; only gzip and shuffle can be read</source>
         <translation>%1 で圧縮されています。読めるのは gzip と shuffle です</translation>
     </message>
     <message>
@@ -4908,11 +4905,11 @@ Examples:
         <translation>完全な MAT ファイル</translation>
     </message>
     <message>
-        <source>it ends in its head</source>
+        <source>it ends within its header</source>
         <translation>ヘッダーの途中で終わっています</translation>
     </message>
     <message>
-        <source>it ends in the head of a variable</source>
+        <source>it ends within the header of a variable</source>
         <translation>変数のヘッダーの途中で終わっています</translation>
     </message>
     <message>
@@ -4920,11 +4917,11 @@ Examples:
         <translation>変数は %1 バイトですが、%2 バイトしかありません</translation>
     </message>
     <message>
-        <source>a packed variable does not unpack</source>
+        <source>a compressed variable cannot be decompressed</source>
         <translation>圧縮された変数を展開できません</translation>
     </message>
     <message>
-        <source>this is no head of a variable</source>
+        <source>this is not the header of a variable</source>
         <translation>これは変数のヘッダーではありません</translation>
     </message>
 </context>
@@ -4955,15 +4952,15 @@ Examples:
         <translation>疎行列です</translation>
     </message>
     <message>
-        <source>it holds texts</source>
+        <source>it contains text</source>
         <translation>文字列が入っています</translation>
     </message>
     <message>
-        <source>it holds other variables</source>
+        <source>it contains other variables</source>
         <translation>ほかの変数が入っています</translation>
     </message>
     <message>
-        <source>its values are no real numbers</source>
+        <source>its values are not real numbers</source>
         <translation>値が実数ではありません</translation>
     </message>
 </context>
@@ -6699,6 +6696,13 @@ x %4, y %5
     </message>
 </context>
 <context>
+    <name>ProcessText</name>
+    <message>
+        <source>the program cannot be started: %1</source>
+        <translation>プログラムを起動できません：%1</translation>
+    </message>
+</context>
+<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -6817,6 +6821,21 @@ Run %2 --help for more.
     <message>
         <source>another name</source>
         <translation>別の名前</translation>
+    </message>
+</context>
+<context>
+    <name>QosText</name>
+    <message>
+        <source>the publisher is best effort, the subscriber asks for reliable</source>
+        <translation>送信側は best effort ですが、受信側は reliable を求めています</translation>
+    </message>
+    <message>
+        <source>the publisher is volatile, the subscriber asks for transient local</source>
+        <translation>送信側は volatile ですが、受信側は transient local を求めています</translation>
+    </message>
+    <message>
+        <source>publisher and subscriber have incompatible qualities of service (QoS)</source>
+        <translation>送信側と受信側のサービス品質（QoS）が合いません</translation>
     </message>
 </context>
 <context>
@@ -7785,11 +7804,11 @@ Run %2 --help for more.
         <translation>アームを動かせません: %1</translation>
     </message>
     <message>
-        <source>%1 does not tell: %2</source>
+        <source>%1 does not report: %2</source>
         <translation>%1 に次の情報がありません: %2</translation>
     </message>
     <message>
-        <source>%1 tells no effort, so effort_stop cannot hold the arm</source>
+        <source>%1 reports no effort, so effort_stop cannot work</source>
         <translation>%1 にトルク・力の情報がないため、effort_stopでアームを保持できません</translation>
     </message>
     <message>
@@ -7797,24 +7816,12 @@ Run %2 --help for more.
         <translation>%1 を受信するコントローラーがありません</translation>
     </message>
     <message>
-        <source>other programs are being looked for</source>
+        <source>looking for other programs</source>
         <translation>ほかのプログラムを探しています</translation>
     </message>
 </context>
 <context>
     <name>RosArmCheck</name>
-    <message>
-        <source>a publisher is best effort, reliable was asked</source>
-        <translation>送信側はbest effortですが、reliableが要求されました</translation>
-    </message>
-    <message>
-        <source>the reader asks for what was sent before it came, which a command is not</source>
-        <translation>受信側は接続前に送信されたデータを要求していますが、指令はそれに当たりません</translation>
-    </message>
-    <message>
-        <source>a publisher offers other qualities than were asked</source>
-        <translation>送信側のQoSが要求と異なります</translation>
-    </message>
     <message>
         <source>nobody publishes %1</source>
         <translation>%1 を送信するものがありません</translation>
@@ -7824,11 +7831,11 @@ Run %2 --help for more.
         <translation>%1 へ何も送信されませんでした</translation>
     </message>
     <message>
-        <source>%1 does not tell: %2</source>
+        <source>%1 does not report: %2</source>
         <translation>%1 に次の情報がありません: %2</translation>
     </message>
     <message>
-        <source>%1 tells all %2 joints</source>
+        <source>%1 reports all %2 joints</source>
         <translation>%1 に%2個の関節すべての情報があります</translation>
     </message>
     <message>
@@ -7836,11 +7843,11 @@ Run %2 --help for more.
         <translation>%2 の送信側が%1個あります</translation>
     </message>
     <message>
-        <source>%1 tells %2, the arm has not</source>
+        <source>%1 reports %2, which the arm does not have</source>
         <translation>%1 にある%2がアームにありません</translation>
     </message>
     <message>
-        <source>%1 messages contradict themselves and were left out</source>
+        <source>%1 messages were inconsistent and were ignored</source>
         <translation>内容が矛盾するメッセージ%1件を除外しました</translation>
     </message>
     <message>
@@ -7852,15 +7859,15 @@ Run %2 --help for more.
         <translation>。joint_timeout_sは%1です</translation>
     </message>
     <message>
-        <source>told, in %1 as the file says</source>
+        <source>reported, in %1 according to the file</source>
         <translation>情報あり。ファイルの記載どおり単位は%1です</translation>
     </message>
     <message>
-        <source>not told, so effort_stop cannot hold the arm</source>
+        <source>not reported, so effort_stop cannot work</source>
         <translation>情報がないため、effort_stopでアームを保持できません</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>not reported</source>
         <translation>情報なし</translation>
     </message>
     <message>
@@ -7892,11 +7899,11 @@ Run %2 --help for more.
         <translation>%1 を受信するものがありません</translation>
     </message>
     <message>
-        <source>; there is %1</source>
+        <source>; found: %1</source>
         <translation>。存在するもの: %1</translation>
     </message>
     <message>
-        <source>the check was cut short</source>
+        <source>the check was interrupted</source>
         <translation>確認は途中で中断されました</translation>
     </message>
 </context>
@@ -7916,7 +7923,7 @@ Run %2 --help for more.
         <translation>ほかのプログラムが %1 に指令を送っています</translation>
     </message>
     <message>
-        <source>%1 tells a position that is no number</source>
+        <source>%1 reports a position that is not a number</source>
         <translation>%1 の位置が数値ではありません</translation>
     </message>
     <message>
@@ -7935,7 +7942,7 @@ Run %2 --help for more.
 <context>
     <name>RosArmFile</name>
     <message>
-        <source>&quot;%1&quot; is no name of a topic</source>
+        <source>&quot;%1&quot; is not a topic name</source>
         <translation>「%1」はトピックの名前ではありません</translation>
     </message>
     <message>
@@ -7943,19 +7950,19 @@ Run %2 --help for more.
         <translation>/の後に英字・数字・_からなる部分。例: /joint_states</translation>
     </message>
     <message>
-        <source>no adapter that is offered moves an arm unguarded</source>
+        <source>no available adapter moves an arm unguarded</source>
         <translation>使用できるアダプターに、保護なしでアームを動かすものはありません</translation>
     </message>
     <message>
-        <source>two joints are called &quot;%1&quot; on the wire</source>
+        <source>two joints have the ROS name &quot;%1&quot;</source>
         <translation>通信上の名前が「%1」の関節が2つあります</translation>
     </message>
     <message>
-        <source>a name of its own for each joint</source>
+        <source>a unique name for each joint</source>
         <translation>関節ごとに固有の名前</translation>
     </message>
     <message>
-        <source>a side of the box has no length</source>
+        <source>a side of the box is empty or reversed</source>
         <translation>箱の辺に長さがありません</translation>
     </message>
     <message>
@@ -7963,7 +7970,7 @@ Run %2 --help for more.
         <translation>x、y、zそれぞれの [最小, 最大]</translation>
     </message>
     <message>
-        <source>STOP would brake less than letting go</source>
+        <source>STOP would brake more gently than letting go</source>
         <translation>STOPの減速が、手を離したときより弱くなります</translation>
     </message>
     <message>
@@ -7977,18 +7984,6 @@ Run %2 --help for more.
 </context>
 <context>
     <name>RosCommand</name>
-    <message>
-        <source>a publisher is best effort, reliable was asked</source>
-        <translation>送信側はbest effortですが、reliableが要求されました</translation>
-    </message>
-    <message>
-        <source>a publisher keeps nothing of what it sent, which was asked</source>
-        <translation>送信側は送信済みのデータを保持しませんが、それが要求されました</translation>
-    </message>
-    <message>
-        <source>a publisher offers other qualities than were asked</source>
-        <translation>送信側のQoSが要求と異なります</translation>
-    </message>
     <message>
         <source>List topics and who publishes and reads them</source>
         <translation>トピックと、その送信側・受信側を一覧表示</translation>
@@ -8050,7 +8045,7 @@ Run %2 --help for more.
         <translation>ROSなしでROS 2のトピックとノードを表示</translation>
     </message>
     <message>
-        <source>Watch an arm for 5 s and say what keeps it from being moved</source>
+        <source>Watch an arm for 5 s and report what prevents moving it</source>
         <translation>アームを5 s監視し、動かすのを妨げているものを示します</translation>
     </message>
     <message>
@@ -8692,7 +8687,7 @@ Run %2 --help for more.
 <context>
     <name>SiteCommand</name>
     <message>
-        <source>Check the certificates and permissions of a site, or tell the commands that make them</source>
+        <source>Check the certificates and permissions of a site, or print the commands that create them</source>
         <translation>拠点の証明書と許可を検査するか、それらを作成するコマンドを示します</translation>
     </message>
     <message>
@@ -8700,11 +8695,11 @@ Run %2 --help for more.
         <translation>identity_ca.pem、permissions_ca.pem、governance.p7sと、拠点、コンソール、ビューアーごとに1つのフォルダーを含むフォルダー</translation>
     </message>
     <message>
-        <source>Check nothing, print the commands of openssl that make the folder for a site of this name</source>
+        <source>Instead of checking, print the openssl commands that create the folder for a site of this name</source>
         <translation>検査せずに、この名前の拠点のフォルダーを作成するopensslのコマンドを表示</translation>
     </message>
     <message>
-        <source>Consoles that may control</source>
+        <source>Consoles that may take control</source>
         <translation>操作できるコンソール</translation>
     </message>
     <message>
@@ -8728,22 +8723,22 @@ Run %2 --help for more.
         <translation>警告: %1</translation>
     </message>
     <message>
-        <source>Keys of a site, where a robot is at another place</source>
+        <source>Keys of a remote site</source>
         <translation>ロボットが別の場所にある拠点の鍵</translation>
     </message>
 </context>
 <context>
     <name>SiteKeys</name>
     <message>
-        <source>&apos;%1&apos; is no name of a site or a console</source>
+        <source>&apos;%1&apos; is not a valid name for a site or a console</source>
         <translation>「%1」は拠点またはコンソールの名前ではありません</translation>
     </message>
     <message>
-        <source>a small letter, then at most 30 of a-z, 0-9 and _</source>
+        <source>a lowercase letter, then at most 30 of a-z, 0-9 and _</source>
         <translation>英小文字1字の後に、a-z、0-9、_を30字以下</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is taken already</source>
+        <source>&apos;%1&apos; is already taken</source>
         <translation>「%1」は既に使われています</translation>
     </message>
     <message>
@@ -8771,7 +8766,7 @@ Run %2 --help for more.
         <translation>%1 に %2 の中継を許可してはいけません。</translation>
     </message>
     <message>
-        <source>What is signed is not XML.</source>
+        <source>The signed document is not XML.</source>
         <translation>署名された内容がXMLではありません。</translation>
     </message>
     <message>
@@ -8779,7 +8774,7 @@ Run %2 --help for more.
         <translation>有効期間には、タイムゾーンのない2026-01-31T00:00:00の形式のnot_beforeとnot_afterが必要です。</translation>
     </message>
     <message>
-        <source>The permissions do not hold yet.</source>
+        <source>The permissions are not valid yet.</source>
         <translation>許可はまだ有効ではありません。</translation>
     </message>
     <message>
@@ -8799,7 +8794,7 @@ Run %2 --help for more.
         <translation>証明書のサブジェクト %1 を指定するgrantがありません。</translation>
     </message>
     <message>
-        <source>What is signed has no domain_rule.</source>
+        <source>The signed document has no domain_rule.</source>
         <translation>署名された内容にdomain_ruleがありません。</translation>
     </message>
     <message>
@@ -8807,15 +8802,15 @@ Run %2 --help for more.
         <translation>%1は%2でなければなりません。</translation>
     </message>
     <message>
-        <source>Both authorities have one key. Whoever has a certificate could sign permissions of its own.</source>
+        <source>Both authorities share one key. Anyone with a certificate could sign their own permissions.</source>
         <translation>2つの認証局の鍵が同じです。証明書を持つ者が、自分の許可に署名できてしまいます。</translation>
     </message>
     <message>
-        <source>There is no folder of a site, a console or a viewer.</source>
+        <source>There is no folder for a site, a console or a viewer.</source>
         <translation>拠点、コンソール、ビューアーのフォルダーがありません。</translation>
     </message>
     <message>
-        <source>This is no certificate.</source>
+        <source>This is not a certificate.</source>
         <translation>これは証明書ではありません。</translation>
     </message>
     <message>
@@ -8823,7 +8818,7 @@ Run %2 --help for more.
         <translation>ファイルがありません。</translation>
     </message>
     <message>
-        <source>The certificate does not hold yet.</source>
+        <source>The certificate is not valid yet.</source>
         <translation>証明書はまだ有効ではありません。</translation>
     </message>
     <message>
@@ -8835,7 +8830,7 @@ Run %2 --help for more.
         <translation>証明書の有効期限は%1です。</translation>
     </message>
     <message>
-        <source>This is no certificate authority (basicConstraints CA:TRUE).</source>
+        <source>This is not a certificate authority (basicConstraints CA:TRUE).</source>
         <translation>これは認証局ではありません (basicConstraints CA:TRUE)。</translation>
     </message>
     <message>
@@ -8843,7 +8838,7 @@ Run %2 --help for more.
         <translation>鍵用途にdigitalSignatureまたはkeyCertSignがありません。</translation>
     </message>
     <message>
-        <source>It is not signed by itself.</source>
+        <source>It is not self-signed.</source>
         <translation>自己署名されていません。</translation>
     </message>
     <message>
@@ -8851,7 +8846,7 @@ Run %2 --help for more.
         <translation>この秘密鍵はほかのユーザーが読み書きできます (chmod 600)。</translation>
     </message>
     <message>
-        <source>This is no private key without a password.</source>
+        <source>This is not a private key without a password.</source>
         <translation>これはパスワードのない秘密鍵ではありません。</translation>
     </message>
     <message>
@@ -8871,11 +8866,11 @@ Run %2 --help for more.
         <translation>identity_ca.pemによる署名がありません。</translation>
     </message>
     <message>
-        <source>It verifies against permissions_ca.pem: its holder could sign permissions of its own. That authority must sign nothing but governance and permissions.</source>
+        <source>It verifies against permissions_ca.pem, so its holder could sign their own permissions. That authority must sign nothing but governance and permissions.</source>
         <translation>permissions_ca.pemで検証に通ります: 所有者が自分の許可に署名できてしまいます。この認証局は、governanceとpermissions以外に署名してはいけません。</translation>
     </message>
     <message>
-        <source>The key is not here. That is right where it lies only on its own computer.</source>
+        <source>The key is not here. That is fine if it is kept only on its own computer.</source>
         <translation>鍵はここにありません。鍵をそれ自身のコンピューターにだけ置く場合は、これで正常です。</translation>
     </message>
     <message>
@@ -8883,7 +8878,7 @@ Run %2 --help for more.
         <translation>許可の有効期限は%1です。</translation>
     </message>
     <message>
-        <source>Its topics are those of the site %1, other permissions name %2.</source>
+        <source>Its topics belong to the site %1, those of other permissions to %2.</source>
         <translation>トピックは拠点 %1 のものですが、ほかの許可は %2 を指定しています。</translation>
     </message>
     <message>
@@ -15873,7 +15868,7 @@ Run %2 --help for more.
         <translation>タッチ%1: %2。%3は再生されませんでした。ブレスレットがないか、実験またはキャリブレーションで使用中です。</translation>
     </message>
     <message>
-        <source>&amp;Play of a touch:</source>
+        <source>What to &amp;play:</source>
         <translation>タッチのうち再生するもの(&amp;P)：</translation>
     </message>
 </context>
@@ -21217,7 +21212,7 @@ Double-click to type the upper end.</source>
         <translation>形状</translation>
     </message>
     <message>
-        <source>When its first touch was evaluated; Touches has when that began, a moment before</source>
+        <source>When its first touch was evaluated; Touches shows when it began, a moment earlier</source>
         <translation>最初のタッチが評価された時刻。タッチ一覧には、その少し前の開始時刻があります</translation>
     </message>
 </context>
@@ -21345,7 +21340,7 @@ Double-click to type the upper end.</source>
         <translation>判定不能</translation>
     </message>
     <message>
-        <source>Force at the contact; a dash marks what the arm cannot observe in its configuration</source>
+        <source>Force at the contact; a dash marks what the arm cannot observe in this pose</source>
         <translation>接触点の力。ダッシュは、その姿勢でアームが観測できないものを示します</translation>
     </message>
 </context>

@@ -285,15 +285,15 @@
 <context>
     <name>ArmChainText</name>
     <message>
-        <source>the work was cut short</source>
+        <source>interrupted</source>
         <translation>工作被中断</translation>
     </message>
     <message>
-        <source>nobody told %1 in domain %2 within %3 s</source>
+        <source>nobody published %1 in domain %2 within %3 s</source>
         <translation>在 %3 s 内，域 %2 中没有程序发布 %1</translation>
     </message>
     <message>
-        <source>a publisher that is reliable and keeps what it sent</source>
+        <source>a publisher that is reliable and transient local</source>
         <translation>设为 reliable 且保留已发送数据的发布者</translation>
     </message>
     <message>
@@ -301,19 +301,19 @@
         <translation>此域中的机器人，或 description = &quot;FILE.urdf&quot;</translation>
     </message>
     <message>
-        <source>two joints of the arm are called &quot;%1&quot; on the wire</source>
+        <source>two joints of the arm have the ROS name &quot;%1&quot;</source>
         <translation>机械臂有两个关节在传输中都名为“%1”</translation>
     </message>
     <message>
-        <source>[joint_names] to name each joint once</source>
+        <source>a unique name for each joint in [joint_names]</source>
         <translation>[joint_names] 中每个关节只命名一次</translation>
     </message>
     <message>
-        <source>the description states no speed of %1</source>
+        <source>the description gives no velocity limit for %1</source>
         <translation>描述中未给出 %1 的速度</translation>
     </message>
     <message>
-        <source>[joint_names] names %1, which the description has not</source>
+        <source>[joint_names] names %1, which is not in the description</source>
         <translation>[joint_names] 列出了 %1，而描述中没有它</translation>
     </message>
     <message>
@@ -321,15 +321,15 @@
         <translation>effort_stop 有 %1 个数，而机械臂有 %2 个关节</translation>
     </message>
     <message>
-        <source>effort_contains_gravity needs all masses; %1 has none</source>
+        <source>effort_contains_gravity needs the mass of every link; %1 has none</source>
         <translation>effort_contains_gravity 需要全部质量；%1 没有质量</translation>
     </message>
     <message>
-        <source>the file requires %1, which is not watched from here</source>
+        <source>the file requires %1, which is not monitored when the arm is driven directly</source>
         <translation>文件要求 %1，而此处不对其进行监视</translation>
     </message>
     <message>
-        <source>force_stop_N needs a force at the wrist, which is not read from here</source>
+        <source>force_stop_N needs a force sensor at the wrist, which is not read when the arm is driven directly</source>
         <translation>force_stop_N 需要腕部的力，而此处不读取该力</translation>
     </message>
 </context>
@@ -422,7 +422,7 @@
         <translation>速度，单位 rad/s；移动关节为 m/s</translation>
     </message>
     <message>
-        <source>How long to move it, at most %1</source>
+        <source>Duration of the motion, at most %1</source>
         <translation>移动的时长，至多 %1</translation>
     </message>
     <message>
@@ -430,7 +430,7 @@
         <translation>不经询问直接移动</translation>
     </message>
     <message>
-        <source>Robot arms: descriptions (URDF), and a joint that is moved over ROS 2</source>
+        <source>Show the description of a robot arm (URDF), or jog an arm over ROS 2</source>
         <translation>机械臂：描述 (URDF)，以及通过 ROS 2 移动关节</translation>
     </message>
 </context>
@@ -441,19 +441,19 @@
         <translation>机械臂没有关节“%1”；它有 %2</translation>
     </message>
     <message>
-        <source>speed of the joint</source>
+        <source>joint speed</source>
         <translation>关节速度</translation>
     </message>
     <message>
-        <source>speed of the tip</source>
+        <source>tip speed</source>
         <translation>末端速度</translation>
     </message>
     <message>
-        <source>end of the joint</source>
+        <source>joint limit</source>
         <translation>关节极限</translation>
     </message>
     <message>
-        <source>box of the tip</source>
+        <source>workspace box</source>
         <translation>末端的活动范围框</translation>
     </message>
     <message>
@@ -465,7 +465,7 @@
         <translation>力</translation>
     </message>
     <message>
-        <source>the arm lags</source>
+        <source>the arm lags behind</source>
         <translation>机械臂滞后</translation>
     </message>
     <message>
@@ -473,7 +473,7 @@
         <translation>无法移动机械臂：%1</translation>
     </message>
     <message>
-        <source>no joint states came</source>
+        <source>no joint states were received</source>
         <translation>未收到关节状态</translation>
     </message>
     <message>
@@ -485,15 +485,15 @@
         <translation>指令结束 %1 s 后静止。</translation>
     </message>
     <message>
-        <source>It was not seen at rest.</source>
+        <source>It was not seen to come to rest.</source>
         <translation>未观测到其静止。</translation>
     </message>
     <message>
-        <source>Limits that acted: %1.</source>
+        <source>Active limits: %1.</source>
         <translation>起作用的限制：%1。</translation>
     </message>
     <message>
-        <source>without a terminal to ask on, --yes is needed to move an arm</source>
+        <source>there is no terminal to ask on; add --yes to move the arm</source>
         <translation>没有可供询问的终端，移动机械臂需要 --yes</translation>
     </message>
     <message>
@@ -656,7 +656,7 @@
         <translation>有多个数组可以是帧：%1</translation>
     </message>
     <message>
-        <source>%1 does not say which of its dimensions counts the frames</source>
+        <source>%1 does not say which dimension is the frames</source>
         <translation>%1 没有说明哪一维是帧数</translation>
     </message>
     <message>
@@ -1269,7 +1269,7 @@
         <translation>STOP 已触发。</translation>
     </message>
     <message>
-        <source>The recording can grow no more; then STOP. Timed from STOP.</source>
+        <source>The recording can no longer grow; then STOP. Timed from STOP.</source>
         <translation>记录无法再增大；随后 STOP。自 STOP 起计时。</translation>
     </message>
     <message>
@@ -1277,7 +1277,7 @@
         <translation>程序无法再获得内存；随后 STOP。自 STOP 起计时。</translation>
     </message>
     <message>
-        <source>The wall clock is set by an hour; then STOP. Timed from STOP.</source>
+        <source>The wall clock is set an hour forward or back; then STOP. Timed from STOP.</source>
         <translation>系统时钟被拨动一小时；随后 STOP。自 STOP 起计时。</translation>
     </message>
     <message>
@@ -1285,11 +1285,11 @@
         <translation>未注入任何故障。</translation>
     </message>
     <message>
-        <source>Passed: after each of %1 faults the motors were at zero within %2 ms. Nothing went on unasked, and nothing of the recordings was lost. With a confidence of 95 %, at most %3 % of such faults take longer.</source>
+        <source>Passed: after each of %1 faults the motors were at zero within %2 ms. They never restarted by themselves, and no recorded frame was lost. With 95 % confidence, at most %3 % of such faults take longer.</source>
         <translation>通过：%1 次故障中，每次故障后电机都在 %2 ms 内归零。没有任何动作未经请求而继续，记录也没有任何丢失。以 95 % 的置信度，至多 %3 % 的此类故障耗时更长。</translation>
     </message>
     <message>
-        <source>Not passed: of %1 faults, %2 left the motors on for more than %3 ms, %4 were followed by motion that nobody had asked for, %5 frames were lost, and %6 recordings were damaged.</source>
+        <source>Not passed: of %1 faults, %2 left the motors on for more than %3 ms. After %4 of them the motors restarted by themselves. %5 recorded frames were lost, and %6 recordings were damaged.</source>
         <translation>未通过：%1 次故障中，有 %2 次使电机继续运转超过 %3 ms，有 %4 次之后出现了无人请求的动作，丢失 %5 帧，损坏 %6 个记录。</translation>
     </message>
     <message>
@@ -1321,11 +1321,11 @@
         <translation>超出时限</translation>
     </message>
     <message>
-        <source>Share at most (%)</source>
+        <source>Share, upper limit (%)</source>
         <translation>比例上限 (%)</translation>
     </message>
     <message>
-        <source>Went on unasked</source>
+        <source>Restarted by itself</source>
         <translation>未经请求而继续</translation>
     </message>
     <message>
@@ -1341,7 +1341,7 @@
         <translation>全部</translation>
     </message>
     <message>
-        <source>Times until the motors were at zero, of each kind</source>
+        <source>Times until the motors were at zero, by kind of fault</source>
         <translation>各类故障下电机归零的时间</translation>
     </message>
     <message>
@@ -1353,7 +1353,7 @@
         <translation>时限</translation>
     </message>
     <message>
-        <source>What was looked at</source>
+        <source>System under test</source>
         <translation>检查对象</translation>
     </message>
     <message>
@@ -1373,7 +1373,7 @@
         <translation>%1（模拟）</translation>
     </message>
     <message>
-        <source>Begun</source>
+        <source>Started</source>
         <translation>开始时间</translation>
     </message>
     <message>
@@ -1391,11 +1391,11 @@
         </translation>
     </message>
     <message>
-        <source>Load of the last minute</source>
+        <source>Load average (1 min)</source>
         <translation>最近一分钟的负载</translation>
     </message>
     <message>
-        <source>Longest time between two looks at the motors</source>
+        <source>Longest gap between two readings of the motors</source>
         <translation>两次查看电机之间的最长时间</translation>
     </message>
     <message>
@@ -1467,7 +1467,7 @@
         <translation>故障</translation>
     </message>
     <message>
-        <source>What each fault is</source>
+        <source>What each fault does</source>
         <translation>各类故障的含义</translation>
     </message>
     <message>
@@ -1483,7 +1483,7 @@
 <context>
     <name>CertifyCommand</name>
     <message>
-        <source>File of a Modbus motor driver over TCP; default: a simulated one. Nobody may wear its motors, which turn the whole time</source>
+        <source>File of a Modbus motor driver over TCP; default: a simulated one. Nobody may wear its motors: they run the whole time</source>
         <translation>TCP 上 Modbus 电机驱动器的文件；默认：模拟的驱动器。任何人都不得佩戴其电机，电机会一直转动</translation>
     </message>
     <message>
@@ -1499,19 +1499,19 @@
         <translation>故障类型，以逗号分隔：%1。默认：除 clock_step 以外的全部类型，因为它会拨动本计算机的时钟</translation>
     </message>
     <message>
-        <source>Time in which the motors must be at zero</source>
+        <source>Longest time until the motors must be at zero</source>
         <translation>电机必须在此时间内归零</translation>
     </message>
     <message>
-        <source>Of the order and the phases of the faults</source>
+        <source>Seed for the order and timing of the faults</source>
         <translation>故障的顺序和相位的种子</translation>
     </message>
     <message>
-        <source>Where the report goes: NAME.html and NAME.json</source>
+        <source>Name of the report: NAME.html and NAME.json are written</source>
         <translation>报告的存放位置：NAME.html 和 NAME.json</translation>
     </message>
     <message>
-        <source>the motors will turn the whole time; take them off everybody and add --yes</source>
+        <source>the motors will run the whole time; make sure that nobody wears them, then add --yes</source>
         <translation>电机会一直转动；请确保没有人佩戴电机，并加上 --yes</translation>
     </message>
     <message>
@@ -1523,11 +1523,11 @@
         <translation>表 [tactors]</translation>
     </message>
     <message>
-        <source>faults of the line can only be injected into a TCP line</source>
+        <source>only a driver over TCP can be certified</source>
         <translation>线路故障只能注入 TCP 线路</translation>
     </message>
     <message>
-        <source>The certificate is not passed.</source>
+        <source>The certificate was not passed.</source>
         <translation>证书测试未通过。</translation>
     </message>
     <message>
@@ -1559,7 +1559,7 @@
         <translation>全部</translation>
     </message>
     <message>
-        <source>Went on unasked</source>
+        <source>Restarted by itself</source>
         <translation>未经请求而继续</translation>
     </message>
     <message>
@@ -1575,15 +1575,8 @@
         <translation>报告</translation>
     </message>
     <message>
-        <source>Inject faults into what drives the motors, and report how soon they are off</source>
+        <source>Inject faults into the program that drives the motors, and report how soon the motors stop</source>
         <translation>向驱动电机的程序和线路注入故障，并报告电机多快关闭</translation>
-    </message>
-</context>
-<context>
-    <name>ChainProcess</name>
-    <message>
-        <source>the program cannot be started: %1</source>
-        <translation>无法启动程序：%1</translation>
     </message>
 </context>
 <context>
@@ -3458,12 +3451,16 @@ Examples:
         <translation>驱动电机的程序自行结束</translation>
     </message>
     <message>
-        <source>the motors did not turn within 30 s</source>
+        <source>the motors did not start within 30 s</source>
         <translation>电机在 30 s 内未转动</translation>
     </message>
     <message>
         <source>the driver of the motors does not answer any more</source>
         <translation>电机驱动器不再应答</translation>
+    </message>
+    <message>
+        <source>the recording did not fail on a full disk</source>
+        <translation>磁盘已满时记录没有失败</translation>
     </message>
 </context>
 <context>
@@ -3645,7 +3642,7 @@ Examples:
         <translation>读取它占用内存过多</translation>
     </message>
     <message>
-        <source>the library that reads it stopped</source>
+        <source>the library that reads it stopped unexpectedly</source>
         <translation>读取它的库停止了</translation>
     </message>
     <message>
@@ -4223,23 +4220,23 @@ Examples:
         <translation>没有数值</translation>
     </message>
     <message>
-        <source>it holds texts</source>
+        <source>it contains text</source>
         <translation>其中是文本</translation>
     </message>
     <message>
-        <source>its values have several parts</source>
+        <source>its values are compound</source>
         <translation>其数值由多个部分组成</translation>
     </message>
     <message>
-        <source>its values are no real numbers</source>
+        <source>its values are not real numbers</source>
         <translation>其数值不是实数</translation>
     </message>
     <message>
-        <source>its values lie in other files</source>
+        <source>its values are stored in other files</source>
         <translation>其数值在其他文件中</translation>
     </message>
     <message>
-        <source>it is packed with %1; gzip and shuffle are read</source>
+        <source>it is compressed with %1; only gzip and shuffle can be read</source>
         <translation>它用 %1 压缩；可读取 gzip 和 shuffle</translation>
     </message>
     <message>
@@ -4908,11 +4905,11 @@ Examples:
         <translation>完整的 MAT 文件</translation>
     </message>
     <message>
-        <source>it ends in its head</source>
+        <source>it ends within its header</source>
         <translation>在文件头中结束</translation>
     </message>
     <message>
-        <source>it ends in the head of a variable</source>
+        <source>it ends within the header of a variable</source>
         <translation>在变量头中结束</translation>
     </message>
     <message>
@@ -4920,11 +4917,11 @@ Examples:
         <translation>一个变量有 %1 字节，实有 %2 字节</translation>
     </message>
     <message>
-        <source>a packed variable does not unpack</source>
+        <source>a compressed variable cannot be decompressed</source>
         <translation>一个压缩的变量无法解压</translation>
     </message>
     <message>
-        <source>this is no head of a variable</source>
+        <source>this is not the header of a variable</source>
         <translation>这不是变量头</translation>
     </message>
 </context>
@@ -4955,15 +4952,15 @@ Examples:
         <translation>它是稀疏的</translation>
     </message>
     <message>
-        <source>it holds texts</source>
+        <source>it contains text</source>
         <translation>其中是文本</translation>
     </message>
     <message>
-        <source>it holds other variables</source>
+        <source>it contains other variables</source>
         <translation>其中是其他变量</translation>
     </message>
     <message>
-        <source>its values are no real numbers</source>
+        <source>its values are not real numbers</source>
         <translation>其数值不是实数</translation>
     </message>
 </context>
@@ -6699,6 +6696,13 @@ x %4，y %5
     </message>
 </context>
 <context>
+    <name>ProcessText</name>
+    <message>
+        <source>the program cannot be started: %1</source>
+        <translation>无法启动程序：%1</translation>
+    </message>
+</context>
+<context>
     <name>ProgramText</name>
     <message>
         <source>Usage</source>
@@ -6817,6 +6821,21 @@ Run %2 --help for more.
     <message>
         <source>another name</source>
         <translation>另一个名称</translation>
+    </message>
+</context>
+<context>
+    <name>QosText</name>
+    <message>
+        <source>the publisher is best effort, the subscriber asks for reliable</source>
+        <translation>发布者为 best effort，订阅者要求 reliable</translation>
+    </message>
+    <message>
+        <source>the publisher is volatile, the subscriber asks for transient local</source>
+        <translation>发布者为 volatile，订阅者要求 transient local</translation>
+    </message>
+    <message>
+        <source>publisher and subscriber have incompatible qualities of service (QoS)</source>
+        <translation>发布者与订阅者的服务质量（QoS）不兼容</translation>
     </message>
 </context>
 <context>
@@ -7785,11 +7804,11 @@ Run %2 --help for more.
         <translation>无法移动机械臂：%1</translation>
     </message>
     <message>
-        <source>%1 does not tell: %2</source>
+        <source>%1 does not report: %2</source>
         <translation>%1 未提供：%2</translation>
     </message>
     <message>
-        <source>%1 tells no effort, so effort_stop cannot hold the arm</source>
+        <source>%1 reports no effort, so effort_stop cannot work</source>
         <translation>%1 不提供 effort，因此 effort_stop 无法使机械臂保持</translation>
     </message>
     <message>
@@ -7797,24 +7816,12 @@ Run %2 --help for more.
         <translation>没有控制器读取 %1</translation>
     </message>
     <message>
-        <source>other programs are being looked for</source>
+        <source>looking for other programs</source>
         <translation>正在查找其他程序</translation>
     </message>
 </context>
 <context>
     <name>RosArmCheck</name>
-    <message>
-        <source>a publisher is best effort, reliable was asked</source>
-        <translation>某个发布者为 best effort，而请求的是 reliable</translation>
-    </message>
-    <message>
-        <source>the reader asks for what was sent before it came, which a command is not</source>
-        <translation>读取者请求其加入之前发送的数据，而指令不是这样的数据</translation>
-    </message>
-    <message>
-        <source>a publisher offers other qualities than were asked</source>
-        <translation>某个发布者提供的 QoS 与请求的不同</translation>
-    </message>
     <message>
         <source>nobody publishes %1</source>
         <translation>没有程序发布 %1</translation>
@@ -7824,11 +7831,11 @@ Run %2 --help for more.
         <translation>%1 上未发送任何内容</translation>
     </message>
     <message>
-        <source>%1 does not tell: %2</source>
+        <source>%1 does not report: %2</source>
         <translation>%1 未提供：%2</translation>
     </message>
     <message>
-        <source>%1 tells all %2 joints</source>
+        <source>%1 reports all %2 joints</source>
         <translation>%1 提供了全部 %2 个关节</translation>
     </message>
     <message>
@@ -7836,11 +7843,11 @@ Run %2 --help for more.
         <translation>有 %1 个发布者发布 %2</translation>
     </message>
     <message>
-        <source>%1 tells %2, the arm has not</source>
+        <source>%1 reports %2, which the arm does not have</source>
         <translation>%1 提供了 %2，而机械臂没有</translation>
     </message>
     <message>
-        <source>%1 messages contradict themselves and were left out</source>
+        <source>%1 messages were inconsistent and were ignored</source>
         <translation>%1 条消息自相矛盾，已略去</translation>
     </message>
     <message>
@@ -7852,15 +7859,15 @@ Run %2 --help for more.
         <translation>；joint_timeout_s 为 %1</translation>
     </message>
     <message>
-        <source>told, in %1 as the file says</source>
+        <source>reported, in %1 according to the file</source>
         <translation>已提供，按文件所述单位为 %1</translation>
     </message>
     <message>
-        <source>not told, so effort_stop cannot hold the arm</source>
+        <source>not reported, so effort_stop cannot work</source>
         <translation>未提供，因此 effort_stop 无法使机械臂保持</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>not reported</source>
         <translation>未提供</translation>
     </message>
     <message>
@@ -7892,11 +7899,11 @@ Run %2 --help for more.
         <translation>没有程序读取 %1</translation>
     </message>
     <message>
-        <source>; there is %1</source>
+        <source>; found: %1</source>
         <translation>；现有 %1</translation>
     </message>
     <message>
-        <source>the check was cut short</source>
+        <source>the check was interrupted</source>
         <translation>检查被中断</translation>
     </message>
 </context>
@@ -7916,7 +7923,7 @@ Run %2 --help for more.
         <translation>另有程序在向 %1 发送指令</translation>
     </message>
     <message>
-        <source>%1 tells a position that is no number</source>
+        <source>%1 reports a position that is not a number</source>
         <translation>%1 提供的位置不是数</translation>
     </message>
     <message>
@@ -7935,7 +7942,7 @@ Run %2 --help for more.
 <context>
     <name>RosArmFile</name>
     <message>
-        <source>&quot;%1&quot; is no name of a topic</source>
+        <source>&quot;%1&quot; is not a topic name</source>
         <translation>“%1”不是话题名称</translation>
     </message>
     <message>
@@ -7943,19 +7950,19 @@ Run %2 --help for more.
         <translation>斜杠后由字母、数字和 _ 组成的各部分，例如 /joint_states</translation>
     </message>
     <message>
-        <source>no adapter that is offered moves an arm unguarded</source>
+        <source>no available adapter moves an arm unguarded</source>
         <translation>所提供的适配器均不会在无防护的情况下移动机械臂</translation>
     </message>
     <message>
-        <source>two joints are called &quot;%1&quot; on the wire</source>
+        <source>two joints have the ROS name &quot;%1&quot;</source>
         <translation>有两个关节在传输中都名为“%1”</translation>
     </message>
     <message>
-        <source>a name of its own for each joint</source>
+        <source>a unique name for each joint</source>
         <translation>每个关节使用各自的名称</translation>
     </message>
     <message>
-        <source>a side of the box has no length</source>
+        <source>a side of the box is empty or reversed</source>
         <translation>活动范围框的一条边没有长度</translation>
     </message>
     <message>
@@ -7963,7 +7970,7 @@ Run %2 --help for more.
         <translation>x、y 和 z 的 [最小值, 最大值]</translation>
     </message>
     <message>
-        <source>STOP would brake less than letting go</source>
+        <source>STOP would brake more gently than letting go</source>
         <translation>STOP 的制动会弱于松手</translation>
     </message>
     <message>
@@ -7977,18 +7984,6 @@ Run %2 --help for more.
 </context>
 <context>
     <name>RosCommand</name>
-    <message>
-        <source>a publisher is best effort, reliable was asked</source>
-        <translation>某个发布者为 best effort，而请求的是 reliable</translation>
-    </message>
-    <message>
-        <source>a publisher keeps nothing of what it sent, which was asked</source>
-        <translation>某个发布者不保留已发送的数据，而请求中要求保留</translation>
-    </message>
-    <message>
-        <source>a publisher offers other qualities than were asked</source>
-        <translation>某个发布者提供的 QoS 与请求的不同</translation>
-    </message>
     <message>
         <source>List topics and who publishes and reads them</source>
         <translation>列出话题及其发布者和读取者</translation>
@@ -8050,7 +8045,7 @@ Run %2 --help for more.
         <translation>无需 ROS 即可查看 ROS 2 的话题和节点</translation>
     </message>
     <message>
-        <source>Watch an arm for 5 s and say what keeps it from being moved</source>
+        <source>Watch an arm for 5 s and report what prevents moving it</source>
         <translation>观察机械臂 5 s，并指出无法移动它的原因</translation>
     </message>
     <message>
@@ -8692,7 +8687,7 @@ Run %2 --help for more.
 <context>
     <name>SiteCommand</name>
     <message>
-        <source>Check the certificates and permissions of a site, or tell the commands that make them</source>
+        <source>Check the certificates and permissions of a site, or print the commands that create them</source>
         <translation>检查站点的证书和权限，或给出生成它们的命令</translation>
     </message>
     <message>
@@ -8700,11 +8695,11 @@ Run %2 --help for more.
         <translation>含 identity_ca.pem、permissions_ca.pem、governance.p7s 以及每个站点、控制台和查看者各一个文件夹的文件夹</translation>
     </message>
     <message>
-        <source>Check nothing, print the commands of openssl that make the folder for a site of this name</source>
+        <source>Instead of checking, print the openssl commands that create the folder for a site of this name</source>
         <translation>不作检查，输出为此名称的站点生成该文件夹的 openssl 命令</translation>
     </message>
     <message>
-        <source>Consoles that may control</source>
+        <source>Consoles that may take control</source>
         <translation>可进行控制的控制台</translation>
     </message>
     <message>
@@ -8728,22 +8723,22 @@ Run %2 --help for more.
         <translation>警告：%1</translation>
     </message>
     <message>
-        <source>Keys of a site, where a robot is at another place</source>
+        <source>Keys of a remote site</source>
         <translation>站点的密钥，用于机器人位于异地的情况</translation>
     </message>
 </context>
 <context>
     <name>SiteKeys</name>
     <message>
-        <source>&apos;%1&apos; is no name of a site or a console</source>
+        <source>&apos;%1&apos; is not a valid name for a site or a console</source>
         <translation>“%1”不是站点或控制台的名称</translation>
     </message>
     <message>
-        <source>a small letter, then at most 30 of a-z, 0-9 and _</source>
+        <source>a lowercase letter, then at most 30 of a-z, 0-9 and _</source>
         <translation>一个小写字母，后接至多 30 个 a-z、0-9 和 _</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is taken already</source>
+        <source>&apos;%1&apos; is already taken</source>
         <translation>“%1”已被占用</translation>
     </message>
     <message>
@@ -8771,7 +8766,7 @@ Run %2 --help for more.
         <translation>%1 不得转发 %2。</translation>
     </message>
     <message>
-        <source>What is signed is not XML.</source>
+        <source>The signed document is not XML.</source>
         <translation>所签名的内容不是 XML。</translation>
     </message>
     <message>
@@ -8779,7 +8774,7 @@ Run %2 --help for more.
         <translation>有效期需要 not_before 和 not_after，格式为 2026-01-31T00:00:00，不带时区。</translation>
     </message>
     <message>
-        <source>The permissions do not hold yet.</source>
+        <source>The permissions are not valid yet.</source>
         <translation>权限尚未生效。</translation>
     </message>
     <message>
@@ -8799,7 +8794,7 @@ Run %2 --help for more.
         <translation>没有授权列出证书的主体 %1。</translation>
     </message>
     <message>
-        <source>What is signed has no domain_rule.</source>
+        <source>The signed document has no domain_rule.</source>
         <translation>所签名的内容没有 domain_rule。</translation>
     </message>
     <message>
@@ -8807,15 +8802,15 @@ Run %2 --help for more.
         <translation>%1 必须为 %2。</translation>
     </message>
     <message>
-        <source>Both authorities have one key. Whoever has a certificate could sign permissions of its own.</source>
+        <source>Both authorities share one key. Anyone with a certificate could sign their own permissions.</source>
         <translation>两个证书颁发机构使用同一密钥。任何持有证书者都可为自己签署权限。</translation>
     </message>
     <message>
-        <source>There is no folder of a site, a console or a viewer.</source>
+        <source>There is no folder for a site, a console or a viewer.</source>
         <translation>没有站点、控制台或查看者的文件夹。</translation>
     </message>
     <message>
-        <source>This is no certificate.</source>
+        <source>This is not a certificate.</source>
         <translation>这不是证书。</translation>
     </message>
     <message>
@@ -8823,7 +8818,7 @@ Run %2 --help for more.
         <translation>缺少该文件。</translation>
     </message>
     <message>
-        <source>The certificate does not hold yet.</source>
+        <source>The certificate is not valid yet.</source>
         <translation>证书尚未生效。</translation>
     </message>
     <message>
@@ -8835,7 +8830,7 @@ Run %2 --help for more.
         <translation>证书将于 %1 到期。</translation>
     </message>
     <message>
-        <source>This is no certificate authority (basicConstraints CA:TRUE).</source>
+        <source>This is not a certificate authority (basicConstraints CA:TRUE).</source>
         <translation>这不是证书颁发机构 (basicConstraints CA:TRUE)。</translation>
     </message>
     <message>
@@ -8843,7 +8838,7 @@ Run %2 --help for more.
         <translation>其密钥用途缺少 digitalSignature 或 keyCertSign。</translation>
     </message>
     <message>
-        <source>It is not signed by itself.</source>
+        <source>It is not self-signed.</source>
         <translation>它不是自签名的。</translation>
     </message>
     <message>
@@ -8851,7 +8846,7 @@ Run %2 --help for more.
         <translation>其他人可以读取或写入此私钥 (chmod 600)。</translation>
     </message>
     <message>
-        <source>This is no private key without a password.</source>
+        <source>This is not a private key without a password.</source>
         <translation>这不是无密码的私钥。</translation>
     </message>
     <message>
@@ -8871,11 +8866,11 @@ Run %2 --help for more.
         <translation>它不是由 identity_ca.pem 签名的。</translation>
     </message>
     <message>
-        <source>It verifies against permissions_ca.pem: its holder could sign permissions of its own. That authority must sign nothing but governance and permissions.</source>
+        <source>It verifies against permissions_ca.pem, so its holder could sign their own permissions. That authority must sign nothing but governance and permissions.</source>
         <translation>它能通过 permissions_ca.pem 的验证：其持有者可为自己签署权限。该证书颁发机构只能签署 governance 和 permissions。</translation>
     </message>
     <message>
-        <source>The key is not here. That is right where it lies only on its own computer.</source>
+        <source>The key is not here. That is fine if it is kept only on its own computer.</source>
         <translation>密钥不在此处。若它只存放在其所属的计算机上，则属正常。</translation>
     </message>
     <message>
@@ -8883,7 +8878,7 @@ Run %2 --help for more.
         <translation>权限将于 %1 到期。</translation>
     </message>
     <message>
-        <source>Its topics are those of the site %1, other permissions name %2.</source>
+        <source>Its topics belong to the site %1, those of other permissions to %2.</source>
         <translation>其话题属于站点 %1，而其他权限列出的是 %2。</translation>
     </message>
     <message>
@@ -15873,7 +15868,7 @@ Run %2 --help for more.
         <translation>触碰 %1：%2。%3 未播放：没有手环，或研究或标定正在使用它。</translation>
     </message>
     <message>
-        <source>&amp;Play of a touch:</source>
+        <source>What to &amp;play:</source>
         <translation>播放触碰的(&amp;P)：</translation>
     </message>
 </context>
@@ -21217,7 +21212,7 @@ Double-click to type the upper end.</source>
         <translation>形状</translation>
     </message>
     <message>
-        <source>When its first touch was evaluated; Touches has when that began, a moment before</source>
+        <source>When its first touch was evaluated; Touches shows when it began, a moment earlier</source>
         <translation>其首次触碰被评估的时间；触碰列表给出稍早的开始时间</translation>
     </message>
 </context>
@@ -21345,7 +21340,7 @@ Double-click to type the upper end.</source>
         <translation>无法判断</translation>
     </message>
     <message>
-        <source>Force at the contact; a dash marks what the arm cannot observe in its configuration</source>
+        <source>Force at the contact; a dash marks what the arm cannot observe in this pose</source>
         <translation>接触处的力；短横线表示机械臂在当前构型下无法观测的量</translation>
     </message>
 </context>

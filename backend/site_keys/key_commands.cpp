@@ -115,10 +115,10 @@ core::Expected<void> checkNames(const KeyPlan& plan) {
     const auto check = [](const std::string& name) -> core::Expected<void> {
         if (form.match(QString::fromStdString(name)).hasMatch())
             return {};
-        return core::failed(
-            core::ErrorKind::badInput,
-            MakingText::tr("'%1' is no name of a site or a console").arg(QString::fromStdString(name)),
-            MakingText::tr("a small letter, then at most 30 of a-z, 0-9 and _"));
+        return core::failed(core::ErrorKind::badInput,
+                            MakingText::tr("'%1' is not a valid name for a site or a console")
+                                .arg(QString::fromStdString(name)),
+                            MakingText::tr("a lowercase letter, then at most 30 of a-z, 0-9 and _"));
     };
     TELETA_CHECK(check(plan.site));
     std::set<std::string> taken{kSiteMember};
@@ -128,7 +128,7 @@ core::Expected<void> checkNames(const KeyPlan& plan) {
             if (!taken.insert(name).second)
                 return core::failed(
                     core::ErrorKind::badInput,
-                    MakingText::tr("'%1' is taken already").arg(QString::fromStdString(name)));
+                    MakingText::tr("'%1' is already taken").arg(QString::fromStdString(name)));
         }
     return {};
 }

@@ -139,7 +139,7 @@ PermissionsCheck checkPermissions(const std::string& xml, const std::string& mem
     const auto say = [&](const QString& text) { check.problems.push_back(text.toStdString()); };
     const auto grants = groupsOf(xml, QStringLiteral("grant"));
     if (!grants) {
-        say(DocumentText::tr("What is signed is not XML."));
+        say(DocumentText::tr("The signed document is not XML."));
         return check;
     }
     bool named = false;
@@ -153,7 +153,7 @@ PermissionsCheck checkPermissions(const std::string& xml, const std::string& mem
             say(DocumentText::tr(
                 "The validity needs not_before and not_after as 2026-01-31T00:00:00, without a time zone."));
         else if (now_unixS < *begin)
-            say(DocumentText::tr("The permissions do not hold yet."));
+            say(DocumentText::tr("The permissions are not valid yet."));
         else if (now_unixS >= *end)
             say(DocumentText::tr("The permissions have expired."));
         else
@@ -184,7 +184,7 @@ std::vector<std::string> checkGovernance(const std::string& xml) {
         {"data_protection_kind", "ENCRYPT"}};
     const auto rules = groupsOf(xml, QStringLiteral("domain_rule"));
     if (!rules || rules->empty())
-        return {DocumentText::tr("What is signed has no domain_rule.").toStdString()};
+        return {DocumentText::tr("The signed document has no domain_rule.").toStdString()};
     std::vector<std::string> problems;
     for (const QMap<QString, QStringList>& rule : *rules)
         for (const auto& [name, value] : wanted) {

@@ -38,16 +38,15 @@ public:
         m_permissions = authority(QStringLiteral("permissions_ca"));
         if (m_identity && m_permissions &&
             EVP_PKEY_eq(X509_get0_pubkey(m_identity.get()), X509_get0_pubkey(m_permissions.get())) == 1)
-            refuse(
-                QStringLiteral("permissions_ca.pem"),
-                KeyText::tr("Both authorities have one key. Whoever has a certificate could sign permissions "
-                            "of its own."));
+            refuse(QStringLiteral("permissions_ca.pem"),
+                   KeyText::tr("Both authorities share one key. Anyone with a certificate could sign their "
+                               "own permissions."));
         governance();
         for (const QString& name : QDir(m_folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name))
             member(name);
         compareSites();
         if (m_report.members.empty())
-            refuse(QString(), KeyText::tr("There is no folder of a site, a console or a viewer."));
+            refuse(QString(), KeyText::tr("There is no folder for a site, a console or a viewer."));
         return std::move(m_report);
     }
 
@@ -65,14 +64,15 @@ private:
     Held<X509> certificate(const QString& file) {
         Held<X509> found = readCertificate(pathOf(file));
         if (!found) {
-            refuse(file, QFile::exists(QDir(m_folder).filePath(file)) ? KeyText::tr("This is no certificate.")
-                                                                      : KeyText::tr("The file is missing."));
+            refuse(file, QFile::exists(QDir(m_folder).filePath(file))
+                             ? KeyText::tr("This is not a certificate.")
+                             : KeyText::tr("The file is missing."));
             return found;
         }
         const auto begin = beginOf(*found);
         const auto end = endOf(*found);
         if (!begin || !end || m_now_unixS < *begin)
-            refuse(file, KeyText::tr("The certificate does not hold yet."));
+            refuse(file, KeyText::tr("The certificate is not valid yet."));
         else
             ends(file, *end, KeyText::tr("The certificate has expired."),
                  [](const QString& day) { return KeyText::tr("The certificate ends on %1.").arg(day); });
@@ -96,11 +96,11 @@ private:
             constexpr std::uint32_t needed = KU_KEY_CERT_SIGN | KU_DIGITAL_SIGNATURE;
             const std::uint32_t flags = X509_get_extension_flags(found.get());
             if ((flags & EXFLAG_CA) == 0)
-                refuse(file, KeyText::tr("This is no certificate authority (basicConstraints CA:TRUE)."));
+                refuse(file, KeyText::tr("This is not a certificate authority (basicConstraints CA:TRUE)."));
             else if ((flags & EXFLAG_KUSAGE) == 0 || (X509_get_key_usage(found.get()) & needed) != needed)
                 refuse(file, KeyText::tr("Its key usage lacks digitalSignature or keyCertSign."));
             else if (!verifies(*found, *found))
-                refuse(file, KeyText::tr("It is not signed by itself."));
+                refuse(file, KeyText::tr("It is not self-signed."));
         }
         const QString key = name + QStringLiteral("_key.pem");
         if (QFile::exists(QDir(m_folder).filePath(key)))
@@ -115,7 +115,7 @@ private:
             refuse(file, KeyText::tr("Others can read or write this private key (chmod 600)."));
         const Held<EVP_PKEY> key = readKey(pathOf(file));
         if (!key)
-            refuse(file, KeyText::tr("This is no private key without a password."));
+            refuse(file, KeyText::tr("This is not a private key without a password."));
         else if (certificate != nullptr && EVP_PKEY_eq(X509_get0_pubkey(certificate), key.get()) != 1)
             refuse(file, KeyText::tr("The key does not belong to the certificate."));
     }
@@ -159,15 +159,15 @@ private:
             if (m_permissions && verifies(*found, *m_permissions))
                 refuse(file,
                        KeyText::tr(
-                           "It verifies against permissions_ca.pem: its holder could sign permissions of its "
-                           "own. That authority must sign nothing but governance and permissions."));
+                           "It verifies against permissions_ca.pem, so its holder could sign their own "
+                           "permissions. That authority must sign nothing but governance and permissions."));
         }
         const QString key = name + QStringLiteral("/key.pem");
         if (QFile::exists(QDir(m_folder).filePath(key)))
             privateKey(key, found.get());
         else
             warn(key,
-                 KeyText::tr("The key is not here. That is right where it lies only on its own computer."));
+                 KeyText::tr("The key is not here. That is fine if it is kept only on its own computer."));
         const QString permissions = name + QStringLiteral("/permissions.p7s");
         if (const std::optional<std::string> text = document(permissions); text && found) {
             const PermissionsCheck check = checkPermissions(*text, one.name, one.subject, m_now_unixS);
@@ -190,8 +190,9 @@ private:
                 m_report.site = site;
         for (const auto& [file, site] : m_sites)
             if (site != m_report.site)
-                refuse(file, KeyText::tr("Its topics are those of the site %1, other permissions name %2.")
-                                 .arg(QString::fromStdString(site), QString::fromStdString(m_report.site)));
+                refuse(file,
+                       KeyText::tr("Its topics belong to the site %1, those of other permissions to %2.")
+                           .arg(QString::fromStdString(site), QString::fromStdString(m_report.site)));
     }
 
     QString m_folder;

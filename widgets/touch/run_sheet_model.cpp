@@ -206,7 +206,7 @@ QStringList RunSheetModel::titles() const {
 
 QVariant RunSheetModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (role == Qt::ToolTipRole && orientation == Qt::Horizontal && section == time)
-        return tr("When its first touch was evaluated; Touches has when that began, a moment before");
+        return tr("When its first touch was evaluated; Touches shows when it began, a moment earlier");
     return TitledModel::headerData(section, orientation, role);
 }
 

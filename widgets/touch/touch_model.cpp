@@ -317,7 +317,7 @@ QVariant TouchModel::headerData(int section, Qt::Orientation orientation, int ro
         return int(Qt::AlignVCenter | (isLeftAligned(section) ? Qt::AlignLeft : Qt::AlignRight));
     if (role == Qt::ToolTipRole) {
         if (section == force)
-            return tr("Force at the contact; a dash marks what the arm cannot observe in its configuration");
+            return tr("Force at the contact; a dash marks what the arm cannot observe in this pose");
         if (section == condition)
             return tr("Condition number of the force: longest over shortest lever; large is bad");
         if (section == distance)

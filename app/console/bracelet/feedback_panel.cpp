@@ -178,7 +178,7 @@ void FeedbackPanel::showLatency() {
 
 void FeedbackPanel::retranslate() {
     showLatency();
-    m_modeLabel->setText(tr("&Play of a touch:"));
+    m_modeLabel->setText(tr("What to &play:"));
     const QSignalBlocker quiet(m_mode);
     m_mode->setItemText(0, tr("Stiffness and shape"));
     m_mode->setItemText(1, tr("Stiffness"));

@@ -436,7 +436,7 @@ void OperateDocks::keepSizes() {
     for (std::size_t i = 0; i < kDocks; ++i)
         if (isForm(i) && m_sizes[i].isValid())
             forms = std::max(forms, m_sizes[i].width());
-    const double wider = std::max(width() - forms, 1) / std::max(1.0, m_sizesIn.width() - forms * 1.0);
+    const double wider = std::max(width() - forms, 1) / std::max(1.0, m_sizesIn.width() - static_cast<double>(forms));
     const double higher = static_cast<double>(height()) / m_sizesIn.height();
     const auto isSeen = [this](std::size_t dock) {
         return m_sizes[dock].isValid() && m_docks[dock]->isVisible() && !m_docks[dock]->isFloating();

@@ -83,10 +83,10 @@ TEST_F(SiteCommand, refusesWhatMakesASiteUnsafe) {
          "-CAcreateserial -days 90 -out site/cert.pem",
          "Refused: site/cert.pem: It verifies against permissions_ca.pem"},
         {"cp permissions_ca.pem identity_ca.pem; cp permissions_ca_key.pem identity_ca_key.pem",
-         "Refused: permissions_ca.pem: Both authorities have one key."},
+         "Refused: permissions_ca.pem: Both authorities share one key."},
         {"sed -i s/DENY/ALLOW/ console1/permissions.p7s",
          "Refused: console1/permissions.p7s: It is not signed"},
-        {"rm -r console1 site viewer1", "Refused: There is no folder of a site, a console or a viewer."},
+        {"rm -r console1 site viewer1", "Refused: There is no folder for a site, a console or a viewer."},
     };
     sh("cp -a . ../good");
     for (const auto& [commands, says] : cases) {

@@ -162,7 +162,7 @@ TEST_F(SiteKeys, refusePermissionsOfAnotherSubjectOrTime) {
     writePermissions("2020-01-01T00:00:00", "2021-01-01T00:00:00");
     EXPECT_TRUE(refuses(file, "expired"));
     writePermissions("2125-01-01T00:00:00", "2126-01-01T00:00:00");
-    EXPECT_TRUE(refuses(file, "do not hold yet"));
+    EXPECT_TRUE(refuses(file, "are not valid yet"));
     writePermissions("2020-01-01T00:00:00Z", "2121-01-01T00:00:00Z");
     EXPECT_TRUE(refuses(file, "without a time zone"));
     writePermissions("2020-01-01T00:00:00", "2121-01-01T00:00:00", "ALLOW");
@@ -212,7 +212,7 @@ TEST_F(SiteKeys, refuseTopicsThatAreNotOfTheRole) {
     EXPECT_TRUE(refuses(file, "No topic of a site"));
     // Another site, and rules that turn others round.
     writeRules(QString::fromLatin1(kConsoleRule).replace("/lab/", "/shop/"));
-    EXPECT_TRUE(refuses(file, "the site shop, other permissions name lab"));
+    EXPECT_TRUE(refuses(file, "the site shop, those of other permissions to lab"));
     writeRules(kConsoleRule + QStringLiteral("<deny_rule/>"));
     EXPECT_TRUE(refuses(file, "deny_rule"));
 }

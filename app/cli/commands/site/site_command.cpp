@@ -56,11 +56,11 @@ class SiteCommand : public CommandGroup {
 public:
     void declare(CLI::App& app) {
         app.require_subcommand(1);
-        CLI::App& keys =
-            addPart(app, "keys",
-                    SiteText::tr("Check the certificates and permissions of a site, or tell the commands "
-                                 "that make them"),
-                    [this] { return checkOrTell(); });
+        CLI::App& keys = addPart(
+            app, "keys",
+            SiteText::tr(
+                "Check the certificates and permissions of a site, or print the commands that create them"),
+            [this] { return checkOrTell(); });
         addOption(
             keys, "folder", m_plan.folder,
             SiteText::tr(
@@ -68,12 +68,11 @@ public:
                 "site, console and viewer"),
             "DIR")
             ->required();
-        addOption(
-            keys, "--make", m_plan.site,
-            SiteText::tr("Check nothing, print the commands of openssl that make the folder for a site of "
-                         "this name"),
-            "SITE");
-        addOption(keys, "--console", m_plan.consoles, SiteText::tr("Consoles that may control"), "NAME")
+        addOption(keys, "--make", m_plan.site,
+                  SiteText::tr("Instead of checking, print the openssl commands that create the folder for a "
+                               "site of this name"),
+                  "SITE");
+        addOption(keys, "--console", m_plan.consoles, SiteText::tr("Consoles that may take control"), "NAME")
             ->needs("--make");
         addOption(keys, "--viewer", m_plan.viewers, SiteText::tr("Consoles that only watch"), "NAME")
             ->needs("--make");
@@ -141,7 +140,7 @@ private:
 
 Command siteCommand() {
     return makeCommand<SiteCommand>(
-        "site", SiteText::tr("Keys of a site, where a robot is at another place"),
+        "site", SiteText::tr("Keys of a remote site"),
         "teleta site keys keys --make lab --console console1 --viewer viewer1 > make_keys.sh\n"
         "  sh make_keys.sh\n"
         "  teleta site keys keys");
