@@ -154,6 +154,16 @@ std::vector<Eigen::Isometry3d> SerialChain::linkPoses(const core::JointVector& q
     return poses;
 }
 
+std::vector<Eigen::Vector3d> SerialChain::pathPoints_m(const core::JointVector& q) const {
+    std::vector<Eigen::Vector3d> points_m{Eigen::Vector3d::Zero()};
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    for (const std::size_t joint : m_path) {
+        pose = pose * X_Parent_Child(joint, q);
+        points_m.push_back(pose.translation());
+    }
+    return points_m;
+}
+
 ChainJacobian SerialChain::jacobian(const core::JointVector& q, const Eigen::Vector3d& p_Tip_Point_m) const {
     ChainJacobian jacobian = ChainJacobian::Zero(6, static_cast<Eigen::Index>(joints()));
     const Eigen::Vector3d p_Base_Point = X_Base_Tip(q) * p_Tip_Point_m;

@@ -24,7 +24,7 @@ using ChainJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, core::Joint
 /// The joints of a robot between two of its links that move the second one: what a console moves. All other
 /// movable joints (fingers, a second arm) stand where they do least harm to the description: at 0, or at the
 /// end of their range that is nearest to 0. Mimic joints follow their joint wherever they are. Thread: any
-/// (const); nothing allocates but linkPoses().
+/// (const); nothing allocates but linkPoses() and pathPoints_m().
 class SerialChain {
 public:
     /// Failure: notFound where a link is missing (the message lists the links that exist); badInput where the
@@ -52,6 +52,9 @@ public:
 
     /// Poses of all links of the robot in the base's frame, in the order of ArmModel::links.
     [[nodiscard]] std::vector<Eigen::Isometry3d> linkPoses(const core::JointVector& q) const;
+
+    /// Origins of the frames from the base to the tip, both included, in the base's frame.
+    [[nodiscard]] std::vector<Eigen::Vector3d> pathPoints_m(const core::JointVector& q) const;
 
     /// Derivative of the tip's pose: J qd is the velocity of a point that is fixed to the tip, and the
     /// angular velocity of the tip. p_Tip_Point_m: the point in the tip's frame.

@@ -4,7 +4,6 @@
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/pipeline/touch/skin_contact.h"
 #include "backend/recording/recorder.h"
-#include "backend/recording/stream_columns.h"
 
 #include <limits>
 #include <numbers>
@@ -15,75 +14,55 @@ namespace teleta::pipeline {
 
 ArmChannel::ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
                        const ArmSettings& settings)
-    : m_arm(std::move(arm))
+    : JointChannel(std::move(arm))
     , m_skin(std::move(skin))
-    , m_estimator(m_arm->description(), settings.touch)
+    , m_estimator(description(), settings.touch)
     , m_found(settings.contour)
-    , m_samples(kHistorySamples)
     , m_touches(kHistoryTouches) {
     m_settingsInUse.set(settings);
 }
 
 ArmChannel::~ArmChannel() {
-    m_arm->stop();
+    JointChannel::stop(); // before the skin, into which its thread delivers
 }
 
 void ArmChannel::start(core::Wakeup& data) {
     m_skin->start(data);
-    m_arm->start(data);
+    JointChannel::start(data);
 }
 
 void ArmChannel::stop() {
-    m_arm->stop();
+    JointChannel::stop();
     m_skin->stop();
 }
 
 void ArmChannel::drain() {
     m_skin->drain();
-    core::JointSample sample;
-    while (popSample(sample)) {
-    }
+    JointChannel::drain();
     TouchRecord touch;
     while (popTouch(touch)) {
     }
 }
 
-bool ArmChannel::hasProgram() const {
-    return m_arm->description().hasProgram && !m_arm->description().recorded;
-}
-
 void ArmChannel::record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) {
     m_skin->record(recorder, name);
-    m_taps.set(recorder ? tapsInto(*recorder, name) : nullptr);
+    recordJoints(recorder.get(), name, framesStreamName(name));
+    m_touchTap.set(recorder ? recorder->addStream(touchStream(name + "-touches", description())) : nullptr);
 }
 
 void ArmChannel::watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) {
     m_skin->watch(sink, name);
-    m_watched.set(sink ? tapsInto(*sink, name) : nullptr);
-}
-
-std::shared_ptr<const ArmTaps> ArmChannel::tapsInto(recording::StreamSink& sink,
-                                                    const std::string& name) const {
-    auto taps = std::make_shared<ArmTaps>();
-    taps->joints = sink.addStream(armStream(name + "-joints", description(), framesStreamName(name)));
-    taps->touches = sink.addStream(touchStream(name + "-touches", description()));
-    return taps;
+    watchJoints(sink.get(), name, framesStreamName(name));
+    m_touchesWatched.set(sink ? sink->addStream(touchStream(name + "-touches", description())) : nullptr);
 }
 
 std::size_t ArmChannel::process() {
     bool changed = takeCommands();
 
-    m_tapsInUse = m_taps.get();
-    m_watchedInUse = m_watched.get();
-
     // Joints first: a skin frame that was read before them is then there, too.
-    m_joints.clear();
-    core::JointSample sample;
-    core::BoundedQueue<core::JointSample>& joints = m_arm->joints();
-    for (std::size_t waiting = joints.size(); waiting > 0 && joints.pop(sample); --waiting)
-        m_joints.push_back(sample);
+    const std::vector<core::JointSample>& joints = takeSamples();
     m_contacts.clear();
-    const double circumference_m = 2.0 * std::numbers::pi * m_arm->description().skin.radius_m;
+    const double circumference_m = 2.0 * std::numbers::pi * description().skin.radius_m;
     m_skin->process(
         [&](const TouchSnapshot& frame) { m_contacts.push_back(strongestContact(frame, circumference_m)); });
 
@@ -94,33 +73,24 @@ std::size_t ArmChannel::process() {
                 take(std::move(*touch));
         }
     };
-    for (const core::JointSample& next : m_joints) {
-        for (const auto& taps : {m_tapsInUse, m_watchedInUse}) {
-            if (!taps)
-                continue;
-            const auto values = recording::jointValues(next, m_arm->description().joints());
-            taps->joints->append(next.time_ns, next.sourceTime_s, std::span<const double>(values),
-                                 next.discontinuity);
-        }
+    for (const core::JointSample& next : joints) {
         feedContactsUntil(next.time_ns - 1);
         if (auto touch = m_estimator.update(next))
             take(std::move(*touch));
         // A touch that the jump ended is of the run before.
-        if (m_sourceTime_s && next.sourceTime_s < *m_sourceTime_s && !m_arm->description().recorded)
+        if (m_sourceTime_s && next.sourceTime_s < *m_sourceTime_s && !description().recorded)
             beginAnew(next.time_ns);
         m_sourceTime_s = next.sourceTime_s;
-        m_samples.push(core::JointSample(next));
+        publish(next);
     }
     feedContactsUntil(std::numeric_limits<std::int64_t>::max());
 
-    changed = changed || !m_joints.empty() || !m_contacts.empty();
-    if (!m_joints.empty()) {
-        m_newest = m_joints.back();
-        m_samplesProcessed.fetch_add(m_joints.size(), std::memory_order_relaxed);
-    }
+    changed = changed || !joints.empty() || !m_contacts.empty();
+    if (!joints.empty())
+        m_newest = joints.back();
     if (changed)
-        publish();
-    return m_joints.size();
+        publishSnapshot();
+    return joints.size();
 }
 
 bool ArmChannel::takeCommands() {
@@ -143,11 +113,11 @@ bool ArmChannel::takeCommands() {
 
 void ArmChannel::take(TouchRecord&& touch) {
     addToObjects(touch);
-    for (const auto& taps : {m_tapsInUse, m_watchedInUse}) {
-        if (!taps)
+    for (const auto& tap : {m_touchTap.get(), m_touchesWatched.get()}) {
+        if (!tap)
             continue;
         const auto values = touchValues(touch);
-        taps->touches->append(touch.ready_ns, touch.ready_s, std::span<const double>(values));
+        tap->append(touch.ready_ns, touch.ready_s, std::span<const double>(values));
     }
     const std::shared_ptr<TactileFeedback> feedback = m_feedback.get();
     if (feedback)
@@ -160,7 +130,7 @@ void ArmChannel::take(TouchRecord&& touch) {
 
 void ArmChannel::addToObjects(TouchRecord& touch) {
     using Kind = TouchHistory::Kind;
-    const Kind kind = m_arm->description().recorded ? m_history.add(touch) : Kind::first;
+    const Kind kind = description().recorded ? m_history.add(touch) : Kind::first;
     if (kind == Kind::better) {
         m_history.fill(m_found);
         ++m_objectsRevision;
@@ -176,10 +146,10 @@ void ArmChannel::beginAnew(std::int64_t time_ns) {
     m_lastTouch.reset();
 }
 
-void ArmChannel::publish() {
+void ArmChannel::publishSnapshot() {
     ArmSnapshot& snapshot = m_snapshots.back();
     snapshot.newest = m_newest;
-    snapshot.drive = m_arm->drive();
+    snapshot.drive = device().drive();
     snapshot.begun_ns = m_begun_ns;
     snapshot.contact = m_estimator.liveContact();
     snapshot.lastTouch = m_lastTouch;

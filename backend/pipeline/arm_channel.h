@@ -7,6 +7,7 @@
 #include "backend/core/threads/latest_copy.h"
 #include "backend/core/threads/latest_exchange.h"
 #include "backend/core/threads/mailbox.h"
+#include "backend/pipeline/joint_channel.h"
 #include "backend/pipeline/touch/found_objects.h"
 #include "backend/pipeline/touch/tactile_feedback.h"
 #include "backend/pipeline/touch/touch_estimator.h"
@@ -44,24 +45,16 @@ struct ArmSnapshot {
     std::uint64_t samplesProcessed = 0;
 };
 
-/// Where the channel leaves copies of what passes for a recording. All members are set.
-struct ArmTaps {
-    std::shared_ptr<core::StreamTap> joints;  ///< as recording::jointValues()
-    std::shared_ptr<core::StreamTap> touches; ///< as touchValues()
-};
-
 /// One remote arm with its skin in the running system: evaluates its touches and the contour that they
 /// outline, and says what views may see of it. The skin's own picture is that of its TouchChannel.
 ///
 /// Three sides, one thread each:
 /// - pipeline thread: process() drains skin and joints and publishes a snapshot, joint samples and touches;
-/// - viewer (one thread, the GUI's): update(), snapshot(), popSample(), popTouch(), post(), resetContour(),
-///   and the commands of device();
-/// - any thread: description(), status(), jointStatus(), settings(), counters.
-class ArmChannel : public Channel {
+/// - viewer (one thread, the GUI's): as of JointChannel, and update(), snapshot(), popTouch(), post(),
+///   resetContour();
+/// - any thread: as of JointChannel, and settings().
+class ArmChannel : public JointChannel {
 public:
-    /// Joint samples kept for a viewer that is late: 16 s at 1 kHz. What does not fit is counted.
-    static constexpr std::size_t kHistorySamples = 16'384;
     /// Touches kept for a viewer that is late; counted as well.
     static constexpr std::size_t kHistoryTouches = 1024;
 
@@ -70,23 +63,15 @@ public:
                const ArmSettings& settings = {});
     ~ArmChannel() override;
 
-    [[nodiscard]] const core::ArmDescription& description() const { return m_arm->description(); }
     [[nodiscard]] ChannelSummary summary() const override { return m_skin->summary(); }
     [[nodiscard]] core::DeviceStatus status() const override { return m_skin->status(); }
-    [[nodiscard]] core::DeviceStatus jointStatus() const { return m_arm->status(); }
     [[nodiscard]] std::uint64_t framesProcessed() const override { return m_skin->framesProcessed(); }
     [[nodiscard]] core::PlaybackControl* playback() override { return m_skin->playback(); }
-    /// Moves the arm: post(), setProgramRunning(), restartProgram() by the viewer thread.
-    [[nodiscard]] core::ArmSource& device() { return *m_arm; }
     [[nodiscard]] const std::shared_ptr<TouchChannel>& skin() const { return m_skin; }
 
     void start(core::Wakeup& data) override;
     void stop() override;
     void drain() override;
-    /// A program of its own; a recording's is over.
-    [[nodiscard]] bool hasProgram() const override;
-    void setProgramRunning(bool running) override { m_arm->setProgramRunning(running); }
-    void restartProgram() override { m_arm->restartProgram(); }
 
     /// Fetches the newest snapshot; true when it changed. Viewer thread.
     bool update() { return m_snapshots.update(); }
@@ -94,9 +79,6 @@ public:
     /// 0 until the first sample or skin frame has been processed.
     [[nodiscard]] std::uint64_t generation() const { return m_snapshots.generation(); }
 
-    /// Takes the oldest joint sample that the viewer has not seen; every one comes. Viewer thread.
-    bool popSample(core::JointSample& sample) { return m_samples.pop(sample); }
-    [[nodiscard]] std::uint64_t samplesNotShown() const { return m_samples.overflow(); }
     /// Takes the oldest touch that the viewer has not seen. Viewer thread.
     bool popTouch(TouchRecord& touch) { return m_touches.pop(touch); }
     [[nodiscard]] std::uint64_t touchesNotShown() const { return m_touches.overflow(); }
@@ -117,10 +99,6 @@ public:
         return m_skin->takeSettingsEvent();
     }
 
-    [[nodiscard]] std::uint64_t samplesProcessed() const {
-        return m_samplesProcessed.load(std::memory_order_relaxed);
-    }
-
     /// Processes all joint samples and skin frames that wait, in order of time. Pipeline thread. Returns the
     /// number of joint samples.
     std::size_t process() override;
@@ -132,9 +110,8 @@ private:
     void addToObjects(TouchRecord& touch);
     /// What was found before is of another run.
     void beginAnew(std::int64_t time_ns);
-    void publish();
+    void publishSnapshot();
 
-    std::unique_ptr<core::ArmSource> m_arm;
     std::shared_ptr<TouchChannel> m_skin;
     TouchEstimator m_estimator;
     FoundObjects m_found;
@@ -147,22 +124,14 @@ private:
     core::LatestCopy<ArmSettings> m_settingsInUse;
     std::atomic<bool> m_contourReset{false};
     core::LatestCopy<std::shared_ptr<TactileFeedback>> m_feedback;
-    [[nodiscard]] std::shared_ptr<const ArmTaps> tapsInto(recording::StreamSink& sink,
-                                                          const std::string& name) const;
+    core::LatestCopy<std::shared_ptr<core::StreamTap>> m_touchTap;
+    core::LatestCopy<std::shared_ptr<core::StreamTap>> m_touchesWatched;
 
-    core::LatestCopy<std::shared_ptr<const ArmTaps>> m_taps;
-    core::LatestCopy<std::shared_ptr<const ArmTaps>> m_watched;
-    std::shared_ptr<const ArmTaps> m_tapsInUse;    ///< of the pipeline's thread
-    std::shared_ptr<const ArmTaps> m_watchedInUse; ///< of the same
-
-    std::vector<core::JointSample> m_joints;
     std::vector<SkinContact> m_contacts;
     core::JointSample m_newest;
     std::optional<TouchRecord> m_lastTouch;
     core::LatestExchange<ArmSnapshot> m_snapshots;
-    core::BoundedQueue<core::JointSample> m_samples;
     core::BoundedQueue<TouchRecord> m_touches;
-    std::atomic<std::uint64_t> m_samplesProcessed{0};
 };
 
 } // namespace teleta::pipeline

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/stream_columns.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace teleta::recording {
 
 StreamInfo jointStream(double nominalRate_Hz, std::size_t joints) {
@@ -33,7 +37,9 @@ std::vector<double> jointValues(const core::JointSample& sample, std::size_t joi
     std::vector<double> values;
     values.reserve(kJointKinds * joints);
     for (const core::JointVector* kind : {&sample.angle_rad, &sample.torque_Nm, &sample.reference_rad})
-        values.insert(values.end(), kind->data(), kind->data() + joints);
+        for (std::size_t joint = 0; joint < joints; ++joint)
+            values.push_back(joint < kind->size() ? (*kind)[joint]
+                                                  : std::numeric_limits<double>::quiet_NaN());
     return values;
 }
 
@@ -41,7 +47,9 @@ core::JointSample jointSample(std::span<const double> values) {
     const std::size_t joints = values.size() / kJointKinds;
     core::JointSample sample;
     for (core::JointVector* kind : {&sample.angle_rad, &sample.torque_Nm, &sample.reference_rad}) {
-        *kind = core::JointVector::of(values.first(joints)).value_or(core::JointVector());
+        const std::span<const double> told = values.first(joints);
+        if (!std::ranges::all_of(told, [](double value) { return std::isnan(value); }))
+            *kind = core::JointVector::of(told).value_or(core::JointVector());
         values = values.subspan(joints);
     }
     return sample;

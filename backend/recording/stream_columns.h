@@ -22,7 +22,7 @@ inline constexpr std::size_t kJointKinds = 3;
 /// The number of joints in a stream of joint samples; empty when it is none, or of no arm that can be.
 [[nodiscard]] std::optional<std::size_t> jointsOf(const StreamInfo& stream);
 
-/// A joint sample as the stream of an arm with so many joints has it.
+/// A joint sample as the stream of an arm with so many joints has it; NaN: the sample does not tell it.
 [[nodiscard]] std::vector<double> jointValues(const core::JointSample& sample, std::size_t joints);
 
 /// The angles, torques and references of a joint sample, back from its stream. values: of a whole sample.

@@ -99,6 +99,9 @@ public:
     /// rate_Hz, framesRead and framesLost count joint samples.
     [[nodiscard]] virtual DeviceStatus status() const = 0;
     [[nodiscard]] virtual ArmDrive drive() const = 0;
+    /// Why commands do not move it now, a translated sentence without a full stop; empty: nothing is in the
+    /// way that it knows of.
+    [[nodiscard]] virtual std::string hindrance() const { return {}; }
 
     // An arm that takes no commands ignores them.
     /// The latest command wins. NaN counts as zero, speeds are limited to the description's, a joint at the

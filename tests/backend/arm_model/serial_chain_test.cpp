@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <vector>
 
 using namespace teleta;
 using arm_model::ArmModel;
@@ -43,6 +44,20 @@ TEST(SerialChain, twoLinksReachWhereTrigonometrySays) {
         EXPECT_NEAR(tip.y(), 0.0, kRounding);
         EXPECT_NEAR(tip.z(), -0.3 * std::sin(shoulder) - 0.2 * std::sin(shoulder + elbow), kRounding);
     }
+}
+
+TEST(SerialChain, itsPathGoesThroughTheJointsToTheTip) {
+    const SerialChain arm = chain("gripper.urdf", "base_link", "tool0");
+    const double shoulder = 0.4;
+    const double elbow = -1.1;
+    const std::vector<Eigen::Vector3d> path_m = arm.pathPoints_m({shoulder, elbow});
+    // The base, the two joints, the fixed joint of the tool.
+    ASSERT_EQ(path_m.size(), 4U);
+    EXPECT_EQ(path_m[0], Eigen::Vector3d::Zero());
+    EXPECT_EQ(path_m[1], Eigen::Vector3d::Zero());
+    const Eigen::Vector3d lower(0.3 * std::cos(shoulder), 0.0, -0.3 * std::sin(shoulder));
+    EXPECT_LT((path_m[2] - lower).norm(), kRounding);
+    EXPECT_LT((path_m[3] - arm.X_Base_Tip({shoulder, elbow}).translation()).norm(), kRounding);
 }
 
 TEST(SerialChain, gravityOfTwoLinksIsThatOfStatics) {

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/joint_channel.h"
+
+#include "backend/pipeline/recorded/recorded_streams.h"
+#include "backend/recording/recorder.h"
+#include "backend/recording/stream_columns.h"
+
+#include <span>
+#include <utility>
+
+namespace teleta::pipeline {
+
+JointChannel::JointChannel(std::unique_ptr<core::ArmSource> arm,
+                           std::shared_ptr<const arm_model::SerialChain> chain)
+    : m_arm(std::move(arm))
+    , m_chain(std::move(chain))
+    , m_samples(kHistorySamples) {
+}
+
+JointChannel::~JointChannel() {
+    m_arm->stop();
+}
+
+ChannelSummary JointChannel::summary() const {
+    const core::ArmDescription& arm = description();
+    return {arm.name, arm.nominalRate_Hz, arm.simulated, arm.recorded};
+}
+
+void JointChannel::drain() {
+    core::JointSample sample;
+    while (popSample(sample)) {
+    }
+}
+
+bool JointChannel::hasProgram() const {
+    return description().hasProgram && !description().recorded;
+}
+
+void JointChannel::record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) {
+    recordJoints(recorder.get(), name, {});
+}
+
+void JointChannel::watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) {
+    watchJoints(sink.get(), name, {});
+}
+
+void JointChannel::recordJoints(recording::StreamSink* sink, const std::string& name,
+                                const std::string& skinStream) {
+    m_tap.set(tapInto(sink, name, skinStream));
+}
+
+void JointChannel::watchJoints(recording::StreamSink* sink, const std::string& name,
+                               const std::string& skinStream) {
+    m_watched.set(tapInto(sink, name, skinStream));
+}
+
+JointChannel::Tap JointChannel::tapInto(recording::StreamSink* sink, const std::string& name,
+                                        const std::string& skinStream) const {
+    return sink != nullptr ? sink->addStream(armStream(name + "-joints", description(), skinStream))
+                           : nullptr;
+}
+
+std::size_t JointChannel::process() {
+    const std::vector<core::JointSample>& samples = takeSamples();
+    for (const core::JointSample& sample : samples)
+        publish(sample);
+    return samples.size();
+}
+
+const std::vector<core::JointSample>& JointChannel::takeSamples() {
+    m_tapInUse = m_tap.get();
+    m_watchedInUse = m_watched.get();
+    m_taken.clear();
+    core::JointSample sample;
+    core::BoundedQueue<core::JointSample>& joints = m_arm->joints();
+    for (std::size_t waiting = joints.size(); waiting > 0 && joints.pop(sample); --waiting)
+        m_taken.push_back(sample);
+    return m_taken;
+}
+
+void JointChannel::publish(const core::JointSample& sample) {
+    for (const Tap& tap : {m_tapInUse, m_watchedInUse}) {
+        if (!tap)
+            continue;
+        const auto values = recording::jointValues(sample, description().joints());
+        tap->append(sample.time_ns, sample.sourceTime_s, std::span<const double>(values),
+                    sample.discontinuity);
+    }
+    m_samples.push(core::JointSample(sample));
+    m_samplesProcessed.fetch_add(1, std::memory_order_relaxed);
+}
+
+} // namespace teleta::pipeline

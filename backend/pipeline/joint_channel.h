@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/arm_device.h"
+#include "backend/core/device/stream_tap.h"
+#include "backend/core/threads/bounded_queue.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/pipeline/channel.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace teleta::arm_model {
+class SerialChain;
+}
+
+namespace teleta::pipeline {
+
+/// The joints of one remote arm in the running system; of an arm without a tactile skin this is all there
+/// is, see ArmChannel for one with a skin.
+///
+/// Three sides, one thread each:
+/// - pipeline thread: process() drains the joint samples and publishes them;
+/// - viewer (one thread, the GUI's): popSample() and the commands of device();
+/// - any thread: description(), status(), jointStatus(), chain(), counters.
+class JointChannel : public Channel {
+public:
+    /// Joint samples kept for a viewer that is late: 16 s at 1 kHz. What does not fit is counted.
+    static constexpr std::size_t kHistorySamples = 16'384;
+
+    /// arm: not null. chain: its joints and links, where a description of them is known.
+    explicit JointChannel(std::unique_ptr<core::ArmSource> arm,
+                          std::shared_ptr<const arm_model::SerialChain> chain = nullptr);
+    ~JointChannel() override;
+
+    [[nodiscard]] const core::ArmDescription& description() const { return m_arm->description(); }
+    [[nodiscard]] core::DeviceStatus jointStatus() const { return m_arm->status(); }
+    /// Null where the arm is described by core::ArmDescription alone.
+    [[nodiscard]] const std::shared_ptr<const arm_model::SerialChain>& chain() const { return m_chain; }
+    /// Moves the arm: post(), setProgramRunning(), restartProgram() by the viewer thread.
+    [[nodiscard]] core::ArmSource& device() { return *m_arm; }
+
+    [[nodiscard]] ChannelSummary summary() const override;
+    [[nodiscard]] core::DeviceStatus status() const override { return jointStatus(); }
+    [[nodiscard]] std::uint64_t framesProcessed() const override { return samplesProcessed(); }
+    [[nodiscard]] core::PlaybackControl* playback() override {
+        return dynamic_cast<core::PlaybackControl*>(m_arm.get());
+    }
+
+    void start(core::Wakeup& data) override { m_arm->start(data); }
+    void stop() override { m_arm->stop(); }
+    void drain() override;
+    /// A program of its own; a recording's is over.
+    [[nodiscard]] bool hasProgram() const override;
+    void setProgramRunning(bool running) override { m_arm->setProgramRunning(running); }
+    void restartProgram() override { m_arm->restartProgram(); }
+
+    /// Takes the oldest joint sample that the viewer has not seen; every one comes. Viewer thread.
+    bool popSample(core::JointSample& sample) { return m_samples.pop(sample); }
+    [[nodiscard]] std::uint64_t samplesNotShown() const { return m_samples.overflow(); }
+    [[nodiscard]] std::uint64_t samplesProcessed() const {
+        return m_samplesProcessed.load(std::memory_order_relaxed);
+    }
+
+    /// Stream NAME-joints.
+    void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
+    void watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) override;
+
+    /// Publishes all joint samples that wait. Pipeline thread. Returns their number.
+    std::size_t process() override;
+
+protected:
+    /// The joint samples that wait now, in order of time. Pipeline thread.
+    [[nodiscard]] const std::vector<core::JointSample>& takeSamples();
+    /// Gives a sample to recordings and to the viewer. Pipeline thread.
+    void publish(const core::JointSample& sample);
+    /// skinStream: with what it is recorded; empty: nothing.
+    void recordJoints(recording::StreamSink* sink, const std::string& name, const std::string& skinStream);
+    void watchJoints(recording::StreamSink* sink, const std::string& name, const std::string& skinStream);
+
+private:
+    using Tap = std::shared_ptr<core::StreamTap>;
+
+    [[nodiscard]] Tap tapInto(recording::StreamSink* sink, const std::string& name,
+                              const std::string& skinStream) const;
+
+    std::unique_ptr<core::ArmSource> m_arm;
+    std::shared_ptr<const arm_model::SerialChain> m_chain;
+    core::LatestCopy<Tap> m_tap;
+    core::LatestCopy<Tap> m_watched;
+    Tap m_tapInUse;     ///< of the pipeline's thread
+    Tap m_watchedInUse; ///< of the same
+    std::vector<core::JointSample> m_taken;
+    core::BoundedQueue<core::JointSample> m_samples;
+    std::atomic<std::uint64_t> m_samplesProcessed{0};
+};
+
+} // namespace teleta::pipeline
