@@ -24,6 +24,7 @@ struct PlaybackConfig {
 
     core::SourceDescription array;
     core::ArmDescription arm;                      ///< that wears the array
+    bool jointsAlone = false;                      ///< the stream is the arm's; there is no array
     std::optional<core::CameraDescription> camera; ///< set: the stream is a camera's, not an array's
     std::optional<Span> span;                      ///< empty: from the first frame to the last
 
@@ -41,7 +42,7 @@ struct PlaybackConfig {
 /// Streams of a .teleta recording.
 struct RecordedConfig : PlaybackConfig {
     std::string path;
-    std::size_t stream = 0;                     ///< number in the recording: an array, or a camera
+    std::size_t stream = 0;                     ///< number in the recording: an array, a camera, or an arm
     std::optional<std::size_t> jointStream;     ///< of the arm that wears the array
     std::optional<std::size_t> referenceStream; ///< of the camera; playback starts with its first picture
 };

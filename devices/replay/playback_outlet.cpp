@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/playback_outlet.h"
 
+#include "backend/recording/stream_columns.h"
+
 #include <utility>
 
 namespace teleta::replay {
@@ -8,6 +10,7 @@ namespace teleta::replay {
 namespace {
 
 constexpr std::size_t kFramesPerBlock = 64;
+constexpr std::size_t kSamplesPerBatch = 64;
 
 } // namespace
 
@@ -58,6 +61,44 @@ bool CameraPlaybackOutlet::deliver(core::DeviceState state, bool canWait) {
     if (canWait && m_outlet.isFull())
         return false;
     m_outlet.deliver(std::exchange(m_picture, {}), state);
+    return true;
+}
+
+core::JointSample jointSampleAt(const PlaybackTrack& track, const PlayedFrame& frame) {
+    core::JointSample sample = recording::jointSample(track.values<double>());
+    sample.time_ns = frame.time_ns;
+    sample.sourceTime_s = track.sourceTime_s();
+    sample.discontinuity = frame.jumped;
+    return sample;
+}
+
+JointPlaybackOutlet::JointPlaybackOutlet(std::size_t queueSamples)
+    : m_outlet(queueSamples, kSamplesPerBatch) {
+}
+
+void JointPlaybackOutlet::open(core::Wakeup& consumer, std::int64_t now_ns) {
+    m_taken.clear();
+    m_outlet.open(consumer, now_ns);
+}
+
+void JointPlaybackOutlet::take(const PlaybackTrack& track, const PlayedFrame& frame) {
+    m_taken.push_back(jointSampleAt(track, frame));
+}
+
+bool JointPlaybackOutlet::isFull() const {
+    return m_taken.size() >= kSamplesPerBatch;
+}
+
+bool JointPlaybackOutlet::deliver(core::DeviceState state, bool canWait) {
+    core::BoundedQueue<core::JointSample>& queue = m_outlet.samples();
+    if (canWait && queue.size() + m_taken.size() > queue.capacity())
+        return false;
+    const std::int64_t time_ns = m_taken.back().time_ns;
+    for (core::JointSample& sample : m_taken)
+        m_outlet.deliver(std::move(sample));
+    m_taken.clear();
+    m_outlet.flush();
+    m_outlet.setState(state, time_ns);
     return true;
 }
 

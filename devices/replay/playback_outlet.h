@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/camera_outlet.h"
+#include "backend/core/device/joint_outlet.h"
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/interface.h"
 #include "devices/replay/playback_recording.h"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace teleta::replay {
 
@@ -91,5 +93,33 @@ public:
 private:
     core::CameraFrame m_picture;
 };
+
+/// For an arm without an array: joint samples.
+class JointPlaybackOutlet : public PlaybackOutlet {
+public:
+    explicit JointPlaybackOutlet(std::size_t queueSamples);
+
+    void open(core::Wakeup& consumer, std::int64_t now_ns) override;
+    void take(const PlaybackTrack& track, const PlayedFrame& frame) override;
+    [[nodiscard]] std::size_t taken() const override { return m_taken.size(); }
+    [[nodiscard]] bool isFull() const override;
+    [[nodiscard]] bool deliver(core::DeviceState state, bool canWait) override;
+
+    void setState(core::DeviceState state, std::int64_t now_ns, std::string message) override {
+        m_outlet.setState(state, now_ns, std::move(message));
+    }
+    [[nodiscard]] core::DeviceState state() const override { return m_outlet.state(); }
+    [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
+
+    /// Drained by one consumer.
+    [[nodiscard]] core::BoundedQueue<core::JointSample>& samples() { return m_outlet.samples(); }
+
+private:
+    core::JointOutlet m_outlet;
+    std::vector<core::JointSample> m_taken;
+};
+
+/// The joint sample at which a track stands.
+[[nodiscard]] core::JointSample jointSampleAt(const PlaybackTrack& track, const PlayedFrame& frame);
 
 } // namespace teleta::replay

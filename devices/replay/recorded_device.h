@@ -76,6 +76,23 @@ public:
     [[nodiscard]] core::PlaybackControl* playback() override { return this; }
 };
 
+/// The arm of a recording that has nothing else of it, as a device with its playback control. It ignores
+/// commands.
+class RecordedJoints : public core::ArmSource, public RecordedControl {
+public:
+    using RecordedControl::RecordedControl;
+    ~RecordedJoints() override { player().stop(); }
+
+    [[nodiscard]] const core::ArmDescription& description() const override { return player().config().arm; }
+    void start(core::Wakeup& consumer) override { player().start(consumer); }
+    void stop() override { player().stop(); }
+    [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override {
+        return static_cast<JointPlaybackOutlet&>(player().outlet()).samples();
+    }
+    [[nodiscard]] core::DeviceStatus status() const override { return player().outlet().status(); }
+    [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::held; }
+};
+
 /// The arm of a recording as a device, played in step with its skin. It ignores commands.
 class RecordedArm : public core::ArmSource {
 public:

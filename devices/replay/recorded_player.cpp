@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/replay/recorded_player.h"
 
-#include "backend/recording/stream_columns.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -25,6 +23,8 @@ double toS(std::int64_t duration_ns) {
 std::unique_ptr<PlaybackOutlet> makeOutlet(const PlaybackConfig& config) {
     if (config.camera)
         return std::make_unique<CameraPlaybackOutlet>(config.queuePictures);
+    if (config.jointsAlone)
+        return std::make_unique<JointPlaybackOutlet>(config.queueJoints);
     return std::make_unique<ArrayPlaybackOutlet>(config.queueBlocks);
 }
 
@@ -337,10 +337,8 @@ void RecordedPlayer::deliver() {
 
 void RecordedPlayer::deliverJoints() {
     const PlaybackTrack& joints = *m_tracks.joints;
-    core::JointSample sample = recording::jointSample(joints.values<double>());
-    sample.time_ns = due_ns(joints.time_ns());
-    sample.sourceTime_s = joints.sourceTime_s();
-    sample.discontinuity = std::exchange(m_jointsJumped, false) || joints.jumps();
+    const bool jumped = std::exchange(m_jointsJumped, false) || joints.jumps();
+    core::JointSample sample = jointSampleAt(joints, {.time_ns = due_ns(joints.time_ns()), .jumped = jumped});
     m_jointsRead.fetch_add(1, std::memory_order_relaxed);
     if (!std::isinf(m_active.speed)) {
         m_joints.push(std::move(sample));

@@ -21,7 +21,8 @@
 
 namespace teleta::replay {
 
-/// Plays the frames of a recording: an array and the joints of the arm that wears it, in step, or a camera.
+/// Plays the frames of a recording: an array and the joints of the arm that wears it, in step, a camera, or
+/// the joints of an arm alone.
 ///   due = anchor + (time of the frame - time at the anchor) / speed
 /// The anchor is set anew by play, seek, step, a change of speed and at the seam of a loop. A frame's time_ns
 /// is when it was due, so that frames keep their order and distance.
@@ -49,8 +50,10 @@ public:
     [[nodiscard]] core::PlaybackPosition position() const;
     [[nodiscard]] std::vector<core::PlaybackMark> marks() const;
 
-    /// A CameraPlaybackOutlet for a camera, otherwise an ArrayPlaybackOutlet.
+    /// A CameraPlaybackOutlet for a camera, a JointPlaybackOutlet for an arm alone, otherwise an
+    /// ArrayPlaybackOutlet.
     [[nodiscard]] PlaybackOutlet& outlet() { return *m_outlet; }
+    /// Of the arm that wears the array.
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() { return m_joints; }
     [[nodiscard]] core::DeviceStatus jointStatus() const;
     [[nodiscard]] const PlaybackConfig& config() const { return m_config; }

@@ -57,24 +57,46 @@ core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& reco
     return sources;
 }
 
+/// Those that were recorded without a skin; one whose skin cannot be played is not evaluated without it.
+core::Expected<std::vector<RecordedJoints>> recordedArms(const Recording& recording,
+                                                         std::optional<core::Error>& why) {
+    std::vector<RecordedJoints> arms;
+    const std::vector<StreamInfo>& streams = recording.streams();
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+        if (streams[i].kind != StreamKind::joints)
+            continue;
+        TELETA_TRY(const auto extent, recording.extent(i));
+        if (!extent)
+            continue;
+        auto arm = recordedArm(streams[i], recording.path());
+        if (!arm)
+            why = why.value_or(arm.error());
+        else if (arm->skinStream.empty())
+            arms.push_back({i, std::move(arm->description)});
+    }
+    return arms;
+}
+
 } // namespace
 
 core::Expected<RecordedSources> recordedSources(const Recording& recording) {
     std::optional<core::Error> why;
     RecordedSources sources{.arrays = {},
+                            .arms = {},
                             .cameras = {},
                             .first_ns = std::numeric_limits<std::int64_t>::max(),
                             .last_ns = std::numeric_limits<std::int64_t>::min()};
     TELETA_TRY(sources.arrays, recordedArrays(recording, why));
+    TELETA_TRY(sources.arms, recordedArms(recording, why));
     TELETA_TRY(sources.cameras, recordedCameras(recording, why));
-    const bool isEmpty = sources.arrays.empty() && sources.cameras.empty();
+    const bool isEmpty = sources.arrays.empty() && sources.arms.empty() && sources.cameras.empty();
     if (isEmpty && why)
         return core::Unexpected(*why);
     if (isEmpty)
-        return core::failed(core::ErrorKind::refused,
-                            RecordedSourcesText::tr("the recording has no frames of an array or a camera"),
-                            RecordedSourcesText::tr("a recording of an array, an arm or a camera"),
-                            {recording.path()});
+        return core::failed(
+            core::ErrorKind::refused,
+            RecordedSourcesText::tr("the recording has no frames of an array, an arm or a camera"),
+            RecordedSourcesText::tr("a recording of an array, an arm or a camera"), {recording.path()});
     const auto include = [&](std::size_t stream) {
         if (const auto extent = recording.extent(stream); extent && *extent) {
             sources.first_ns = std::min(sources.first_ns, (*extent)->first_ns);
@@ -83,6 +105,8 @@ core::Expected<RecordedSources> recordedSources(const Recording& recording) {
     };
     for (const RecordedSource& source : sources.arrays)
         include(source.arrayStream);
+    for (const RecordedJoints& arm : sources.arms)
+        include(arm.stream);
     for (const RecordedCamera& camera : sources.cameras)
         include(camera.stream);
     return sources;

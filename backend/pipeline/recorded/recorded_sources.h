@@ -21,16 +21,24 @@ struct RecordedSource {
     core::ArmDescription arm;
 };
 
+/// An arm of a recording that wears no array.
+struct RecordedJoints {
+    std::size_t stream = 0; ///< number in the recording
+    core::ArmDescription arm;
+};
+
 /// What of a recording can be used as sources again.
 struct RecordedSources {
     std::vector<RecordedSource> arrays;
+    std::vector<RecordedJoints> arms;
     std::vector<RecordedCamera> cameras;
     std::int64_t first_ns = 0; ///< of the first frame of all of them
     std::int64_t last_ns = 0;  ///< of the last one
 };
 
-/// The arrays and cameras of a recording that have frames, in its order; what is not described is left out.
-/// Error: badInput, nothing is left and a stream's details do not say what it is; refused: there is none.
+/// The arrays, arms and cameras of a recording that have frames, in its order; what is not described is left
+/// out. Error: badInput, nothing is left and a stream's details do not say what it is; refused: there is
+/// none.
 [[nodiscard]] core::Expected<RecordedSources> recordedSources(const recording::Recording& recording);
 
 } // namespace teleta::pipeline

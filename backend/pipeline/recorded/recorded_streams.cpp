@@ -103,11 +103,13 @@ ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json,
     return settings;
 }
 
+/// null, which is what JSON has for infinity, leaves a number as it is.
 void readNumbers(core::JsonReader& reader, const ordered_json& json, const char* key,
                  std::span<double> values) {
     const ordered_json& list = reader.array(reader.member(json, key), values.size(), values.size());
     for (std::size_t i = 0; i < values.size() && i < list.size(); ++i)
-        values[i] = reader.number(list[i], -kHuge, kHuge);
+        if (!list[i].is_null())
+            values[i] = reader.number(list[i], -kHuge, kHuge);
 }
 
 } // namespace
@@ -301,14 +303,17 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
     readNumbers(reader, root, "shoulder_stiffness_nm_per_rad", description.shoulderStiffness_NmPerRad);
     description.skin.centreDistance_m = number("skin_centre_distance_m", -kHuge);
     description.skin.centreSide_rad = number("skin_centre_side_rad", -kHuge);
-    description.skin.radius_m = number("skin_radius_m", 1e-9);
+    arm.skinStream = reader.text(root, "skin_stream", {});
+    // An arm without a skin has none of the lengths.
+    description.skin.radius_m = number("skin_radius_m", arm.skinStream.empty() ? 0.0 : 1e-9);
     description.skin.centreSe_m = reader.number(root, "skin_centre_se_m", 0.0, kHuge, 0.0);
     description.lowest_rad = description.highest_rad = description.fastest_radPerS =
         core::JointVector::zeros(*joints);
+    std::ranges::fill(description.lowest_rad, -std::numeric_limits<double>::infinity());
+    std::ranges::fill(description.highest_rad, std::numeric_limits<double>::infinity());
     readNumbers(reader, root, "lowest_rad", description.lowest_rad);
     readNumbers(reader, root, "highest_rad", description.highest_rad);
     readNumbers(reader, root, "fastest_rad_per_s", description.fastest_radPerS);
-    arm.skinStream = reader.text(root, "skin_stream", {});
     if (reader.error())
         return notDescribed(stream, file, *reader.error());
     return arm;

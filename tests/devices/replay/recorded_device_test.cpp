@@ -186,6 +186,77 @@ TEST_F(RecordedDeviceTest, anArmIsPlayedInStepWithItsSkin) {
     EXPECT_EQ(m_arm->status().framesRead, 11U);
 }
 
+TEST_F(RecordedDeviceTest, anArmWithoutASkinIsPlayedAlone) {
+    write(4);
+    replay::RecordedConfig config;
+    config.path = path();
+    config.stream = 1;
+    config.jointsAlone = true;
+    config.autoplay = false;
+    config.clock = m_clock;
+    auto player = replay::RecordedPlayer::open(config);
+    ASSERT_TRUE(player) << core::describe(player.error());
+    replay::RecordedJoints arm(*player);
+    arm.start(m_wakeup);
+    m_clock->settle();
+    const auto received = [&arm] {
+        std::vector<double> angles;
+        core::JointSample sample;
+        while (arm.joints().pop(sample)) {
+            angles.push_back(sample.angle_rad[0]);
+            EXPECT_EQ(sample.torque_Nm[3], 0.5);
+        }
+        return angles;
+    };
+    const auto comesTo = [&](core::DeviceState state) {
+        return eventually(m_wakeup, [&] { return arm.status().state == state; });
+    };
+    EXPECT_TRUE(comesTo(core::DeviceState::paused));
+    EXPECT_EQ(received(), std::vector<double>{0.0});
+    arm.play();
+    ASSERT_TRUE(comesTo(core::DeviceState::live));
+    m_clock->advance(3 * kTenth_ns / 10);
+    EXPECT_EQ(received(), (std::vector<double>{1.0, 2.0, 3.0}));
+    arm.pause();
+    ASSERT_TRUE(comesTo(core::DeviceState::paused));
+    arm.seek(0.1);
+    EXPECT_TRUE(eventually(m_wakeup, [&] { return received() == std::vector<double>{10.0}; }));
+    EXPECT_TRUE(comesTo(core::DeviceState::paused));
+    EXPECT_NEAR(arm.position().time_s, 0.1, 1e-9);
+    EXPECT_NEAR(arm.position().duration_s, 0.29, 1e-9);
+    arm.play();
+    ASSERT_TRUE(comesTo(core::DeviceState::live));
+    m_clock->advance(2 * kTenth_ns);
+    EXPECT_EQ(received().size(), 19U);
+    EXPECT_TRUE(comesTo(core::DeviceState::finished));
+    arm.stop();
+}
+
+TEST_F(RecordedDeviceTest, anUnpacedArmWithoutASkinLosesNothing) {
+    write(100);
+    replay::RecordedConfig config;
+    config.path = path();
+    config.stream = 1;
+    config.jointsAlone = true;
+    config.speed = kUnpacedSpeed;
+    config.queueJoints = 128;
+    auto player = replay::RecordedPlayer::open(config);
+    ASSERT_TRUE(player) << core::describe(player.error());
+    replay::RecordedJoints arm(*player);
+    arm.start(m_wakeup);
+    double next = 0.0;
+    EXPECT_TRUE(eventually(m_wakeup, [&] {
+        core::JointSample sample;
+        while (arm.joints().pop(sample)) {
+            EXPECT_EQ(sample.angle_rad[0], next);
+            next += 1.0;
+        }
+        return next >= 990.0;
+    }));
+    EXPECT_EQ(arm.status().framesLost, 0U);
+    arm.stop();
+}
+
 TEST_F(RecordedDeviceTest, speedPauseSeekStepAndLoopAreControlled) {
     write(10);
     open(false, 2.0);

@@ -100,6 +100,11 @@ public:
 private:
     [[nodiscard]] core::Expected<Source> chooseSource(const recording::Recording& recording) const {
         TELETA_TRY(auto sources, pipeline::recordedSources(recording));
+        if (sources.arrays.empty() && sources.cameras.empty())
+            return core::failed(core::ErrorKind::refused,
+                                ReplayText::tr("the recording has the joints of an arm, and nothing that is "
+                                               "computed from them"),
+                                ReplayText::tr("frames of an array or a camera"), {m_path});
         QStringList names;
         const auto isChosen = [&](std::size_t stream) {
             const std::string& name = recording.streams()[stream].name;
