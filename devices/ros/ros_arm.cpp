@@ -211,6 +211,8 @@ QString RosArm::problemOf(const RosArmState& state) const {
         return RosArmText::tr("no controller reads %1").arg(QString::fromStdString(m_file.commandTopic()));
     if (!state.ready)
         return RosArmText::tr("looking for other programs");
+    if (state.mover.ignoresPress)
+        return RosArmText::tr("it was held; let go of the switch and press it again");
     return {};
 }
 

@@ -71,7 +71,10 @@ public:
     void post(const core::ArmCommand& command) override;
 
     [[nodiscard]] RosArmState state() const { return m_state.get(); }
+    /// RosArmState::problem
+    [[nodiscard]] std::string hindrance() const override { return m_state.get().problem; }
     [[nodiscard]] const arm_model::SerialChain& chain() const { return *m_chain; }
+    [[nodiscard]] std::shared_ptr<const arm_model::SerialChain> sharedChain() const { return m_chain; }
     [[nodiscard]] const RosArmFile& file() const { return m_file; }
 
 private:

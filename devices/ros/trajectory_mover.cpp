@@ -59,9 +59,12 @@ void TrajectoryMover::takeCommand(const MoverInput& input) {
     }
 }
 
+bool TrajectoryMover::isPressed(std::int64_t now_ns) const {
+    return m_command && now_ns - m_command->time_ns <= core::ArmCommand::kJogLifetime_ns;
+}
+
 bool TrajectoryMover::active(std::int64_t now_ns) const {
-    return m_command && released() && m_command->time_ns > m_blocked_ns &&
-           now_ns - m_command->time_ns <= core::ArmCommand::kJogLifetime_ns;
+    return isPressed(now_ns) && released() && m_command->time_ns > m_blocked_ns;
 }
 
 bool TrajectoryMover::mayMove(const MoverInput& input, bool late) {
@@ -86,6 +89,7 @@ std::optional<std::array<arm_model::TrajectoryPoint, 2>> TrajectoryMover::step(c
     takeCommand(input);
     const bool goesOn = mayMove(input, since_ns > kLatestStep_ns);
     m_state.needsRelease = !released();
+    m_state.ignoresPress = !input.stopped && isPressed(input.now_ns) && !active(input.now_ns);
     m_state.flags = 0;
     m_state.rate = core::JointVector::zeros(m_chain->joints());
     m_state.drive = input.stopped ? core::ArmDrive::stopped : core::ArmDrive::held;

@@ -35,6 +35,7 @@ struct MoverState {
     core::JointVector rate;        ///< with which q_c moves
     std::optional<ArmFault> fault; ///< until its cause is gone and the switch was let go
     bool needsRelease = true;      ///< the dead-man switch has to be let go before the arm moves
+    bool ignoresPress = false;     ///< it is held, and has not been let go since the arm was held
 };
 
 /// Turns an operator's joint rates into commands for a trajectory controller, 50 a second while the arm moves
@@ -72,6 +73,7 @@ private:
     void takeCommand(const MoverInput& input);
     void block(std::int64_t now_ns);
     [[nodiscard]] bool released() const;
+    [[nodiscard]] bool isPressed(std::int64_t now_ns) const;
     [[nodiscard]] bool active(std::int64_t now_ns) const;
     [[nodiscard]] bool mayMove(const MoverInput& input, bool late);
     [[nodiscard]] std::array<arm_model::TrajectoryPoint, 2> points(bool stopped) const;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace teleta::charts {
@@ -53,8 +54,9 @@ void JointChartView::append(std::span<const core::JointSample> samples) {
     std::array<double, 2 * core::JointVector::kCapacity> row{};
     const std::size_t joints = m_joints->joints();
     for (const core::JointSample& sample : samples) {
-        std::copy_n(sample.torque_Nm.data(), joints, row.begin());
-        std::copy_n(sample.angle_rad.data(), joints, row.data() + joints);
+        row.fill(std::numeric_limits<double>::quiet_NaN());
+        std::copy_n(sample.torque_Nm.data(), std::min(joints, sample.torque_Nm.size()), row.begin());
+        std::copy_n(sample.angle_rad.data(), std::min(joints, sample.angle_rad.size()), row.data() + joints);
         m_history.append({sample.time_ns, sample.sourceTime_s, sample.discontinuity},
                          std::span(row).first(m_joints->columns()));
     }

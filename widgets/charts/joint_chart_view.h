@@ -34,7 +34,7 @@ public:
 
     /// Sets the number of joints; forgets the samples of another arm.
     void setJoints(std::size_t joints);
-    /// Stores samples; refresh() draws them.
+    /// Stores samples; refresh() draws them. What a sample does not tell is a gap.
     void append(std::span<const core::JointSample> samples);
     /// Shades a touch. Returns false if its start is no longer stored.
     bool addTouch(const pipeline::TouchRecord& touch);
@@ -45,6 +45,8 @@ public:
     /// Restores what takeContent() returned.
     void setContent(Content content);
 
+    /// Angles beside the torques; the user's choice from then on.
+    void setAnglesShown(bool shown) { m_angles->setChecked(shown); }
     void setWindow(const stiffness::TorqueWindow& window);
     /// Pauses with a touch in the middle of the chart. Returns false if it is no longer stored.
     bool showTouch(std::uint64_t number);

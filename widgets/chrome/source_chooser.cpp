@@ -96,6 +96,9 @@ void SourceChooser::rebuildMenu() {
     QAction* camera = m_menu->addAction(base::themeIcon(base::Icon::sensor), tr("Open &camera\u2026"), this,
                                         &SourceChooser::openCameraRequested);
     camera->setToolTip(tr("A camera in the soft tube, or a video of one, with its calibration"));
+    QAction* arm = m_menu->addAction(base::themeIcon(base::Icon::sensor), tr("Open &arm\u2026"), this,
+                                     &SourceChooser::openArmRequested);
+    arm->setToolTip(tr("An arm over ROS 2, described in a file"));
     m_menu->addAction(base::themeIcon(base::Icon::sensor), tr("Open source &list\u2026"), this,
                       &SourceChooser::openListRequested);
     if (m_recent.isEmpty())

@@ -47,6 +47,7 @@ signals:
     void openRecordingRequested();
     void openSceneRequested();
     void openCameraRequested();
+    void openArmRequested();
     void openListRequested();
     void recentRequested(const QString& path);
 

@@ -99,12 +99,15 @@ TEST(TrajectoryMover, sendsNothingBeforeASwitchWasLetGoAndPressed) {
     // Held since before the arm was opened.
     EXPECT_TRUE(arm.staysWhenHeld());
     EXPECT_TRUE(arm.mover.state().needsRelease);
+    EXPECT_TRUE(arm.mover.state().ignoresPress);
     arm.letGo();
     EXPECT_FALSE(arm.step());
     EXPECT_FALSE(arm.mover.state().needsRelease);
+    EXPECT_FALSE(arm.mover.state().ignoresPress);
     const std::optional<Points> points = arm.hold(1);
     ASSERT_TRUE(points);
     EXPECT_EQ(arm.mover.state().drive, core::ArmDrive::jog);
+    EXPECT_FALSE(arm.mover.state().ignoresPress);
     // From where the arm is, with what 3 rad/s2 allow in 20 ms.
     const double v = 3.0 * 0.02;
     const double q = 0.1 + v * 0.02;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm/arm4_kinematics.h"
+#include "backend/arm_model/tip_motion.h"
+#include "backend/arm_model/urdf_reader.h"
 #include "tests/widgets/test_registry.h"
 #include "tests/widgets/touch/sample_arm.h"
 #include "widgets/touch/jog/drive_sign.h"
@@ -21,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 using namespace teleta;
 using namespace teleta::touch;
@@ -80,6 +83,60 @@ private slots:
         QTest::mousePress(desk.panel->findChild<HoldButton*>("up1"), Qt::LeftButton);
         QVERIFY(!desk.panel->isMoving());
         QCOMPARE(desk.requests.size(), 0);
+    }
+
+    void anArmOfAFileHasTheNamesOfItsJointsAndItsTipMovesByItsGeometry() {
+        Desk desk;
+        QVERIFY(desk.active);
+        const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/tests/data/urdf/gripper.urdf");
+        QVERIFY(model.has_value());
+        const auto chain = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model),
+                                                          "base_link", "tool0");
+        QVERIFY(chain.has_value());
+        core::ArmDescription arm;
+        arm.lowest_rad = chain->lowest();
+        arm.highest_rad = chain->highest();
+        arm.fastest_radPerS = chain->fastest();
+        desk.panel->setArm(arm, std::make_shared<const arm_model::SerialChain>(*chain));
+        core::JointSample sample;
+        const JointVector q{0.4, -1.1};
+        sample.angle_rad = q;
+        desk.panel->setSample(sample);
+        QStringList names;
+        for (const QLabel* label : desk.panel->findChildren<QLabel*>())
+            names << label->text();
+        QVERIFY(names.contains("shoulder") && names.contains("elbow"));
+
+        // As its description says, whose numbers tip_motion_test checks; two links of 0.3 and 0.2 m cannot
+        // keep the tip's direction, so it goes along x above all.
+        desk.panel->setMode(JogPanel::Mode::tip);
+        desk.press(Qt::Key_Shift);
+        desk.press(Qt::Key_D, Qt::ShiftModifier);
+        QVERIFY(desk.panel->isMoving());
+        const double full = 0.2 * 0.25; // m/s: the panel begins with 20 %
+        QCOMPARE(desk.last(),
+                 arm_model::tipRates(*chain, q, {{full, 0.0, 0.0}, Eigen::Vector3d::Zero()}).rate);
+        const double z2 = -0.2 * std::sin(q[0] + q[1]);
+        const double z = -0.3 * std::sin(q[0]) + z2;
+        QVERIFY(z * desk.last()[0] + z2 * desk.last()[1] > 0.1 * full);
+        desk.release(Qt::Key_D, Qt::ShiftModifier);
+        QVERIFY(!desk.panel->isMoving());
+    }
+
+    void whatIsInTheWayIsSaidAndTheArmMayStillBeAsked() {
+        Desk desk;
+        desk.panel->setHindrance("no controller reads /arm");
+        const auto labels = desk.panel->findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->text() == "The arm does not move: no controller reads /arm.";
+        }));
+        QVERIFY(desk.panel->refusal().isEmpty());
+        // A press is what clears a fault.
+        desk.move();
+        QVERIFY(desk.panel->isMoving());
+        desk.panel->setHindrance({});
+        QVERIFY(std::ranges::none_of(
+            labels, [](const QLabel* label) { return label->text().contains("no controller"); }));
     }
 
     void aTipThatIsJoggedStopsWhenTheReadingsGetOldAndDoesNotGoOnByItself() {

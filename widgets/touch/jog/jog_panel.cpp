@@ -2,6 +2,8 @@
 #include "widgets/touch/jog/jog_panel.h"
 
 #include "backend/arm/jog_rates.h"
+#include "backend/arm_model/serial_chain.h"
+#include "backend/arm_model/tip_motion.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/jog/drive_sign.h"
@@ -208,8 +210,10 @@ void JogPanel::enableParts() {
     }
     const bool tip = m_mode == Mode::tip;
     showHint();
-    base::setTextColour(m_message, able || isRecorded ? palette().color(QPalette::PlaceholderText)
-                                                      : base::statusColours(palette()).lost);
+    base::setTextColour(m_message, isRecorded ? palette().color(QPalette::PlaceholderText)
+                                   : !able || !m_hindrance.isEmpty()
+                                       ? base::statusColours(palette()).lost
+                                       : palette().color(QPalette::PlaceholderText));
     m_deadMan->setEnabled(able);
     m_clutch->setEnabled(able && m_way == Way::position);
     for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
@@ -229,10 +233,13 @@ void JogPanel::enableParts() {
     m_hold->setEnabled(m_arm && m_arm->hasProgram && !isRecorded && !m_stopEngaged);
 }
 
-void JogPanel::setArm(const std::optional<core::ArmDescription>& arm) {
+void JogPanel::setArm(const std::optional<core::ArmDescription>& arm,
+                      std::shared_ptr<const arm_model::SerialChain> chain) {
     m_handReady = false;
     releaseAll();
     m_arm = arm;
+    m_chain = std::move(chain);
+    m_hindrance.clear();
     m_rate = noRate();
     m_hasSample = false;
     m_readingsOld = false;
@@ -240,12 +247,15 @@ void JogPanel::setArm(const std::optional<core::ArmDescription>& arm) {
     addRows();
     for (std::size_t joint = 0; joint < m_rows.size(); ++joint) {
         JointRange& range = *m_rows[joint].range;
+        const bool slides =
+            m_chain && joint < joints() && m_chain->joint(joint).type == arm_model::JointType::prismatic;
+        range.setUnit(slides ? JointRange::Unit::millimetre : JointRange::Unit::degree);
         range.setRange(arm ? arm->lowest_rad[joint] : 0.0, arm ? arm->highest_rad[joint] : 0.0);
         range.setAngle(std::numeric_limits<double>::quiet_NaN());
     }
     if (!arm)
         m_driveSign->setDrive(std::nullopt);
-    const bool tip = arm::canMoveTip(joints());
+    const bool tip = canMoveTip();
     m_modeBox->setEnabled(tip);
     if (!tip)
         setMode(Mode::joints);
@@ -274,6 +284,11 @@ void JogPanel::setStopEngaged(bool engaged) {
 
 void JogPanel::setReadingsOld(bool old) {
     if (std::exchange(m_readingsOld, old) != old)
+        enableParts();
+}
+
+void JogPanel::setHindrance(const QString& reason) {
+    if (std::exchange(m_hindrance, reason) != reason)
         enableParts();
 }
 
@@ -315,10 +330,24 @@ bool JogPanel::isMoving() const {
     return std::ranges::any_of(m_rate, [](double rate) { return rate != 0.0; });
 }
 
+bool JogPanel::canMoveTip() const {
+    return m_chain || arm::canMoveTip(joints());
+}
+
+Eigen::Vector3d JogPanel::tipPosition(const JointVector& angle_rad) const {
+    return m_chain ? m_chain->X_Base_Tip(angle_rad).translation().eval()
+                   : arm::tipPosition(*m_arm, angle_rad);
+}
+
+JointVector JogPanel::tipRates(const JointVector& angle_rad, const Eigen::Vector3d& velocity_mPerS) const {
+    return m_chain ? arm_model::tipRates(*m_chain, angle_rad, {velocity_mPerS, Eigen::Vector3d::Zero()}).rate
+                   : arm::tipRates(*m_arm, angle_rad, velocity_mPerS);
+}
+
 JointVector JogPanel::tipRate(const std::array<double, 3>& share) const {
     const Eigen::Vector3d velocity =
         0.01 * m_speed->value() * arm::kFullTipSpeed_mPerS * Eigen::Vector3d(share[0], share[1], share[2]);
-    return m_hasSample && !velocity.isZero() ? arm::tipRates(*m_arm, m_sample.angle_rad, velocity) : noRate();
+    return m_hasSample && !velocity.isZero() ? tipRates(m_sample.angle_rad, velocity) : noRate();
 }
 
 /// The tip is led from where it is when another one takes over: his hand is elsewhere.
@@ -338,10 +367,9 @@ JointVector JogPanel::guidedRate() {
     const double scale_m = byHand ? 0.01 * m_speed->value() * kFullStep_m : 0.0;
     const Eigen::Vector3d hand_m =
         scale_m * Eigen::Vector3d(m_hand.velocity[0], m_hand.velocity[1], m_hand.velocity[2]);
-    const Eigen::Vector3d velocity =
-        m_guide.velocity_mPerS(true, clutch, hand_m, arm::tipPosition(*m_arm, m_sample.reference_rad),
-                               arm::kFullTipSpeed_mPerS, m_age_s);
-    return velocity.isZero() ? noRate() : arm::tipRates(*m_arm, m_sample.reference_rad, velocity);
+    const Eigen::Vector3d velocity = m_guide.velocity_mPerS(
+        true, clutch, hand_m, tipPosition(m_sample.reference_rad), arm::kFullTipSpeed_mPerS, m_age_s);
+    return velocity.isZero() ? noRate() : tipRates(m_sample.reference_rad, velocity);
 }
 
 void JogPanel::stepBy(std::size_t axis, bool up) {

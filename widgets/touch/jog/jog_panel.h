@@ -7,8 +7,11 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -17,6 +20,10 @@ class QGridLayout;
 class QLabel;
 class QPushButton;
 class QSlider;
+
+namespace teleta::arm_model {
+class SerialChain;
+}
 
 namespace teleta::touch {
 
@@ -59,8 +66,9 @@ public:
     explicit JogPanel(QWidget* parent = nullptr);
     ~JogPanel() override;
 
-    /// The connected arm; empty: none.
-    void setArm(const std::optional<core::ArmDescription>& arm);
+    /// The connected arm; empty: none. chain: its joints and links where a file describes them.
+    void setArm(const std::optional<core::ArmDescription>& arm,
+                std::shared_ptr<const arm_model::SerialChain> chain = nullptr);
     /// The newest reading of the joints.
     void setSample(const core::JointSample& sample);
     void setDrive(core::ArmDrive drive);
@@ -69,6 +77,9 @@ public:
     void setReadingsAge(double age_s) { m_age_s = age_s; }
     /// The joint readings are stale: the arm is not moved blindly.
     void setReadingsOld(bool old);
+    /// Why the arm does not move although it may be asked to, without a full stop; empty: nothing is in the
+    /// way.
+    void setHindrance(const QString& reason);
     /// Reading of a 3D mouse; empty: none is connected.
     void setHand(const std::optional<HandMotion>& hand);
     /// Its state, in a line; empty: not shown.
@@ -125,6 +136,10 @@ private:
     [[nodiscard]] std::array<double, 3> handVelocity() const {
         return m_handReady && m_hand.deadManHeld ? m_hand.velocity : std::array<double, 3>{};
     }
+    [[nodiscard]] bool canMoveTip() const;
+    [[nodiscard]] Eigen::Vector3d tipPosition(const core::JointVector& angle_rad) const;
+    [[nodiscard]] core::JointVector tipRates(const core::JointVector& angle_rad,
+                                             const Eigen::Vector3d& velocity_mPerS) const;
     [[nodiscard]] core::JointVector tipRate(const std::array<double, 3>& share) const;
     [[nodiscard]] core::JointVector guidedRate();
     void leadBy(Leader leader);
@@ -141,11 +156,14 @@ private:
     [[nodiscard]] HoldButton* directionButton(std::size_t axis, bool up) const;
     /// As many as the arm needs.
     void addRows();
+    [[nodiscard]] QString jointName(std::size_t joint) const;
     void enableParts();
     void showSpeed();
     void retranslate();
 
     std::optional<core::ArmDescription> m_arm;
+    std::shared_ptr<const arm_model::SerialChain> m_chain; ///< of m_arm; null: not described
+    QString m_hindrance;
     core::JointSample m_sample;
     bool m_hasSample = false;
     bool m_stopEngaged = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the jog panel says.
-#include "backend/arm/jog_rates.h"
+#include "backend/arm_model/serial_chain.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/touch/jog/hold_button.h"
@@ -72,7 +72,7 @@ void JogPanel::retranslate() {
     constexpr std::array<char16_t, 3> kAxes{u'x', u'y', u'z'};
     const bool tip = m_mode == Mode::tip;
     for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
-        const QString joint = TouchTexts::joint(axis, joints());
+        const QString joint = jointName(axis);
         m_rows[axis].name->setText(tip && axis < axes() ? tr("tip %1").arg(QChar(kAxes[axis])) : joint);
         m_rows[axis].range->setAccessibleName(tr("Angle of %1").arg(joint));
         if (axis >= axes())
@@ -93,6 +93,11 @@ void JogPanel::retranslate() {
     enableParts();
 }
 
+QString JogPanel::jointName(std::size_t joint) const {
+    return m_chain && joint < joints() ? QString::fromStdString(m_chain->joint(joint).name)
+                                       : TouchTexts::joint(joint, joints());
+}
+
 bool JogPanel::hasKeyboard() const {
     const QWidget* focus = QApplication::focusWidget();
     return focus == this || (focus != nullptr && isAncestorOf(focus));
@@ -103,6 +108,10 @@ void JogPanel::showHint() {
     const QString reason = refusal();
     if (!reason.isEmpty()) {
         m_message->setText(reason);
+        return;
+    }
+    if (!m_hindrance.isEmpty()) {
+        m_message->setText(tr("The arm does not move: %1.").arg(m_hindrance));
         return;
     }
     const QString how =
@@ -116,9 +125,8 @@ void JogPanel::showHint() {
 }
 
 void JogPanel::showTip() {
-    const bool isKnown = m_mode == Mode::tip && m_arm && m_hasSample && arm::canMoveTip(joints());
-    const Eigen::Vector3d tip_m =
-        isKnown ? arm::tipPosition(*m_arm, m_sample.angle_rad) : Eigen::Vector3d::Zero().eval();
+    const bool isKnown = m_mode == Mode::tip && m_arm && m_hasSample && canMoveTip();
+    const Eigen::Vector3d tip_m = isKnown ? tipPosition(m_sample.angle_rad) : Eigen::Vector3d::Zero().eval();
     for (std::size_t axis = 0; axis < std::min(m_rows.size(), kTipKeys.size()); ++axis)
         m_rows[axis].place->setText(
             isKnown ? base::withUnit(base::fixedDigits(1e3 * tip_m[static_cast<Eigen::Index>(axis)], 1),

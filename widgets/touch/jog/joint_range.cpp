@@ -17,6 +17,7 @@ namespace teleta::touch {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kMillimetres = 1e3;
 constexpr double kNearLimit_rad = 0.01;
 constexpr double kText_em = 4.2;
 constexpr double kWord_em = 2.6;
@@ -29,32 +30,47 @@ JointRange::JointRange(QWidget* parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
+double JointRange::scale() const {
+    return m_unit == Unit::degree ? kDegrees : kMillimetres;
+}
+
+QString JointRange::symbol() const {
+    return m_unit == Unit::degree ? QStringLiteral("°") : QStringLiteral("mm");
+}
+
+void JointRange::setUnit(Unit unit) {
+    m_unit = unit;
+    update();
+}
+
 void JointRange::setRange(double lowest_rad, double highest_rad) {
-    m_lowest_rad = lowest_rad;
-    m_highest_rad = highest_rad;
-    setToolTip(tr("Range %1° … %2°")
-                   .arg(base::fixedDigits(lowest_rad * kDegrees, 0))
-                   .arg(base::fixedDigits(highest_rad * kDegrees, 0)));
+    m_endless = !std::isfinite(lowest_rad) || !std::isfinite(highest_rad);
+    m_lowest_rad = m_endless ? -std::numbers::pi : lowest_rad;
+    m_highest_rad = m_endless ? std::numbers::pi : highest_rad;
+    setToolTip(m_endless ? tr("Turns without limits")
+                         : tr("Range %1 … %2")
+                               .arg(base::withUnit(base::fixedDigits(lowest_rad * scale(), 0), symbol()),
+                                    base::withUnit(base::fixedDigits(highest_rad * scale(), 0), symbol())));
     update();
 }
 
 void JointRange::setAngle(double angle_rad) {
     const bool wasAtLimit = atLimit();
-    m_angle_rad = angle_rad;
-    if (m_shown.update(angle_rad * kDegrees) || wasAtLimit != atLimit()) {
+    m_angle_rad = m_endless ? std::remainder(angle_rad, 2.0 * std::numbers::pi) : angle_rad;
+    if (m_shown.update(m_angle_rad * scale()) || wasAtLimit != atLimit()) {
         setAccessibleDescription(text());
         update();
     }
 }
 
 bool JointRange::atLimit() const {
-    return m_lowest_rad < m_highest_rad &&
+    return !m_endless && m_lowest_rad < m_highest_rad &&
            (m_angle_rad <= m_lowest_rad + kNearLimit_rad || m_angle_rad >= m_highest_rad - kNearLimit_rad);
 }
 
 QString JointRange::text() const {
-    const QString degrees = base::withUnit(m_shown.text(), QStringLiteral("°"));
-    return atLimit() ? tr("%1 limit").arg(degrees) : degrees;
+    const QString place = base::withUnit(m_shown.text(), symbol());
+    return atLimit() ? tr("%1 limit").arg(place) : place;
 }
 
 QSize JointRange::sizeHint() const {
@@ -76,7 +92,7 @@ void JointRange::paintEvent(QPaintEvent*) {
     const QRectF number(all.right() - (kText_em + kWord_em) * em, all.top(), kText_em * em, all.height());
     painter.setPen(text);
     base::drawTabularText(painter, number, Qt::AlignRight | Qt::AlignVCenter,
-                          base::withUnit(m_shown.text(), QStringLiteral("°")));
+                          base::withUnit(m_shown.text(), symbol()));
     if (atLimit()) {
         painter.setPen(amber);
         painter.setFont(base::sized(font(), base::kSmallText));
