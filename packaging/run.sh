@@ -18,7 +18,7 @@ previous=''
 for argument in "$@"; do
     case "$argument" in
         --scene | --scene=* | --replay | --replay=* | --sources | --sources=*) has_source=true ;;
-        --camera | --camera=* | --study | --study=* | --rehearse) has_source=true ;;
+        --camera | --camera=* | --arm | --arm=* | --study | --study=* | --rehearse) has_source=true ;;
         -h | --help* | -v | --version) has_source=true ;;
         --screenshot | --screenshot=*) has_screenshot=true ;;
         -*) ;;

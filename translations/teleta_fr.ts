@@ -2359,24 +2359,6 @@
         <translation>--camera et --camera-model vont ensemble&#xa0;: une caméra est inutile sans son étalonnage</translation>
     </message>
     <message>
-        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
-
-Examples:
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console session.teleta
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</source>
-        <translation>Montre ce que touche un bras robotisé distant&#xa0;: où, avec quelle force, quelle raideur, quelle forme.
-
-Exemples&#xa0;:
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console session.teleta
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</translation>
-    </message>
-    <message>
         <source>Play back a recording of this program, or recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
         <translation>Lire un enregistrement de ce programme, ou des trames enregistrées, CSV time_s,t0,t1,... (répétable&#xa0;; les options ci-dessous s’appliquent aux enregistrements dans leur ordre).</translation>
     </message>
@@ -2409,8 +2391,32 @@ Exemples&#xa0;:
         <translation>ADRESSE</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv, .mcap), scenes and source lists (.toml) to open.</source>
-        <translation>Enregistrements (.teleta, .csv, .mcap), scènes et listes de sources (.toml) à ouvrir.</translation>
+        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
+
+Examples:
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --arm arm.toml
+  teleta-console --sources both-arrays.toml --theme dark</source>
+        <translation>Montre ce que touche un bras robotisé distant&#xa0;: où, avec quelle force, quelle raideur, quelle forme.
+
+Exemples&#xa0;:
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --arm arm.toml
+  teleta-console --sources both-arrays.toml --theme dark</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv, .mcap), scenes, arms and source lists (.toml) to open.</source>
+        <translation>Enregistrements (.teleta, .csv, .mcap), scènes, bras et listes de sources (.toml) à ouvrir.</translation>
+    </message>
+    <message>
+        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
+        <translation>Ouvrir un bras sur ROS 2, décrit dans un fichier (TOML ; répétable).</translation>
     </message>
 </context>
 <context>
@@ -6872,12 +6878,12 @@ Run %2 --help for more.
 <context>
     <name>RecordedStreams</name>
     <message>
-        <source>the recording has no frames of an array or a camera</source>
-        <translation>l’enregistrement n’a ni trames de matrice ni images de caméra</translation>
-    </message>
-    <message>
         <source>a recording of an array, an arm or a camera</source>
         <translation>un enregistrement d’une matrice, d’un bras ou d’une caméra</translation>
+    </message>
+    <message>
+        <source>the recording has no frames of an array, an arm or a camera</source>
+        <translation>l’enregistrement n’a ni trames de matrice, ni articulations de bras, ni images de caméra</translation>
     </message>
 </context>
 <context>
@@ -7173,6 +7179,14 @@ Run %2 --help for more.
     <message>
         <source>this is for arrays, but the stream &quot;%1&quot; is a camera&apos;s</source>
         <translation>cela concerne une matrice, mais le flux «&#xa0;%1&#xa0;» est celui d’une caméra</translation>
+    </message>
+    <message>
+        <source>the recording has the joints of an arm, and nothing that is computed from them</source>
+        <translation>l’enregistrement a les articulations d’un bras, et rien n’en est calculé</translation>
+    </message>
+    <message>
+        <source>frames of an array or a camera</source>
+        <translation>des trames de matrice ou des images de caméra</translation>
     </message>
 </context>
 <context>
@@ -7839,6 +7853,10 @@ Run %2 --help for more.
     <message>
         <source>looking for other programs</source>
         <translation>d’autres programmes sont recherchés</translation>
+    </message>
+    <message>
+        <source>it was held; let go of the switch and press it again</source>
+        <translation>il a été retenu ; relâchez l’interrupteur et appuyez de nouveau</translation>
     </message>
 </context>
 <context>
@@ -14977,6 +14995,14 @@ Run %2 --help for more.
         <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
         <translation>Un enregistrement de ce programme, ou des trames enregistrées en CSV&#xa0;: time_s,t0,t1,…</translation>
     </message>
+    <message>
+        <source>Open &amp;arm…</source>
+        <translation>Ouvrir un &amp;bras…</translation>
+    </message>
+    <message>
+        <source>An arm over ROS 2, described in a file</source>
+        <translation>Un bras sur ROS 2, décrit dans un fichier</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::StopBanner</name>
@@ -16804,10 +16830,6 @@ Run %2 --help for more.
         <translation>Enregistrements</translation>
     </message>
     <message>
-        <source>Scenes and source lists</source>
-        <translation>Scènes et listes de sources</translation>
-    </message>
-    <message>
         <source>Studies</source>
         <translation>Études</translation>
     </message>
@@ -16827,6 +16849,26 @@ Run %2 --help for more.
         <source>STOP. %1</source>
         <comment>cause</comment>
         <translation>STOP.&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Open arm</source>
+        <translation>Ouvrir un bras</translation>
+    </message>
+    <message>
+        <source>Arms over ROS 2 (*.toml)</source>
+        <translation>Bras sur ROS 2 (*.toml)</translation>
+    </message>
+    <message>
+        <source>&amp;Open arm…</source>
+        <translation>&amp;Ouvrir un bras…</translation>
+    </message>
+    <message>
+        <source>An arm over ROS 2, described in a file</source>
+        <translation>Un bras sur ROS 2, décrit dans un fichier</translation>
+    </message>
+    <message>
+        <source>Scenes, arms and source lists</source>
+        <translation>Scènes, bras et listes de sources</translation>
     </message>
 </context>
 <context>
@@ -21037,13 +21079,13 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>Click here first: the keys work only in this view. %1</source>
         <translation>Cliquez d’abord ici&#xa0;: les touches n’agissent que dans cette vue.&#xa0;%1</translation>
     </message>
+    <message>
+        <source>The arm does not move: %1.</source>
+        <translation>Le bras ne bouge pas : %1.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
-    <message>
-        <source>Range %1° … %2°</source>
-        <translation>Plage %1° … %2°</translation>
-    </message>
     <message>
         <source>%1 limit</source>
         <translation>%1 butée</translation>
@@ -21051,6 +21093,14 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>limit</source>
         <translation>butée</translation>
+    </message>
+    <message>
+        <source>Turns without limits</source>
+        <translation>Tourne sans limites</translation>
+    </message>
+    <message>
+        <source>Range %1 … %2</source>
+        <translation>Plage %1 … %2</translation>
     </message>
 </context>
 <context>

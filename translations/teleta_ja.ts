@@ -2355,24 +2355,6 @@
         <translation>--cameraと--camera-modelは対で必要です: カメラはキャリブレーションなしでは使えません</translation>
     </message>
     <message>
-        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
-
-Examples:
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console session.teleta
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</source>
-        <translation>遠隔のロボットアームが触れているものの位置、強さ、硬さ、形を表示します。
-
-例:
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console session.teleta
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</translation>
-    </message>
-    <message>
         <source>Play back a recording of this program, or recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
         <translation>このプログラムの記録、または記録したフレーム (CSV time_s,t0,t1,...) を再生します (繰り返し指定可。以下のオプションは記録の順に対応します)。</translation>
     </message>
@@ -2405,8 +2387,32 @@ Examples:
         <translation>ADDRESS</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv, .mcap), scenes and source lists (.toml) to open.</source>
-        <translation>開く記録 (.teleta、.csv、.mcap)、シーン、ソースリスト (.toml)。</translation>
+        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
+
+Examples:
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --arm arm.toml
+  teleta-console --sources both-arrays.toml --theme dark</source>
+        <translation>遠隔のロボットアームが触れているものの位置、強さ、硬さ、形を表示します。
+
+例:
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --arm arm.toml
+  teleta-console --sources both-arrays.toml --theme dark</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv, .mcap), scenes, arms and source lists (.toml) to open.</source>
+        <translation>開く記録（.teleta、.csv、.mcap）、シーン、アーム、ソースの一覧（.toml）。</translation>
+    </message>
+    <message>
+        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
+        <translation>ファイル（TOML）で記述されたROS 2のアームを開く（繰り返し可）。</translation>
     </message>
 </context>
 <context>
@@ -6856,12 +6862,12 @@ Run %2 --help for more.
 <context>
     <name>RecordedStreams</name>
     <message>
-        <source>the recording has no frames of an array or a camera</source>
-        <translation>記録にアレイまたはカメラのフレームがありません</translation>
-    </message>
-    <message>
         <source>a recording of an array, an arm or a camera</source>
         <translation>アレイ、アーム、またはカメラの記録</translation>
+    </message>
+    <message>
+        <source>the recording has no frames of an array, an arm or a camera</source>
+        <translation>記録にアレイ、アーム、カメラのフレームがありません</translation>
     </message>
 </context>
 <context>
@@ -7154,6 +7160,14 @@ Run %2 --help for more.
     <message>
         <source>this is for arrays, but the stream &quot;%1&quot; is a camera&apos;s</source>
         <translation>アレイ用のオプションですが、ストリーム「%1」はカメラのものです</translation>
+    </message>
+    <message>
+        <source>the recording has the joints of an arm, and nothing that is computed from them</source>
+        <translation>記録にあるのはアームの関節で、そこから計算するものはありません</translation>
+    </message>
+    <message>
+        <source>frames of an array or a camera</source>
+        <translation>アレイまたはカメラのフレーム</translation>
     </message>
 </context>
 <context>
@@ -7818,6 +7832,10 @@ Run %2 --help for more.
     <message>
         <source>looking for other programs</source>
         <translation>ほかのプログラムを探しています</translation>
+    </message>
+    <message>
+        <source>it was held; let go of the switch and press it again</source>
+        <translation>アームは保持されました。スイッチを離してもう一度押してください</translation>
     </message>
 </context>
 <context>
@@ -14936,6 +14954,14 @@ Run %2 --help for more.
         <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
         <translation>このプログラムの記録、または記録したフレームのCSV: time_s,t0,t1,…</translation>
     </message>
+    <message>
+        <source>Open &amp;arm…</source>
+        <translation>アームを開く(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>An arm over ROS 2, described in a file</source>
+        <translation>ファイルで記述されたROS 2のアーム</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::StopBanner</name>
@@ -16757,10 +16783,6 @@ Run %2 --help for more.
         <translation>記録</translation>
     </message>
     <message>
-        <source>Scenes and source lists</source>
-        <translation>シーンとソースリスト</translation>
-    </message>
-    <message>
         <source>Studies</source>
         <translation>実験</translation>
     </message>
@@ -16780,6 +16802,26 @@ Run %2 --help for more.
         <source>STOP. %1</source>
         <comment>cause</comment>
         <translation>STOP。%1</translation>
+    </message>
+    <message>
+        <source>Open arm</source>
+        <translation>アームを開く</translation>
+    </message>
+    <message>
+        <source>Arms over ROS 2 (*.toml)</source>
+        <translation>ROS 2のアーム (*.toml)</translation>
+    </message>
+    <message>
+        <source>&amp;Open arm…</source>
+        <translation>アームを開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>An arm over ROS 2, described in a file</source>
+        <translation>ファイルで記述されたROS 2のアーム</translation>
+    </message>
+    <message>
+        <source>Scenes, arms and source lists</source>
+        <translation>シーン、アーム、ソースの一覧</translation>
     </message>
 </context>
 <context>
@@ -20980,13 +21022,13 @@ Double-click to type the upper end.</source>
         <source>Click here first: the keys work only in this view. %1</source>
         <translation>先にここをクリックしてください。キーはこのビューでのみ働きます。%1</translation>
     </message>
+    <message>
+        <source>The arm does not move: %1.</source>
+        <translation>アームは動きません：%1。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
-    <message>
-        <source>Range %1° … %2°</source>
-        <translation>範囲 %1° … %2°</translation>
-    </message>
     <message>
         <source>%1 limit</source>
         <translation>%1 可動端</translation>
@@ -20994,6 +21036,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>limit</source>
         <translation>可動端</translation>
+    </message>
+    <message>
+        <source>Turns without limits</source>
+        <translation>制限なく回転</translation>
+    </message>
+    <message>
+        <source>Range %1 … %2</source>
+        <translation>範囲 %1 … %2</translation>
     </message>
 </context>
 <context>

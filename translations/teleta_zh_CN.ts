@@ -2355,24 +2355,6 @@
         <translation>--camera 与 --camera-model 须同时使用：没有标定，相机无法使用</translation>
     </message>
     <message>
-        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
-
-Examples:
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console session.teleta
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</source>
-        <translation>显示远程机械臂所触碰的内容：位置、力度、刚度、形状。
-
-示例：
-  teleta-console --scene tactile-indenter
-  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
-  teleta-console session.teleta
-  teleta-console --camera 0 --camera-model camera.json
-  teleta-console --sources both-arrays.toml --theme dark</translation>
-    </message>
-    <message>
         <source>Play back a recording of this program, or recorded frames, CSV time_s,t0,t1,... (repeatable; the options below go with the recordings in their order).</source>
         <translation>回放本程序的记录，或记录的帧，CSV time_s,t0,t1,...（可重复；以下选项按顺序对应各记录）。</translation>
     </message>
@@ -2405,8 +2387,32 @@ Examples:
         <translation>地址</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv, .mcap), scenes and source lists (.toml) to open.</source>
-        <translation>要打开的记录（.teleta、.csv、.mcap）、场景和数据源列表（.toml）。</translation>
+        <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
+
+Examples:
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --arm arm.toml
+  teleta-console --sources both-arrays.toml --theme dark</source>
+        <translation>显示远程机械臂所触碰的内容：位置、力度、刚度、形状。
+
+示例：
+  teleta-console --scene tactile-indenter
+  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10
+  teleta-console session.teleta
+  teleta-console --camera 0 --camera-model camera.json
+  teleta-console --arm arm.toml
+  teleta-console --sources both-arrays.toml --theme dark</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv, .mcap), scenes, arms and source lists (.toml) to open.</source>
+        <translation>要打开的记录（.teleta、.csv、.mcap）、场景、机械臂和信号源列表（.toml）。</translation>
+    </message>
+    <message>
+        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
+        <translation>打开通过 ROS 2 的机械臂，由文件（TOML）描述（可重复）。</translation>
     </message>
 </context>
 <context>
@@ -6856,12 +6862,12 @@ Run %2 --help for more.
 <context>
     <name>RecordedStreams</name>
     <message>
-        <source>the recording has no frames of an array or a camera</source>
-        <translation>记录中没有阵列或相机的帧</translation>
-    </message>
-    <message>
         <source>a recording of an array, an arm or a camera</source>
         <translation>阵列、机械臂或相机的记录</translation>
+    </message>
+    <message>
+        <source>the recording has no frames of an array, an arm or a camera</source>
+        <translation>记录中没有阵列、机械臂或摄像头的帧</translation>
     </message>
 </context>
 <context>
@@ -7154,6 +7160,14 @@ Run %2 --help for more.
     <message>
         <source>this is for arrays, but the stream &quot;%1&quot; is a camera&apos;s</source>
         <translation>此选项用于阵列，但数据流“%1”来自相机</translation>
+    </message>
+    <message>
+        <source>the recording has the joints of an arm, and nothing that is computed from them</source>
+        <translation>记录中只有机械臂的关节，没有由其计算的内容</translation>
+    </message>
+    <message>
+        <source>frames of an array or a camera</source>
+        <translation>阵列或摄像头的帧</translation>
     </message>
 </context>
 <context>
@@ -7818,6 +7832,10 @@ Run %2 --help for more.
     <message>
         <source>looking for other programs</source>
         <translation>正在查找其他程序</translation>
+    </message>
+    <message>
+        <source>it was held; let go of the switch and press it again</source>
+        <translation>它曾被停住；请松开开关再重新按下</translation>
     </message>
 </context>
 <context>
@@ -14936,6 +14954,14 @@ Run %2 --help for more.
         <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
         <translation>本程序的记录，或 CSV 格式的记录帧：time_s,t0,t1,…</translation>
     </message>
+    <message>
+        <source>Open &amp;arm…</source>
+        <translation>打开机械臂(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>An arm over ROS 2, described in a file</source>
+        <translation>通过 ROS 2 的机械臂，由文件描述</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::StopBanner</name>
@@ -16757,10 +16783,6 @@ Run %2 --help for more.
         <translation>记录</translation>
     </message>
     <message>
-        <source>Scenes and source lists</source>
-        <translation>场景和数据源列表</translation>
-    </message>
-    <message>
         <source>Studies</source>
         <translation>研究</translation>
     </message>
@@ -16780,6 +16802,26 @@ Run %2 --help for more.
         <source>STOP. %1</source>
         <comment>cause</comment>
         <translation>STOP。%1</translation>
+    </message>
+    <message>
+        <source>Open arm</source>
+        <translation>打开机械臂</translation>
+    </message>
+    <message>
+        <source>Arms over ROS 2 (*.toml)</source>
+        <translation>通过 ROS 2 的机械臂 (*.toml)</translation>
+    </message>
+    <message>
+        <source>&amp;Open arm…</source>
+        <translation>打开机械臂(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>An arm over ROS 2, described in a file</source>
+        <translation>通过 ROS 2 的机械臂，由文件描述</translation>
+    </message>
+    <message>
+        <source>Scenes, arms and source lists</source>
+        <translation>场景、机械臂和信号源列表</translation>
     </message>
 </context>
 <context>
@@ -20980,13 +21022,13 @@ Double-click to type the upper end.</source>
         <source>Click here first: the keys work only in this view. %1</source>
         <translation>请先单击此处：按键只在此视图中有效。%1</translation>
     </message>
+    <message>
+        <source>The arm does not move: %1.</source>
+        <translation>机械臂不运动：%1。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
-    <message>
-        <source>Range %1° … %2°</source>
-        <translation>范围 %1° … %2°</translation>
-    </message>
     <message>
         <source>%1 limit</source>
         <translation>%1，到极限</translation>
@@ -20994,6 +21036,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>limit</source>
         <translation>极限</translation>
+    </message>
+    <message>
+        <source>Turns without limits</source>
+        <translation>无限制旋转</translation>
+    </message>
+    <message>
+        <source>Range %1 … %2</source>
+        <translation>范围 %1 … %2</translation>
     </message>
 </context>
 <context>

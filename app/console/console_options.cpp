@@ -102,11 +102,12 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
            "  teleta-console --replay run.csv --rows 64 --columns 27 --tare empty.csv --threshold 10\n"
            "  teleta-console session.teleta\n"
            "  teleta-console --camera 0 --camera-model camera.json\n"
+           "  teleta-console --arm arm.toml\n"
            "  teleta-console --sources both-arrays.toml --theme dark"));
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
     m_parser.addPositionalArgument(
         QStringLiteral("FILE"),
-        tr("Recordings (.teleta, .csv, .mcap), scenes and source lists (.toml) to open."),
+        tr("Recordings (.teleta, .csv, .mcap), scenes, arms and source lists (.toml) to open."),
         QStringLiteral("[FILE...]"));
     // It adds --help-all too, of which this program has no more to say.
     const QCommandLineOption help = m_parser.addHelpOption();
@@ -146,6 +147,8 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         "camera", tr("Open a camera in the soft tube by its number, or a video of one."), tr("FILE|N"));
     const auto cameraModel =
         option("camera-model", tr("Calibration of that camera (JSON of teleta calibrate)."), tr("FILE"));
+    const auto arm =
+        option("arm", tr("Open an arm over ROS 2, described in a file (TOML; repeatable)."), tr("FILE"));
     const auto pattern =
         option("pattern", tr("Open a pattern file, or a built-in pattern by its id, on the Patterns page."),
                tr("FILE"));
@@ -239,6 +242,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     if (m_parser.isSet(camera))
         options.camera = CameraRequest{m_parser.value(camera).toStdString(),
                                        m_parser.value(cameraModel).toStdString(), true};
+    options.arms = m_parser.values(arm);
     options.cameraPairs = m_parser.value(cameraPairs);
     options.study = m_parser.value(study);
     options.rehearse = m_parser.isSet(rehearse);

@@ -15,7 +15,7 @@ namespace teleta::console {
 
 /// What the command line of teleta-console asks for.
 struct ConsoleOptions {
-    QStringList files; ///< recordings, scenes and source lists
+    QStringList files; ///< recordings, scenes, arms and source lists
     QStringList scenes;
     std::vector<RecordingArguments> recordings;
     QString sourceList;
@@ -28,6 +28,7 @@ struct ConsoleOptions {
     QString study;         ///< folder of a study, or a protocol
     bool rehearse = false; ///< simulated participants go through the study
     std::optional<CameraRequest> camera; ///< to open
+    QStringList arms;                    ///< files that describe arms, to open
     QString cameraPairs;                 ///< to calibrate the cylinder camera with
     QString page;
     QString dock;     ///< of the Operate page, or a view of the Study page, brought to the front
@@ -43,7 +44,8 @@ struct ConsoleOptions {
     /// Names sources, a pattern, a study or pairs of a camera.
     [[nodiscard]] bool opensAnything() const {
         return !files.isEmpty() || !scenes.isEmpty() || !recordings.empty() || !sourceList.isEmpty() ||
-               !pattern.isEmpty() || !study.isEmpty() || rehearse || camera || !cameraPairs.isEmpty();
+               !pattern.isEmpty() || !study.isEmpty() || rehearse || camera || !arms.isEmpty() ||
+               !cameraPairs.isEmpty();
     }
 };
 

@@ -67,13 +67,15 @@ void FileOpener::openFile(const QString& path) {
         openRecording(path);
         return;
     }
-    read([path] { return isSourceList(path.toStdString()); },
-         [this, path](bool isList) {
-             if (isList)
-                 openList(path);
-             else
-                 openScene(path);
-         });
+    using Open = void (FileOpener::*)(const QString&);
+    read(
+        [path]() -> Open {
+            const std::string file = path.toStdString();
+            return isSourceList(file) ? &FileOpener::openList
+                   : isArmFile(file)  ? &FileOpener::openArm
+                                      : &FileOpener::openScene;
+        },
+        [this, path](Open open) { (this->*open)(path); });
 }
 
 void FileOpener::openRecording(const QString& path) {
@@ -105,6 +107,11 @@ void FileOpener::openList(const QString& path) {
              for (const SourceRequest& request : *list)
                  m_lists.insert(m_sources.open(request), path);
          });
+}
+
+void FileOpener::openArm(const QString& path) {
+    m_sources.open(ArmRequest{path.toStdString()});
+    emit armOpened(path);
 }
 
 void FileOpener::openScene(const QString& path) {

@@ -18,8 +18,8 @@ class RecordingFiles;
 class SourceManager;
 class StudyPage;
 
-/// Opens what files name, from the command line, a menu or a drop: recordings, source lists, scenes and the
-/// studies of scenes. Files are read on pool threads. Thread: GUI.
+/// Opens what files name, from the command line, a menu or a drop: recordings, source lists, arms, scenes and
+/// the studies of scenes. Files are read on pool threads. Thread: GUI.
 class FileOpener : public QObject {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ public:
     FileOpener(SourceManager& sources, RecordingFiles& recordings, StudyPage& study, std::uint64_t seed,
                QObject* parent);
 
-    /// A recording by its name; of the other files a source list or a scene by what is in it.
+    /// A recording by its name; of the other files a source list, an arm or a scene by what is in it.
     void openFile(const QString& path);
     void openRecording(const QString& path);
     /// Opens without asking; what the command line omits is guessed.
@@ -38,6 +38,8 @@ public:
     /// As it was opened the last time; asks only when that is not known.
     void reopenRecording(const QString& path);
     void openList(const QString& path);
+    /// An arm over ROS 2.
+    void openArm(const QString& path);
     void openScene(const QString& path);
     /// A scene of a study goes to its page, in a folder of its own or the one that is named, and is a
     /// rehearsal already; all others are sources, beside which the study is opened as it would be without
@@ -53,6 +55,7 @@ public:
 signals:
     /// A scene in a file was opened as a source.
     void sceneOpened(const QString& path);
+    void armOpened(const QString& path);
     /// A source list was read.
     void listOpened(const QString& path);
     void failed(const QString& name, const teleta::core::Error& error);

@@ -171,6 +171,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_opener, &FileOpener::failed, this, &MainWindow::onFailed);
     connect(m_opener, &FileOpener::listOpened, this, &MainWindow::addRecent);
     connect(m_opener, &FileOpener::sceneOpened, this, &MainWindow::addRecent);
+    connect(m_opener, &FileOpener::armOpened, this, &MainWindow::addRecent);
     connect(&m_operate->recent(), &chrome::RecentList::fileRequested, m_opener, &FileOpener::openFile);
     connect(&m_operate->recent(), &chrome::RecentList::sessionRequested, this, &MainWindow::openLastSession);
     connect(m_layouts, &LayoutsMenu::notRestored, this, [this](const QString& name) {
@@ -212,6 +213,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(&chooser, &chrome::SourceChooser::openSceneRequested, this,
             [this] { askForFile(tr("Open scene"), tr("Scenes (*.toml)"), &FileOpener::openScene); });
     connect(&chooser, &chrome::SourceChooser::openCameraRequested, this, &MainWindow::openCamera);
+    connect(&chooser, &chrome::SourceChooser::openArmRequested, this, &MainWindow::openArm);
     connect(&chooser, &chrome::SourceChooser::recentRequested, m_opener, &FileOpener::openFile);
     connect(&m_bracelet, &BraceletService::chosen, this, &MainWindow::buildMenus);
     connect(&m_operate->armViews().feedbackPanel(), &FeedbackPanel::changed, this, &MainWindow::saveFeedback);
@@ -298,6 +300,8 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         m_opener->openAs(recording);
     if (options.camera)
         m_sources.open(*options.camera);
+    for (const QString& arm : options.arms)
+        m_opener->openArm(arm);
     if (!options.sourceList.isEmpty())
         m_opener->openList(options.sourceList);
     if (!options.pattern.isEmpty())
@@ -322,6 +326,10 @@ void MainWindow::beginRecording() {
         std::any_of(items.begin(), items.end(), [](const auto& item) { return !item.isOpen(); });
     if (!m_record.isEmpty() && !isWaiting)
         m_recorder.start(std::exchange(m_record, {}));
+}
+
+void MainWindow::openArm() {
+    askForFile(tr("Open arm"), tr("Arms over ROS 2 (*.toml)"), &FileOpener::openArm);
 }
 
 void MainWindow::openDemo() {

@@ -59,6 +59,7 @@ public:
     /// the last time.
     void openRequested(const ConsoleOptions& options);
     void openDemo();
+    void openArm();
 
     [[nodiscard]] GuiClock& clock() { return m_clock; }
     [[nodiscard]] BraceletService& bracelet() { return m_bracelet; }

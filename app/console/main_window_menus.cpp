@@ -87,6 +87,9 @@ void MainWindow::buildArmMenu() {
     const SourceManager::Item* item = m_sources.active();
     const bool hasArm = item != nullptr && item->arm() != nullptr;
     const bool hasProgram = m_operate->hasProgram();
+    menu->addAction(tr("&Open arm\u2026"), this, &MainWindow::openArm)
+        ->setToolTip(tr("An arm over ROS 2, described in a file"));
+    menu->addSeparator();
     const auto add = [&](const QString& text, const QKeySequence& key, bool isPossible, auto call) {
         QAction* action = menu->addAction(text, key, m_operate.get(), call);
         action->setEnabled(isPossible);
@@ -122,7 +125,7 @@ void MainWindow::addRecentMenu(QMenu& file) {
     recordings.removeIf([](const QString& path) { return !isPlayable(path); });
     const auto openFile = [this](const QString& path) { m_opener->openFile(path); };
     add(tr("Recordings"), base::Icon::recording, recordings, openFile);
-    add(tr("Scenes and source lists"), base::Icon::scene, scenes, openFile);
+    add(tr("Scenes, arms and source lists"), base::Icon::scene, scenes, openFile);
     add(tr("Patterns"), base::Icon::patterns, m_settings.recentPatterns(), [this](const QString& path) {
         showPage(QStringLiteral("patterns"));
         m_patterns->open(path);
@@ -172,6 +175,9 @@ void MainWindow::openLastSession() {
             break;
         case Kind::camera:
             m_sources.open(m_settings.camera());
+            break;
+        case Kind::arm:
+            m_opener->openArm(entry.path);
             break;
         case Kind::study:
             m_study->open(entry.path);

@@ -4,6 +4,7 @@
 #include "backend/core/failure.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/camera_channel.h"
+#include "backend/pipeline/joint_channel.h"
 #include "backend/pipeline/recorded/recorded_sources.h"
 #include "backend/pipeline/touch_channel.h"
 #include "devices/replay/recorded_device.h"
@@ -34,6 +35,15 @@ core::Expected<Opened> openArray(replay::RecordedConfig config, pipeline::Record
         return array;
     return std::make_shared<pipeline::ArmChannel>(std::make_unique<replay::RecordedArm>(player),
                                                   std::move(array));
+}
+
+core::Expected<Opened> openJoints(replay::RecordedConfig config, const pipeline::RecordedJoints& source) {
+    config.stream = source.stream;
+    config.arm = source.arm;
+    config.jointsAlone = true;
+    TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
+    return std::make_shared<pipeline::JointChannel>(
+        std::make_unique<replay::RecordedJoints>(std::move(player)));
 }
 
 core::Expected<Opened> openCamera(replay::RecordedConfig config, const recording::Recording& recording,
@@ -74,6 +84,8 @@ core::Expected<std::vector<RecordingRequest>> recordingRequestsOf(const std::str
     std::vector<RecordingRequest> requests;
     for (const pipeline::RecordedCamera& camera : sources.cameras)
         requests.push_back({path, recording.streams()[camera.stream].name, camera.description.name, false});
+    for (const pipeline::RecordedJoints& arm : sources.arms)
+        requests.push_back({path, recording.streams()[arm.stream].name, arm.arm.name, false});
     // The first array last: what is opened last is shown.
     for (auto array = sources.arrays.rbegin(); array != sources.arrays.rend(); ++array) {
         const std::string& stream = recording.streams()[array->arrayStream].name;
@@ -96,6 +108,9 @@ core::Expected<std::shared_ptr<pipeline::Channel>> openRecording(const Recording
     for (pipeline::RecordedSource& source : sources.arrays)
         if (isIt(source.arrayStream))
             return openArray(std::move(config), std::move(source));
+    for (const pipeline::RecordedJoints& source : sources.arms)
+        if (isIt(source.stream))
+            return openJoints(std::move(config), source);
     for (const pipeline::RecordedCamera& source : sources.cameras)
         if (isIt(source.stream))
             return openCamera(std::move(config), recording, source, stop);

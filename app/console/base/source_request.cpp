@@ -7,6 +7,7 @@
 #include "backend/equilibration/taxel_gain_file.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/camera_channel.h"
+#include "backend/pipeline/joint_channel.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/scene_run/base/scene_settings.h"
 #include "backend/scene_run/camera/scene_reaction.h"
@@ -18,6 +19,7 @@
 #include "devices/camera/camera_device.h"
 #include "devices/replay/playback_config.h"
 #include "devices/replay/recorded_device.h"
+#include "devices/ros/ros_arm.h"
 #include "devices/simulated/simulated_arm_device.h"
 #include "devices/simulated/simulated_array_device.h"
 #include "devices/simulated/simulated_camera_device.h"
@@ -129,6 +131,14 @@ core::Expected<Opened> openCamera(const CameraRequest& request, const core::Stop
     return *channel;
 }
 
+/// An arm without a skin: what it touches is not known.
+core::Expected<Opened> openRosArm(const ArmRequest& request, const core::StopSwitch& stop) {
+    TELETA_TRY(const auto file, ros_arm::readRosArm(request.path));
+    TELETA_TRY(auto arm, ros_arm::RosArm::open(file, stop));
+    auto chain = arm->sharedChain();
+    return std::make_shared<pipeline::JointChannel>(std::move(arm), std::move(chain));
+}
+
 core::Expected<Opened> openScene(const SceneRequest& request, const core::StopSwitch& stop) {
     TELETA_TRY(auto scene, app::readScene(request.path));
     if (scene.isArm())
@@ -169,6 +179,8 @@ QString pathOf(const SourceRequest& request) {
         return QString::fromStdString(camera->source);
     if (const auto* recording = std::get_if<RecordingRequest>(&request))
         return QString::fromStdString(recording->path);
+    if (const auto* arm = std::get_if<ArmRequest>(&request))
+        return QString::fromStdString(arm->path);
     const auto* scene = std::get_if<SceneRequest>(&request);
     return scene != nullptr ? QString::fromStdString(scene->path) : QString();
 }
@@ -200,6 +212,8 @@ pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::Sto
             return openCamera(*camera, stop);
         if (const auto* recording = std::get_if<RecordingRequest>(&request))
             return openRecording(*recording, stop);
+        if (const auto* arm = std::get_if<ArmRequest>(&request))
+            return openRosArm(*arm, stop);
         return openScene(std::get<SceneRequest>(request), stop);
     };
 }

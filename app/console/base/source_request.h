@@ -54,7 +54,13 @@ struct CameraRequest {
     bool loop = true;      ///< of a file
 };
 
-using SourceRequest = std::variant<CsvRequest, SceneRequest, WtsRequest, CameraRequest, RecordingRequest>;
+/// An arm over ROS 2.
+struct ArmRequest {
+    std::string path; ///< the file that describes it, see ros_arm::readRosArm()
+};
+
+using SourceRequest =
+    std::variant<CsvRequest, SceneRequest, WtsRequest, CameraRequest, RecordingRequest, ArmRequest>;
 
 /// Name under which people know the source: the file name without its folder, or the name of the link.
 [[nodiscard]] QString displayName(const SourceRequest& request);

@@ -17,10 +17,11 @@ struct SessionText {
     Q_DECLARE_TR_FUNCTIONS(LastSession)
 };
 
-constexpr std::array<std::pair<Entry::Kind, const char*>, 5> kWords{{{Entry::Kind::scene, "scene:"},
+constexpr std::array<std::pair<Entry::Kind, const char*>, 6> kWords{{{Entry::Kind::scene, "scene:"},
                                                                      {Entry::Kind::recording, "recording:"},
                                                                      {Entry::Kind::list, "list:"},
                                                                      {Entry::Kind::camera, "camera:"},
+                                                                     {Entry::Kind::arm, "arm:"},
                                                                      {Entry::Kind::study, "study:"}}};
 
 QString entry(Entry::Kind kind, const QString& path) {
@@ -40,6 +41,8 @@ QString entryOf(const OpenSource& source) {
         return entry(Entry::Kind::recording, QString::fromStdString(recording->path));
     if (const auto* csv = std::get_if<CsvRequest>(&source.request))
         return entry(Entry::Kind::recording, QString::fromStdString(csv->path));
+    if (const auto* arm = std::get_if<ArmRequest>(&source.request))
+        return entry(Entry::Kind::arm, QString::fromStdString(arm->path));
     return std::holds_alternative<CameraRequest>(source.request) ? entry(Entry::Kind::camera, {}) : QString();
 }
 

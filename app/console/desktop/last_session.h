@@ -11,7 +11,7 @@
 namespace teleta::console {
 
 /// What was open when the console was closed, to be opened again: scenes, recordings, source lists, the
-/// camera and the study, each as "kind:path".
+/// camera, arms and the study, each as "kind:path".
 namespace last_session {
 
 /// A source that is open.
@@ -26,7 +26,7 @@ struct OpenSource {
 
 /// One entry, ready to be opened.
 struct Entry {
-    enum class Kind { scene, recording, list, camera, study };
+    enum class Kind { scene, recording, list, camera, arm, study };
     Kind kind = Kind::scene;
     QString path; ///< of a scene that comes with the program, ":/scenes/NAME.toml"; empty of a camera
 };

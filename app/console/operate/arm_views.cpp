@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/arm_views.h"
 
-#include "backend/core/device/device_state.h"
-#include "backend/core/steady_time.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/touch/contour_view.h"
-#include "widgets/touch/jog/jog_panel.h"
 #include "widgets/touch/run_sheet.h"
 #include "widgets/touch/stiffness_gauge.h"
 #include "widgets/touch/touch_table.h"
@@ -28,41 +25,23 @@ std::vector<Eigen::Vector3d> atHeight(const std::vector<contour::Point>& points_
     return lifted;
 }
 
-/// The device says that the joints are not known any more: what moves the arm by them would be blind.
-bool readingsAreOld(const pipeline::ArmChannel& arm) {
-    const core::DeviceStatus status = arm.jointStatus();
-    const core::DeviceState state =
-        core::observedState(status.state, status.lastData_ns, core::steadyNow_ns(),
-                            core::staleAfter_ns(arm.description().nominalRate_Hz));
-    return state == core::DeviceState::stale || state == core::DeviceState::lost ||
-           state == core::DeviceState::reconnecting;
-}
-
 } // namespace
 
 ArmViews::ArmViews(core::StopSwitch& stop, BraceletService& bracelet, view3d::Scene3dView& scene,
                    QWidget* parent)
     : QObject(parent)
-    , m_stop(stop)
     , m_bracelet(bracelet)
     , m_scene(scene)
+    , m_joints(new JointViews(stop, scene, parent))
     , m_gauge(new touch::StiffnessGauge(parent))
     , m_touches(new touch::TouchTable(parent))
     , m_sheet(new touch::RunSheet(parent))
-    , m_joints(new charts::JointChartView(parent))
     , m_contour(new touch::ContourView(parent))
-    , m_jog(new touch::JogPanel(parent))
     , m_picture(new bracelet::BraceletView(parent))
     , m_feedback(new FeedbackPanel(bracelet, parent)) {
-    connect(m_jog, &touch::JogPanel::jogRequested, this, [this](const core::JointVector& rate_radPerS) {
-        if (m_arm)
-            m_arm->device().post({rate_radPerS, core::steadyNow_ns()});
-    });
-    connect(m_jog, &touch::JogPanel::programRunRequested, this, &ArmViews::setProgramRunning);
-    connect(m_jog, &touch::JogPanel::programRestartRequested, this, &ArmViews::restartProgram);
     connect(m_picture, &bracelet::BraceletView::held, &m_bracelet, &BraceletService::hold);
     connect(m_touches, &touch::TouchTable::touchActivated, this,
-            [this](std::uint64_t touch) { m_joints->showTouch(touch); });
+            [this](std::uint64_t touch) { m_joints->chart().showTouch(touch); });
     connect(m_gauge, &touch::StiffnessGauge::exportFailed, this, &ArmViews::exportFailed);
     connect(m_touches, &touch::TouchTable::exportFailed, this, &ArmViews::exportFailed);
     connect(m_sheet, &touch::RunSheet::exportFailed, this, &ArmViews::exportFailed);
@@ -73,35 +52,31 @@ ArmViews::ArmViews(core::StopSwitch& stop, BraceletService& bracelet, view3d::Sc
     connect(&objects, &QAbstractItemModel::rowsRemoved, this, &ArmViews::showObjects);
     connect(m_contour, &touch::ContourView::exportFailed, this, &ArmViews::exportFailed);
     connect(m_contour, &touch::ContourView::forgetRequested, this, &ArmViews::forgetContour);
-    connect(m_joints, &charts::JointChartView::exportFailed, this, &ArmViews::exportFailed);
+    connect(m_joints, &JointViews::exportFailed, this, &ArmViews::exportFailed);
 }
 
 void ArmViews::addTo(OperateDocks& docks) {
     docks.add(OperateDocks::stiffness, m_gauge);
     docks.add(OperateDocks::bracelet, m_picture);
-    docks.add(OperateDocks::joints, m_joints);
+    m_joints->addTo(docks);
     docks.add(OperateDocks::touches, m_touches);
     docks.add(OperateDocks::objects, m_sheet);
-    docks.addScrolling(OperateDocks::jog, m_jog);
     docks.add(OperateDocks::contour, m_contour);
     docks.add(OperateDocks::feedback, m_feedback);
 }
 
-void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenance provenance) {
-    // While m_arm is the arm that is moved: the zero that ends it is not for the next one.
-    m_jog->letGo();
+void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::Provenance provenance) {
     if (m_arm) {
         m_arm->setFeedback(nullptr);
-        m_kept.insert_or_assign(m_arm, Kept{m_sheet->model().takeNotes(), m_joints->takeContent(),
-                                            std::exchange(m_shownTouches, {}), m_begun_ns});
+        m_kept.insert_or_assign(
+            m_arm, Kept{m_sheet->model().takeNotes(), std::exchange(m_shownTouches, {}), m_begun_ns});
     }
     clear();
-    m_arm = std::move(arm);
+    m_joints->setArm(arm, provenance);
+    m_arm = std::dynamic_pointer_cast<pipeline::ArmChannel>(arm);
     std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
-    if (!m_arm) {
-        m_jog->setArm(std::nullopt);
+    if (!m_arm)
         return;
-    }
     const core::ArmDescription& description = m_arm->description();
     m_kinematics = arm::Arm4Kinematics({.upperArmLength_m = description.upperArmLength_m,
                                         .forearmLength_m = description.forearmLength_m,
@@ -109,23 +84,21 @@ void ArmViews::setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenanc
     m_gauge->setProvenance(provenance);
     m_touches->setProvenance(provenance);
     m_sheet->setProvenance(provenance);
-    m_joints->setProvenance(provenance);
     m_contour->setProvenance(provenance);
-    m_jog->setArm(description);
-    m_joints->setJoints(description.joints());
     const core::ArrayLayout& skin = m_arm->skin()->description().layout;
     m_scene.setSurface(view3d::Surface::cylinder);
     m_scene.setCylinder({.radius_m = description.skin.radius_m, .length_m = skin.columns * skin.pitch_m});
     // Nothing new may come: a recording that is paused stands as it was left.
     if (auto kept = m_kept.extract(m_arm)) {
         m_sheet->model().setNotes(std::move(kept.mapped().notes));
-        m_joints->setContent(std::move(kept.mapped().joints));
         m_begun_ns = kept.mapped().begun_ns;
         for (const pipeline::TouchRecord& record : kept.mapped().touches)
             showTouch(record);
     }
-    if (m_arm->generation() > 0)
+    if (m_arm->generation() > 0) {
+        m_joints->show(m_arm->snapshot().newest);
         show(m_arm->snapshot());
+    }
     m_arm->setFeedback(m_bracelet.feedback());
 }
 
@@ -134,7 +107,6 @@ void ArmViews::clear() {
     m_touches->clear();
     m_shownTouches.clear();
     m_sheet->clear();
-    m_joints->clear();
     m_contour->clear();
     m_scene.setArmLinks({});
     m_scene.setContour({}, {}, {}, {});
@@ -145,63 +117,32 @@ void ArmViews::clear() {
     m_contourRevision = 0;
     m_objectsRevision = 0;
     m_begun_ns = 0;
-    m_silent = false;
-    m_sample_ns = m_sampleCame_ns = 0;
-    m_latency_s.reset();
-}
-
-void ArmViews::setHand(const std::optional<touch::HandMotion>& hand, const QString& text) {
-    m_jog->setHandText(text);
-    m_jog->setHand(hand);
+    m_wasSilent = false;
 }
 
 void ArmViews::tick() {
-    m_jog->setStopEngaged(m_stop.engaged());
-    const bool isNew = m_arm && m_arm->update();
-    const bool silent = m_arm && (readingsWait() || readingsAreOld(*m_arm));
+    m_joints->tick();
     // What is felt of an arm that tells nothing any more is no news of it.
-    if (silent && !m_silent)
+    const bool silent = m_arm && m_joints->isSilent();
+    if (silent && !m_wasSilent)
         m_bracelet.endFeedback();
-    m_silent = silent;
-    m_jog->setReadingsOld(silent);
+    m_wasSilent = silent;
     m_picture->setIntensities(m_bracelet.given());
     m_picture->setNote(m_bracelet.note());
     m_picture->setHoldable(m_bracelet.isFree());
     m_picture->setProvenance(m_bracelet.isSimulated() ? base::Provenance::simulated : base::Provenance::live);
     m_picture->setTitle(m_feedback->lastText());
-    if (!m_arm)
-        return;
-    m_samples.clear();
-    core::JointSample sample;
-    while (m_arm->popSample(sample))
-        m_samples.push_back(sample);
-    m_joints->append(m_samples);
-    takeTouches();
-    if (isNew) {
-        m_latency_s = static_cast<double>(core::steadyNow_ns() - m_arm->snapshot().newest.time_ns) * 1e-9;
-        show(m_arm->snapshot());
+    if (m_arm) {
+        takeTouches();
+        if (m_arm->update())
+            show(m_arm->snapshot());
     }
     m_joints->refresh();
-}
-
-/// No newer reading is there for longer than the arm may be silent, whatever its device says: they may wait
-/// on the way. One that is shown late, but with others behind it, only makes what leads by it slower.
-bool ArmViews::readingsWait() {
-    const std::int64_t sample_ns = m_arm->generation() > 0 ? m_arm->snapshot().newest.time_ns : 0;
-    if (sample_ns == 0 || m_arm->description().recorded)
-        return false;
-    const std::int64_t now_ns = core::steadyNow_ns();
-    m_jog->setReadingsAge(static_cast<double>(now_ns - sample_ns) * 1e-9);
-    if (std::exchange(m_sample_ns, sample_ns) != sample_ns)
-        m_sampleCame_ns = now_ns;
-    return now_ns - m_sampleCame_ns > core::staleAfter_ns(m_arm->description().nominalRate_Hz);
 }
 
 void ArmViews::show(const pipeline::ArmSnapshot& snapshot) {
     if (std::exchange(m_begun_ns, snapshot.begun_ns) != snapshot.begun_ns)
         beginAnew(snapshot.begun_ns);
-    m_jog->setSample(snapshot.newest);
-    m_jog->setDrive(snapshot.drive);
     showArm(snapshot);
     if (snapshot.contour.revision != m_contourRevision)
         showContour(snapshot.contour);
@@ -214,7 +155,7 @@ void ArmViews::show(const pipeline::ArmSnapshot& snapshot) {
 void ArmViews::takeTouches() {
     pipeline::TouchRecord record;
     while (m_arm->popTouch(record)) {
-        m_joints->addTouch(record);
+        m_joints->chart().addTouch(record);
         showTouch(record);
     }
 }
@@ -297,22 +238,6 @@ void ArmViews::showObjects() {
 void ArmViews::retranslate() {
     if (m_arm && m_arm->generation() > 0)
         showContour(m_arm->snapshot().contour);
-}
-
-void ArmViews::setProgramRunning(bool running) {
-    if (!m_arm)
-        return;
-    // Whatever held the tip was elsewhere when the program has moved it.
-    if (running)
-        m_jog->letGo();
-    m_arm->device().setProgramRunning(running);
-}
-
-void ArmViews::restartProgram() {
-    if (!m_arm)
-        return;
-    m_jog->letGo();
-    m_arm->device().restartProgram();
 }
 
 void ArmViews::forgetContour() {

@@ -3,12 +3,12 @@
 
 #include "app/console/bracelet/bracelet_service.h"
 #include "app/console/bracelet/feedback_panel.h"
+#include "app/console/operate/joint_views.h"
 #include "app/console/operate/operate_docks.h"
 #include "backend/arm/arm4_kinematics.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/arm_channel.h"
 #include "widgets/base/controls/badge.h"
-#include "widgets/charts/joint_chart_view.h"
 #include "widgets/touch/run_sheet_model.h"
 #include "widgets/view3d/scene/scene_types.h"
 
@@ -20,12 +20,8 @@
 #include <optional>
 #include <vector>
 
-namespace teleta::charts {
-class JointChartView;
-}
 namespace teleta::touch {
 class ContourView;
-class JogPanel;
 struct HandMotion;
 class StiffnessGauge;
 class RunSheet;
@@ -40,8 +36,9 @@ class Scene3dView;
 
 namespace teleta::console {
 
-/// The views of a remote arm on the Operate page: stiffness, joints, touches, jogging, the bracelet and what
-/// it is told; and the arm with the explored contour in the reconstruction. Thread: GUI.
+/// The views of a remote arm on the Operate page: its joints (JointViews), and of one with a tactile skin
+/// stiffness, touches, the bracelet and what it is told, and the explored contour in the reconstruction.
+/// Thread: GUI.
 class ArmViews : public QObject {
     Q_OBJECT
 
@@ -51,18 +48,23 @@ public:
     void addTo(OperateDocks& docks);
     /// Shows another arm; null: none. The previous one is no longer moved, and its touches are no longer
     /// felt.
-    void setArm(std::shared_ptr<pipeline::ArmChannel> arm, base::Provenance provenance);
+    void setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::Provenance provenance);
+    /// Null also where an arm without a skin is shown.
     [[nodiscard]] const std::shared_ptr<pipeline::ArmChannel>& arm() const { return m_arm; }
+    /// With or without a skin.
+    [[nodiscard]] const std::shared_ptr<pipeline::JointChannel>& joints() const { return m_joints->arm(); }
     /// Motion of a 3D mouse, and a line about its state.
-    void setHand(const std::optional<touch::HandMotion>& hand, const QString& text);
+    void setHand(const std::optional<touch::HandMotion>& hand, const QString& text) {
+        m_joints->setHand(hand, text);
+    }
     /// Shows what came since the last tick.
     void tick();
     /// Time from the read of the newest joint sample to its picture; empty without one.
-    [[nodiscard]] std::optional<double> latency_s() const { return m_latency_s; }
+    [[nodiscard]] std::optional<double> latency_s() const { return m_joints->latency_s(); }
 
-    void setProgramRunning(bool running);
+    void setProgramRunning(bool running) { m_joints->setProgramRunning(running); }
     /// Restarts the program; earlier findings are dropped once it has restarted.
-    void restartProgram();
+    void restartProgram() { m_joints->restartProgram(); }
     /// Translates the labels in the reconstruction anew.
     void retranslate();
     /// Starts a new object with the next touch.
@@ -76,12 +78,10 @@ private:
     /// State kept for an arm that is not shown.
     struct Kept {
         touch::RunSheetModel::Notes notes;
-        charts::JointChartView::Content joints;
         std::vector<pipeline::TouchRecord> touches;
         std::int64_t begun_ns = 0;
     };
 
-    [[nodiscard]] bool readingsWait();
     void takeTouches();
     void showTouch(const pipeline::TouchRecord& record);
     void show(const pipeline::ArmSnapshot& snapshot);
@@ -93,15 +93,13 @@ private:
     /// Drops the touches of the previous run.
     void beginAnew(std::int64_t begun_ns);
 
-    core::StopSwitch& m_stop;
     BraceletService& m_bracelet;
     view3d::Scene3dView& m_scene;
+    JointViews* m_joints;
     touch::StiffnessGauge* m_gauge;
     touch::TouchTable* m_touches;
     touch::RunSheet* m_sheet;
-    charts::JointChartView* m_joints;
     touch::ContourView* m_contour;
-    touch::JogPanel* m_jog;
     bracelet::BraceletView* m_picture;
     FeedbackPanel* m_feedback;
 
@@ -110,14 +108,10 @@ private:
     std::map<std::weak_ptr<pipeline::ArmChannel>, Kept, std::owner_less<>> m_kept;
     std::vector<pipeline::TouchRecord> m_shownTouches; ///< of this arm, the oldest first
     arm::Arm4Kinematics m_kinematics;
-    std::vector<core::JointSample> m_samples; ///< of a tick
     std::uint64_t m_contourRevision = 0;
     std::uint64_t m_objectsRevision = 0;
-    std::int64_t m_begun_ns = 0;      ///< as in the snapshot that is shown
-    bool m_silent = false;            ///< the arm tells nothing any more
-    std::int64_t m_sample_ns = 0;     ///< of the newest reading that was seen; 0: none
-    std::int64_t m_sampleCame_ns = 0; ///< when it was seen first
-    std::optional<double> m_latency_s;
+    std::int64_t m_begun_ns = 0; ///< as in the snapshot that is shown
+    bool m_wasSilent = false;
 };
 
 } // namespace teleta::console

@@ -173,6 +173,8 @@ bool OperateDocks::belongs(Kind kind, std::size_t dock) {
         return true;
     if (kind == Kind::camera)
         return dock == reconstruction || dock == camera || dock == events;
+    if (kind == Kind::joints)
+        return dock == reconstruction || dock == joints || dock == jog;
     if (dock < stiffness)
         return true;
     if (dock == camera || dock == events)
@@ -225,7 +227,9 @@ void OperateDocks::toggleMaximised() {
     else
         setMaximised(m_docks[used]->isVisible() && !m_lastUsed.isEmpty()
                          ? m_lastUsed
-                         : QLatin1String(kNames[m_kind == Kind::camera ? camera : heatmap]));
+                         : QLatin1String(kNames[m_kind == Kind::camera   ? camera
+                                                : m_kind == Kind::joints ? reconstruction
+                                                                         : heatmap]));
 }
 
 void OperateDocks::forgetMaximised() {
@@ -298,8 +302,10 @@ bool OperateDocks::restoreLayouts(const QByteArray& layouts) {
     qint32 version = 0;
     std::array<QByteArray, kKinds> stored;
     stream >> version;
+    // An older program knew fewer kinds.
     for (QByteArray& layout : stored)
-        stream >> layout;
+        if (!stream.atEnd())
+            stream >> layout;
     const bool whole = stream.status() == QDataStream::Ok && version == kLayoutVersion;
     if (!whole || (!stored[index()].isEmpty() && !restore(stored[index()]))) {
         m_layouts = {};
@@ -347,6 +353,15 @@ void OperateDocks::arrange() {
         tabifyDockWidget(m_docks[events], m_docks[marks]);
         show({camera, reconstruction, events, marks});
         m_docks[events]->raise();
+        return;
+    }
+    if (m_kind == Kind::joints) {
+        addDockWidget(Qt::LeftDockWidgetArea, m_docks[reconstruction]);
+        splitDockWidget(m_docks[reconstruction], m_docks[joints], Qt::Vertical);
+        tabifyDockWidget(m_docks[joints], m_docks[marks]);
+        addDockWidget(Qt::RightDockWidgetArea, m_docks[jog]);
+        show({reconstruction, joints, marks, jog});
+        m_docks[joints]->raise();
         return;
     }
     addDockWidget(Qt::LeftDockWidgetArea, m_docks[heatmap]);
@@ -397,6 +412,14 @@ void OperateDocks::shareSpace() {
                     Qt::Vertical);
         return;
     }
+    if (m_kind == Kind::joints) {
+        const int side = base::em(this, 25);
+        resizeDocks({m_docks[reconstruction], m_docks[jog]}, {std::max(width() - side, side), side},
+                    Qt::Horizontal);
+        resizeDocks({m_docks[reconstruction], m_docks[joints]}, {height() * 11 / 20, height() * 9 / 20},
+                    Qt::Vertical);
+        return;
+    }
     if (m_kind != Kind::arm) {
         const bool servos = m_kind == Kind::servo;
         const int settings = base::em(this, servos ? 25 : 18);
@@ -436,7 +459,8 @@ void OperateDocks::keepSizes() {
     for (std::size_t i = 0; i < kDocks; ++i)
         if (isForm(i) && m_sizes[i].isValid())
             forms = std::max(forms, m_sizes[i].width());
-    const double wider = std::max(width() - forms, 1) / std::max(1.0, m_sizesIn.width() - static_cast<double>(forms));
+    const double wider =
+        std::max(width() - forms, 1) / std::max(1.0, m_sizesIn.width() - static_cast<double>(forms));
     const double higher = static_cast<double>(height()) / m_sizesIn.height();
     const auto isSeen = [this](std::size_t dock) {
         return m_sizes[dock].isValid() && m_docks[dock]->isVisible() && !m_docks[dock]->isFloating();

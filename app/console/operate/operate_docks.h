@@ -17,14 +17,15 @@ class QDockWidget;
 
 namespace teleta::console {
 
-/// The docks of the Operate page. An array on its own, an arm, a servo and a camera show different views, so
-/// each kind of source has a layout of its own, which is kept while another is shown. Thread: GUI.
+/// The docks of the Operate page. An array on its own, an arm with or without a skin, a servo and a camera
+/// show different views, so each kind of source has a layout of its own, which is kept while another is
+/// shown. Thread: GUI.
 class OperateDocks : public QMainWindow {
     Q_OBJECT
 
 public:
-    enum class Kind { array, arm, servo, camera };
-    static constexpr std::size_t kKinds = 4;
+    enum class Kind { array, arm, servo, camera, joints }; ///< joints: an arm without a tactile skin
+    static constexpr std::size_t kKinds = 5;
 
     enum Dock {
         heatmap,
@@ -124,7 +125,7 @@ private:
     QString m_lastUsed;    ///< name of the dock that had the focus last
     QString m_forward;     ///< name of the dock that comes to the front with the next layout
     std::array<QByteArray, kKinds> m_layouts; ///< of the kinds that are not shown; empty: never shown
-    std::array<bool, kKinds> m_default{true, true, true,
+    std::array<bool, kKinds> m_default{true, true, true, true,
                                        true}; ///< shares its space anew when it is shown or resized
     bool m_building = false;                  ///< a layout is built or restored
     std::array<QSize, kDocks> m_sizes{};      ///< as they were chosen; of a dock that was not seen: invalid

@@ -179,6 +179,10 @@ void OperatePage::tick() {
         ++active->displayed;
         m_latency_s = m_camera->latency_s();
     }
+    if (active != nullptr && active->joints() && !active->arm()) {
+        active->displayed = active->joints()->samplesProcessed() - active->joints()->samplesNotShown();
+        m_latency_s = m_arm->latency_s();
+    }
     if (core::PlaybackControl* control = playback())
         m_playback->setPosition(control->position());
 }
@@ -254,13 +258,14 @@ void OperatePage::onActiveChanged() {
     const std::shared_ptr<servo::ServoLink> servo = item != nullptr ? item->servo() : nullptr;
     if (servo != m_servo->servo())
         m_servo->setServo(servo, servo ? item->name : QString(), provenance);
-    const std::shared_ptr<pipeline::ArmChannel> arm = item != nullptr ? item->arm() : nullptr;
-    if (arm != m_arm->arm())
-        m_arm->setArm(arm, provenance);
-    m_docks->setKind(camera  ? OperateDocks::Kind::camera
-                     : arm   ? OperateDocks::Kind::arm
-                     : servo ? OperateDocks::Kind::servo
-                             : OperateDocks::Kind::array);
+    const std::shared_ptr<pipeline::JointChannel> joints = item != nullptr ? item->joints() : nullptr;
+    if (joints != m_arm->joints())
+        m_arm->setArm(joints, provenance);
+    m_docks->setKind(camera         ? OperateDocks::Kind::camera
+                     : m_arm->arm() ? OperateDocks::Kind::arm
+                     : joints       ? OperateDocks::Kind::joints
+                     : servo        ? OperateDocks::Kind::servo
+                                    : OperateDocks::Kind::array);
     m_settings->setEnabled(array != nullptr);
     onSourcesChanged();
 }
@@ -348,14 +353,14 @@ bool OperatePage::hasProgram() const {
 }
 
 void OperatePage::setProgramRunning(bool running) {
-    if (m_arm->arm())
+    if (m_arm->joints())
         m_arm->setProgramRunning(running);
     else if (SourceManager::Item* item = m_sources.active(); item != nullptr)
         item->channel->setProgramRunning(running);
 }
 
 void OperatePage::restartProgram() {
-    if (m_arm->arm())
+    if (m_arm->joints())
         m_arm->restartProgram();
     else if (SourceManager::Item* item = m_sources.active(); item != nullptr)
         item->channel->restartProgram();

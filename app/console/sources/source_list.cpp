@@ -128,6 +128,11 @@ void describeCamera(Keys& keys, const std::string& listPath, CameraRequest& requ
     keys.flag("loop", request.loop, "A file starts again at its end");
 }
 
+void describeArm(Keys& keys, const std::string& listPath, ArmRequest& request) {
+    describePath(keys, "arm", listPath, request.path,
+                 "File that describes an arm over ROS 2 (`kind = \"ros_arm\"`)");
+}
+
 template <typename Request>
 void add(Keys& keys, const std::string& listPath, std::vector<SourceRequest>& requests,
          void (*describe)(Keys&, const std::string&, Request&)) {
@@ -143,6 +148,8 @@ SourceKind kindOf(core::TomlTable& table) {
         return SourceKind::wts;
     if (table.has("camera"))
         return SourceKind::camera;
+    if (table.has("arm"))
+        return SourceKind::arm;
     return isRecordingName(QString::fromStdString(table.text("recording"))) ? SourceKind::playback
                                                                             : SourceKind::recording;
 }
@@ -162,12 +169,19 @@ void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPa
         return add(keys, listPath, requests, describeWts);
     case SourceKind::camera:
         return add(keys, listPath, requests, describeCamera);
+    case SourceKind::arm:
+        return add(keys, listPath, requests, describeArm);
     }
 }
 
 bool isSourceList(const std::string& path) {
     const auto document = core::TomlDocument::open(path);
     return document && document->root().has("source");
+}
+
+bool isArmFile(const std::string& path) {
+    const auto document = core::TomlDocument::open(path);
+    return document && document->root().text("kind", std::string()) == "ros_arm";
 }
 
 core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path) {

@@ -17,18 +17,23 @@ enum class SourceKind {
     playback,  ///< a recording of this program, all sources of it
     wts,       ///< a Weiss array
     camera,    ///< a camera in a soft tube, or a video of one
+    arm,       ///< an arm over ROS 2
 };
 
 /// Describes the keys of a source and adds what it opens. Relative paths start at the list's folder.
 void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPath,
                     std::vector<SourceRequest>& requests);
 
-/// Reads a source list (TOML): one [[source]] a tactile array or a camera, in the order in which they open.
-/// Errors carry file, line and column. Reads the header of each recording: not on the GUI's thread.
+/// Reads a source list (TOML): one [[source]] a tactile array, an arm or a camera, in the order in which they
+/// open. Errors carry file, line and column. Reads the header of each recording: not on the GUI's thread.
 [[nodiscard]] core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path);
 
 /// Whether a TOML file means to be a source list, whatever is wrong with its sources: it has a key "source",
 /// which no scene has. A file that cannot be read at all is none. Not on the GUI's thread.
 [[nodiscard]] bool isSourceList(const std::string& path);
+
+/// Whether a TOML file means to describe an arm over ROS 2, whatever is wrong with it. Not on the GUI's
+/// thread.
+[[nodiscard]] bool isArmFile(const std::string& path);
 
 } // namespace teleta::console

@@ -28,6 +28,10 @@ std::shared_ptr<pipeline::ArmChannel> SourceManager::Item::arm() const {
     return std::dynamic_pointer_cast<pipeline::ArmChannel>(channel);
 }
 
+std::shared_ptr<pipeline::JointChannel> SourceManager::Item::joints() const {
+    return std::dynamic_pointer_cast<pipeline::JointChannel>(channel);
+}
+
 std::shared_ptr<pipeline::CameraChannel> SourceManager::Item::camera() const {
     return std::dynamic_pointer_cast<pipeline::CameraChannel>(channel);
 }

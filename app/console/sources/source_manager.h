@@ -39,6 +39,8 @@ public:
         /// An array, or the skin of an arm.
         [[nodiscard]] std::shared_ptr<pipeline::TouchChannel> array() const;
         [[nodiscard]] std::shared_ptr<pipeline::ArmChannel> arm() const;
+        /// An arm with or without a skin.
+        [[nodiscard]] std::shared_ptr<pipeline::JointChannel> joints() const;
         [[nodiscard]] std::shared_ptr<pipeline::CameraChannel> camera() const;
         /// That moves the array.
         [[nodiscard]] std::shared_ptr<servo::ServoLink> servo() const;

@@ -22,10 +22,12 @@ private slots:
                                            {RecordingRequest{"/data/a.teleta", "frames", "skin"}},
                                            {RecordingRequest{"/data/a.teleta", "camera", "skin"}},
                                            {csv},
-                                           {CameraRequest{"0", "camera.json"}}};
-        QCOMPARE(last_session::entriesOf(open, "/data/study"),
-                 (QStringList{"scene::/scenes/teleta-touch.toml", "recording:/data/a.teleta",
-                              "recording:/data/run.csv", "camera:", "study:/data/study"}));
+                                           {CameraRequest{"0", "camera.json"}},
+                                           {ArmRequest{"/data/arm.toml"}}};
+        QCOMPARE(
+            last_session::entriesOf(open, "/data/study"),
+            (QStringList{"scene::/scenes/teleta-touch.toml", "recording:/data/a.teleta",
+                         "recording:/data/run.csv", "camera:", "arm:/data/arm.toml", "study:/data/study"}));
         QCOMPARE(last_session::entriesOf({}), QStringList());
     }
 

@@ -47,6 +47,7 @@ enum Section {
     playbackSource,
     arraySource,
     cameraSource,
+    armSource,
     sections
 };
 
@@ -93,7 +94,8 @@ const std::vector<PageWords>& pages() {
           "CSV recording",
           "Recording of this program",
           "Weiss array",
-          "Camera"}},
+          "Camera",
+          "Arm over ROS 2"}},
         {"fr",
          "Fichiers",
          "Les scènes, les protocoles d'étude, les appareils et les listes de sources sont des fichiers TOML. "
@@ -138,7 +140,8 @@ const std::vector<PageWords>& pages() {
           "Enregistrement CSV",
           "Enregistrement de ce programme",
           "Réseau Weiss",
-          "Caméra"}},
+          "Caméra",
+          "Bras sur ROS 2"}},
         {"ja",
          "ファイル",
          "シーン、実験計画、機器、ソースの一覧は TOML "
@@ -181,7 +184,8 @@ const std::vector<PageWords>& pages() {
           "CSV の記録",
           "このプログラムの記録",
           "Weiss アレイ",
-          "カメラ"}},
+          "カメラ",
+          "ROS 2のアーム"}},
         {"zh_CN",
          "文件",
          "场景、实验方案、设备和信号源列表都是 TOML 文件。本页列出程序从中读取的所有键。键名以单位结尾。"
@@ -222,7 +226,8 @@ const std::vector<PageWords>& pages() {
           "CSV 记录",
           "本程序的记录",
           "Weiss 阵列",
-          "摄像头"}},
+          "摄像头",
+          "通过 ROS 2 的机械臂"}},
     };
     return kPages;
 }
@@ -303,6 +308,7 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, playbackSource, sourceOf(console::SourceKind::playback));
     page.part(3, arraySource, sourceOf(console::SourceKind::wts));
     page.part(3, cameraSource, sourceOf(console::SourceKind::camera));
+    page.part(3, armSource, sourceOf(console::SourceKind::arm));
     return page.text();
 }
 

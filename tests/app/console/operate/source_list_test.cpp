@@ -6,9 +6,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+using teleta::console::ArmRequest;
 using teleta::console::CameraRequest;
 using teleta::console::CsvRequest;
 using teleta::console::guessCsv;
+using teleta::console::isArmFile;
 using teleta::console::isSourceList;
 using teleta::console::readSourceList;
 using teleta::console::SceneRequest;
@@ -79,6 +81,18 @@ private slots:
         const auto without = readSourceList(write("bad.toml", "[[source]]\ncamera = \"0\"\n").toStdString());
         QVERIFY(!without.has_value());
         QVERIFY(without.error().where.line > 0);
+    }
+
+    void readsArmsAndKnowsTheFileOfOne() {
+        const auto list =
+            readSourceList(write("arms.toml", "[[source]]\narm = \"robot.toml\"\n").toStdString());
+        QVERIFY(list.has_value());
+        QCOMPARE(QString::fromStdString(std::get<ArmRequest>(list->front()).path),
+                 m_folder.filePath("robot.toml"));
+        QVERIFY(isArmFile(write("robot.toml", "kind = \"ros_arm\"\nwrong = 1\n").toStdString()));
+        QVERIFY(!isArmFile(write("scene.toml", "kind = \"arm\"\n").toStdString()));
+        QVERIFY(!isArmFile(write("number.toml", "kind = 3\n").toStdString()));
+        QVERIFY(!isArmFile(m_folder.filePath("missing.toml").toStdString()));
     }
 
     void readsRecordingsAndScenesInTheirOrderWithPathsBesideTheList() {

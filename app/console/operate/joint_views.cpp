@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/operate/joint_views.h"
+
+#include "backend/arm_model/serial_chain.h"
+#include "backend/core/device/device_state.h"
+#include "backend/core/steady_time.h"
+#include "widgets/touch/jog/jog_panel.h"
+#include "widgets/view3d/scene3d_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace teleta::console {
+
+namespace {
+
+/// A drawn link is so thick for each metre of the arm.
+constexpr double kThickness = 0.035;
+constexpr double kThinnest_m = 0.005;
+constexpr double kShortest_m = 1e-3;
+
+/// The device says that the joints are not known any more: what moves the arm by them would be blind.
+bool readingsAreOld(const pipeline::JointChannel& arm) {
+    const core::DeviceStatus status = arm.jointStatus();
+    const core::DeviceState state =
+        core::observedState(status.state, status.lastData_ns, core::steadyNow_ns(),
+                            core::staleAfter_ns(arm.description().nominalRate_Hz));
+    return state == core::DeviceState::stale || state == core::DeviceState::lost ||
+           state == core::DeviceState::reconnecting;
+}
+
+bool moves(const core::JointVector& rate) {
+    return std::ranges::any_of(rate, [](double value) { return value != 0.0; });
+}
+
+} // namespace
+
+JointViews::JointViews(core::StopSwitch& stop, view3d::Scene3dView& scene, QWidget* parent)
+    : QObject(parent)
+    , m_stop(stop)
+    , m_scene(scene)
+    , m_chart(new charts::JointChartView(parent))
+    , m_jog(new touch::JogPanel(parent)) {
+    connect(m_jog, &touch::JogPanel::jogRequested, this, &JointViews::post);
+    connect(m_jog, &touch::JogPanel::programRunRequested, this, &JointViews::setProgramRunning);
+    connect(m_jog, &touch::JogPanel::programRestartRequested, this, &JointViews::restartProgram);
+    connect(m_chart, &charts::JointChartView::exportFailed, this, &JointViews::exportFailed);
+}
+
+void JointViews::addTo(OperateDocks& docks) {
+    docks.add(OperateDocks::joints, m_chart);
+    docks.addScrolling(OperateDocks::jog, m_jog);
+}
+
+void JointViews::setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Provenance provenance) {
+    // While m_arm is the arm that is moved: the zero that ends it is not for the next one.
+    m_jog->letGo();
+    if (m_arm)
+        m_kept.insert_or_assign(m_arm, m_chart->takeContent());
+    clear();
+    m_arm = std::move(arm);
+    std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
+    if (!m_arm) {
+        m_jog->setArm(std::nullopt);
+        return;
+    }
+    m_chart->setProvenance(provenance);
+    m_chart->setJoints(m_arm->description().joints());
+    m_jog->setArm(m_arm->description(), m_arm->chain());
+    // Nothing new may come: a recording that is paused stands as it was left.
+    if (auto kept = m_kept.extract(m_arm))
+        m_chart->setContent(std::move(kept.mapped()));
+}
+
+void JointViews::clear() {
+    m_chart->clear();
+    if (m_arm)
+        m_scene.setArmLinks({});
+    m_hasSample = false;
+    m_asked = false;
+    m_silent = false;
+    m_sample_ns = m_sampleCame_ns = 0;
+    m_latency_s.reset();
+}
+
+void JointViews::setHand(const std::optional<touch::HandMotion>& hand, const QString& text) {
+    m_jog->setHandText(text);
+    m_jog->setHand(hand);
+}
+
+/// An arm that stood still for a fault or STOP moves again only after it was told that the switch was let go.
+void JointViews::post(const core::JointVector& rate_radPerS) {
+    if (!m_arm)
+        return;
+    const bool asks = moves(rate_radPerS);
+    const std::int64_t now_ns = core::steadyNow_ns();
+    if (asks && !m_asked)
+        m_arm->device().post({core::JointVector::zeros(rate_radPerS.size()), now_ns});
+    m_asked = asks;
+    m_arm->device().post({rate_radPerS, now_ns});
+}
+
+void JointViews::tick() {
+    m_jog->setStopEngaged(m_stop.engaged());
+    if (m_arm) {
+        m_samples.clear();
+        core::JointSample sample;
+        while (m_arm->popSample(sample))
+            m_samples.push_back(sample);
+        if (!m_samples.empty())
+            show(m_samples.back());
+        m_chart->append(m_samples);
+        m_jog->setDrive(m_arm->device().drive());
+        m_jog->setHindrance(QString::fromStdString(m_arm->device().hindrance()));
+    }
+    m_silent = m_arm && (readingsWait() || readingsAreOld(*m_arm));
+    m_jog->setReadingsOld(m_silent);
+}
+
+void JointViews::show(const core::JointSample& sample) {
+    m_latency_s = static_cast<double>(core::steadyNow_ns() - sample.time_ns) * 1e-9;
+    if (std::exchange(m_sample_ns, sample.time_ns) != sample.time_ns)
+        m_sampleCame_ns = core::steadyNow_ns();
+    m_jog->setSample(sample);
+    // Without torques there is nothing else to see.
+    if (!std::exchange(m_hasSample, true) && sample.torque_Nm.empty())
+        m_chart->setAnglesShown(true);
+    if (m_arm->chain())
+        showChain(sample);
+}
+
+/// No newer reading is there for longer than the arm may be silent, whatever its device says: they may wait
+/// on the way. One that is shown late, but with others behind it, only makes what leads by it slower.
+bool JointViews::readingsWait() {
+    if (m_sample_ns == 0 || m_arm->description().recorded)
+        return false;
+    const std::int64_t now_ns = core::steadyNow_ns();
+    m_jog->setReadingsAge(static_cast<double>(now_ns - m_sample_ns) * 1e-9);
+    return now_ns - m_sampleCame_ns > core::staleAfter_ns(m_arm->description().nominalRate_Hz);
+}
+
+void JointViews::showChain(const core::JointSample& sample) {
+    const arm_model::SerialChain& chain = *m_arm->chain();
+    if (sample.angle_rad.size() != chain.joints())
+        return;
+    std::vector<view3d::ArmLink> links;
+    double reach_m = 0.0;
+    Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& point_m : chain.pathPoints_m(sample.angle_rad)) {
+        // Several joints may lie in one place.
+        const Eigen::Vector3d along_m = point_m - from_m;
+        if (along_m.norm() < kShortest_m)
+            continue;
+        view3d::ArmLink& link = links.emplace_back();
+        link.X_World_Link.translation() = from_m;
+        link.X_World_Link.linear() =
+            Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), along_m).toRotationMatrix();
+        link.length_m = along_m.norm();
+        reach_m += link.length_m;
+        from_m = point_m;
+    }
+    for (view3d::ArmLink& link : links)
+        link.radius_m = std::max(kThinnest_m, kThickness * reach_m);
+    m_scene.setArmLinks(links);
+}
+
+void JointViews::setProgramRunning(bool running) {
+    if (!m_arm)
+        return;
+    // Whatever held the tip was elsewhere when the program has moved it.
+    if (running)
+        m_jog->letGo();
+    m_arm->device().setProgramRunning(running);
+}
+
+void JointViews::restartProgram() {
+    if (!m_arm)
+        return;
+    m_jog->letGo();
+    m_arm->device().restartProgram();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/operate/operate_docks.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/pipeline/joint_channel.h"
+#include "widgets/base/controls/badge.h"
+#include "widgets/charts/joint_chart_view.h"
+
+#include <QObject>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace teleta::touch {
+class JogPanel;
+struct HandMotion;
+} // namespace teleta::touch
+namespace teleta::view3d {
+class Scene3dView;
+}
+
+namespace teleta::console {
+
+/// The views of an arm's joints on the Operate page: the chart of them, jogging, and, where its links are
+/// described, the arm in the reconstruction. An arm with a tactile skin has more, see ArmViews. Thread: GUI.
+class JointViews : public QObject {
+    Q_OBJECT
+
+public:
+    JointViews(core::StopSwitch& stop, view3d::Scene3dView& scene, QWidget* parent);
+
+    void addTo(OperateDocks& docks);
+    /// Shows another arm; null: none. The previous one is no longer moved. What the chart has of it is shown
+    /// again when it comes back.
+    void setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Provenance provenance);
+    [[nodiscard]] const std::shared_ptr<pipeline::JointChannel>& arm() const { return m_arm; }
+    /// Motion of a 3D mouse, and a line about its state.
+    void setHand(const std::optional<touch::HandMotion>& hand, const QString& text);
+    /// Takes what came since the last tick; refresh() shows it.
+    void tick();
+    void refresh() { m_chart->refresh(); }
+    /// Shows where the joints are.
+    void show(const core::JointSample& sample);
+    /// The arm tells nothing any more.
+    [[nodiscard]] bool isSilent() const { return m_silent; }
+    /// Time from the read of the newest joint sample to its picture; empty without one.
+    [[nodiscard]] std::optional<double> latency_s() const { return m_latency_s; }
+    [[nodiscard]] charts::JointChartView& chart() { return *m_chart; }
+
+    void setProgramRunning(bool running);
+    void restartProgram();
+
+signals:
+    void exportFailed(const QString& message);
+
+private:
+    void showChain(const core::JointSample& sample);
+    void post(const core::JointVector& rate_radPerS);
+    bool readingsWait();
+    void clear();
+
+    core::StopSwitch& m_stop;
+    view3d::Scene3dView& m_scene;
+    charts::JointChartView* m_chart;
+    touch::JogPanel* m_jog;
+
+    std::shared_ptr<pipeline::JointChannel> m_arm;
+    /// Charts of the other open arms.
+    std::map<std::weak_ptr<pipeline::JointChannel>, charts::JointChartView::Content, std::owner_less<>>
+        m_kept;
+    std::vector<core::JointSample> m_samples; ///< of a tick
+    bool m_hasSample = false;                 ///< of this arm, since it is shown
+    bool m_asked = false;                     ///< the last command was to move
+    bool m_silent = false;
+    std::int64_t m_sample_ns = 0;     ///< of the newest reading that was seen; 0: none
+    std::int64_t m_sampleCame_ns = 0; ///< when it was seen first
+    std::optional<double> m_latency_s;
+};
+
+} // namespace teleta::console

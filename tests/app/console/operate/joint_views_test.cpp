@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/bracelet/bracelet_service.h"
+#include "app/console/operate/arm_views.h"
+#include "app/console/operate/operate_docks.h"
+#include "backend/arm_model/urdf_reader.h"
+#include "backend/core/steady_time.h"
+#include "tests/backend/pipeline/scripted_arm_source.h"
+#include "widgets/charts/joint_chart_view.h"
+#include "widgets/touch/jog/hold_button.h"
+#include "widgets/touch/jog/jog_panel.h"
+#include "widgets/view3d/scene3d_view.h"
+
+#include <QAction>
+#include <QDataStream>
+#include <QIODevice>
+#include <QLabel>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+using namespace teleta;
+using console::OperateDocks;
+using core::JointVector;
+
+namespace {
+
+std::shared_ptr<const arm_model::SerialChain> sevenJoints() {
+    const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/resources/arms/seven-joints.urdf");
+    if (!model)
+        qFatal("%s", core::describe(model.error()).c_str());
+    auto chain = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model),
+                                                "base_link", "tool0");
+    return chain ? std::make_shared<const arm_model::SerialChain>(std::move(*chain)) : nullptr;
+}
+
+/// A real arm, of which only the joints are known.
+class BareArm : public test::ScriptedArmSource {
+public:
+    explicit BareArm(const arm_model::SerialChain& chain) {
+        m_description.name = "robot";
+        m_description.nominalRate_Hz = 0.0;
+        m_description.lowest_rad = chain.lowest();
+        m_description.highest_rad = chain.highest();
+        m_description.fastest_radPerS = chain.fastest();
+    }
+    [[nodiscard]] const core::ArmDescription& description() const override { return m_description; }
+    [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::held; }
+    [[nodiscard]] std::string hindrance() const override { return inTheWay; }
+
+    std::string inTheWay;
+
+private:
+    core::ArmDescription m_description;
+};
+
+/// The views with such an arm, in a window with the keyboard.
+struct Desk {
+    Desk() {
+        views.addTo(docks);
+        docks.add(OperateDocks::reconstruction, scene);
+        // The other views of the page are not needed here, but their docks are.
+        for (const OperateDocks::Dock dock :
+             {OperateDocks::heatmap, OperateDocks::charts, OperateDocks::processing, OperateDocks::servo,
+              OperateDocks::runs, OperateDocks::camera, OperateDocks::events, OperateDocks::marks})
+            docks.add(dock, new QWidget);
+        docks.begin();
+        docks.setKind(OperateDocks::Kind::joints);
+        docks.resize(1200, 800);
+        docks.show();
+        views.setArm(channel, base::Provenance::live);
+        jog = docks.findChild<touch::JogPanel*>();
+        chart = docks.findChild<charts::JointChartView*>();
+    }
+
+    void tell(const JointVector& angle_rad) {
+        core::JointSample sample;
+        sample.time_ns = core::steadyNow_ns();
+        sample.sourceTime_s = 1e-9 * static_cast<double>(sample.time_ns);
+        sample.angle_rad = sample.reference_rad = angle_rad;
+        (void)arm->push(sample);
+        (void)channel->process();
+        views.tick();
+    }
+
+    std::shared_ptr<const arm_model::SerialChain> chain = sevenJoints();
+    BareArm* arm = new BareArm(*chain); // owned by the channel
+    std::shared_ptr<pipeline::JointChannel> channel =
+        std::make_shared<pipeline::JointChannel>(std::unique_ptr<core::ArmSource>(arm), chain);
+    core::StopSwitch stop;
+    console::BraceletService bracelet{stop};
+    OperateDocks docks;
+    view3d::Scene3dView* scene = new view3d::Scene3dView(&docks);
+    console::ArmViews views{stop, bracelet, *scene, &docks};
+    touch::JogPanel* jog = nullptr;
+    charts::JointChartView* chart = nullptr;
+};
+
+} // namespace
+
+/// An arm without a tactile skin: its joints are shown, drawn and moved.
+class JointViewsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void onlyWhatAnArmWithoutASkinHasIsShown() {
+        Desk desk;
+        QVERIFY(!desk.views.arm());
+        QCOMPARE(desk.views.joints(), desk.channel);
+        for (std::size_t dock = 0; dock < OperateDocks::kDocks; ++dock) {
+            const bool expected = dock == OperateDocks::reconstruction || dock == OperateDocks::joints ||
+                                  dock == OperateDocks::jog || dock == OperateDocks::marks;
+            QCOMPARE(OperateDocks::belongs(OperateDocks::Kind::joints, dock), expected);
+        }
+        QVERIFY(desk.jog->isVisible());
+    }
+
+    void theArmIsDrawnWhereItsJointsAre() {
+        Desk desk;
+        JointVector q = JointVector::zeros(7);
+        desk.tell(q);
+        const Eigen::AlignedBox3d straight = desk.scene->armBox_m();
+        QVERIFY(!straight.isEmpty());
+        const Eigen::Vector3d tip = desk.chain->X_Base_Tip(q).translation();
+        QVERIFY(straight.contains(tip) && straight.contains(Eigen::Vector3d::Zero().eval()));
+        q[1] = 1.2;
+        desk.tell(q);
+        const Eigen::Vector3d moved = desk.chain->X_Base_Tip(q).translation();
+        QVERIFY((moved - tip).norm() > 0.1);
+        QVERIFY(desk.scene->armBox_m().contains(moved));
+        QVERIFY(!desk.scene->armBox_m().contains(tip));
+    }
+
+    void torquesThatNobodyTellsAreAGapAndTheAnglesAreShownInstead() {
+        Desk desk;
+        JointVector q = JointVector::zeros(7);
+        q[6] = 0.25;
+        desk.tell(q);
+        QCOMPARE(desk.chart->history().size(), std::size_t(1));
+        QVERIFY(std::isnan(desk.chart->history().value(0, 0)));
+        QCOMPARE(desk.chart->history().value(13, 0), 0.25);
+        const auto* angles = desk.chart->findChild<QAction*>("angles");
+        QVERIFY(angles->isChecked());
+    }
+
+    void aPressBeginsWithAZeroSoThatTheArmKnowsThatTheSwitchWasLetGo() {
+        Desk desk;
+        desk.tell(JointVector::zeros(7));
+        desk.docks.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&desk.docks));
+        desk.jog->setFocus();
+        desk.arm->commands.clear();
+        QTest::keyPress(desk.jog, Qt::Key_Shift);
+        QVERIFY(desk.arm->commands.empty());
+        QTest::keyPress(desk.jog, Qt::Key_Q, Qt::ShiftModifier);
+        QCOMPARE(desk.arm->commands.size(), std::size_t(2));
+        QCOMPARE(desk.arm->commands[0].rate_radPerS, JointVector::zeros(7));
+        QVERIFY(desk.arm->commands[1].rate_radPerS[0] > 0.0);
+        // Held on: no further zero among the rates.
+        QTRY_VERIFY(desk.arm->commands.size() >= 4);
+        for (std::size_t i = 1; i < desk.arm->commands.size(); ++i)
+            QVERIFY(desk.arm->commands[i].rate_radPerS[0] > 0.0);
+        QTest::keyRelease(desk.jog, Qt::Key_Q, Qt::ShiftModifier);
+        QCOMPARE(desk.arm->commands.back().rate_radPerS, JointVector::zeros(7));
+        const std::size_t before = desk.arm->commands.size();
+        QTest::keyPress(desk.jog, Qt::Key_Q, Qt::ShiftModifier);
+        QCOMPARE(desk.arm->commands.size(), before + 2);
+        QCOMPARE(desk.arm->commands[before].rate_radPerS, JointVector::zeros(7));
+        // STOP ends it.
+        desk.stop.engage();
+        desk.views.tick();
+        QCOMPARE(desk.arm->commands.back().rate_radPerS, JointVector::zeros(7));
+        QVERIFY(!desk.jog->isMoving());
+    }
+
+    void whatIsInTheWayStandsInTheJogView() {
+        Desk desk;
+        desk.arm->inTheWay = "no controller reads /arm_controller/joint_trajectory";
+        desk.tell(JointVector::zeros(7));
+        const auto says = [&desk](const QString& text) {
+            return std::ranges::any_of(desk.jog->findChildren<QLabel*>(),
+                                       [&](const QLabel* label) { return label->text().contains(text); });
+        };
+        QVERIFY(says("no controller reads /arm_controller/joint_trajectory."));
+        desk.arm->inTheWay.clear();
+        desk.tell(JointVector::zeros(7));
+        QVERIFY(!says("no controller"));
+    }
+
+    void anArmThatIsSilentIsNotMoved() {
+        Desk desk;
+        desk.tell(JointVector::zeros(7));
+        QVERIFY2(desk.jog->refusal().isEmpty(), qPrintable(desk.jog->refusal()));
+        QTRY_VERIFY((desk.views.tick(), desk.jog->refusal().contains("old")));
+    }
+
+    void theFormerArmIsStoppedAndItsChartComesBack() {
+        Desk desk;
+        desk.tell(JointVector::zeros(7));
+        desk.views.setArm(nullptr, base::Provenance::live);
+        QVERIFY(desk.scene->armBox_m().isEmpty());
+        QCOMPARE(desk.chart->history().size(), std::size_t(0));
+        QVERIFY(!desk.jog->refusal().isEmpty());
+        desk.views.setArm(desk.channel, base::Provenance::live);
+        QCOMPARE(desk.chart->history().size(), std::size_t(1));
+    }
+
+    void layoutsOfAProgramThatKnewFewerKindsAreTaken() {
+        Desk desk;
+        desk.docks.setKind(OperateDocks::Kind::array);
+        QDataStream stream(desk.docks.saveLayouts());
+        qint32 version = 0;
+        QByteArray layout;
+        stream >> version;
+        QByteArray older;
+        QDataStream out(&older, QIODevice::WriteOnly);
+        out << version;
+        for (int kind = 0; kind < 4; ++kind) {
+            stream >> layout;
+            out << layout;
+        }
+        QVERIFY(!stream.atEnd());
+        QVERIFY(desk.docks.restoreLayouts(older));
+        QVERIFY(!desk.docks.restoreLayouts(older.first(3)));
+    }
+};
+
+QTEST_MAIN(JointViewsTest)
+#include "joint_views_test.moc"
