@@ -88,8 +88,8 @@ TEST(ArmCheck, saysWhatIsWrongWithTheJoints) {
     EXPECT_EQ(textsOf(findings, "joints"),
               "/joint_states does not report: joint_7;the position of joint_1 jumped;");
     EXPECT_EQ(textsOf(findings, "joints", FindingLevel::note),
-              "/joint_states tells joint_8, the arm has not;"
-              "2 messages contradict themselves and were left out;");
+              "/joint_states reports joint_8, which the arm does not have;"
+              "2 messages were inconsistent and were ignored;");
     seen = goodArm();
     seen.counters.messages = seen.samples = 0;
     seen.ends.clear();
@@ -123,20 +123,20 @@ TEST(ArmCheck, aLimitThatCannotActHoldsTheArm) {
         "effort_stop has 2 numbers, the arm has 7 joints;");
     EXPECT_FALSE(canMove(findingsOf(fileOf("[limits]\nforce_stop_N = 30\n"), sevenJoints(), goodArm())));
     EXPECT_EQ(textsOf(findingsOf(fileOf("[joint_names]\nelbow = \"e\"\n"), sevenJoints(), goodArm()), "file"),
-              "[joint_names] names elbow, which the description has not;");
+              "[joint_names] names elbow, which is not in the description;");
 }
 
 TEST(ArmCheck, saysWhyTheControllerIsNotReached) {
     ArmObservation seen = goodArm();
     seen.ends[1].profile.durability = ros::Durability::transientLocal;
     EXPECT_EQ(textsOf(findingsOf(fileOf(), sevenJoints(), seen), "controller"),
-              "cannot be reached: the reader asks for what was sent before it came, which a command is not;");
+              "cannot be reached: the publisher is volatile, the subscriber asks for transient local;");
     seen.ends[1] = endOf(kCommands, false, "std_msgs::msg::dds_::String_");
     EXPECT_EQ(textsOf(findingsOf(fileOf(), sevenJoints(), seen), "controller"),
               "cannot be reached: /arm_controller/joint_trajectory has the type std_msgs/msg/String;");
     seen.ends[1] = endOf("rt/left/joint_trajectory", false, kTrajectory);
     EXPECT_EQ(textsOf(findingsOf(fileOf(), sevenJoints(), seen), "controller"),
-              "nobody reads /arm_controller/joint_trajectory; there is /left/joint_trajectory;");
+              "nobody reads /arm_controller/joint_trajectory; found: /left/joint_trajectory;");
     seen = goodArm();
     seen.ends.push_back(endOf(kCommands, true, kTrajectory));
     EXPECT_EQ(textsOf(findingsOf(fileOf(), sevenJoints(), seen), "writers"),

@@ -80,13 +80,11 @@ TEST(RosArmFile, saysWhereItIsWrong) {
               "arm.toml:7:10: \"domain\" is out of range: 233 (expected a whole number from 0 to 232)");
     EXPECT_EQ(errorWith("[ros]\npeers = \"robot\"\n"),
               "arm.toml:7:9: wrong type for \"peers\" (expected a list of texts in quotes)");
-    EXPECT_EQ(
-        errorWith("[joint_names]\na = \"x\"\nb = \"x\"\n"),
-        "arm.toml:8:5: two joints are called \"x\" on the wire (expected a unique name for each joint)");
-    EXPECT_EQ(
-        errorWith("joint_states = \"joint states\"\n"),
-        "arm.toml:6:16: \"joint states\" is not a topic name (expected parts of letters, digits and _ "
-        "after slashes, for example /joint_states)");
+    EXPECT_EQ(errorWith("[joint_names]\na = \"x\"\nb = \"x\"\n"),
+              "arm.toml:8:5: two joints have the ROS name \"x\" (expected a unique name for each joint)");
+    EXPECT_EQ(errorWith("joint_states = \"joint states\"\n"),
+              "arm.toml:6:16: \"joint states\" is not a topic name (expected parts of letters, digits and _ "
+              "after slashes, for example /joint_states)");
     EXPECT_EQ(
         errorWith("[limits]\nbox_m = [[0, 1], [1, 1], [0, 1]]\n"),
         "arm.toml:7:9: a side of the box is empty or reversed (expected [lowest, highest] for x, y and z)");
