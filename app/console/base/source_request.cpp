@@ -132,9 +132,10 @@ core::Expected<Opened> openCamera(const CameraRequest& request, const core::Stop
 }
 
 /// An arm without a skin: what it touches is not known.
-core::Expected<Opened> openRosArm(const ArmRequest& request, const core::StopSwitch& stop) {
+core::Expected<Opened> openRosArm(const ArmRequest& request, const core::StopSwitch& stop,
+                                  const std::function<bool()>& cancelled) {
     TELETA_TRY(const auto file, ros_arm::readRosArm(request.path));
-    TELETA_TRY(auto arm, ros_arm::RosArm::open(file, stop));
+    TELETA_TRY(auto arm, ros_arm::RosArm::open(file, stop, cancelled));
     auto chain = arm->sharedChain();
     return std::make_shared<pipeline::JointChannel>(std::move(arm), std::move(chain));
 }
@@ -202,20 +203,22 @@ QString fileName(const SourceRequest& request) {
     return link.isEmpty() ? QFileInfo(pathOf(request)).fileName() : link;
 }
 
-pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop) {
-    return [request = std::move(request), &stop]() -> core::Expected<Opened> {
-        if (const auto* csv = std::get_if<CsvRequest>(&request))
-            return openCsv(*csv);
-        if (const auto* connected = std::get_if<WtsRequest>(&request))
-            return openWts(*connected);
-        if (const auto* camera = std::get_if<CameraRequest>(&request))
-            return openCamera(*camera, stop);
-        if (const auto* recording = std::get_if<RecordingRequest>(&request))
-            return openRecording(*recording, stop);
-        if (const auto* arm = std::get_if<ArmRequest>(&request))
-            return openRosArm(*arm, stop);
-        return openScene(std::get<SceneRequest>(request), stop);
-    };
+pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop,
+                                          std::function<bool()> cancelled) {
+    return
+        [request = std::move(request), &stop, cancelled = std::move(cancelled)]() -> core::Expected<Opened> {
+            if (const auto* csv = std::get_if<CsvRequest>(&request))
+                return openCsv(*csv);
+            if (const auto* connected = std::get_if<WtsRequest>(&request))
+                return openWts(*connected);
+            if (const auto* camera = std::get_if<CameraRequest>(&request))
+                return openCamera(*camera, stop);
+            if (const auto* recording = std::get_if<RecordingRequest>(&request))
+                return openRecording(*recording, stop);
+            if (const auto* arm = std::get_if<ArmRequest>(&request))
+                return openRosArm(*arm, stop, cancelled);
+            return openScene(std::get<SceneRequest>(request), stop);
+        };
 }
 
 core::Expected<CsvRequest> guessCsv(const std::string& path) {

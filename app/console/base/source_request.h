@@ -11,6 +11,7 @@
 #include <QString>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -68,8 +69,10 @@ using SourceRequest =
 /// The same, a file with its extension, for messages.
 [[nodiscard]] QString fileName(const SourceRequest& request);
 
-/// What opens the source on the pipeline's control thread. stop outlives the source.
-[[nodiscard]] pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop);
+/// What opens the source on the pipeline's control thread. stop outlives the source. cancelled: asked while
+/// it waits for a device that may never answer; the factory then fails as cancelled.
+[[nodiscard]] pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop,
+                                                        std::function<bool()> cancelled = {});
 
 /// Fills in what a recording's own file tells: the layout by the number of its taxel columns (known arrays
 /// first, else the most square factorisation), and as tare the file beside it whose name differs by "empty".

@@ -15,6 +15,11 @@ SourceManager::SourceManager(core::StopSwitch& stop, QObject* parent)
     , m_stop(stop) {
 }
 
+SourceManager::~SourceManager() {
+    for (const Item& item : m_items)
+        item.cancelled->store(true);
+}
+
 core::PlaybackControl* SourceManager::Item::playback() const {
     return channel ? channel->playback() : nullptr;
 }
@@ -42,8 +47,13 @@ std::shared_ptr<servo::ServoLink> SourceManager::Item::servo() const {
 }
 
 ChannelKey SourceManager::open(const SourceRequest& request) {
-    const ChannelKey key = m_pipeline.open(makeSourceFactory(request, m_stop));
-    m_items.push_back({key, request, displayName(request)});
+    Item item;
+    item.request = request;
+    item.name = displayName(request);
+    item.key = m_pipeline.open(
+        makeSourceFactory(request, m_stop, [cancelled = item.cancelled] { return cancelled->load(); }));
+    const ChannelKey key = item.key;
+    m_items.push_back(std::move(item));
     emit itemsChanged();
     return key;
 }
@@ -51,6 +61,7 @@ ChannelKey SourceManager::open(const SourceRequest& request) {
 void SourceManager::close(ChannelKey key) {
     if (find(key) == nullptr)
         return;
+    find(key)->cancelled->store(true);
     m_pipeline.close(key);
     remove(key);
 }
@@ -93,7 +104,10 @@ void SourceManager::poll() {
             activate(event.key);
             break;
         case ChannelEvent::Kind::failed: {
-            const QString name = item != nullptr ? fileName(item->request) : QString();
+            // Closed while it was being opened: nobody waits for it.
+            if (item == nullptr)
+                break;
+            const QString name = fileName(item->request);
             remove(event.key);
             emit failed(name, event.error);
             break;

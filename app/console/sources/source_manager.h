@@ -11,6 +11,7 @@
 #include <QObject>
 #include <QString>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -30,6 +31,8 @@ public:
         std::shared_ptr<pipeline::Channel> channel = nullptr; ///< null while it is being opened
         std::uint64_t displayed = 0;                          ///< snapshots that were painted
         bool waits = false; ///< a playback that begins with the others of its recording
+        /// Asked by what opens it.
+        std::shared_ptr<std::atomic<bool>> cancelled = std::make_shared<std::atomic<bool>>(false);
 
         [[nodiscard]] bool isOpen() const { return channel != nullptr; }
         /// Null when it is no playback, or is being opened.
@@ -47,6 +50,8 @@ public:
     };
 
     explicit SourceManager(core::StopSwitch& stop, QObject* parent = nullptr);
+    /// Does not wait for what is still being opened.
+    ~SourceManager() override;
 
     /// Opens a source beside those that are open and shows it once it is there.
     pipeline::ChannelKey open(const SourceRequest& request);

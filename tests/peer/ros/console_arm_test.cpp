@@ -201,7 +201,29 @@ private slots:
         letGo();
     }
 
-    void aFileThatIsWrongAndARobotThatIsNotThereAreTold() {
+    void anArmThatIsNotThereIsWaitedForByNobody() {
+        std::ofstream file(armFile().toStdString());
+        file << "kind = \"ros_arm\"\nname = \"Robot\"\nbase_frame = \"base_link\"\ntip_frame = \"tool0\"\n"
+                "controller = \"/arm_controller\"\n[ros]\ndomain = 68\ninterface = \"lo\"\n";
+        file.close();
+        ConsoleOptions options;
+        options.arms = {armFile()};
+        openWindow(options);
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->sources().items().size(), std::size_t(1), kPatience_ms);
+        // It would wait for the description of the robot.
+        m_window->sources().closeAll();
+        options.arms.clear();
+        options.scenes = {QStringLiteral(":/scenes/tactile-indenter.toml")};
+        m_window->openRequested(options);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->sources().items().empty() &&
+                                     m_window->sources().items().front().isOpen(),
+                                 kPatience_ms);
+        QVERIFY(std::ranges::none_of(m_window->findChildren<QLabel*>(), [](const QLabel* label) {
+            return label->text().contains("robot_description");
+        }));
+    }
+
+    void aFileThatIsWrongIsTold() {
         std::ofstream file(armFile().toStdString());
         file << "kind = \"ros_arm\"\nname = \"Robot\"\nwrong = 1\n";
         file.close();

@@ -331,7 +331,9 @@ bool JogPanel::isMoving() const {
 }
 
 bool JogPanel::canMoveTip() const {
-    return m_chain || arm::canMoveTip(joints());
+    // The recording of an arm without a skin has no lengths.
+    const bool hasLengths = !m_arm || (m_arm->upperArmLength_m > 0.0 && m_arm->forearmLength_m > 0.0);
+    return m_chain || (hasLengths && arm::canMoveTip(joints()));
 }
 
 Eigen::Vector3d JogPanel::tipPosition(const JointVector& angle_rad) const {
