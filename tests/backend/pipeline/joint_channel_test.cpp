@@ -11,9 +11,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 using namespace teleta;
@@ -24,7 +26,7 @@ namespace {
 
 core::JointSample sampleAt(int number) {
     core::JointSample sample;
-    sample.time_ns = 1'000'000'000 + number * 1'000'000;
+    sample.time_ns = 1'000'000'000 + number * std::int64_t{1'000'000};
     sample.sourceTime_s = 0.001 * number;
     sample.angle_rad = {0.1, 0.2, 0.3, 0.001 * number};
     sample.reference_rad = {0.1, 0.2, 0.3, 0.4};
@@ -87,16 +89,17 @@ TEST(JointChannel, aRecordingSaysWhatTheArmDoesNotTell) {
     auto* arm = new ScriptedArmSource;
     JointChannel channel{std::unique_ptr<core::ArmSource>(arm)};
     {
-        auto recorder = recording::Recorder::start(path, {});
-        ASSERT_TRUE(recorder) << core::describe(recorder.error());
-        channel.record(*recorder, "robot");
+        auto started = recording::Recorder::start(path, {});
+        ASSERT_TRUE(started) << core::describe(started.error());
+        const std::shared_ptr<recording::Recorder> recorder = std::move(*started);
+        channel.record(recorder, "robot");
         for (int number = 0; number < 10; ++number)
             ASSERT_TRUE(arm->push(sampleAt(number)));
         channel.process();
         channel.record(nullptr, {});
         ASSERT_TRUE(arm->push(sampleAt(10)));
         channel.process();
-        ASSERT_TRUE((*recorder)->stop());
+        ASSERT_TRUE(recorder->stop());
     }
     const auto recording = recording::Recording::open(path);
     ASSERT_TRUE(recording) << core::describe(recording.error());
