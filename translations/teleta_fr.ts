@@ -2411,12 +2411,12 @@ Exemples&#xa0;:
   teleta-console --sources both-arrays.toml --theme dark</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv, .mcap), scenes, arms and source lists (.toml) to open.</source>
-        <translation>Enregistrements (.teleta, .csv, .mcap), scènes, bras et listes de sources (.toml) à ouvrir.</translation>
-    </message>
-    <message>
         <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
         <translation>Ouvrir un bras sur ROS 2, décrit dans un fichier (TOML ; répétable).</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms and source lists (.toml) to open.</source>
+        <translation>Enregistrements (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scènes, bras et listes de sources (.toml) à ouvrir.</translation>
     </message>
 </context>
 <context>
@@ -3880,6 +3880,21 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>FrameImportText</name>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompu</translation>
+    </message>
+    <message>
+        <source>the frames span more than %1 years</source>
+        <translation>les trames s’étendent sur plus de %1 ans</translation>
+    </message>
+    <message>
+        <source>times in seconds; see --time-unit</source>
+        <translation>des temps en secondes ; voir --time-unit</translation>
+    </message>
+</context>
+<context>
     <name>FrameOptionText</name>
     <message>
         <source>%1 is given, a taxel from 0 to %2 is expected</source>
@@ -4417,10 +4432,6 @@ Exemples&#xa0;:
         <translation>La somme de contrôle du fichier est fausse&#xa0;: il a été endommagé quelque part.</translation>
     </message>
     <message>
-        <source>MCAP file with messages of ROS 2</source>
-        <translation>Fichier MCAP avec des messages de ROS 2</translation>
-    </message>
-    <message>
         <source>Recording to be made</source>
         <translation>Enregistrement à créer</translation>
     </message>
@@ -4433,8 +4444,44 @@ Exemples&#xa0;:
         <translation>«&#xa0;%1&#xa0;» n’est pas /TOPIC=array, /TOPIC=camera ni /TOPIC=joints</translation>
     </message>
     <message>
-        <source>Make a recording of an MCAP file</source>
-        <translation>Créer un enregistrement d’après un fichier MCAP</translation>
+        <source>Array</source>
+        <translation>Matrice</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Trames</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>MCAP file with messages of ROS 2, or frames of an array, of which the options below say what the file leaves open</source>
+        <translation>Fichier MCAP de messages de ROS 2, ou trames d’une matrice, dont les options ci-dessous disent ce que le fichier ne dit pas</translation>
+    </message>
+    <message>
+        <source>Load in one unit of the values</source>
+        <translation>Charge d’une unité des valeurs</translation>
+    </message>
+    <message>
+        <source>Unit of the loads; default: as the file says, else N or counts, by the array</source>
+        <translation>Unité des charges ; par défaut celle du fichier, sinon N ou counts, selon la matrice</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in the recording&apos;s settings</source>
+        <translation>Charge à partir de laquelle un taxel est en contact, dans les réglages de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>this is for MCAP, but the file is none</source>
+        <translation>ceci est pour MCAP, mais le fichier n’en est pas un</translation>
+    </message>
+    <message>
+        <source>this is for frames, but the file is MCAP</source>
+        <translation>ceci est pour des trames, mais le fichier est en MCAP</translation>
+    </message>
+    <message>
+        <source>Make a recording of an MCAP file, or of the frames of another program</source>
+        <translation>Faire un enregistrement d’un fichier MCAP ou des trames d’un autre programme</translation>
     </message>
 </context>
 <context>
@@ -5061,18 +5108,6 @@ Exemples&#xa0;:
         <source>interrupted</source>
         <translation>interrompu</translation>
     </message>
-    <message>
-        <source>a file of this name already exists</source>
-        <translation>il y a déjà un fichier de ce nom</translation>
-    </message>
-    <message>
-        <source>another name</source>
-        <translation>un autre nom</translation>
-    </message>
-    <message>
-        <source>the file cannot be given its name</source>
-        <translation>le nom voulu ne peut pas être donné au fichier</translation>
-    </message>
 </context>
 <context>
     <name>Modbus</name>
@@ -5371,6 +5406,21 @@ Exemples&#xa0;:
     <message>
         <source>read and write access, which the udev rule grants</source>
         <translation>un accès en lecture et en écriture, que donne la règle udev</translation>
+    </message>
+</context>
+<context>
+    <name>NewRecordingText</name>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>un fichier de ce nom existe déjà</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>un autre nom</translation>
+    </message>
+    <message>
+        <source>the file cannot be given its name</source>
+        <translation>le fichier ne peut pas recevoir son nom</translation>
     </message>
 </context>
 <context>
@@ -14992,16 +15042,16 @@ Run %2 --help for more.
         <translation>La source que montrent les vues</translation>
     </message>
     <message>
-        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>Un enregistrement de ce programme, ou des trames enregistrées en CSV&#xa0;: time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>Open &amp;arm…</source>
         <translation>Ouvrir un &amp;bras…</translation>
     </message>
     <message>
         <source>An arm over ROS 2, described in a file</source>
         <translation>Un bras sur ROS 2, décrit dans un fichier</translation>
+    </message>
+    <message>
+        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
+        <translation>Un enregistrement de ce programme ou en MCAP, ou des trames d’une matrice : CSV, NumPy, HDF5, MATLAB, Tekscan</translation>
     </message>
 </context>
 <context>
@@ -15944,6 +15994,106 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::FrameDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Open frames</source>
+        <translation>Ouvrir des trames</translation>
+    </message>
+    <message>
+        <source>the only one, or the one that is called frames</source>
+        <translation>le seul, ou celui qui s’appelle frames</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>comme dans le fichier</translation>
+    </message>
+    <message>
+        <source>the first</source>
+        <translation>la première</translation>
+    </message>
+    <message>
+        <source>the last</source>
+        <translation>la dernière</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Columns of a table that are taxels, counted from 1</source>
+        <translation>Colonnes d’un tableau qui sont des taxels, comptées à partir de 1</translation>
+    </message>
+    <message>
+        <source>name or number of the column</source>
+        <translation>nom ou numéro de la colonne</translation>
+    </message>
+    <message>
+        <source>as the name of the column ends</source>
+        <translation>selon la fin du nom de la colonne</translation>
+    </message>
+    <message>
+        <source>rows ×</source>
+        <comment>N rows x M columns</comment>
+        <translation>lignes ×</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>colonnes</translation>
+    </message>
+    <message>
+        <source>File:</source>
+        <translation>Fichier :</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the frames:</source>
+        <translation>&amp;Nom des trames :</translation>
+    </message>
+    <message>
+        <source>&amp;Dimension that counts the frames:</source>
+        <translation>&amp;Dimension qui compte les trames :</translation>
+    </message>
+    <message>
+        <source>&amp;Shape:</source>
+        <translation>&amp;Forme :</translation>
+    </message>
+    <message>
+        <source>&amp;Pitch:</source>
+        <translation>&amp;Pas :</translation>
+    </message>
+    <message>
+        <source>&amp;Columns of the taxels:</source>
+        <translation>&amp;Colonnes des taxels :</translation>
+    </message>
+    <message>
+        <source>Column of the &amp;times:</source>
+        <translation>Colonne des &amp;temps :</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of the times:</source>
+        <translation>&amp;Unité des temps :</translation>
+    </message>
+    <message>
+        <source>&amp;Rate, without times:</source>
+        <translation>Cadence, &amp;sans temps :</translation>
+    </message>
+    <message>
+        <source>Columns are numbers and ranges, such as 2..85 or 2..10,12.</source>
+        <translation>Les colonnes sont des nombres et des plages, comme 2..85 ou 2..10,12.</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::GainCalibrator</name>
     <message>
         <source>Open recorded presses</source>
@@ -16805,10 +16955,6 @@ Run %2 --help for more.
         <translation>Le bureau peut éteindre l’écran pendant que quelque chose est en cours&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Recordings (*.teleta *.csv *.mcap)</source>
-        <translation>Enregistrements (*.teleta *.csv *.mcap)</translation>
-    </message>
-    <message>
         <source>%1 was made from %2.</source>
         <comment>two files</comment>
         <translation>%1 a été créé d’après %2.</translation>
@@ -16869,6 +17015,10 @@ Run %2 --help for more.
     <message>
         <source>Scenes, arms and source lists</source>
         <translation>Scènes, bras et listes de sources</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</source>
+        <translation>Enregistrements (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</translation>
     </message>
 </context>
 <context>
@@ -17210,10 +17360,6 @@ Run %2 --help for more.
         <translation>Un bras simulé qui touche cinq matériaux</translation>
     </message>
     <message>
-        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>Un enregistrement de ce programme, ou des trames enregistrées en CSV&#xa0;: time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>First &amp;steps</source>
         <translation>&amp;Premiers pas</translation>
     </message>
@@ -17247,6 +17393,10 @@ Run %2 --help for more.
         <source>%1: joints</source>
         <comment>a source</comment>
         <translation>%1&#xa0;: articulations</translation>
+    </message>
+    <message>
+        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
+        <translation>Un enregistrement de ce programme ou en MCAP, ou des trames d’une matrice : CSV, NumPy, HDF5, MATLAB, Tekscan</translation>
     </message>
 </context>
 <context>
@@ -18222,10 +18372,6 @@ Run %2 --help for more.
 <context>
     <name>teleta::console::RecordingFiles</name>
     <message>
-        <source>Open MCAP file</source>
-        <translation>Ouvrir un fichier MCAP</translation>
-    </message>
-    <message>
         <source>%1 is there already.</source>
         <comment>a file</comment>
         <translation>%1 existe déjà.</translation>
@@ -18242,6 +18388,10 @@ Run %2 --help for more.
     <message>
         <source>&amp;Import again</source>
         <translation>&amp;Importer de nouveau</translation>
+    </message>
+    <message>
+        <source>Open file</source>
+        <translation>Ouvrir un fichier</translation>
     </message>
 </context>
 <context>

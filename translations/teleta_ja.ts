@@ -2407,12 +2407,12 @@ Examples:
   teleta-console --sources both-arrays.toml --theme dark</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv, .mcap), scenes, arms and source lists (.toml) to open.</source>
-        <translation>開く記録（.teleta、.csv、.mcap）、シーン、アーム、ソースの一覧（.toml）。</translation>
-    </message>
-    <message>
         <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
         <translation>ファイル（TOML）で記述されたROS 2のアームを開く（繰り返し可）。</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms and source lists (.toml) to open.</source>
+        <translation>開く記録（.teleta、.csv、.mcap、.npz、.npy、.h5、.mat）、シーン、アーム、ソースの一覧（.toml）。</translation>
     </message>
 </context>
 <context>
@@ -3870,6 +3870,21 @@ Examples:
     </message>
 </context>
 <context>
+    <name>FrameImportText</name>
+    <message>
+        <source>interrupted</source>
+        <translation>中断されました</translation>
+    </message>
+    <message>
+        <source>the frames span more than %1 years</source>
+        <translation>フレームの期間が%1年を超えています</translation>
+    </message>
+    <message>
+        <source>times in seconds; see --time-unit</source>
+        <translation>秒単位の時刻（--time-unitを参照）</translation>
+    </message>
+</context>
+<context>
     <name>FrameOptionText</name>
     <message>
         <source>%1 is given, a taxel from 0 to %2 is expected</source>
@@ -4402,10 +4417,6 @@ Examples:
         <translation>ファイルのチェックサムが誤っています: どこかが破損しています。</translation>
     </message>
     <message>
-        <source>MCAP file with messages of ROS 2</source>
-        <translation>ROS 2のメッセージを含むMCAPファイル</translation>
-    </message>
-    <message>
         <source>Recording to be made</source>
         <translation>作成する記録</translation>
     </message>
@@ -4418,8 +4429,44 @@ Examples:
         <translation>「%1」は/TOPIC=array、/TOPIC=camera、/TOPIC=jointsのいずれでもありません</translation>
     </message>
     <message>
-        <source>Make a recording of an MCAP file</source>
-        <translation>MCAPファイルから記録を作成する</translation>
+        <source>Array</source>
+        <translation>アレイ</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>レート</translation>
+    </message>
+    <message>
+        <source>MCAP file with messages of ROS 2, or frames of an array, of which the options below say what the file leaves open</source>
+        <translation>ROS 2のメッセージのMCAPファイル、またはアレイのフレーム。ファイルにないことは下のオプションで示します</translation>
+    </message>
+    <message>
+        <source>Load in one unit of the values</source>
+        <translation>値1単位あたりの荷重</translation>
+    </message>
+    <message>
+        <source>Unit of the loads; default: as the file says, else N or counts, by the array</source>
+        <translation>荷重の単位。既定はファイルの記述、なければアレイによりNまたはcounts</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in the recording&apos;s settings</source>
+        <translation>タクセルが接触とみなされる荷重（記録の設定に書かれます）</translation>
+    </message>
+    <message>
+        <source>this is for MCAP, but the file is none</source>
+        <translation>これはMCAP用ですが、ファイルはMCAPではありません</translation>
+    </message>
+    <message>
+        <source>this is for frames, but the file is MCAP</source>
+        <translation>これはフレーム用ですが、ファイルはMCAPです</translation>
+    </message>
+    <message>
+        <source>Make a recording of an MCAP file, or of the frames of another program</source>
+        <translation>MCAPファイルまたは他のプログラムのフレームから記録を作る</translation>
     </message>
 </context>
 <context>
@@ -5046,18 +5093,6 @@ Examples:
         <source>interrupted</source>
         <translation>中断されました</translation>
     </message>
-    <message>
-        <source>a file of this name already exists</source>
-        <translation>同じ名前のファイルがすでにあります</translation>
-    </message>
-    <message>
-        <source>another name</source>
-        <translation>別の名前</translation>
-    </message>
-    <message>
-        <source>the file cannot be given its name</source>
-        <translation>ファイルに目的の名前を付けられません</translation>
-    </message>
 </context>
 <context>
     <name>Modbus</name>
@@ -5356,6 +5391,21 @@ Examples:
     <message>
         <source>read and write access, which the udev rule grants</source>
         <translation>udevルールによる読み書きの権限</translation>
+    </message>
+</context>
+<context>
+    <name>NewRecordingText</name>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>この名前のファイルはすでにあります</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>別の名前</translation>
+    </message>
+    <message>
+        <source>the file cannot be given its name</source>
+        <translation>ファイルに名前を付けられません</translation>
     </message>
 </context>
 <context>
@@ -14951,16 +15001,16 @@ Run %2 --help for more.
         <translation>ビューに表示されるソース</translation>
     </message>
     <message>
-        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>このプログラムの記録、または記録したフレームのCSV: time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>Open &amp;arm…</source>
         <translation>アームを開く(&amp;A)…</translation>
     </message>
     <message>
         <source>An arm over ROS 2, described in a file</source>
         <translation>ファイルで記述されたROS 2のアーム</translation>
+    </message>
+    <message>
+        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
+        <translation>このプログラムの記録かMCAP、またはアレイのフレームの記録：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
     </message>
 </context>
 <context>
@@ -15899,6 +15949,106 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::FrameDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Open frames</source>
+        <translation>フレームを開く</translation>
+    </message>
+    <message>
+        <source>the only one, or the one that is called frames</source>
+        <translation>唯一のもの、またはframesという名前のもの</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>ファイルのとおり</translation>
+    </message>
+    <message>
+        <source>the first</source>
+        <translation>最初</translation>
+    </message>
+    <message>
+        <source>the last</source>
+        <translation>最後</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Columns of a table that are taxels, counted from 1</source>
+        <translation>表のうちタクセルである列（1から数えます）</translation>
+    </message>
+    <message>
+        <source>name or number of the column</source>
+        <translation>列の名前または番号</translation>
+    </message>
+    <message>
+        <source>as the name of the column ends</source>
+        <translation>列名の末尾のとおり</translation>
+    </message>
+    <message>
+        <source>rows ×</source>
+        <comment>N rows x M columns</comment>
+        <translation>行 ×</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>File:</source>
+        <translation>ファイル：</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the frames:</source>
+        <translation>フレームの名前(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>&amp;Dimension that counts the frames:</source>
+        <translation>フレームを数える次元(&amp;D)：</translation>
+    </message>
+    <message>
+        <source>&amp;Shape:</source>
+        <translation>形状(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>&amp;Pitch:</source>
+        <translation>ピッチ(&amp;P)：</translation>
+    </message>
+    <message>
+        <source>&amp;Columns of the taxels:</source>
+        <translation>タクセルの列(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>Column of the &amp;times:</source>
+        <translation>時刻の列(&amp;T)：</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of the times:</source>
+        <translation>時刻の単位(&amp;U)：</translation>
+    </message>
+    <message>
+        <source>&amp;Rate, without times:</source>
+        <translation>時刻がないときのレート(&amp;R)：</translation>
+    </message>
+    <message>
+        <source>Columns are numbers and ranges, such as 2..85 or 2..10,12.</source>
+        <translation>列は番号と範囲で示します（例：2..85、2..10,12）。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::GainCalibrator</name>
     <message>
         <source>Open recorded presses</source>
@@ -16758,10 +16908,6 @@ Run %2 --help for more.
         <translation>動作中にデスクトップが画面をオフにする可能性があります: %1</translation>
     </message>
     <message>
-        <source>Recordings (*.teleta *.csv *.mcap)</source>
-        <translation>記録 (*.teleta *.csv *.mcap)</translation>
-    </message>
-    <message>
         <source>%1 was made from %2.</source>
         <comment>two files</comment>
         <translation>%2から%1を作成しました。</translation>
@@ -16822,6 +16968,10 @@ Run %2 --help for more.
     <message>
         <source>Scenes, arms and source lists</source>
         <translation>シーン、アーム、ソースの一覧</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</source>
+        <translation>記録 (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</translation>
     </message>
 </context>
 <context>
@@ -17162,10 +17312,6 @@ Run %2 --help for more.
         <translation>5種類の材料に触れるシミュレーションアーム</translation>
     </message>
     <message>
-        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>このプログラムの記録、または記録したフレームのCSV: time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>First &amp;steps</source>
         <translation>はじめに(&amp;S)</translation>
     </message>
@@ -17199,6 +17345,10 @@ Run %2 --help for more.
         <source>%1: joints</source>
         <comment>a source</comment>
         <translation>%1：関節</translation>
+    </message>
+    <message>
+        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
+        <translation>このプログラムの記録かMCAP、またはアレイのフレームの記録：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
     </message>
 </context>
 <context>
@@ -18169,10 +18319,6 @@ Run %2 --help for more.
 <context>
     <name>teleta::console::RecordingFiles</name>
     <message>
-        <source>Open MCAP file</source>
-        <translation>MCAPファイルを開く</translation>
-    </message>
-    <message>
         <source>%1 is there already.</source>
         <comment>a file</comment>
         <translation>%1は既にあります。</translation>
@@ -18189,6 +18335,10 @@ Run %2 --help for more.
     <message>
         <source>&amp;Import again</source>
         <translation>もう一度インポート(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Open file</source>
+        <translation>ファイルを開く</translation>
     </message>
 </context>
 <context>

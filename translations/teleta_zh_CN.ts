@@ -2407,12 +2407,12 @@ Examples:
   teleta-console --sources both-arrays.toml --theme dark</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv, .mcap), scenes, arms and source lists (.toml) to open.</source>
-        <translation>要打开的记录（.teleta、.csv、.mcap）、场景、机械臂和信号源列表（.toml）。</translation>
-    </message>
-    <message>
         <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
         <translation>打开通过 ROS 2 的机械臂，由文件（TOML）描述（可重复）。</translation>
+    </message>
+    <message>
+        <source>Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms and source lists (.toml) to open.</source>
+        <translation>要打开的记录（.teleta、.csv、.mcap、.npz、.npy、.h5、.mat）、场景、机械臂和信号源列表（.toml）。</translation>
     </message>
 </context>
 <context>
@@ -3870,6 +3870,21 @@ Examples:
     </message>
 </context>
 <context>
+    <name>FrameImportText</name>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>the frames span more than %1 years</source>
+        <translation>这些帧跨越了 %1 年以上</translation>
+    </message>
+    <message>
+        <source>times in seconds; see --time-unit</source>
+        <translation>以秒为单位的时间；见 --time-unit</translation>
+    </message>
+</context>
+<context>
     <name>FrameOptionText</name>
     <message>
         <source>%1 is given, a taxel from 0 to %2 is expected</source>
@@ -4402,10 +4417,6 @@ Examples:
         <translation>文件的校验和错误：文件某处已损坏。</translation>
     </message>
     <message>
-        <source>MCAP file with messages of ROS 2</source>
-        <translation>含 ROS 2 消息的 MCAP 文件</translation>
-    </message>
-    <message>
         <source>Recording to be made</source>
         <translation>要创建的记录</translation>
     </message>
@@ -4418,8 +4429,44 @@ Examples:
         <translation>“%1”不是 /TOPIC=array、/TOPIC=camera 或 /TOPIC=joints</translation>
     </message>
     <message>
-        <source>Make a recording of an MCAP file</source>
-        <translation>由 MCAP 文件创建记录</translation>
+        <source>Array</source>
+        <translation>阵列</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>速率</translation>
+    </message>
+    <message>
+        <source>MCAP file with messages of ROS 2, or frames of an array, of which the options below say what the file leaves open</source>
+        <translation>ROS 2 消息的 MCAP 文件，或阵列的帧；文件未说明的内容由下列选项给出</translation>
+    </message>
+    <message>
+        <source>Load in one unit of the values</source>
+        <translation>数值一个单位的载荷</translation>
+    </message>
+    <message>
+        <source>Unit of the loads; default: as the file says, else N or counts, by the array</source>
+        <translation>载荷的单位；默认按文件，否则按阵列为 N 或 counts</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in the recording&apos;s settings</source>
+        <translation>触元视为接触的载荷，写入记录的设置</translation>
+    </message>
+    <message>
+        <source>this is for MCAP, but the file is none</source>
+        <translation>这用于 MCAP，但该文件不是</translation>
+    </message>
+    <message>
+        <source>this is for frames, but the file is MCAP</source>
+        <translation>这用于帧，但该文件是 MCAP</translation>
+    </message>
+    <message>
+        <source>Make a recording of an MCAP file, or of the frames of another program</source>
+        <translation>由 MCAP 文件或其他程序的帧生成记录</translation>
     </message>
 </context>
 <context>
@@ -5046,18 +5093,6 @@ Examples:
         <source>interrupted</source>
         <translation>已中断</translation>
     </message>
-    <message>
-        <source>a file of this name already exists</source>
-        <translation>已存在同名文件</translation>
-    </message>
-    <message>
-        <source>another name</source>
-        <translation>另一个名称</translation>
-    </message>
-    <message>
-        <source>the file cannot be given its name</source>
-        <translation>无法为文件设定其名称</translation>
-    </message>
 </context>
 <context>
     <name>Modbus</name>
@@ -5356,6 +5391,21 @@ Examples:
     <message>
         <source>read and write access, which the udev rule grants</source>
         <translation>对它的读写权限，由 udev 规则授予</translation>
+    </message>
+</context>
+<context>
+    <name>NewRecordingText</name>
+    <message>
+        <source>a file of this name already exists</source>
+        <translation>已有同名文件</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>另一个名称</translation>
+    </message>
+    <message>
+        <source>the file cannot be given its name</source>
+        <translation>无法给文件命名</translation>
     </message>
 </context>
 <context>
@@ -14951,16 +15001,16 @@ Run %2 --help for more.
         <translation>各视图显示的数据源</translation>
     </message>
     <message>
-        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>本程序的记录，或 CSV 格式的记录帧：time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>Open &amp;arm…</source>
         <translation>打开机械臂(&amp;A)…</translation>
     </message>
     <message>
         <source>An arm over ROS 2, described in a file</source>
         <translation>通过 ROS 2 的机械臂，由文件描述</translation>
+    </message>
+    <message>
+        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
+        <translation>本程序的记录或 MCAP，或阵列的帧记录：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
     </message>
 </context>
 <context>
@@ -15899,6 +15949,106 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::FrameDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Open frames</source>
+        <translation>打开帧</translation>
+    </message>
+    <message>
+        <source>the only one, or the one that is called frames</source>
+        <translation>唯一的一个，或名为 frames 的那个</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>按文件</translation>
+    </message>
+    <message>
+        <source>the first</source>
+        <translation>第一维</translation>
+    </message>
+    <message>
+        <source>the last</source>
+        <translation>最后一维</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Columns of a table that are taxels, counted from 1</source>
+        <translation>表中作为触元的列，从 1 数起</translation>
+    </message>
+    <message>
+        <source>name or number of the column</source>
+        <translation>列的名称或编号</translation>
+    </message>
+    <message>
+        <source>as the name of the column ends</source>
+        <translation>按列名的结尾</translation>
+    </message>
+    <message>
+        <source>rows ×</source>
+        <comment>N rows x M columns</comment>
+        <translation>行 ×</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>File:</source>
+        <translation>文件：</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the frames:</source>
+        <translation>帧的名称(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>&amp;Dimension that counts the frames:</source>
+        <translation>计数帧的维度(&amp;D)：</translation>
+    </message>
+    <message>
+        <source>&amp;Shape:</source>
+        <translation>形状(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>&amp;Pitch:</source>
+        <translation>间距(&amp;P)：</translation>
+    </message>
+    <message>
+        <source>&amp;Columns of the taxels:</source>
+        <translation>触元的列(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>Column of the &amp;times:</source>
+        <translation>时间的列(&amp;T)：</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of the times:</source>
+        <translation>时间的单位(&amp;U)：</translation>
+    </message>
+    <message>
+        <source>&amp;Rate, without times:</source>
+        <translation>无时间时的速率(&amp;R)：</translation>
+    </message>
+    <message>
+        <source>Columns are numbers and ranges, such as 2..85 or 2..10,12.</source>
+        <translation>列用编号和范围表示，例如 2..85 或 2..10,12。</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::GainCalibrator</name>
     <message>
         <source>Open recorded presses</source>
@@ -16758,10 +16908,6 @@ Run %2 --help for more.
         <translation>有任务运行时，桌面可能会关闭屏幕：%1</translation>
     </message>
     <message>
-        <source>Recordings (*.teleta *.csv *.mcap)</source>
-        <translation>记录 (*.teleta *.csv *.mcap)</translation>
-    </message>
-    <message>
         <source>%1 was made from %2.</source>
         <comment>two files</comment>
         <translation>%1 已由 %2 创建。</translation>
@@ -16822,6 +16968,10 @@ Run %2 --help for more.
     <message>
         <source>Scenes, arms and source lists</source>
         <translation>场景、机械臂和信号源列表</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</source>
+        <translation>记录 (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</translation>
     </message>
 </context>
 <context>
@@ -17162,10 +17312,6 @@ Run %2 --help for more.
         <translation>触碰五种材料的模拟机械臂</translation>
     </message>
     <message>
-        <source>A recording of this program, or recorded frames as CSV: time_s,t0,t1,…</source>
-        <translation>本程序的记录，或 CSV 格式的记录帧：time_s,t0,t1,…</translation>
-    </message>
-    <message>
         <source>First &amp;steps</source>
         <translation>入门(&amp;S)</translation>
     </message>
@@ -17199,6 +17345,10 @@ Run %2 --help for more.
         <source>%1: joints</source>
         <comment>a source</comment>
         <translation>%1：关节</translation>
+    </message>
+    <message>
+        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
+        <translation>本程序的记录或 MCAP，或阵列的帧记录：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
     </message>
 </context>
 <context>
@@ -18169,10 +18319,6 @@ Run %2 --help for more.
 <context>
     <name>teleta::console::RecordingFiles</name>
     <message>
-        <source>Open MCAP file</source>
-        <translation>打开 MCAP 文件</translation>
-    </message>
-    <message>
         <source>%1 is there already.</source>
         <comment>a file</comment>
         <translation>%1 已存在。</translation>
@@ -18189,6 +18335,10 @@ Run %2 --help for more.
     <message>
         <source>&amp;Import again</source>
         <translation>再次导入(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Open file</source>
+        <translation>打开文件</translation>
     </message>
 </context>
 <context>

@@ -107,7 +107,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
     m_parser.addPositionalArgument(
         QStringLiteral("FILE"),
-        tr("Recordings (.teleta, .csv, .mcap), scenes, arms and source lists (.toml) to open."),
+        tr("Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms and source lists (.toml) to open."),
         QStringLiteral("[FILE...]"));
     // It adds --help-all too, of which this program has no more to say.
     const QCommandLineOption help = m_parser.addHelpOption();
@@ -192,8 +192,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     options.files = m_parser.positionalArguments();
     for (const QString& file : options.files) {
         const QString suffix = QFileInfo(file).suffix().toLower();
-        if (suffix != QLatin1String("teleta") && suffix != QLatin1String("csv") &&
-            suffix != QLatin1String("mcap") && suffix != QLatin1String("toml"))
+        if (!isPlayable(file) && suffix != QLatin1String("toml"))
             fail(tr("unexpected argument \"%1\"").arg(file));
     }
     options.scenes = m_parser.values(scene);

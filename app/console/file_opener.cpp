@@ -79,13 +79,13 @@ void FileOpener::openFile(const QString& path) {
 }
 
 void FileOpener::openRecording(const QString& path) {
-    if (isRecordingName(path) || isMcapName(path))
+    if (isRecordingName(path) || isImported(path))
         m_awaited.append(path);
     m_recordings.open(path);
 }
 
 void FileOpener::reopenRecording(const QString& path) {
-    if (isRecordingName(path) || isMcapName(path))
+    if (isRecordingName(path) || isImported(path))
         openRecording(path);
     else
         m_recordings.reopen(path);

@@ -245,6 +245,8 @@ core::Expected<void> RecordingWriter::writeAnchor() {
         m_anchor = m_given.back();
         return {};
     }
+    if (!m_utcNow)
+        return {};
     const TimeAnchor now{m_simulatedTime ? m_start_ns : core::steadyNow_ns(), m_utcNow().toUTC()};
     if (m_anchor) {
         const std::int64_t expected_ms = (now.time_ns - m_anchor->time_ns) / 1'000'000;

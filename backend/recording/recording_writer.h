@@ -19,7 +19,7 @@ namespace teleta::recording {
 class RecordingWriter {
 public:
     RecordingWriter(std::string path, std::function<QDateTime()> utcNow, bool simulatedTime);
-    /// Of frames that were recorded before, elsewhere. anchors: as they were then.
+    /// Of frames that were recorded before, elsewhere. anchors: as they were then; empty: not known.
     RecordingWriter(std::string path, std::vector<TimeAnchor> anchors);
 
     /// Creates the file and writes its head. On failure the file is removed.

@@ -90,7 +90,9 @@ void SourceChooser::rebuildMenu() {
     QAction* recording =
         m_menu->addAction(base::themeIcon(base::Icon::recording), tr("Open &recording\u2026"), this,
                           &SourceChooser::openRecordingRequested);
-    recording->setToolTip(tr("A recording of this program, or recorded frames as CSV: time_s,t0,t1,\u2026"));
+    recording->setToolTip(
+        tr("A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, "
+           "HDF5, MATLAB, Tekscan"));
     m_menu->addAction(base::themeIcon(base::Icon::scene), tr("Open &scene file\u2026"), this,
                       &SourceChooser::openSceneRequested);
     QAction* camera = m_menu->addAction(base::themeIcon(base::Icon::sensor), tr("Open &camera\u2026"), this,

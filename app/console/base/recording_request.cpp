@@ -11,6 +11,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace teleta::console {
@@ -22,6 +24,8 @@ struct PlaybackText {
 };
 
 using Opened = std::shared_ptr<pipeline::Channel>;
+
+constexpr std::array<const char*, 6> kFrameFiles{".npz", ".npy", ".h5", ".hdf5", ".mat", ".asf"};
 
 core::Expected<Opened> openArray(replay::RecordedConfig config, pipeline::RecordedSource source) {
     config.stream = source.arrayStream;
@@ -73,8 +77,18 @@ bool isMcapName(const QString& path) {
     return path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
 }
 
+bool isFrameFileName(const QString& path) {
+    return std::ranges::any_of(kFrameFiles, [&](const char* suffix) {
+        return path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive);
+    });
+}
+
+bool isImported(const QString& path) {
+    return isMcapName(path) || isFrameFileName(path);
+}
+
 bool isPlayable(const QString& path) {
-    return isRecordingName(path) || isMcapName(path) ||
+    return isRecordingName(path) || isImported(path) ||
            path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
 }
 

@@ -26,6 +26,10 @@ struct RecordingRequest {
 [[nodiscard]] bool isRecordingName(const QString& path);
 /// The same of an MCAP file, of which a recording is made first.
 [[nodiscard]] bool isMcapName(const QString& path);
+/// A file of frames of NumPy, HDF5, MATLAB or Tekscan by its name.
+[[nodiscard]] bool isFrameFileName(const QString& path);
+/// It is played as the recording that is made of it: MCAP, or frames of another program.
+[[nodiscard]] bool isImported(const QString& path);
 /// The same of whatever is played back: recordings, MCAP files and frames in CSV.
 [[nodiscard]] bool isPlayable(const QString& path);
 

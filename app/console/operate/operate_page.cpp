@@ -446,7 +446,8 @@ void OperatePage::retranslate() {
     m_empty->setAction("firstSteps", tr("First &steps"), tr("The page of the handbook to begin with (F1)"));
     m_empty->setAction("openDemo", tr("Open &demo scene"), tr("A simulated arm that touches five materials"));
     m_empty->setAction("openRecording", tr("Open &recording\u2026"),
-                       tr("A recording of this program, or recorded frames as CSV: time_s,t0,t1,\u2026"));
+                       tr("A recording of this program or as MCAP, or recorded frames of an array: CSV, "
+                          "NumPy, HDF5, MATLAB, Tekscan"));
     m_empty->setAction("openList", tr("Open source &list\u2026"),
                        tr("A TOML file that lists scenes and recordings"));
 }

@@ -8,20 +8,21 @@
 #include "backend/mcap/recorded/ros_names.h"
 #include "backend/opencv/opencv_parts.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
+#include "backend/recording/new_recording.h"
 #include "backend/recording/recording_writer.h"
 #include "backend/recording/stream_columns.h"
 
 #include <QCoreApplication>
-#include <QFile>
-#include <QFileInfo>
 #include <QStringList>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace teleta::mcap {
@@ -42,14 +43,8 @@ constexpr std::size_t kFramesAtOnce = 128;
 constexpr std::size_t kBytesAtOnce = std::size_t{1} << 20U;
 constexpr std::size_t kCommitBytes = std::size_t{8} << 20U;
 constexpr int kMessagesBetweenLooks = 256;
-constexpr char kPart[] = ".part";
 constexpr std::string_view kReferences = "/joint_references";
 constexpr std::string_view kStates = "/joint_states";
-
-void removeRecording(const std::string& path) {
-    for (const char* suffix : {"", "-wal", "-shm"})
-        QFile::remove(QString::fromStdString(path + suffix));
-}
 
 /// Everything about a topic, from its type to its frames on the way to the writer.
 struct TopicState {
@@ -468,23 +463,20 @@ core::Expected<McapImport> importInto(const std::string& path, const std::string
 
 core::Expected<McapImport> importMcap(const std::string& path, const std::string& recordingPath,
                                       const McapImportOptions& options) {
-    const QString wanted = QString::fromStdString(recordingPath);
-    if (QFileInfo::exists(wanted))
-        return core::failed(core::ErrorKind::refused,
-                            McapImportText::tr("a file of this name already exists"),
-                            McapImportText::tr("another name"), {recordingPath});
-    // What an import that was killed has left.
-    const std::string part = recordingPath + kPart;
-    removeRecording(part);
-    auto report = importInto(path, part, options);
-    if (report && !QFile::rename(QString::fromStdString(part), wanted))
-        report = core::failed(core::ErrorKind::ioFailed,
-                              McapImportText::tr("the file cannot be given its name"), {}, {recordingPath});
-    if (!report)
-        removeRecording(part);
-    else
-        report->path = recordingPath;
+    McapImport report;
+    TELETA_CHECK(
+        recording::makeRecording(recordingPath, [&](const std::string& part) -> core::Expected<void> {
+            TELETA_TRY(report, importInto(path, part, options));
+            return {};
+        }));
+    report.path = recordingPath;
     return report;
+}
+
+bool looksLikeMcap(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string begin(kMagic.size(), '\0');
+    return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == kMagic;
 }
 
 } // namespace teleta::mcap

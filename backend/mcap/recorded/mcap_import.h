@@ -52,4 +52,7 @@ struct McapImport {
 [[nodiscard]] core::Expected<McapImport> importMcap(const std::string& path, const std::string& recordingPath,
                                                     const McapImportOptions& options = {});
 
+/// Whether a file begins as an MCAP file does, whatever its name. Waits for the disk. Thread: any.
+[[nodiscard]] bool looksLikeMcap(const std::string& path);
+
 } // namespace teleta::mcap

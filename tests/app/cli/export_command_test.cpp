@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
 
 using nlohmann::ordered_json;
 using teleta::test::ProgramResult;
@@ -94,4 +97,60 @@ TEST_F(ExportCommand, aFolderThatCannotBeMadeIsAFailure) {
     const std::string recording = simulated("tactile-indenter", "0.1");
     m_folder.write("csv", "a file stands in the way");
     EXPECT_EQ(run({"export", recording, "--csv", m_folder.path("csv")}).exitCode, 1);
+}
+
+TEST_F(ExportCommand, framesOfAFileBecomeARecordingThatReplaysAsTheFeaturesOfTheFile) {
+    simulated("tactile-indenter", "2");
+    const std::string frames = m_folder.path("run/frames.csv");
+    const std::string made = m_folder.path("made.teleta");
+    const std::vector<std::string> options{"--tare", "median", "--threshold", "0.3"};
+    std::vector<std::string> arguments{"import", frames, "--out", made, "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramResult result = run(arguments);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const ordered_json report = ordered_json::parse(result.out);
+    EXPECT_EQ(report["frames"], splitCsv(readAll(frames)).size() - 1);
+    EXPECT_EQ(report["recording"], made);
+
+    std::vector<std::string> features{"features", frames, "--out", m_folder.path("features.csv")};
+    features.insert(features.end(), options.begin(), options.end());
+    ASSERT_EQ(run(features).exitCode, 0);
+    ASSERT_EQ(run({"replay", made, "--out", m_folder.path("replay.csv")}).exitCode, 0);
+    const auto expected = splitCsv(readAll(m_folder.path("features.csv")));
+    const auto replayed = splitCsv(readAll(m_folder.path("replay.csv")));
+    ASSERT_EQ(replayed.size(), expected.size());
+    ASSERT_EQ(replayed[0], expected[0]);
+    for (std::size_t row = 1; row < expected.size(); ++row)
+        for (std::size_t column = 1; column < expected[row].size(); ++column)
+            ASSERT_EQ(replayed[row][column], expected[row][column]) << row << " " << expected[0][column];
+}
+
+TEST_F(ExportCommand, whatAFileOfFramesLeavesOpenIsAskedFor) {
+    std::ofstream(m_folder.path("bare.csv")) << "a,b,c\n1,2,3\n4,5,6\n";
+    const std::vector<std::string> bare{"import", m_folder.path("bare.csv"), "--out",
+                                        m_folder.path("made.teleta")};
+    const ProgramResult without = run(bare);
+    EXPECT_NE(without.exitCode, 0);
+    EXPECT_NE(without.err.find("--columns"), std::string::npos) << without.err;
+    std::vector<std::string> with = bare;
+    for (const char* option : {"--columns", "1..3", "--rows", "1", "--rate", "50", "--json"})
+        with.emplace_back(option);
+    const ProgramResult result = run(with);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NEAR(ordered_json::parse(result.out)["rate_hz"].get<double>(), 50.0, 1e-9);
+    std::vector<std::string> topic = bare;
+    topic.insert(topic.end(), {"--topic", "/skin=array"});
+    const ProgramResult refused = run(topic);
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_NE(refused.err.find("--topic"), std::string::npos) << refused.err;
+}
+
+TEST_F(ExportCommand, optionsForFramesAreRefusedForMessages) {
+    const std::string recording = simulated("tactile-indenter", "1");
+    ASSERT_EQ(run({"export", recording, "--mcap", m_folder.path("run.mcap")}).exitCode, 0);
+    const ProgramResult refused =
+        run({"import", m_folder.path("run.mcap"), "--rate", "50", "--out", m_folder.path("made.teleta")});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_NE(refused.err.find("--rate"), std::string::npos) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(m_folder.path("made.teleta")));
 }

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/base/command_io.h"
+#include "app/cli/base/frame_options.h"
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/commands/devices/devices_commands.h"
+#include "backend/core/data/array_guess.h"
+#include "backend/core/data/input_file.h"
+#include "backend/frames/recorded/frame_import.h"
 #include "backend/mcap/recorded/mcap_import.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,18 +78,101 @@ core::Expected<void> printTopics(const McapImport& import) {
     return printFields(fields);
 }
 
+core::Expected<void> printFrames(const frames::FrameImport& import, bool json) {
+    const core::ArrayLayout& layout = import.layout;
+    if (json)
+        return printDocument(
+            nlohmann::ordered_json{{"recording", import.path},
+                                   {"stream", import.stream},
+                                   {"rows", layout.rows},
+                                   {"columns", layout.columns},
+                                   {"frames", import.frames},
+                                   {"rate_hz", import.rate_Hz > 0.0 ? nlohmann::ordered_json(import.rate_Hz)
+                                                                    : nlohmann::ordered_json(nullptr)}});
+    Fields fields{{ImportText::tr("Array"), QStringLiteral("%1 x %2").arg(layout.rows).arg(layout.columns)},
+                  {ImportText::tr("Frames"), QString::number(import.frames)}};
+    if (import.rate_Hz > 0.0)
+        fields.emplace_back(ImportText::tr("Rate"),
+                            QStringLiteral("%1 Hz").arg(QLocale::c().toString(import.rate_Hz, 'g', 6)));
+    return printFields(fields);
+}
+
 class ImportCommand {
 public:
     void declare(CLI::App& app) {
-        addOption(app, "FILE", m_path, ImportText::tr("MCAP file with messages of ROS 2"), "")->required();
+        addOption(
+            app, "FILE", m_path,
+            ImportText::tr("MCAP file with messages of ROS 2, or frames of an array, of which the options "
+                           "below say what the file leaves open"),
+            "")
+            ->required();
         addOption(app, "--out", m_out, ImportText::tr("Recording to be made"), "REC.teleta")->required();
         addOption(app, "--topic", m_topics,
                   ImportText::tr("Read a topic as array, camera or joints, where its type leaves a choice"),
                   "/TOPIC=KIND");
+        m_array.declare(app);
+        addOption(app, "--gain", m_gain, ImportText::tr("Load in one unit of the values"), nonZero());
+        addOption(
+            app, "--unit", m_unit,
+            ImportText::tr("Unit of the loads; default: as the file says, else N or counts, by the array"),
+            "NAME");
+        addOption(app, "-t,--threshold", m_threshold,
+                  ImportText::tr("Load from which a taxel is in contact, in the recording's settings"),
+                  positive());
         declareJson(app, m_json);
+        m_app = &app;
     }
 
     [[nodiscard]] core::Expected<void> run() {
+        TELETA_CHECK(core::requireFile(m_path));
+        return mcap::looksLikeMcap(m_path) ? importMessages() : importFrames();
+    }
+
+private:
+    /// Refuses options that say something of another kind of file.
+    void refuseOptions(std::span<const char* const> options, const QString& why) const {
+        for (const char* option : options)
+            if (m_app->get_option(option)->count() > 0)
+                refuse(option, why);
+    }
+
+    [[nodiscard]] core::Expected<void> importFrames() {
+        refuseOptions(std::array{"--topic"}, ImportText::tr("this is for MCAP, but the file is none"));
+        frames::FrameRequest request = m_array.request(m_path);
+        request.guessesShape = true;
+        const auto goOn = [] { return !interrupted(); };
+        auto reader = frames::FrameReader::open(request, goOn);
+        if (!reader)
+            return core::Unexpected(orInterruption(std::move(reader).error()));
+        frames::FrameImportOptions options;
+        TELETA_TRY(options.settings.conditioning, m_array.conditioning(reader->layout(), m_path));
+        options.settings.conditioning.gain = m_gain;
+        options.settings.features.threshold_N = options.settings.segmentation.threshold_N = m_threshold;
+        options.settings.loadUnit = !m_unit.empty() ? m_unit
+                                    : !reader->unit().empty()
+                                        ? reader->unit()
+                                        : core::guessArray(reader->layout().taxels()).unit;
+        ProgressBar progress(ProgressBar::Unit::share, false);
+        options.goOn = [&](double share) {
+            progress.update(share, 1.0);
+            return goOn();
+        };
+        const auto imported = frames::importFrames(std::move(*reader), m_path, m_out, options);
+        progress.erase();
+        if (!imported)
+            return core::Unexpected(orInterruption(imported.error()));
+        return printFrames(*imported, m_json);
+    }
+
+    [[nodiscard]] static core::Error orInterruption(core::Error error) {
+        return error.kind == core::ErrorKind::cancelled ? interruption() : std::move(error);
+    }
+
+    [[nodiscard]] core::Expected<void> importMessages() {
+        refuseOptions(std::array{"--rows", "--columns", "--pitch-mm", "--rate", "--array", "--frame-axis",
+                                 "--tare", "--time-column", "--time-unit", "--invert", "--dead", "--gain",
+                                 "--unit", "--threshold"},
+                      ImportText::tr("this is for frames, but the file is MCAP"));
         mcap::McapImportOptions options;
         for (const std::string& text : m_topics) {
             const std::size_t sign = text.rfind('=');
@@ -101,25 +191,30 @@ public:
         const auto imported = mcap::importMcap(m_path, m_out, options);
         progress.erase();
         if (!imported)
-            return core::Unexpected(imported.error().kind == core::ErrorKind::cancelled ? interruption()
-                                                                                        : imported.error());
+            return core::Unexpected(orInterruption(imported.error()));
         return m_json ? printJson(*imported) : printTopics(*imported);
     }
 
-private:
     std::string m_path;
     std::string m_out;
     std::vector<std::string> m_topics;
+    ArrayOptions m_array;
+    double m_gain = 1.0;
+    double m_threshold = 0.2;
+    std::string m_unit;
     bool m_json = false;
+    CLI::App* m_app = nullptr;
 };
 
 } // namespace
 
 Command importCommand() {
-    return makeCommand<ImportCommand>("import", ImportText::tr("Make a recording of an MCAP file"),
-                                      "teleta simulate tactile-indenter --out run\n"
-                                      "  teleta export run/recording.teleta --mcap run/recording.mcap\n"
-                                      "  teleta import run/recording.mcap --out run/again.teleta");
+    return makeCommand<ImportCommand>(
+        "import", ImportText::tr("Make a recording of an MCAP file, or of the frames of another program"),
+        "teleta simulate tactile-indenter --out run\n"
+        "  teleta export run/recording.teleta --mcap run/recording.mcap\n"
+        "  teleta import run/recording.mcap --out run/again.teleta\n"
+        "  teleta import run/frames.csv --tare median --out run/frames.teleta");
 }
 
 } // namespace teleta::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording/recording_files.h"
 
+#include "app/console/sources/frame_dialog.h"
 #include "app/console/sources/recording_dialog.h"
 #include "widgets/base/background.h"
 
@@ -26,9 +27,7 @@ RecordingFiles::RecordingFiles(SourceManager& sources, ConsoleSettings& settings
                 play(recording);
             });
     connect(&m_import, &RecordingImport::cancelled, this, &RecordingFiles::cancelled);
-    connect(&m_import, &RecordingImport::failed, this, [this](const QString& file, const core::Error& error) {
-        emit failed(QFileInfo(file).fileName(), error);
-    });
+    connect(&m_import, &RecordingImport::failed, this, &RecordingFiles::onNotImported);
 }
 
 void RecordingFiles::open(const QString& path) {
@@ -36,7 +35,7 @@ void RecordingFiles::open(const QString& path) {
         play(path);
         return;
     }
-    if (isMcapName(path)) {
+    if (isImported(path)) {
         import(path);
         return;
     }
@@ -45,6 +44,8 @@ void RecordingFiles::open(const QString& path) {
         [this, path](core::Expected<CsvRequest> guess) {
             if (guess)
                 askHow(*guess);
+            else if (guess.error().kind == core::ErrorKind::badInput)
+                import(path, m_lastRequests.value(QFileInfo(path).suffix())); // a table of another program
             else
                 emit failed(QFileInfo(path).fileName(), guess.error());
         });
@@ -77,7 +78,7 @@ QString RecordingFiles::usualFolder() {
 }
 
 void RecordingFiles::openAs(const RecordingArguments& recording) {
-    if (isRecordingName(recording.path) || isMcapName(recording.path)) {
+    if (isRecordingName(recording.path) || isImported(recording.path)) {
         open(recording.path);
         return;
     }
@@ -105,18 +106,40 @@ void RecordingFiles::play(const QString& path) {
         });
 }
 
-void RecordingFiles::import(const QString& file) {
+void RecordingFiles::onNotImported(const QString& file, const core::Error& error) {
+    if (!isMcapName(file) && error.kind == core::ErrorKind::badInput)
+        askFrames(file, error);
+    else
+        emit failed(QFileInfo(file).fileName(), error);
+}
+
+void RecordingFiles::askFrames(const QString& file, const core::Error& why) {
+    const QString ending = QFileInfo(file).suffix();
+    frames::FrameRequest known = m_lastRequests.value(ending);
+    known.path = file.toStdString();
+    auto* dialog = new FrameDialog(known, QString::fromStdString(core::describe(why)), m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, file, ending] {
+        m_lastRequests.insert(ending, dialog->request());
+        import(file, dialog->request());
+    });
+    connect(dialog, &QDialog::rejected, this, [this, file] { emit cancelled(file); });
+    dialog->open();
+}
+
+void RecordingFiles::import(const QString& file, const frames::FrameRequest& request) {
     const QString chosen = m_settings.recordingFolder();
     const QString recording = RecordingImport::recordingOf(file, chosen.isEmpty() ? usualFolder() : chosen);
     if (QFileInfo::exists(file) && QFileInfo::exists(recording))
-        askWhether(file, recording);
+        askWhether(file, recording, request);
     else
-        m_import.start(file, recording);
+        m_import.start(file, recording, request);
 }
 
-void RecordingFiles::askWhether(const QString& file, const QString& recording) {
+void RecordingFiles::askWhether(const QString& file, const QString& recording,
+                                const frames::FrameRequest& request) {
     const QString another = RecordingImport::freeName(recording);
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Open MCAP file"),
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Open file"),
                                 tr("%1 is there already.", "a file").arg(QFileInfo(recording).fileName()),
                                 QMessageBox::Cancel, m_window);
     box->setAttribute(Qt::WA_DeleteOnClose);
@@ -128,9 +151,9 @@ void RecordingFiles::askWhether(const QString& file, const QString& recording) {
     open->setObjectName(QStringLiteral("openRecording"));
     again->setObjectName(QStringLiteral("importAgain"));
     box->setDefaultButton(open);
-    connect(box, &QDialog::finished, this, [this, box, open, again, file, recording, another] {
+    connect(box, &QDialog::finished, this, [this, box, open, again, file, recording, another, request] {
         if (box->clickedButton() == again) {
-            m_import.start(file, another);
+            m_import.start(file, another, request);
         } else {
             emit cancelled(file);
             if (box->clickedButton() == open)

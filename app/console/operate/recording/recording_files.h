@@ -6,14 +6,16 @@
 #include "app/console/sources/recording_arguments.h"
 #include "app/console/sources/source_manager.h"
 
+#include <QHash>
 #include <QObject>
 #include <QString>
 #include <QWidget>
 
 namespace teleta::console {
 
-/// Opens recordings as sources: .teleta files at once, CSV files after asking how to read them, MCAP files as
-/// the recordings that are made of them. Files are read on other threads. Thread: GUI.
+/// Opens recordings as sources: .teleta files at once, CSV files after asking how to read them, MCAP files
+/// and frames of other programs as the recordings that are made of them. What such a file leaves open is
+/// asked. Files are read on other threads. Thread: GUI.
 class RecordingFiles : public QObject {
     Q_OBJECT
 
@@ -35,23 +37,27 @@ public:
 
 signals:
     void opened(const QString& path);
-    /// A recording was made of an MCAP file, and is opened now. missing: what was left out; empty: nothing.
+    /// A recording was made of a file, and is opened now. missing: what was left out; empty: nothing.
     void imported(const QString& file, const QString& recording, const QString& missing);
-    /// An MCAP file is not opened, as a person wishes.
+    /// A file is not opened, as a person wishes.
     void cancelled(const QString& file);
     void failed(const QString& name, const core::Error& error);
 
 private:
     void play(const QString& path);
     void askHow(const CsvRequest& guess);
-    void import(const QString& file);
+    void import(const QString& file, const frames::FrameRequest& request = {});
+    void onNotImported(const QString& file, const core::Error& error);
+    /// What a file of frames leaves open.
+    void askFrames(const QString& file, const core::Error& why);
     /// A recording is where that of the file belongs.
-    void askWhether(const QString& file, const QString& recording);
+    void askWhether(const QString& file, const QString& recording, const frames::FrameRequest& request);
 
     SourceManager& m_sources;
     ConsoleSettings& m_settings;
     QWidget* m_window;
     RecordingImport m_import;
+    QHash<QString, frames::FrameRequest> m_lastRequests; ///< by the ending of the name
 };
 
 } // namespace teleta::console

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording/recording_import.h"
 
+#include "app/console/base/recording_request.h"
+#include "backend/core/data/array_guess.h"
 #include "backend/core/failure.h"
+#include "backend/frames/recorded/frame_import.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -44,7 +47,8 @@ QString RecordingImport::freeName(const QString& recording) {
     return name;
 }
 
-void RecordingImport::start(const QString& file, const QString& recording) {
+void RecordingImport::start(const QString& file, const QString& recording,
+                            const frames::FrameRequest& request) {
     const auto isSame = [&](const Job& job) { return job.recording == recording; };
     if (std::any_of(m_jobs.begin(), m_jobs.end(), isSame)) {
         emit failed(file, core::Error{core::ErrorKind::refused,
@@ -56,22 +60,45 @@ void RecordingImport::start(const QString& file, const QString& recording) {
     auto progress = std::make_shared<WorkProgress>();
     auto* dialog = progressWindow(tr("Importing %1\u2026", "a file").arg(QFileInfo(file).fileName()),
                                   progress, m_window);
-    auto result = std::async(std::launch::async,
-                             [file, recording, progress] { return make(file, recording, *progress); });
+    auto result = std::async(std::launch::async, [file, recording, request, progress] {
+        return make(file, recording, request, *progress);
+    });
     m_jobs.push_back({file, recording, std::move(progress), std::move(result), dialog});
     m_timer.start();
 }
 
 RecordingImport::Result RecordingImport::make(const QString& file, const QString& recording,
-                                              WorkProgress& progress) {
+                                              const frames::FrameRequest& request, WorkProgress& progress) {
     const QString folder = QFileInfo(recording).absolutePath();
     if (QFileInfo::exists(file) && !QDir().mkpath(folder))
         return core::failed(core::ErrorKind::ioFailed, tr("the folder cannot be made"), {},
                             {folder.toStdString()});
-    return mcap::importMcap(file.toStdString(), recording.toStdString(), {.goOn = [&progress](double share) {
-                                progress.share = share;
-                                return !progress.cancelled;
-                            }});
+    if (!isMcapName(file)) {
+        frames::FrameRequest known = request;
+        known.path = file.toStdString();
+        return makeOfFrames(recording, std::move(known), progress);
+    }
+    TELETA_TRY(const auto import, mcap::importMcap(file.toStdString(), recording.toStdString(),
+                                                   {.goOn = [&progress](double share) {
+                                                       progress.share = share;
+                                                       return !progress.cancelled;
+                                                   }}));
+    return missing(import);
+}
+
+RecordingImport::Result RecordingImport::makeOfFrames(const QString& recording, frames::FrameRequest request,
+                                                      WorkProgress& progress) {
+    request.guessesShape = true;
+    TELETA_TRY(auto reader, frames::FrameReader::open(request, [&progress] { return !progress.cancelled; }));
+    frames::FrameImportOptions options;
+    options.settings.loadUnit =
+        reader.unit().empty() ? core::guessArray(reader.layout().taxels()).unit : reader.unit();
+    options.goOn = [&progress](double share) {
+        progress.share = share;
+        return !progress.cancelled;
+    };
+    TELETA_CHECK(frames::importFrames(std::move(reader), request.path, recording.toStdString(), options));
+    return QString();
 }
 
 QString RecordingImport::missing(const mcap::McapImport& import) {
@@ -118,7 +145,7 @@ void RecordingImport::finish(Job job) {
     job.dialog->deleteLater();
     const Result result = job.result.get();
     if (result)
-        emit imported(job.file, job.recording, missing(*result));
+        emit imported(job.file, job.recording, *result);
     else if (result.error().kind == core::ErrorKind::cancelled)
         emit cancelled(job.file);
     else

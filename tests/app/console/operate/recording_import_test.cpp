@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording/recording_files.h"
 #include "app/console/operate/recording/recording_import.h"
+#include "app/console/sources/frame_dialog.h"
 #include "backend/mcap/recorded/mcap_export.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recorder.h"
 #include "backend/recording/recording.h"
 
+#include <QDialogButtonBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
@@ -17,6 +22,7 @@
 #include <QWidget>
 
 #include <array>
+#include <vector>
 
 using namespace teleta;
 using console::RecordingFiles;
@@ -29,7 +35,7 @@ constexpr int kFrames = 10'000;
 
 } // namespace
 
-/// MCAP files that are opened in the window.
+/// MCAP files, and frames of other programs, that are opened in the window.
 class RecordingImportTest : public QObject {
     Q_OBJECT
 
@@ -142,6 +148,60 @@ private slots:
         importer.start(mcap(), file("run.teleta"));
         QCOMPARE(failed.size(), 1);
         QTRY_COMPARE_WITH_TIMEOUT(imported.size(), 1, kPatience_ms);
+    }
+
+    void framesOfAnotherProgramBecomeARecording() {
+        // NumPy's format, by hand: 3 frames of 2 x 2 taxels, without times.
+        QFile array(file("frames.npy"));
+        QVERIFY(array.open(QIODevice::WriteOnly));
+        QByteArray header = "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 2, 2), }";
+        header = header.leftJustified(117) + '\n';
+        array.write(QByteArray("\x93NUMPY\x01\x00", 8) + char(header.size()) + '\0' + header);
+        for (int i = 0; i < 12; ++i) {
+            const auto value = static_cast<float>(i);
+            array.write(reinterpret_cast<const char*>(&value), sizeof value);
+        }
+        array.close();
+
+        core::StopSwitch stop;
+        console::SourceManager sources(stop);
+        console::ConsoleSettings settings(true);
+        auto* window = new QWidget;
+        auto* recordings = new RecordingFiles(sources, settings, window);
+        QSignalSpy opened(recordings, &RecordingFiles::opened);
+        QSignalSpy cancelled(recordings, &RecordingFiles::cancelled);
+        const auto dialog = [window] { return window->findChild<console::FrameDialog*>(); };
+        recordings->open(array.fileName());
+        // The file does not tell how fast it was.
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatience_ms);
+        QVERIFY(dialog()->findChild<QLabel*>("why")->text().contains("frames.npy"));
+        dialog()->reject();
+        QCOMPARE(cancelled.size(), 1);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(!files().contains("frames.teleta"));
+
+        recordings->open(array.fileName());
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatience_ms);
+        auto* columns = dialog()->findChild<QLineEdit*>("taxelColumns");
+        auto* open = dialog()->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open);
+        columns->setText("2..");
+        QVERIFY(!open->isEnabled());
+        columns->clear();
+        QVERIFY(open->isEnabled());
+        dialog()->findChild<QDoubleSpinBox*>("rate")->setValue(50.0);
+        open->click();
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience_ms);
+        QCOMPARE(opened[0][0].toString(), file("frames.teleta"));
+        const auto recording = recording::Recording::open(file("frames.teleta").toStdString());
+        QVERIFY(recording.has_value());
+        QCOMPARE(recording->streams().front().shape, (std::vector<std::size_t>{2, 2}));
+        QCOMPARE(recording->streams().front().nominalRate_Hz, 50.0);
+        const auto extent = recording->extent(0);
+        QVERIFY(extent && *extent);
+        QCOMPARE((*extent)->frames, std::uint64_t(3));
+        sources.closeAll();
+        delete window;
+        QVERIFY(QFile::remove(array.fileName()));
     }
 
     void aRecordingThatIsThereIsOpenedOrTheFileImportedAgain() {

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/sources/frame_dialog.h"
+
+#include "backend/core/data/array_layout.h"
+#include "widgets/base/compose.h"
+#include "widgets/base/theme.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStringList>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace teleta::console {
+
+namespace {
+
+constexpr std::array<const char*, 5> kTimeUnits{"s", "ms", "us", "ns", "iso"};
+
+QDoubleSpinBox* makeNumber(double value, double highest, int decimals, const QString& suffix) {
+    auto* box = new QDoubleSpinBox;
+    box->setDecimals(decimals);
+    box->setRange(0.0, highest);
+    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    box->setSuffix(suffix);
+    box->setValue(value);
+    return box;
+}
+
+QString textOf(const std::vector<frames::ColumnRange>& ranges) {
+    QStringList parts;
+    for (const frames::ColumnRange& range : ranges)
+        parts << (range.first == range.last ? QString::number(range.first)
+                                            : QStringLiteral("%1..%2").arg(range.first).arg(range.last));
+    return parts.join(QLatin1Char(','));
+}
+
+} // namespace
+
+FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why, QWidget* parent)
+    : QDialog(parent)
+    , m_request(request)
+    , m_array(base::named<QLineEdit>("array"))
+    , m_axis(new QComboBox)
+    , m_rows(base::named<QSpinBox>("rows"))
+    , m_columns(base::named<QSpinBox>("columns"))
+    , m_pitch_mm(makeNumber(1e3 * request.pitch_m.value_or(0.0), 10'000.0, 3, tr(" mm")))
+    , m_taxelColumns(base::named<QLineEdit>("taxelColumns"))
+    , m_timeColumn(new QLineEdit(QString::fromStdString(request.timeColumn)))
+    , m_timeUnit(new QComboBox)
+    , m_rate_Hz(makeNumber(request.rate_Hz.value_or(0.0), 100'000.0, 3, tr(" Hz")))
+    , m_verdict(new QLabel) {
+    setWindowTitle(tr("Open frames"));
+    m_rate_Hz->setObjectName(QStringLiteral("rate"));
+    m_array->setText(QString::fromStdString(request.array));
+    m_array->setPlaceholderText(tr("the only one, or the one that is called frames"));
+    m_array->setMinimumWidth(base::em(this, 22));
+    m_axis->addItems({tr("as the file says"), tr("the first"), tr("the last")});
+    m_axis->setCurrentIndex(static_cast<int>(request.axis));
+    for (QSpinBox* box : {m_rows, m_columns}) {
+        box->setRange(0, core::ArrayLayout::kMaximumSide);
+        box->setSpecialValueText(tr("as the file says"));
+    }
+    m_rows->setValue(request.rows.value_or(0));
+    m_columns->setValue(request.columns.value_or(0));
+    m_rows->setAccessibleName(tr("Rows"));
+    m_columns->setAccessibleName(tr("Columns"));
+    for (QDoubleSpinBox* box : {m_pitch_mm, m_rate_Hz})
+        box->setSpecialValueText(tr("as the file says"));
+    m_taxelColumns->setText(textOf(request.taxelColumns));
+    m_taxelColumns->setPlaceholderText(QStringLiteral("2..85"));
+    m_taxelColumns->setToolTip(tr("Columns of a table that are taxels, counted from 1"));
+    m_timeColumn->setPlaceholderText(tr("name or number of the column"));
+    m_timeUnit->addItem(tr("as the name of the column ends"));
+    for (const char* unit : kTimeUnits)
+        m_timeUnit->addItem(QLatin1String(unit));
+    m_timeUnit->setCurrentIndex(std::max(0, m_timeUnit->findText(QString::fromStdString(request.timeUnit))));
+
+    auto* reason = new QLabel(why);
+    reason->setObjectName(QStringLiteral("why"));
+    reason->setWordWrap(true);
+    reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* sizeRow = new QHBoxLayout;
+    sizeRow->addWidget(m_rows);
+    sizeRow->addWidget(new QLabel(tr("rows \u00d7", "N rows x M columns")));
+    sizeRow->addWidget(m_columns);
+    sizeRow->addWidget(new QLabel(tr("columns")));
+    sizeRow->addStretch(1);
+
+    auto* form = new QFormLayout;
+    auto* file = new QLabel(QFileInfo(QString::fromStdString(request.path)).fileName());
+    file->setToolTip(QString::fromStdString(request.path));
+    form->addRow(tr("File:"), file);
+    form->addRow(tr("&Name of the frames:"), m_array);
+    form->addRow(tr("&Dimension that counts the frames:"), m_axis);
+    base::addFormRow(*form, tr("&Shape:"), sizeRow, m_rows);
+    form->addRow(tr("&Pitch:"), m_pitch_mm);
+    form->addRow(tr("&Columns of the taxels:"), m_taxelColumns);
+    form->addRow(tr("Column of the &times:"), m_timeColumn);
+    form->addRow(tr("&Unit of the times:"), m_timeUnit);
+    form->addRow(tr("&Rate, without times:"), m_rate_Hz);
+    form->addRow(QString(), m_verdict);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
+    m_accept = buttons->button(QDialogButtonBox::Open);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_taxelColumns, &QLineEdit::textChanged, this, &FrameDialog::check);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(reason);
+    layout->addLayout(form);
+    layout->addStretch(1);
+    layout->addWidget(buttons);
+    check();
+}
+
+void FrameDialog::check() {
+    const QString columns = m_taxelColumns->text().trimmed();
+    const bool fits = columns.isEmpty() || frames::columnRangesOf(columns.toStdString());
+    m_verdict->setText(fits ? QString() : tr("Columns are numbers and ranges, such as 2..85 or 2..10,12."));
+    base::setTextColour(m_verdict, base::statusColours(palette()).lost);
+    m_accept->setEnabled(fits);
+}
+
+frames::FrameRequest FrameDialog::request() const {
+    const auto side = [](const QSpinBox& box) {
+        return box.value() > 0 ? std::optional(box.value()) : std::nullopt;
+    };
+    const auto number = [](const QDoubleSpinBox& box, double scale) {
+        return box.value() > 0.0 ? std::optional(scale * box.value()) : std::nullopt;
+    };
+    frames::FrameRequest request = m_request;
+    request.array = m_array->text().trimmed().toStdString();
+    request.axis = static_cast<frames::FrameAxis>(m_axis->currentIndex());
+    request.rows = side(*m_rows);
+    request.columns = side(*m_columns);
+    request.pitch_m = number(*m_pitch_mm, 1e-3);
+    request.rate_Hz = number(*m_rate_Hz, 1.0);
+    request.taxelColumns = frames::columnRangesOf(m_taxelColumns->text().trimmed().toStdString())
+                               .value_or(std::vector<frames::ColumnRange>());
+    request.timeColumn = m_timeColumn->text().trimmed().toStdString();
+    request.timeUnit =
+        m_timeUnit->currentIndex() > 0 ? m_timeUnit->currentText().toStdString() : std::string();
+    return request;
+}
+
+} // namespace teleta::console
