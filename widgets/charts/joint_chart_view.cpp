@@ -32,7 +32,7 @@ JointChartView::JointChartView(JointPlot* plot, QWidget* parent)
     });
     addTool(m_angles);
     addTimeTools();
-    setWindow({});
+    setWindow(stiffness::TorqueWindow());
     retranslate();
     restyle();
 }
@@ -112,8 +112,11 @@ QString JointChartView::cursorText(const QString& time, const QString& sourceTim
     return tr("at %1 s   arm time %2 s").arg(time, sourceTime);
 }
 
-void JointChartView::setWindow(const stiffness::TorqueWindow& window) {
-    m_joints->setWindow(window.low_Nm, window.high_Nm);
+void JointChartView::setWindow(const std::optional<stiffness::TorqueWindow>& window) {
+    if (window)
+        m_joints->setWindow(window->low_Nm, window->high_Nm);
+    else
+        m_joints->clearWindow();
     invalidate();
 }
 

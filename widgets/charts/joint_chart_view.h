@@ -8,6 +8,7 @@
 #include "widgets/charts/time_chart_view.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,7 +48,8 @@ public:
 
     /// Angles beside the torques; the user's choice from then on.
     void setAnglesShown(bool shown) { m_angles->setChecked(shown); }
-    void setWindow(const stiffness::TorqueWindow& window);
+    /// Empty: touches are not evaluated.
+    void setWindow(const std::optional<stiffness::TorqueWindow>& window);
     /// Pauses with a touch in the middle of the chart. Returns false if it is no longer stored.
     bool showTouch(std::uint64_t number);
 

@@ -27,6 +27,8 @@ public:
     void setAnglesShown(bool shown);
     /// Absolute torques of the window in which a touch is evaluated; marked on both sides of zero.
     void setWindow(double low_Nm, double high_Nm);
+    /// Touches are not evaluated.
+    void clearWindow() { m_window->setShades({}); }
     void setTouches(std::vector<Shade> touches) { m_touches->setShades(std::move(touches)); }
     [[nodiscard]] const std::vector<Shade>& touches() const { return m_touches->shades(); }
 

@@ -74,6 +74,7 @@ void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::
     clear();
     m_joints->setArm(arm, provenance);
     m_arm = std::dynamic_pointer_cast<pipeline::ArmChannel>(arm);
+    m_joints->setTouching(m_arm != nullptr);
     std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
     if (!m_arm)
         return;

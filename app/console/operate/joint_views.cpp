@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace teleta::console {
@@ -73,11 +74,16 @@ void JointViews::setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Prove
         m_chart->setContent(std::move(kept.mapped()));
 }
 
+void JointViews::setTouching(bool touching) {
+    m_chart->setWindow(touching ? std::optional(stiffness::TorqueWindow()) : std::nullopt);
+    if (!touching && m_arm)
+        m_chart->setAnglesShown(true);
+}
+
 void JointViews::clear() {
     m_chart->clear();
     if (m_arm)
         m_scene.setArmLinks({});
-    m_hasSample = false;
     m_asked = false;
     m_silent = false;
     m_sample_ns = m_sampleCame_ns = 0;
@@ -123,9 +129,6 @@ void JointViews::show(const core::JointSample& sample) {
     if (std::exchange(m_sample_ns, sample.time_ns) != sample.time_ns)
         m_sampleCame_ns = core::steadyNow_ns();
     m_jog->setSample(sample);
-    // Without torques there is nothing else to see.
-    if (!std::exchange(m_hasSample, true) && sample.torque_Nm.empty())
-        m_chart->setAnglesShown(true);
     if (m_arm->chain())
         showChain(sample);
 }

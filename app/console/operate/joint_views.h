@@ -45,6 +45,8 @@ public:
     void refresh() { m_chart->refresh(); }
     /// Shows where the joints are.
     void show(const core::JointSample& sample);
+    /// Whether touches are evaluated: the chart has the window of their torques then, otherwise the angles.
+    void setTouching(bool touching);
     /// The arm tells nothing any more.
     [[nodiscard]] bool isSilent() const { return m_silent; }
     /// Time from the read of the newest joint sample to its picture; empty without one.
@@ -73,7 +75,6 @@ private:
     std::map<std::weak_ptr<pipeline::JointChannel>, charts::JointChartView::Content, std::owner_less<>>
         m_kept;
     std::vector<core::JointSample> m_samples; ///< of a tick
-    bool m_hasSample = false;                 ///< of this arm, since it is shown
     bool m_asked = false;                     ///< the last command was to move
     bool m_silent = false;
     std::int64_t m_sample_ns = 0;     ///< of the newest reading that was seen; 0: none

@@ -108,7 +108,7 @@ private slots:
         QCOMPARE(at(-0.035), at(0.035));
         QCOMPARE(at(0.015), ground);
         QCOMPARE(at(0.055), ground);
-        chart.view.setWindow({0.01, 0.018});
+        chart.view.setWindow(stiffness::TorqueWindow{0.01, 0.018});
         const QImage other = chart.draw();
         const int y = static_cast<int>(yOfTorque(*chart.view.plot(), 0.015));
         QVERIFY(other.pixelColor(x, y) != ground);

