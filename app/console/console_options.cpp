@@ -105,10 +105,10 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
            "  teleta-console --arm arm.toml\n"
            "  teleta-console --sources both-arrays.toml --theme dark"));
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
-    m_parser.addPositionalArgument(
-        QStringLiteral("FILE"),
-        tr("Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms and source lists (.toml) to open."),
-        QStringLiteral("[FILE...]"));
+    m_parser.addPositionalArgument(QStringLiteral("FILE"),
+                                   tr("Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, "
+                                      "arms and source lists (.toml) to open."),
+                                   QStringLiteral("[FILE...]"));
     // It adds --help-all too, of which this program has no more to say.
     const QCommandLineOption help = m_parser.addHelpOption();
     const QCommandLineOption version = m_parser.addVersionOption();

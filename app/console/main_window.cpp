@@ -195,8 +195,9 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_operate.get(), &OperatePage::closeRequested, this, &MainWindow::closeSource);
     connect(m_operate.get(), &OperatePage::firstStepsRequested, m_help, &HelpMenu::openFirstSteps);
     connect(m_operate.get(), &OperatePage::openRecordingRequested, this, [this] {
-        askForFile(tr("Open recording"), tr("Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)"), &FileOpener::openRecording,
-                   m_recordings->folder(m_recording->folder()));
+        askForFile(tr("Open recording"),
+                   tr("Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)"),
+                   &FileOpener::openRecording, m_recordings->folder(m_recording->folder()));
     });
     connect(m_operate.get(), &OperatePage::openListRequested, this, [this] {
         askForFile(tr("Open source list"), tr("Source lists (*.toml)"), &FileOpener::openList);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/camera/camera_list.h"
 
-#include "backend/core/file_descriptor.h"
 #include "backend/core/failure.h"
+#include "backend/core/file_descriptor.h"
 #include "backend/core/steady_time.h"
 #include "devices/camera/video_stream.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/camera/video_stream.h"
 
-#include "backend/core/file_descriptor.h"
 #include "backend/core/device/node_claim.h"
 #include "backend/core/failure.h"
+#include "backend/core/file_descriptor.h"
 #include "backend/core/steady_time.h"
 #include "backend/opencv/opencv_parts.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/file_descriptor.h"
 #include "backend/core/device/trigger_port.h"
+#include "backend/core/file_descriptor.h"
 
 #include <memory>
 #include <string>

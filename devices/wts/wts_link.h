@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/file_descriptor.h"
 #include "backend/core/error.h"
+#include "backend/core/file_descriptor.h"
 #include "devices/wts/wake_pipe.h"
 #include "devices/wts/wts_config.h"
 

@@ -111,7 +111,7 @@ TEST(JointChannel, aRecordingSaysWhatTheArmDoesNotTell) {
     ASSERT_EQ(block.frames(), 10U);
     constexpr std::size_t kJoints = 4;
     const auto values = recording::valuesOf<double>(block, 9, 3 * kJoints);
-    EXPECT_EQ(values[3], 0.009);
+    EXPECT_DOUBLE_EQ(values[3], 0.009);
     for (std::size_t joint = 0; joint < kJoints; ++joint) {
         EXPECT_TRUE(std::isnan(values[kJoints + joint])) << "a torque that nobody told";
         EXPECT_EQ(values[2 * kJoints + joint], sampleAt(9).reference_rad[joint]);

@@ -190,8 +190,7 @@ TEST_F(RosArmPeer, aCheckSaysWhatIsInTheWay) {
     EXPECT_EQ(result.exitCode, 1) << result.out;
     const json rows = json::parse(result.out);
     EXPECT_EQ(resultOf(rows, "joints"), "/joint_states does not report: joint_7") << result.out;
-    EXPECT_NE(resultOf(rows, "controller").find("asks for transient local"), std::string::npos)
-        << result.out;
+    EXPECT_NE(resultOf(rows, "controller").find("asks for transient local"), std::string::npos) << result.out;
     EXPECT_EQ(resultOf(rows, "writers"), "someone else commands /arm_controller/joint_trajectory")
         << result.out;
     EXPECT_NE(resultOf(rows, "file").find("pad"), std::string::npos) << result.out;
