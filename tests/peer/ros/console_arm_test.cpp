@@ -158,7 +158,8 @@ private slots:
         openArm(recording);
         QCOMPARE(m_window->operatePage().docks().kind(), OperateDocks::Kind::joints);
         auto* chart = m_window->findChild<charts::JointChartView*>();
-        QTRY_VERIFY_WITH_TIMEOUT(chart->history().size() > 100, kPatience_ms);
+        // Long enough for a recording that begins a moment later.
+        QTRY_VERIFY_WITH_TIMEOUT(chart->history().size() > 1500, kPatience_ms);
         const std::size_t newest = chart->history().size() - 1;
         for (std::size_t joint = 0; joint < 7; ++joint)
             QVERIFY(std::abs(chart->history().value(7 + joint, newest) -
