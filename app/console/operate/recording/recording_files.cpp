@@ -117,7 +117,9 @@ void RecordingFiles::askFrames(const QString& file, const core::Error& why) {
     const QString ending = QFileInfo(file).suffix();
     frames::FrameRequest known = m_lastRequests.value(ending);
     known.path = file.toStdString();
-    auto* dialog = new FrameDialog(known, QString::fromStdString(core::describe(why)), m_window);
+    core::Error reason = why;
+    reason.where.file = QFileInfo(file).fileName().toStdString(); // its folder makes the sentence long
+    auto* dialog = new FrameDialog(known, QString::fromStdString(core::describe(reason)), m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, file, ending] {
         m_lastRequests.insert(ending, dialog->request());
