@@ -71,7 +71,12 @@ TEST_P(Examples, workAsTheyAreCopiedIntoAShellInAnEmptyFolder) {
     const std::string line = "cd '" + folder.path("") +
                              "' && PATH=\"$(dirname '" TELETA_PROGRAM "'):$PATH\" bash '" + script +
                              "' >out 2>err";
-    EXPECT_EQ(std::system(line.c_str()), 0) << example << readAll(folder.path("err"));
+    const int status = std::system(line.c_str());
+    const std::string errors = readAll(folder.path("err"));
+    // That a busy machine is refused as a measure is no fault of the example.
+    const bool isBusy =
+        GetParam() == "tradeoff" && errors.find("the machine was too busy") != std::string::npos;
+    EXPECT_TRUE(status == 0 || isBusy) << example << errors;
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Examples, testing::ValuesIn(commands()),

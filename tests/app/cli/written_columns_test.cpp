@@ -145,7 +145,7 @@ TEST_F(WrittenColumns, ofTheOtherCommandsAllHaveAnEntryInTheTableOfUnits) {
     works({"pattern", "convert", "shape.A.static", "@converted.csv"});
     works({"simulate", "tactile-indenter", "--duration", "0.2", "--ablate", "--seeds", "2", "--out",
            "@ablation.csv"});
-    works({"tradeoff", "contour", "--out", "@cost"});
+    works({"tradeoff", "contour", "--out", "@cost", "--largest-spread", "1000"});
     works({"study", "rehearse", "--participants", "2", "--seed", "5", "--out", "@study"});
     for (const char* form : {"psychds", "bids", "excel"})
         works({"study", "export", "@study", "--format", form});
