@@ -40,41 +40,35 @@ core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& reco
         }
         sources.push_back({.arrayStream = i, .array = std::move(*array), .jointStream = {}, .arm = {}});
     }
-    for (std::size_t i = 0; i < streams.size(); ++i) {
-        if (streams[i].kind != StreamKind::joints)
-            continue;
-        auto arm = recordedArm(streams[i], recording.path());
-        if (!arm)
-            continue;
-        const auto skin = std::ranges::find_if(sources, [&](const RecordedSource& source) {
-            return streams[source.arrayStream].name == arm->skinStream;
-        });
-        if (skin != sources.end()) {
-            skin->jointStream = i;
-            skin->arm = std::move(arm->description);
-        }
-    }
     return sources;
 }
 
-/// Those that were recorded without a skin; one whose skin cannot be played is not evaluated without it.
-core::Expected<std::vector<RecordedJoints>> recordedArms(const Recording& recording,
-                                                         std::optional<core::Error>& why) {
-    std::vector<RecordedJoints> arms;
+/// Gives each arm to the array that it wears; one that was recorded without a skin is a source of its own.
+/// One whose skin cannot be played is left out.
+core::Expected<void> addArms(const Recording& recording, RecordedSources& sources,
+                             std::optional<core::Error>& why) {
     const std::vector<StreamInfo>& streams = recording.streams();
     for (std::size_t i = 0; i < streams.size(); ++i) {
         if (streams[i].kind != StreamKind::joints)
             continue;
-        TELETA_TRY(const auto extent, recording.extent(i));
-        if (!extent)
-            continue;
         auto arm = recordedArm(streams[i], recording.path());
-        if (!arm)
+        if (!arm) {
             why = why.value_or(arm.error());
-        else if (arm->skinStream.empty())
-            arms.push_back({i, std::move(arm->description)});
+            continue;
+        }
+        const auto skin = std::ranges::find_if(sources.arrays, [&](const RecordedSource& source) {
+            return streams[source.arrayStream].name == arm->skinStream;
+        });
+        if (skin != sources.arrays.end()) {
+            skin->jointStream = i;
+            skin->arm = std::move(arm->description);
+        } else if (arm->skinStream.empty()) {
+            TELETA_TRY(const auto extent, recording.extent(i));
+            if (extent)
+                sources.arms.push_back({i, std::move(arm->description)});
+        }
     }
-    return arms;
+    return {};
 }
 
 } // namespace
@@ -87,7 +81,7 @@ core::Expected<RecordedSources> recordedSources(const Recording& recording) {
                             .first_ns = std::numeric_limits<std::int64_t>::max(),
                             .last_ns = std::numeric_limits<std::int64_t>::min()};
     TELETA_TRY(sources.arrays, recordedArrays(recording, why));
-    TELETA_TRY(sources.arms, recordedArms(recording, why));
+    TELETA_CHECK(addArms(recording, sources, why));
     TELETA_TRY(sources.cameras, recordedCameras(recording, why));
     const bool isEmpty = sources.arrays.empty() && sources.arms.empty() && sources.cameras.empty();
     if (isEmpty && why)
