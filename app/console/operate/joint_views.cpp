@@ -31,10 +31,6 @@ bool readingsAreOld(const pipeline::JointChannel& arm) {
            state == core::DeviceState::reconnecting;
 }
 
-bool moves(const core::JointVector& rate) {
-    return std::ranges::any_of(rate, [](double value) { return value != 0.0; });
-}
-
 } // namespace
 
 JointViews::JointViews(core::StopSwitch& stop, view3d::Scene3dView& scene, QWidget* parent)
@@ -99,7 +95,7 @@ void JointViews::setHand(const std::optional<touch::HandMotion>& hand, const QSt
 void JointViews::post(const core::JointVector& rate_radPerS) {
     if (!m_arm)
         return;
-    const bool asks = moves(rate_radPerS);
+    const bool asks = m_jog->isMoving();
     const std::int64_t now_ns = core::steadyNow_ns();
     if (asks && !m_asked)
         m_arm->device().post({core::JointVector::zeros(rate_radPerS.size()), now_ns});
