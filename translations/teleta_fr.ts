@@ -4456,7 +4456,7 @@ Exemples&#xa0;:
         <translation>Cadence</translation>
     </message>
     <message>
-        <source>MCAP file with messages of ROS 2, or frames of an array, of which the options below say what the file leaves open</source>
+        <source>MCAP file with ROS 2 messages, or frames of an array; the options below supply what a file of frames does not say</source>
         <translation>Fichier MCAP de messages de ROS 2, ou trames d’une matrice, dont les options ci-dessous disent ce que le fichier ne dit pas</translation>
     </message>
     <message>
@@ -4472,11 +4472,11 @@ Exemples&#xa0;:
         <translation>Charge à partir de laquelle un taxel est en contact, dans les réglages de l’enregistrement</translation>
     </message>
     <message>
-        <source>this is for MCAP, but the file is none</source>
+        <source>this is for MCAP files only</source>
         <translation>ceci est pour MCAP, mais le fichier n’en est pas un</translation>
     </message>
     <message>
-        <source>this is for frames, but the file is MCAP</source>
+        <source>this is for frames, not for MCAP files</source>
         <translation>ceci est pour des trames, mais le fichier est en MCAP</translation>
     </message>
     <message>
@@ -16008,7 +16008,7 @@ Run %2 --help for more.
         <translation>Ouvrir des trames</translation>
     </message>
     <message>
-        <source>the only one, or the one that is called frames</source>
+        <source>the only one, or the one named frames</source>
         <translation>le seul, ou celui qui s’appelle frames</translation>
     </message>
     <message>

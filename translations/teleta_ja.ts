@@ -4441,7 +4441,7 @@ Examples:
         <translation>レート</translation>
     </message>
     <message>
-        <source>MCAP file with messages of ROS 2, or frames of an array, of which the options below say what the file leaves open</source>
+        <source>MCAP file with ROS 2 messages, or frames of an array; the options below supply what a file of frames does not say</source>
         <translation>ROS 2のメッセージのMCAPファイル、またはアレイのフレーム。ファイルにないことは下のオプションで示します</translation>
     </message>
     <message>
@@ -4457,11 +4457,11 @@ Examples:
         <translation>タクセルが接触とみなされる荷重（記録の設定に書かれます）</translation>
     </message>
     <message>
-        <source>this is for MCAP, but the file is none</source>
+        <source>this is for MCAP files only</source>
         <translation>これはMCAP用ですが、ファイルはMCAPではありません</translation>
     </message>
     <message>
-        <source>this is for frames, but the file is MCAP</source>
+        <source>this is for frames, not for MCAP files</source>
         <translation>これはフレーム用ですが、ファイルはMCAPです</translation>
     </message>
     <message>
@@ -15963,7 +15963,7 @@ Run %2 --help for more.
         <translation>フレームを開く</translation>
     </message>
     <message>
-        <source>the only one, or the one that is called frames</source>
+        <source>the only one, or the one named frames</source>
         <translation>唯一のもの、またはframesという名前のもの</translation>
     </message>
     <message>

@@ -4441,7 +4441,7 @@ Examples:
         <translation>速率</translation>
     </message>
     <message>
-        <source>MCAP file with messages of ROS 2, or frames of an array, of which the options below say what the file leaves open</source>
+        <source>MCAP file with ROS 2 messages, or frames of an array; the options below supply what a file of frames does not say</source>
         <translation>ROS 2 消息的 MCAP 文件，或阵列的帧；文件未说明的内容由下列选项给出</translation>
     </message>
     <message>
@@ -4457,11 +4457,11 @@ Examples:
         <translation>触元视为接触的载荷，写入记录的设置</translation>
     </message>
     <message>
-        <source>this is for MCAP, but the file is none</source>
+        <source>this is for MCAP files only</source>
         <translation>这用于 MCAP，但该文件不是</translation>
     </message>
     <message>
-        <source>this is for frames, but the file is MCAP</source>
+        <source>this is for frames, not for MCAP files</source>
         <translation>这用于帧，但该文件是 MCAP</translation>
     </message>
     <message>
@@ -15963,7 +15963,7 @@ Run %2 --help for more.
         <translation>打开帧</translation>
     </message>
     <message>
-        <source>the only one, or the one that is called frames</source>
+        <source>the only one, or the one named frames</source>
         <translation>唯一的一个，或名为 frames 的那个</translation>
     </message>
     <message>

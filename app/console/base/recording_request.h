@@ -30,7 +30,7 @@ struct RecordingRequest {
 [[nodiscard]] bool isFrameFileName(const QString& path);
 /// It is played as the recording that is made of it: MCAP, or frames of another program.
 [[nodiscard]] bool isImported(const QString& path);
-/// The same of whatever is played back: recordings, MCAP files and frames in CSV.
+/// The same of whatever is played back: recordings, imported files and frames in CSV.
 [[nodiscard]] bool isPlayable(const QString& path);
 
 /// All sources of a recording. Reads the file: not on the GUI's thread. Error: as Recording::open and

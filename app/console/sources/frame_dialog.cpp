@@ -65,7 +65,7 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     setWindowTitle(tr("Open frames"));
     m_rate_Hz->setObjectName(QStringLiteral("rate"));
     m_array->setText(QString::fromStdString(request.array));
-    m_array->setPlaceholderText(tr("the only one, or the one that is called frames"));
+    m_array->setPlaceholderText(tr("the only one, or the one named frames"));
     m_array->setMinimumWidth(base::em(this, 22));
     m_axis->addItems({tr("as the file says"), tr("the first"), tr("the last")});
     m_axis->setCurrentIndex(static_cast<int>(request.axis));
