@@ -38,10 +38,6 @@ core::Expected<contact::ConditioningSettings> conditioning(const FrameOptions& o
     return settings;
 }
 
-core::Error interruptedInstead(core::Error error) {
-    return error.kind == core::ErrorKind::cancelled ? interruption() : std::move(error);
-}
-
 void refuseDeadOutside(const std::vector<int>& dead, std::size_t taxels) {
     for (const int taxel : dead) {
         if (taxel < 0 || static_cast<std::size_t>(taxel) >= taxels)

@@ -48,6 +48,10 @@ bool interrupted() {
     return g_interrupted != 0;
 }
 
+core::Error interruptedInstead(core::Error error) {
+    return error.kind == core::ErrorKind::cancelled ? interruption() : std::move(error);
+}
+
 core::Error interruption() {
     return {core::ErrorKind::cancelled,
             QCoreApplication::translate("Interruption",

@@ -15,6 +15,8 @@ void catchInterruptions();
 
 /// The error with which interrupted work ends.
 [[nodiscard]] core::Error interruption();
+/// interruption() for ErrorKind::cancelled, which has no text of its own; any other error as it is.
+[[nodiscard]] core::Error interruptedInstead(core::Error error);
 /// The outcome of completing the output: interruption() when that went well but the work was cut short.
 [[nodiscard]] core::Expected<void> unlessCut(core::Expected<void> completed, bool cut);
 /// The same; cut if interrupted() by now, also while the output was completed.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/frames/recorded/frame_import.h"
 
+#include "backend/core/data/array_guess.h"
 #include "backend/core/device/stream_tap.h"
 #include "backend/core/failure.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
@@ -128,7 +129,11 @@ private:
         array.layout = m_frames.layout();
         array.unit = m_frames.unit();
         array.nominalRate_Hz = rate(m_block.frames());
-        return pipeline::arrayStream(pipeline::framesStreamName(array.name), array, m_options.settings);
+        pipeline::ChannelSettings settings = m_options.settings;
+        if (settings.loadUnit.empty())
+            settings.loadUnit =
+                array.unit.empty() ? core::guessArray(array.layout.taxels()).unit : array.unit;
+        return pipeline::arrayStream(pipeline::framesStreamName(array.name), array, settings);
     }
 
     FrameReader& m_frames;

@@ -13,8 +13,11 @@
 namespace teleta::frames {
 
 struct FrameImportOptions {
-    std::string name{};                   ///< of the array; empty: that of the file
-    pipeline::ChannelSettings settings{}; ///< how its frames are evaluated when they are played
+    std::string name{}; ///< of the array; empty: that of the file
+    /// How its frames are evaluated when they are played. An empty loadUnit is that of the file, or else of
+    /// the likely array of so many taxels.
+    pipeline::ChannelSettings settings{
+        .conditioning = {}, .features = {}, .segmentation = {}, .loadUnit = {}};
     /// Called now and then with the share that is done, 0..1; returning false ends the import.
     std::function<bool(double share)> goOn = {};
 };

@@ -5,7 +5,6 @@
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/commands/devices/devices_commands.h"
-#include "backend/core/data/array_guess.h"
 #include "backend/core/data/input_file.h"
 #include "backend/frames/recorded/frame_import.h"
 #include "backend/mcap/recorded/mcap_import.h"
@@ -102,8 +101,8 @@ public:
     void declare(CLI::App& app) {
         addOption(
             app, "FILE", m_path,
-            ImportText::tr("MCAP file with messages of ROS 2, or frames of an array, of which the options "
-                           "below say what the file leaves open"),
+            ImportText::tr("MCAP file with ROS 2 messages, or frames of an array; the options below supply "
+                           "what a file of frames does not say"),
             "")
             ->required();
         addOption(app, "--out", m_out, ImportText::tr("Recording to be made"), "REC.teleta")->required();
@@ -137,21 +136,18 @@ private:
     }
 
     [[nodiscard]] core::Expected<void> importFrames() {
-        refuseOptions(std::array{"--topic"}, ImportText::tr("this is for MCAP, but the file is none"));
+        refuseOptions(std::array{"--topic"}, ImportText::tr("this is for MCAP files only"));
         frames::FrameRequest request = m_array.request(m_path);
         request.guessesShape = true;
         const auto goOn = [] { return !interrupted(); };
         auto reader = frames::FrameReader::open(request, goOn);
         if (!reader)
-            return core::Unexpected(orInterruption(std::move(reader).error()));
+            return core::Unexpected(interruptedInstead(std::move(reader).error()));
         frames::FrameImportOptions options;
         TELETA_TRY(options.settings.conditioning, m_array.conditioning(reader->layout(), m_path));
         options.settings.conditioning.gain = m_gain;
         options.settings.features.threshold_N = options.settings.segmentation.threshold_N = m_threshold;
-        options.settings.loadUnit = !m_unit.empty() ? m_unit
-                                    : !reader->unit().empty()
-                                        ? reader->unit()
-                                        : core::guessArray(reader->layout().taxels()).unit;
+        options.settings.loadUnit = m_unit;
         ProgressBar progress(ProgressBar::Unit::share, false);
         options.goOn = [&](double share) {
             progress.update(share, 1.0);
@@ -160,19 +156,15 @@ private:
         const auto imported = frames::importFrames(std::move(*reader), m_path, m_out, options);
         progress.erase();
         if (!imported)
-            return core::Unexpected(orInterruption(imported.error()));
+            return core::Unexpected(interruptedInstead(imported.error()));
         return printFrames(*imported, m_json);
-    }
-
-    [[nodiscard]] static core::Error orInterruption(core::Error error) {
-        return error.kind == core::ErrorKind::cancelled ? interruption() : std::move(error);
     }
 
     [[nodiscard]] core::Expected<void> importMessages() {
         refuseOptions(std::array{"--rows", "--columns", "--pitch-mm", "--rate", "--array", "--frame-axis",
                                  "--tare", "--time-column", "--time-unit", "--invert", "--dead", "--gain",
                                  "--unit", "--threshold"},
-                      ImportText::tr("this is for frames, but the file is MCAP"));
+                      ImportText::tr("this is for frames, not for MCAP files"));
         mcap::McapImportOptions options;
         for (const std::string& text : m_topics) {
             const std::size_t sign = text.rfind('=');
@@ -191,7 +183,7 @@ private:
         const auto imported = mcap::importMcap(m_path, m_out, options);
         progress.erase();
         if (!imported)
-            return core::Unexpected(orInterruption(imported.error()));
+            return core::Unexpected(interruptedInstead(imported.error()));
         return m_json ? printJson(*imported) : printTopics(*imported);
     }
 

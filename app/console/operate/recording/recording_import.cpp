@@ -2,7 +2,6 @@
 #include "app/console/operate/recording/recording_import.h"
 
 #include "app/console/base/recording_request.h"
-#include "backend/core/data/array_guess.h"
 #include "backend/core/failure.h"
 #include "backend/frames/recorded/frame_import.h"
 
@@ -91,8 +90,6 @@ RecordingImport::Result RecordingImport::makeOfFrames(const QString& recording, 
     request.guessesShape = true;
     TELETA_TRY(auto reader, frames::FrameReader::open(request, [&progress] { return !progress.cancelled; }));
     frames::FrameImportOptions options;
-    options.settings.loadUnit =
-        reader.unit().empty() ? core::guessArray(reader.layout().taxels()).unit : reader.unit();
     options.goOn = [&progress](double share) {
         progress.share = share;
         return !progress.cancelled;
