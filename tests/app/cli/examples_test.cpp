@@ -64,23 +64,21 @@ class Examples : public testing::TestWithParam<std::string> {};
 TEST_P(Examples, workAsTheyAreCopiedIntoAShellInAnEmptyFolder) {
     const std::string example = exampleOf(GetParam());
     ASSERT_NE(example.find("teleta " + GetParam()), std::string::npos) << example;
-    // A measure of times is refused while the machine is busy; it is taken again then.
-    constexpr int kAttempts = 10;
-    for (int attempt = 1;; ++attempt) {
-        const TemporaryFolder folder;
-        if (GetParam() == "track")
-            writeVideo(folder);
-        const std::string script = folder.write("example.sh", "set -euo pipefail\n" + example);
-        const std::string line = "cd '" + folder.path("") +
-                                 "' && PATH=\"$(dirname '" TELETA_PROGRAM "'):$PATH\" bash '" + script +
-                                 "' >out 2>err";
-        const int status = std::system(line.c_str());
-        const std::string errors = readAll(folder.path("err"));
-        if (errors.find("the machine was too busy") != std::string::npos && attempt < kAttempts)
-            continue;
-        EXPECT_EQ(status, 0) << example << errors;
-        return;
-    }
+    const TemporaryFolder folder;
+    if (GetParam() == "track")
+        writeVideo(folder);
+    const auto runScript = [&folder](const std::string& commands) {
+        const std::string script = folder.write("example.sh", "set -euo pipefail\n" + commands);
+        return std::system(("cd '" + folder.path("") +
+                            "' && PATH=\"$(dirname '" TELETA_PROGRAM "'):$PATH\" bash '" + script +
+                            "' >out 2>err")
+                               .c_str());
+    };
+    int status = runScript(example);
+    // Times that a busy machine spoils are refused, which says nothing about the example: they are allowed.
+    if (readAll(folder.path("err")).find("the machine was too busy") != std::string::npos)
+        status = runScript("teleta() { command teleta \"$@\" --largest-spread 1000; }\n" + example);
+    EXPECT_EQ(status, 0) << example << readAll(folder.path("err"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Examples, testing::ValuesIn(commands()),
