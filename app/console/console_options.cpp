@@ -192,7 +192,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     options.files = m_parser.positionalArguments();
     for (const QString& file : options.files) {
         const QString suffix = QFileInfo(file).suffix().toLower();
-        if (!isPlayable(file) && suffix != QLatin1String("toml"))
+        if (!app::isPlayable(file) && suffix != QLatin1String("toml"))
             fail(tr("unexpected argument \"%1\"").arg(file));
     }
     options.scenes = m_parser.values(scene);
@@ -239,8 +239,8 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         fail(
             tr("--camera and --camera-model belong together: a camera is of no use without its calibration"));
     if (m_parser.isSet(camera))
-        options.camera = CameraRequest{m_parser.value(camera).toStdString(),
-                                       m_parser.value(cameraModel).toStdString(), true};
+        options.camera = app::CameraRequest{m_parser.value(camera).toStdString(),
+                                            m_parser.value(cameraModel).toStdString(), true};
     options.arms = m_parser.values(arm);
     options.cameraPairs = m_parser.value(cameraPairs);
     options.study = m_parser.value(study);

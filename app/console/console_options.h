@@ -27,9 +27,9 @@ struct ConsoleOptions {
     QString dataFolder;    ///< of the user's own patterns and of what was not saved; empty: none is used
     QString study;         ///< folder of a study, or a protocol
     bool rehearse = false; ///< simulated participants go through the study
-    std::optional<CameraRequest> camera; ///< to open
-    QStringList arms;                    ///< files that describe arms, to open
-    QString cameraPairs;                 ///< to calibrate the cylinder camera with
+    std::optional<app::CameraRequest> camera; ///< to open
+    QStringList arms;                         ///< files that describe arms, to open
+    QString cameraPairs;                      ///< to calibrate the cylinder camera with
     QString page;
     QString dock;     ///< of the Operate page, or a view of the Study page, brought to the front
     QString bracelet; ///< "simulated", "usb", "none" or a device file; empty: as the last time

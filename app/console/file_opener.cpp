@@ -3,9 +3,9 @@
 
 #include "app/common/scene_file.h"
 #include "app/console/operate/recording/recording_files.h"
-#include "app/console/sources/source_list.h"
 #include "app/console/sources/source_manager.h"
 #include "app/console/study/study_page.h"
+#include "app/sources/source_list.h"
 #include "widgets/base/background.h"
 
 #include <QFileInfo>
@@ -48,7 +48,7 @@ FileOpener::FileOpener(SourceManager& sources, RecordingFiles& recordings, Study
 /// Frames in CSV are opened without a word of it but the source.
 void FileOpener::onItems() {
     for (const SourceManager::Item& item : m_sources.items())
-        if (const auto* recording = std::get_if<CsvRequest>(&item.request))
+        if (const auto* recording = std::get_if<app::CsvRequest>(&item.request))
             m_awaited.removeAll(QString::fromStdString(recording->path));
 }
 
@@ -63,7 +63,7 @@ void FileOpener::read(Work work, Done done) {
 }
 
 void FileOpener::openFile(const QString& path) {
-    if (isPlayable(path)) {
+    if (app::isPlayable(path)) {
         openRecording(path);
         return;
     }
@@ -71,21 +71,21 @@ void FileOpener::openFile(const QString& path) {
     read(
         [path]() -> Open {
             const std::string file = path.toStdString();
-            return isSourceList(file) ? &FileOpener::openList
-                   : isArmFile(file)  ? &FileOpener::openArm
-                                      : &FileOpener::openScene;
+            return app::isSourceList(file) ? &FileOpener::openList
+                   : app::isArmFile(file)  ? &FileOpener::openArm
+                                           : &FileOpener::openScene;
         },
         [this, path](Open open) { (this->*open)(path); });
 }
 
 void FileOpener::openRecording(const QString& path) {
-    if (isRecordingName(path) || isImported(path))
+    if (app::isRecordingName(path) || app::isImported(path))
         m_awaited.append(path);
     m_recordings.open(path);
 }
 
 void FileOpener::reopenRecording(const QString& path) {
-    if (isRecordingName(path) || isImported(path))
+    if (app::isRecordingName(path) || app::isImported(path))
         openRecording(path);
     else
         m_recordings.reopen(path);
@@ -97,20 +97,20 @@ void FileOpener::openAs(const RecordingArguments& recording) {
 }
 
 void FileOpener::openList(const QString& path) {
-    read([path] { return readSourceList(path.toStdString()); },
-         [this, path](const core::Expected<std::vector<SourceRequest>>& list) {
+    read([path] { return app::readSourceList(path.toStdString()); },
+         [this, path](const core::Expected<std::vector<app::SourceRequest>>& list) {
              if (!list) {
                  emit failed(QFileInfo(path).fileName(), list.error());
                  return;
              }
              emit listOpened(path);
-             for (const SourceRequest& request : *list)
+             for (const app::SourceRequest& request : *list)
                  m_lists.insert(m_sources.open(request), path);
          });
 }
 
 void FileOpener::openArm(const QString& path) {
-    m_sources.open(ArmRequest{path.toStdString()});
+    m_sources.open(app::ArmRequest{path.toStdString()});
     emit armOpened(path);
 }
 
@@ -142,7 +142,7 @@ void FileOpener::openScenes(const QStringList& scenes, const QString& study, boo
              for (qsizetype i = 0; i < scenes.size(); ++i) {
                  const std::optional<study::StudyScene>& scene = studies[static_cast<std::size_t>(i)];
                  if (!scene) {
-                     m_sources.open(SceneRequest{scenes[i].toStdString(), m_seed});
+                     m_sources.open(app::SceneRequest{scenes[i].toStdString(), m_seed});
                      if (QFileInfo(scenes[i]).isFile() && !scenes[i].startsWith(QLatin1Char(':')))
                          emit sceneOpened(scenes[i]);
                      continue;

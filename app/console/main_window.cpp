@@ -509,7 +509,7 @@ void MainWindow::saveState() {
     m_settings.setGeometry(saveGeometry());
     m_settings.setLayout(QLatin1String(kOperate), m_operate->docks().saveLayouts());
     for (const SourceManager::Item& item : m_sources.items())
-        if (const auto* camera = std::get_if<CameraRequest>(&item.request))
+        if (const auto* camera = std::get_if<app::CameraRequest>(&item.request))
             m_settings.setCamera(*camera);
     m_settings.setLastSession(session());
 }

@@ -120,9 +120,9 @@ void MainWindow::addRecentMenu(QMenu& file) {
     QStringList recordings = m_settings.recentFiles();
     QStringList scenes;
     for (const QString& path : std::as_const(recordings))
-        if (!isPlayable(path))
+        if (!app::isPlayable(path))
             scenes << path;
-    recordings.removeIf([](const QString& path) { return !isPlayable(path); });
+    recordings.removeIf([](const QString& path) { return !app::isPlayable(path); });
     const auto openFile = [this](const QString& path) { m_opener->openFile(path); };
     add(tr("Recordings"), base::Icon::recording, recordings, openFile);
     add(tr("Scenes, arms and source lists"), base::Icon::scene, scenes, openFile);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/base/recording_request.h"
+#include "app/sources/recording_request.h"
 
 #include "backend/core/failure.h"
 #include "backend/pipeline/arm_channel.h"
@@ -15,7 +15,7 @@
 #include <array>
 #include <utility>
 
-namespace teleta::console {
+namespace teleta::app {
 
 namespace {
 
@@ -47,7 +47,7 @@ core::Expected<Opened> openJoints(replay::RecordedConfig config, const pipeline:
     config.jointsAlone = true;
     TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
     return std::make_shared<pipeline::JointChannel>(
-        std::make_unique<replay::RecordedJoints>(std::move(player)));
+        std::make_unique<replay::RecordedJoints>(std::move(player)), source.chain);
 }
 
 core::Expected<Opened> openCamera(replay::RecordedConfig config, const recording::Recording& recording,
@@ -134,4 +134,4 @@ core::Expected<std::shared_ptr<pipeline::Channel>> openRecording(const Recording
                         {}, {request.path});
 }
 
-} // namespace teleta::console
+} // namespace teleta::app

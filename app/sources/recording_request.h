@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace teleta::console {
+namespace teleta::app {
 
 /// One source of a recording of this program (.teleta): an array, an arm with its skin, or a camera.
 struct RecordingRequest {
@@ -42,4 +42,4 @@ struct RecordingRequest {
 [[nodiscard]] core::Expected<std::shared_ptr<pipeline::Channel>>
 openRecording(const RecordingRequest& request, const core::StopSwitch& stop);
 
-} // namespace teleta::console
+} // namespace teleta::app

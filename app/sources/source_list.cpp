@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/sources/source_list.h"
+#include "app/sources/source_list.h"
 
+#include "backend/core/beside_file.h"
 #include "backend/core/keys/toml_keys.h"
 #include "devices/camera/camera_device.h"
 
 #include <QCoreApplication>
-#include <QDir>
-#include <QFileInfo>
 #include <QString>
 
 #include <utility>
 
-namespace teleta::console {
+namespace teleta::app {
 
 namespace {
 
@@ -23,10 +22,7 @@ using core::NumberRange;
 std::string besideList(const std::string& listPath, const std::string& path) {
     if (path.empty() || path.starts_with(":/"))
         return path;
-    return QFileInfo(QString::fromStdString(listPath))
-        .dir()
-        .filePath(QString::fromStdString(path))
-        .toStdString();
+    return core::besideFile(listPath, path);
 }
 
 /// Describes a key that holds a path. path stays as it is if the key is missing.
@@ -179,9 +175,21 @@ bool isSourceList(const std::string& path) {
     return document && document->root().has("source");
 }
 
-bool isArmFile(const std::string& path) {
+namespace {
+
+bool hasKind(const std::string& path, std::string_view kind) {
     const auto document = core::TomlDocument::open(path);
-    return document && document->root().text("kind", std::string()) == "ros_arm";
+    return document && document->root().text("kind", std::string()) == kind;
+}
+
+} // namespace
+
+bool isArmFile(const std::string& path) {
+    return hasKind(path, "ros_arm");
+}
+
+bool isSiteFile(const std::string& path) {
+    return hasKind(path, "remote_site");
 }
 
 core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& path) {
@@ -199,4 +207,4 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
     return requests;
 }
 
-} // namespace teleta::console
+} // namespace teleta::app

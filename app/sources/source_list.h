@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/base/source_request.h"
+#include "app/sources/source_request.h"
 #include "backend/core/error.h"
 #include "backend/core/keys/keys.h"
 
 #include <string>
 #include <vector>
 
-namespace teleta::console {
+namespace teleta::app {
 
 /// What a [[source]] of a list is.
 enum class SourceKind {
@@ -35,5 +35,7 @@ void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPa
 /// Whether a TOML file means to describe an arm over ROS 2, whatever is wrong with it. Not on the GUI's
 /// thread.
 [[nodiscard]] bool isArmFile(const std::string& path);
+/// The same of a site as a console sees it.
+[[nodiscard]] bool isSiteFile(const std::string& path);
 
-} // namespace teleta::console
+} // namespace teleta::app

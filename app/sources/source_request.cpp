@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/base/source_request.h"
+#include "app/sources/source_request.h"
 
 #include "app/common/scene_file.h"
 #include "backend/core/data/array_guess.h"
@@ -29,7 +29,7 @@
 
 #include <utility>
 
-namespace teleta::console {
+namespace teleta::app {
 
 namespace {
 
@@ -141,7 +141,7 @@ core::Expected<Opened> openRosArm(const ArmRequest& request, const core::StopSwi
 }
 
 core::Expected<Opened> openScene(const SceneRequest& request, const core::StopSwitch& stop) {
-    TELETA_TRY(auto scene, app::readScene(request.path));
+    TELETA_TRY(auto scene, readScene(request.path));
     if (scene.isArm())
         return openArm(scene, request.seed, stop);
     if (scene.isServo())
@@ -182,6 +182,8 @@ QString pathOf(const SourceRequest& request) {
         return QString::fromStdString(recording->path);
     if (const auto* arm = std::get_if<ArmRequest>(&request))
         return QString::fromStdString(arm->path);
+    if (const auto* remote = std::get_if<SiteRequest>(&request))
+        return QString::fromStdString(remote->path);
     const auto* scene = std::get_if<SceneRequest>(&request);
     return scene != nullptr ? QString::fromStdString(scene->path) : QString();
 }
@@ -194,6 +196,9 @@ QString displayName(const SourceRequest& request) {
         return QStringLiteral("%1 (%2)").arg(
             QFileInfo(QString::fromStdString(recording->path)).completeBaseName(),
             QString::fromStdString(recording->source));
+    if (const auto* remote = std::get_if<SiteRequest>(&request))
+        return QStringLiteral("%1 (%2)").arg(QString::fromStdString(remote->device),
+                                             QString::fromStdString(remote->site->file().name));
     const QString link = linkOf(request);
     return link.isEmpty() ? QFileInfo(pathOf(request)).completeBaseName() : link;
 }
@@ -217,6 +222,8 @@ pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::Sto
                 return openRecording(*recording, stop);
             if (const auto* arm = std::get_if<ArmRequest>(&request))
                 return openRosArm(*arm, stop, cancelled);
+            if (const auto* remote = std::get_if<SiteRequest>(&request))
+                return openRemote(*remote);
             return openScene(std::get<SceneRequest>(request), stop);
         };
 }
@@ -232,4 +239,4 @@ core::Expected<CsvRequest> guessCsv(const std::string& path) {
     return request;
 }
 
-} // namespace teleta::console
+} // namespace teleta::app

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/base/recording_request.h"
+#include "app/sources/recording_request.h"
+#include "app/sources/site_request.h"
 #include "backend/core/data/array_layout.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/stop_switch.h"
@@ -16,7 +17,7 @@
 #include <string>
 #include <variant>
 
-namespace teleta::console {
+namespace teleta::app {
 
 /// A recorded run of tactile frames (CSV) to be played back.
 struct CsvRequest {
@@ -60,8 +61,8 @@ struct ArmRequest {
     std::string path; ///< the file that describes it, see ros_arm::readRosArm()
 };
 
-using SourceRequest =
-    std::variant<CsvRequest, SceneRequest, WtsRequest, CameraRequest, RecordingRequest, ArmRequest>;
+using SourceRequest = std::variant<CsvRequest, SceneRequest, WtsRequest, CameraRequest, RecordingRequest,
+                                   ArmRequest, SiteRequest>;
 
 /// Name under which people know the source: the file name without its folder, or the name of the link.
 [[nodiscard]] QString displayName(const SourceRequest& request);
@@ -79,4 +80,4 @@ using SourceRequest =
 /// Reads the header line only. Thread: any but the GUI's.
 [[nodiscard]] core::Expected<CsvRequest> guessCsv(const std::string& path);
 
-} // namespace teleta::console
+} // namespace teleta::app

@@ -75,6 +75,7 @@ struct ArmModel {
     std::string name;
     std::vector<ModelLink> links;
     std::vector<ModelJoint> joints;
+    std::string urdf; ///< the text it was read from
 
     [[nodiscard]] std::optional<std::size_t> findLink(std::string_view linkName) const;
     [[nodiscard]] std::optional<std::size_t> findJoint(std::string_view jointName) const;

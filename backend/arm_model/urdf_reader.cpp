@@ -331,7 +331,9 @@ core::Expected<ArmModel> parseUrdf(std::string_view text, const std::string& fil
                    errors.first.empty() ? UrdfText::tr("this is not a robot")
                                         : QString::fromStdString(errors.first),
                    UrdfText::tr("a tree of links and joints, http://wiki.ros.org/urdf/XML"));
-    return Builder(*parsed, file).build();
+    TELETA_TRY(ArmModel model, Builder(*parsed, file).build());
+    model.urdf = text;
+    return model;
 }
 
 core::Expected<ArmModel> readUrdf(const std::string& path) {

@@ -56,8 +56,9 @@ void JointChannel::watchJoints(recording::StreamSink* sink, const std::string& n
 
 JointChannel::Tap JointChannel::tapInto(recording::StreamSink* sink, const std::string& name,
                                         const std::string& skinStream) const {
-    return sink != nullptr ? sink->addStream(armStream(name + "-joints", description(), skinStream))
-                           : nullptr;
+    return sink != nullptr
+               ? sink->addStream(armStream(name + "-joints", description(), skinStream, m_chain.get()))
+               : nullptr;
 }
 
 std::size_t JointChannel::process() {

@@ -110,5 +110,49 @@ const dds_topic_descriptor_t& descriptorOf<JazzyNodes>() {
         nodesOf(rmw_dds_common_jazzy_msg_dds__ParticipantEntitiesInfo__desc);
     return descriptor;
 }
+template <>
+const dds_topic_descriptor_t& descriptorOf<SiteInfo>() {
+    return teleta_msgs_msg_dds__SiteInfo__desc;
+}
+template <>
+const dds_topic_descriptor_t& descriptorOf<SiteState>() {
+    return teleta_msgs_msg_dds__SiteState__desc;
+}
+template <>
+const dds_topic_descriptor_t& descriptorOf<JointBlock>() {
+    return teleta_msgs_msg_dds__JointBlock__desc;
+}
+template <>
+const dds_topic_descriptor_t& descriptorOf<TactileBlock>() {
+    return teleta_msgs_msg_dds__TactileBlock__desc;
+}
+template <>
+const dds_topic_descriptor_t& descriptorOf<ImageFrame>() {
+    return teleta_msgs_msg_dds__ImageFrame__desc;
+}
+template <>
+const dds_topic_descriptor_t& descriptorOf<SiteEvent>() {
+    return teleta_msgs_msg_dds__SiteEvent__desc;
+}
+template <>
+const dds_topic_descriptor_t& descriptorOf<ConsolePresence>() {
+    return teleta_msgs_msg_dds__ConsolePresence__desc;
+}
+template <>
+const dds_topic_descriptor_t& descriptorOf<ControlRequest>() {
+    return teleta_msgs_msg_dds__ControlRequest__desc;
+}
+template <>
+const dds_topic_descriptor_t& descriptorOf<SiteArmCommand>() {
+    return teleta_msgs_msg_dds__ArmCommand__desc;
+}
+template <>
+const dds_topic_descriptor_t& descriptorOf<ClockProbe>() {
+    return teleta_msgs_msg_dds__ClockProbe__desc;
+}
+template <>
+const dds_topic_descriptor_t& descriptorOf<ClockAnswer>() {
+    return teleta_msgs_msg_dds__ClockAnswer__desc;
+}
 
 } // namespace teleta::ros

@@ -34,6 +34,23 @@ using WrenchStamped = ::geometry_msgs_msg_dds__WrenchStamped_;
 using HumbleNodes = ::rmw_dds_common_humble_msg_dds__ParticipantEntitiesInfo_;
 using JazzyNodes = ::rmw_dds_common_jazzy_msg_dds__ParticipantEntitiesInfo_;
 
+// Between a site and its consoles.
+using SiteInfo = ::teleta_msgs_msg_dds__SiteInfo_;
+using SiteState = ::teleta_msgs_msg_dds__SiteState_;
+using JointBlock = ::teleta_msgs_msg_dds__JointBlock_;
+using TactileBlock = ::teleta_msgs_msg_dds__TactileBlock_;
+using ImageFrame = ::teleta_msgs_msg_dds__ImageFrame_;
+using SiteEvent = ::teleta_msgs_msg_dds__SiteEvent_;
+using ConsolePresence = ::teleta_msgs_msg_dds__ConsolePresence_;
+using ControlRequest = ::teleta_msgs_msg_dds__ControlRequest_;
+using SiteArmCommand = ::teleta_msgs_msg_dds__ArmCommand_;
+using ClockProbe = ::teleta_msgs_msg_dds__ClockProbe_;
+using ClockAnswer = ::teleta_msgs_msg_dds__ClockAnswer_;
+using ArmInfo = ::teleta_msgs_msg_dds__ArmInfo_;
+using SiteStreamInfo = ::teleta_msgs_msg_dds__StreamInfo_;
+using ArmState = ::teleta_msgs_msg_dds__ArmState_;
+using RequestResult = ::teleta_msgs_msg_dds__RequestResult_;
+
 /// A message that is published on a topic of its own.
 struct MessageType {
     std::string_view name; ///< "sensor_msgs/msg/JointState"
@@ -80,6 +97,28 @@ template <>
 const dds_topic_descriptor_t& descriptorOf<HumbleNodes>();
 template <>
 const dds_topic_descriptor_t& descriptorOf<JazzyNodes>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<SiteInfo>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<SiteState>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<JointBlock>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<TactileBlock>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<ImageFrame>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<SiteEvent>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<ConsolePresence>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<ControlRequest>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<SiteArmCommand>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<ClockProbe>();
+template <>
+const dds_topic_descriptor_t& descriptorOf<ClockAnswer>();
 
 /// A sequence of a message that is to be looked at.
 template <typename Sequence>

@@ -9,14 +9,17 @@ enum class Reliability { bestEffort, reliable };
 /// transientLocal: the writer hands its last samples to readers that come later ("latched").
 enum class Durability { volatileData, transientLocal };
 
-/// What an end of a topic offers or asks for. Deadline, liveliness and lifespan stay at infinity: a reader
-/// that asks for more does not match an ordinary ROS writer and gets nothing. Watchdogs are our own clocks.
+/// What an end of a topic offers or asks for. A reader never asks for a deadline, liveliness or lifespan: one
+/// that does matches no ordinary ROS writer and gets nothing. Watchdogs are our own clocks.
 struct QosProfile {
     Reliability reliability = Reliability::bestEffort;
     Durability durability = Durability::volatileData;
     int depth = 5; ///< samples that are kept (keep last); >= 1
     /// How long a reliable writer waits for a reader that is behind; the sample is then given up.
     double longestBlocking_s = 0.0;
+    /// What a writer offers to readers that ask for it; 0: nothing.
+    double deadline_s = 0.0;
+    double livelinessLease_s = 0.0;
 
     [[nodiscard]] constexpr QosProfile withDepth(int samples) const {
         QosProfile profile = *this;

@@ -45,11 +45,11 @@ bool isAddress(std::string_view interface) {
            (!interface.empty() && interface.find_first_not_of("0123456789.") == std::string_view::npos);
 }
 
+} // namespace
+
 bool isLoopback(std::string_view interface) {
     return interface == "lo" || interface == "::1" || interface.starts_with("127.");
 }
-
-} // namespace
 
 std::string configurationOf(const DomainConfig& config) {
     std::string xml = "<CycloneDDS><Domain Id=" + quoted(std::to_string(config.domain)) + "><General>";

@@ -4,6 +4,7 @@
 #include "backend/core/error.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace teleta::dds {
@@ -23,6 +24,9 @@ struct DomainConfig {
 
     [[nodiscard]] bool operator==(const DomainConfig&) const = default;
 };
+
+/// Whether it names the interface within this computer. Thread: any (pure).
+[[nodiscard]] bool isLoopback(std::string_view interface);
 
 /// The configuration of Cyclone DDS, as XML. Thread: any (pure). Source: Cyclone DDS 0.10, options.md.
 [[nodiscard]] std::string configurationOf(const DomainConfig& config);

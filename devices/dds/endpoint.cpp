@@ -19,18 +19,23 @@ struct EndpointText {
     Q_DECLARE_TR_FUNCTIONS(DdsEndpoint)
 };
 
-Qos qosOf(const ros::QosProfile& profile) {
+Qos qosOf(const ros::QosProfile& profile, bool reads) {
     Qos qos(dds_create_qos());
+    const auto duration = [](double time_s) { return static_cast<dds_duration_t>(time_s * 1e9); };
     const bool latched = profile.durability == ros::Durability::transientLocal;
     dds_qset_reliability(qos.get(),
                          profile.reliability == ros::Reliability::reliable ? DDS_RELIABILITY_RELIABLE
                                                                            : DDS_RELIABILITY_BEST_EFFORT,
-                         static_cast<dds_duration_t>(profile.longestBlocking_s * 1e9));
+                         duration(profile.longestBlocking_s));
     dds_qset_durability(qos.get(), latched ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
     dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, profile.depth);
     if (latched)
         dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, profile.depth, DDS_LENGTH_UNLIMITED,
                                     DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
+    if (!reads && profile.deadline_s > 0.0)
+        dds_qset_deadline(qos.get(), duration(profile.deadline_s));
+    if (!reads && profile.livelinessLease_s > 0.0)
+        dds_qset_liveliness(qos.get(), DDS_LIVELINESS_AUTOMATIC, duration(profile.livelinessLease_s));
     // Readers would see each exit of a writer as the end of the data.
     dds_qset_writer_data_lifecycle(qos.get(), false);
     return qos;
@@ -44,7 +49,7 @@ core::Expected<std::int32_t> openEnd(const Participant& participant, const std::
     if (topic < 0)
         return ddsFailure(EndpointText::tr("topic %1 cannot be opened").arg(QString::fromStdString(ddsTopic)),
                           topic);
-    const Qos qos = qosOf(profile);
+    const Qos qos = qosOf(profile, reads);
     const dds_entity_t entity = reads ? dds_create_reader(participant.entity(), topic, qos.get(), nullptr)
                                       : dds_create_writer(participant.entity(), topic, qos.get(), nullptr);
     // The end keeps its topic.

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/ros/ros_arm_file.h"
 
+#include "backend/core/beside_file.h"
 #include "backend/core/device/joint_vector.h"
 #include "backend/core/keys/keys.h"
 #include "backend/core/keys/toml_table.h"
 #include "backend/ros/topic_names.h"
 
 #include <QCoreApplication>
-#include <QDir>
-#include <QFileInfo>
 
 #include <Eigen/Geometry>
 
@@ -32,13 +31,6 @@ constexpr NumberRange kRate = NumberRange::positiveUpTo(1000.0);
 constexpr double kFarthest_m = 1000.0;
 constexpr double kShortestTimeout_s = 0.02;
 constexpr double kLongestTimeout_s = 1.0;
-
-/// A path of the file, from the folder of the file.
-std::string fromFolderOf(const std::string& file, const std::string& path) {
-    return QDir(QFileInfo(QString::fromStdString(file)).path())
-        .filePath(QString::fromStdString(path))
-        .toStdString();
-}
 
 /// The index of one of the names; the fallback when the key is missing.
 std::size_t choiceOr(TomlTable& table, std::string_view key, const std::vector<std::string_view>& names,
@@ -156,7 +148,7 @@ core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::s
     file.name = root.text("name");
     const std::string description = root.text("description", "topic");
     if (description != "topic")
-        file.description = fromFolderOf(path, description);
+        file.description = core::besideFile(path, description);
     file.baseFrame = root.text("base_frame");
     file.tipFrame = root.text("tip_frame");
     file.prefix = root.text("prefix", "");
@@ -174,7 +166,7 @@ core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::s
                   "effort_unit = \"Nm\"");
     file.required = root.textList("required");
     if (root.has("mesh_path"))
-        file.meshPath = fromFolderOf(path, root.text("mesh_path"));
+        file.meshPath = core::besideFile(path, root.text("mesh_path"));
     readDomain(root, file);
     readJointNames(root, file);
     readLimits(root, file);

@@ -111,8 +111,10 @@ set(TELETA_MODULE_GRAPH "${CMAKE_SOURCE_DIR}/packaging/cmake/module_graph.txt")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${TELETA_MODULE_GRAPH}")
 
 # The target of a folder: backend/core/data -> teleta_core_data, app/cli -> teleta_cli, widgets/base -> teleta_widgets_base.
+# app/site has the name of backend/site and is teleta_site_program.
 function(teleta_target_of folder variable)
-    string(REGEX REPLACE "^(backend|app)/" "" name "${folder}")
+    string(REGEX REPLACE "^app/site$" "site_program" name "${folder}")
+    string(REGEX REPLACE "^(backend|app)/" "" name "${name}")
     string(REPLACE "/" "_" name "${name}")
     set(${variable} "teleta_${name}" PARENT_SCOPE)
 endfunction()

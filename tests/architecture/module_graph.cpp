@@ -33,9 +33,15 @@ bool isLayered(const std::string& from, const std::string& to) {
                (lies(to, "widgets") && familyOf(to) == familyOf(from));
     if (lies(from, "app/console"))
         return lies(to, "devices") || lies(to, "widgets") || lies(to, "app/common") ||
-               lies(to, "app/console");
+               lies(to, "app/sources") || lies(to, "app/console");
+    if (lies(from, "app/sources"))
+        return lies(to, "devices") || lies(to, "app/common");
+    if (lies(from, "app/site"))
+        return lies(to, "devices") || lies(to, "app/common") || lies(to, "app/sources") ||
+               lies(to, "app/site");
     if (lies(from, "app/cli"))
-        return lies(to, "devices") || lies(to, "app/common") || lies(to, "app/cli");
+        return lies(to, "devices") || lies(to, "app/common") || lies(to, "app/sources") ||
+               lies(to, "app/cli");
     if (lies(from, "app/python"))
         return lies(to, "app/common") || lies(to, "app/python");
     return false;

@@ -31,10 +31,10 @@ QStringList withNewest(QStringList files, const QString& path) {
     files.removeAll(absolute);
     files.prepend(absolute);
     // Many recordings do not push out the one scene.
-    const bool isRecording = isPlayable(absolute);
+    const bool isRecording = app::isPlayable(absolute);
     int ofItsKind = 0;
     files.removeIf([&](const QString& file) {
-        return isPlayable(file) == isRecording && ++ofItsKind > ConsoleSettings::kRecentFiles;
+        return app::isPlayable(file) == isRecording && ++ofItsKind > ConsoleSettings::kRecentFiles;
     });
     return files;
 }
@@ -131,12 +131,12 @@ void ConsoleSettings::addDeviceFile(const QString& path) {
     addToList(QStringLiteral("devices"), path);
 }
 
-std::optional<CsvRequest> ConsoleSettings::recording(const QString& path) const {
+std::optional<app::CsvRequest> ConsoleSettings::recording(const QString& path) const {
     const QString group = recordingGroup(path);
     if (!m_settings || !m_settings->contains(group + QStringLiteral("rows")))
         return std::nullopt;
     const auto value = [&](const char* key) { return m_settings->value(group + QLatin1String(key)); };
-    CsvRequest request;
+    app::CsvRequest request;
     request.path = path.toStdString();
     request.layout.rows = value("rows").toInt();
     request.layout.columns = value("columns").toInt();
@@ -156,7 +156,7 @@ std::optional<CsvRequest> ConsoleSettings::recording(const QString& path) const 
     return usable ? std::optional(request) : std::nullopt;
 }
 
-void ConsoleSettings::setRecording(const CsvRequest& request) {
+void ConsoleSettings::setRecording(const app::CsvRequest& request) {
     const QString group = recordingGroup(QString::fromStdString(request.path));
     set(group + QStringLiteral("rows"), request.layout.rows);
     set(group + QStringLiteral("columns"), request.layout.columns);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/base/source_request.h"
+#include "app/sources/source_request.h"
 
 #include <QByteArray>
 #include <QMap>
@@ -106,14 +106,14 @@ public:
     void addRecentPattern(const QString& path);
 
     /// How a recording was opened the last time.
-    [[nodiscard]] std::optional<CsvRequest> recording(const QString& path) const;
-    void setRecording(const CsvRequest& request);
+    [[nodiscard]] std::optional<app::CsvRequest> recording(const QString& path) const;
+    void setRecording(const app::CsvRequest& request);
 
     /// The camera that was opened the last time.
-    [[nodiscard]] CameraRequest camera() const {
+    [[nodiscard]] app::CameraRequest camera() const {
         return {text("camera/source", {}).toStdString(), text("camera/model", {}).toStdString(), true};
     }
-    void setCamera(const CameraRequest& request) {
+    void setCamera(const app::CameraRequest& request) {
         set("camera/source", QString::fromStdString(request.source));
         set("camera/model", QString::fromStdString(request.modelPath));
     }

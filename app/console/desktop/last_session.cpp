@@ -35,15 +35,16 @@ QString entry(Entry::Kind kind, const QString& path) {
 QString entryOf(const OpenSource& source) {
     if (!source.list.isEmpty())
         return entry(Entry::Kind::list, source.list);
-    if (const auto* scene = std::get_if<SceneRequest>(&source.request))
+    if (const auto* scene = std::get_if<app::SceneRequest>(&source.request))
         return entry(Entry::Kind::scene, QString::fromStdString(scene->path));
-    if (const auto* recording = std::get_if<RecordingRequest>(&source.request))
+    if (const auto* recording = std::get_if<app::RecordingRequest>(&source.request))
         return entry(Entry::Kind::recording, QString::fromStdString(recording->path));
-    if (const auto* csv = std::get_if<CsvRequest>(&source.request))
+    if (const auto* csv = std::get_if<app::CsvRequest>(&source.request))
         return entry(Entry::Kind::recording, QString::fromStdString(csv->path));
-    if (const auto* arm = std::get_if<ArmRequest>(&source.request))
+    if (const auto* arm = std::get_if<app::ArmRequest>(&source.request))
         return entry(Entry::Kind::arm, QString::fromStdString(arm->path));
-    return std::holds_alternative<CameraRequest>(source.request) ? entry(Entry::Kind::camera, {}) : QString();
+    return std::holds_alternative<app::CameraRequest>(source.request) ? entry(Entry::Kind::camera, {})
+                                                                      : QString();
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/base/source_request.h"
+#include "app/sources/source_request.h"
 
 #include <QString>
 #include <QStringList>
@@ -16,7 +16,7 @@ namespace last_session {
 
 /// A source that is open.
 struct OpenSource {
-    SourceRequest request;
+    app::SourceRequest request;
     QString list = {}; ///< source list that it was opened from; empty: none
 };
 

@@ -316,11 +316,11 @@ void OperatePage::onSourcesChanged() {
 template <typename Call>
 void OperatePage::withOthers(const Call& call) {
     SourceManager::Item* shown = m_sources.active();
-    const auto* playback = shown != nullptr ? std::get_if<RecordingRequest>(&shown->request) : nullptr;
+    const auto* playback = shown != nullptr ? std::get_if<app::RecordingRequest>(&shown->request) : nullptr;
     if (playback == nullptr)
         return;
     for (SourceManager::Item& item : m_sources.items()) {
-        const auto* other = std::get_if<RecordingRequest>(&item.request);
+        const auto* other = std::get_if<app::RecordingRequest>(&item.request);
         if (other == nullptr || &item == shown || other->path != playback->path)
             continue;
         if (core::PlaybackControl* control = item.playback())
@@ -411,7 +411,7 @@ void OperatePage::watchFailures(const SourceManager::Item& item) {
 }
 
 void OperatePage::watchDamage(const SourceManager::Item& item) {
-    const auto* playback = std::get_if<RecordingRequest>(&item.request);
+    const auto* playback = std::get_if<app::RecordingRequest>(&item.request);
     if (playback != nullptr && playback->settingsChanged && m_reportedChanged.insert(item.key).second)
         m_messages->post({chrome::Message::Severity::information,
                           tr("The settings of %1 changed while it was recorded.", "a source").arg(item.name),

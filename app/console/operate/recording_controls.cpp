@@ -167,7 +167,7 @@ chrome::Message::Action RecordingControls::showInFolder(const QString& place) {
 
 QString RecordingControls::suggestedForExport() {
     const auto* shown = m_sources.active();
-    const auto* played = shown != nullptr ? std::get_if<RecordingRequest>(&shown->request) : nullptr;
+    const auto* played = shown != nullptr ? std::get_if<app::RecordingRequest>(&shown->request) : nullptr;
     const QString last = m_service.path();
     if (played != nullptr)
         return QString::fromStdString(played->path);

@@ -18,7 +18,7 @@
 
 namespace teleta::console {
 
-CameraDialog::CameraDialog(const CameraRequest& last, QWidget* parent,
+CameraDialog::CameraDialog(const app::CameraRequest& last, QWidget* parent,
                            const CameraSourceField::Lister& cameras)
     : QDialog(parent)
     , m_source(new CameraSourceField(QString::fromStdString(last.source), cameras))
@@ -55,14 +55,14 @@ CameraDialog::CameraDialog(const CameraRequest& last, QWidget* parent,
     check();
 }
 
-CameraRequest CameraDialog::request() const {
+app::CameraRequest CameraDialog::request() const {
     return {.source = m_source->source().toStdString(),
             .modelPath = m_model->text().trimmed().toStdString(),
             .loop = m_loop->isChecked()};
 }
 
 void CameraDialog::check() {
-    const CameraRequest asked = request();
+    const app::CameraRequest asked = request();
     m_accept->setEnabled(!asked.source.empty() && !asked.modelPath.empty());
     m_loop->setEnabled(!camera::isCameraNumber(asked.source));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/base/source_request.h"
 #include "app/console/sources/camera_source_field.h"
+#include "app/sources/source_request.h"
 
 #include <QDialog>
 
@@ -19,10 +19,10 @@ class CameraDialog : public QDialog {
 
 public:
     /// last: what was opened the last time.
-    explicit CameraDialog(const CameraRequest& last, QWidget* parent = nullptr,
+    explicit CameraDialog(const app::CameraRequest& last, QWidget* parent = nullptr,
                           const CameraSourceField::Lister& cameras = camera::listCameras);
 
-    [[nodiscard]] CameraRequest request() const;
+    [[nodiscard]] app::CameraRequest request() const;
 
 private:
     void check();

@@ -3,11 +3,11 @@
 
 namespace teleta::console {
 
-core::Expected<CsvRequest> completeRecording(const RecordingArguments& recording) {
-    auto guessed = guessCsv(recording.path.toStdString());
+core::Expected<app::CsvRequest> completeRecording(const RecordingArguments& recording) {
+    auto guessed = app::guessCsv(recording.path.toStdString());
     if (!guessed)
         return guessed;
-    CsvRequest& request = *guessed;
+    app::CsvRequest& request = *guessed;
     request.layout.rows = recording.rows.value_or(request.layout.rows);
     request.layout.columns = recording.columns.value_or(request.layout.columns);
     request.layout.pitch_m = recording.pitch_m.value_or(request.layout.pitch_m);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/base/source_request.h"
+#include "app/sources/source_request.h"
 
 #include <QString>
 
@@ -24,6 +24,6 @@ struct RecordingArguments {
 };
 
 /// Completes what the command line says about a recording with what the file's header tells. Reads the file.
-[[nodiscard]] core::Expected<CsvRequest> completeRecording(const RecordingArguments& recording);
+[[nodiscard]] core::Expected<app::CsvRequest> completeRecording(const RecordingArguments& recording);
 
 } // namespace teleta::console

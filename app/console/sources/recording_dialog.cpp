@@ -33,7 +33,7 @@ QDoubleSpinBox* makeNumber(double value, double low, double high, int decimals) 
 
 } // namespace
 
-RecordingDialog::RecordingDialog(CsvRequest request, QWidget* parent)
+RecordingDialog::RecordingDialog(app::CsvRequest request, QWidget* parent)
     : QDialog(parent)
     , m_request(std::move(request))
     , m_taxels(m_request.layout.taxels())
@@ -103,8 +103,8 @@ RecordingDialog::RecordingDialog(CsvRequest request, QWidget* parent)
     check();
 }
 
-CsvRequest RecordingDialog::request() const {
-    CsvRequest request = m_request;
+app::CsvRequest RecordingDialog::request() const {
+    app::CsvRequest request = m_request;
     request.layout = {m_rows->value(), m_columns->value(), m_pitch_mm->value() * 1e-3};
     request.tarePath = m_tare->text().trimmed().toStdString();
     request.gainsPath = m_gains->text().trimmed().toStdString();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/base/source_request.h"
+#include "app/sources/source_request.h"
 
 #include <QDialog>
 
@@ -20,9 +20,9 @@ class RecordingDialog : public QDialog {
     Q_OBJECT
 
 public:
-    RecordingDialog(CsvRequest request, QWidget* parent = nullptr);
+    RecordingDialog(app::CsvRequest request, QWidget* parent = nullptr);
 
-    [[nodiscard]] CsvRequest request() const;
+    [[nodiscard]] app::CsvRequest request() const;
 
 private:
     void check();
@@ -30,7 +30,7 @@ private:
     QHBoxLayout* fileRow(QLineEdit* line, const QString& toolTip, const QString& title,
                          const QString& filter);
 
-    CsvRequest m_request;
+    app::CsvRequest m_request;
     std::size_t m_taxels;
     QSpinBox* m_rows;
     QSpinBox* m_columns;

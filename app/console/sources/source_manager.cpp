@@ -46,12 +46,12 @@ std::shared_ptr<servo::ServoLink> SourceManager::Item::servo() const {
     return shown ? shown->servo() : nullptr;
 }
 
-ChannelKey SourceManager::open(const SourceRequest& request) {
+ChannelKey SourceManager::open(const app::SourceRequest& request) {
     Item item;
     item.request = request;
     item.name = displayName(request);
     item.key = m_pipeline.open(
-        makeSourceFactory(request, m_stop, [cancelled = item.cancelled] { return cancelled->load(); }));
+        app::makeSourceFactory(request, m_stop, [cancelled = item.cancelled] { return cancelled->load(); }));
     const ChannelKey key = item.key;
     m_items.push_back(std::move(item));
     emit itemsChanged();
@@ -98,7 +98,7 @@ void SourceManager::poll() {
             if (item == nullptr)
                 break;
             item->channel = std::move(event.channel);
-            item->waits = std::holds_alternative<RecordingRequest>(item->request);
+            item->waits = std::holds_alternative<app::RecordingRequest>(item->request);
             emit opened(event.key);
             emit itemsChanged();
             activate(event.key);
@@ -121,13 +121,13 @@ void SourceManager::poll() {
 
 void SourceManager::beginPlaybacks() {
     const auto isOf = [](const Item& item, const std::string& path) {
-        const auto* playback = std::get_if<RecordingRequest>(&item.request);
+        const auto* playback = std::get_if<app::RecordingRequest>(&item.request);
         return playback != nullptr && playback->path == path;
     };
     for (const Item& waiting : m_items) {
         if (!waiting.waits)
             continue;
-        const std::string path = std::get<RecordingRequest>(waiting.request).path;
+        const std::string path = std::get<app::RecordingRequest>(waiting.request).path;
         if (std::ranges::any_of(m_items,
                                 [&](const Item& item) { return isOf(item, path) && !item.isOpen(); }))
             continue;

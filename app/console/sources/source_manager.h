@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/base/source_request.h"
+#include "app/sources/source_request.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/camera_channel.h"
@@ -26,7 +26,7 @@ class SourceManager : public QObject {
 public:
     struct Item {
         pipeline::ChannelKey key = 0;
-        SourceRequest request;
+        app::SourceRequest request;
         QString name;
         std::shared_ptr<pipeline::Channel> channel = nullptr; ///< null while it is being opened
         std::uint64_t displayed = 0;                          ///< snapshots that were painted
@@ -54,7 +54,7 @@ public:
     ~SourceManager() override;
 
     /// Opens a source beside those that are open and shows it once it is there.
-    pipeline::ChannelKey open(const SourceRequest& request);
+    pipeline::ChannelKey open(const app::SourceRequest& request);
     void close(pipeline::ChannelKey key);
     void closeAll();
     void activate(pipeline::ChannelKey key);

@@ -65,7 +65,7 @@ core::Expected<void> addArms(const Recording& recording, RecordedSources& source
         } else if (arm->skinStream.empty()) {
             TELETA_TRY(const auto extent, recording.extent(i));
             if (extent)
-                sources.arms.push_back({i, std::move(arm->description)});
+                sources.arms.push_back({i, std::move(arm->description), std::move(arm->chain)});
         }
     }
     return {};

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct RecordedSource {
 struct RecordedJoints {
     std::size_t stream = 0; ///< number in the recording
     core::ArmDescription arm;
+    std::shared_ptr<const arm_model::SerialChain> chain; ///< as RecordedArm::chain
 };
 
 /// What of a recording can be used as sources again.

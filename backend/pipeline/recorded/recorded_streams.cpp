@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/recorded/recorded_streams.h"
 
+#include "backend/arm_model/serial_chain.h"
+#include "backend/arm_model/urdf_reader.h"
 #include "backend/core/data/json_document.h"
 #include "backend/core/failure.h"
 #include "backend/core/number_text.h"
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace teleta::pipeline {
 
@@ -169,26 +172,31 @@ recording::StreamInfo featureStream(const std::string& name, const core::SourceD
 }
 
 recording::StreamInfo armStream(const std::string& name, const core::ArmDescription& description,
-                                const std::string& skinStream) {
+                                const std::string& skinStream, const arm_model::SerialChain* chain) {
     recording::StreamInfo info = recording::jointStream(description.nominalRate_Hz, description.joints());
     info.name = name;
     info.source = description.name;
-    const ordered_json details{{"simulated", description.simulated},
-                               {"skin_stream", skinStream},
-                               {"upper_arm_m", description.upperArmLength_m},
-                               {"forearm_m", description.forearmLength_m},
-                               {"half_thickness_m", description.halfThickness_m},
-                               {"elbow_stiffness_nm_per_rad", description.elbowStiffness_NmPerRad},
-                               {"elbow_stiffness_se_nm_per_rad", description.elbowStiffnessSe_NmPerRad},
-                               {"shoulder_stiffness_nm_per_rad", description.shoulderStiffness_NmPerRad},
-                               {"skin_centre_distance_m", description.skin.centreDistance_m},
-                               {"skin_centre_side_rad", description.skin.centreSide_rad},
-                               {"skin_radius_m", description.skin.radius_m},
-                               {"skin_centre_se_m", description.skin.centreSe_m},
-                               {"lowest_rad", description.lowest_rad},
-                               {"highest_rad", description.highest_rad},
-                               {"fastest_rad_per_s", description.fastest_radPerS}};
-    info.details = details.dump();
+    ordered_json details{{"simulated", description.simulated},
+                         {"skin_stream", skinStream},
+                         {"upper_arm_m", description.upperArmLength_m},
+                         {"forearm_m", description.forearmLength_m},
+                         {"half_thickness_m", description.halfThickness_m},
+                         {"elbow_stiffness_nm_per_rad", description.elbowStiffness_NmPerRad},
+                         {"elbow_stiffness_se_nm_per_rad", description.elbowStiffnessSe_NmPerRad},
+                         {"shoulder_stiffness_nm_per_rad", description.shoulderStiffness_NmPerRad},
+                         {"skin_centre_distance_m", description.skin.centreDistance_m},
+                         {"skin_centre_side_rad", description.skin.centreSide_rad},
+                         {"skin_radius_m", description.skin.radius_m},
+                         {"skin_centre_se_m", description.skin.centreSe_m},
+                         {"lowest_rad", description.lowest_rad},
+                         {"highest_rad", description.highest_rad},
+                         {"fastest_rad_per_s", description.fastest_radPerS}};
+    if (chain != nullptr)
+        details.update({{"urdf", chain->model().urdf},
+                        {"base_link", chain->baseLink()},
+                        {"tip_link", chain->tipLink()}});
+    // A description may have bytes that are no UTF-8.
+    info.details = details.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
     return info;
 }
 
@@ -275,6 +283,18 @@ core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
     return array;
 }
 
+namespace {
+
+core::Expected<std::shared_ptr<const arm_model::SerialChain>>
+chainOf(const std::string& urdf, const std::string& base, const std::string& tip, const std::string& file) {
+    TELETA_TRY(arm_model::ArmModel model, arm_model::parseUrdf(urdf, file));
+    TELETA_TRY(auto chain, arm_model::SerialChain::create(
+                               std::make_shared<const arm_model::ArmModel>(std::move(model)), base, tip));
+    return std::make_shared<const arm_model::SerialChain>(std::move(chain));
+}
+
+} // namespace
+
 core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, const std::string& file) {
     const auto joints = recording::jointsOf(stream);
     if (!joints)
@@ -314,8 +334,19 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
     readNumbers(reader, root, "lowest_rad", description.lowest_rad);
     readNumbers(reader, root, "highest_rad", description.highest_rad);
     readNumbers(reader, root, "fastest_rad_per_s", description.fastest_radPerS);
+    const std::string urdf = reader.text(root, "urdf", {});
+    const std::string base = reader.text(root, "base_link", {});
+    const std::string tip = reader.text(root, "tip_link", {});
     if (reader.error())
         return notDescribed(stream, file, *reader.error());
+    if (urdf.empty())
+        return arm;
+    auto chain = chainOf(urdf, base, tip, file);
+    if (!chain)
+        return notDescribed(stream, file, chain.error());
+    if ((*chain)->joints() != *joints)
+        return notDescribed(stream, file, RecordedStreamText::tr("its links have another number of joints"));
+    arm.chain = std::move(*chain);
     return arm;
 }
 

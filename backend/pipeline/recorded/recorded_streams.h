@@ -14,9 +14,14 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace teleta::arm_model {
+class SerialChain;
+}
 
 namespace teleta::pipeline {
 
@@ -43,9 +48,11 @@ inline constexpr std::size_t kTouchValues = 14;
 /// What was computed of them.
 [[nodiscard]] recording::StreamInfo featureStream(const std::string& name,
                                                   const core::SourceDescription& description);
-/// Joint samples of an arm, and which stream its skin is.
-[[nodiscard]] recording::StreamInfo
-armStream(const std::string& name, const core::ArmDescription& description, const std::string& skinStream);
+/// Joint samples of an arm, and which stream its skin is. chain: its links, where they are known.
+[[nodiscard]] recording::StreamInfo armStream(const std::string& name,
+                                              const core::ArmDescription& description,
+                                              const std::string& skinStream,
+                                              const arm_model::SerialChain* chain = nullptr);
 /// Touches of an arm.
 [[nodiscard]] recording::StreamInfo touchStream(const std::string& name,
                                                 const core::ArmDescription& description);
@@ -78,6 +85,7 @@ struct RecordedArray {
 struct RecordedArm {
     core::ArmDescription description;
     std::string skinStream;
+    std::shared_ptr<const arm_model::SerialChain> chain; ///< null: its links were not recorded
 };
 [[nodiscard]] core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream,
                                                       const std::string& file);

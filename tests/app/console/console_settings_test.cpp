@@ -69,7 +69,7 @@ private slots:
     }
 
     void remembersHowARecordingWasOpened() {
-        CsvRequest request;
+        app::CsvRequest request;
         request.path = "/somewhere/run.csv";
         request.layout = {64, 27, 0.025};
         request.inverted = true;

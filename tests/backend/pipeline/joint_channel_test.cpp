@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/arm_model/serial_chain.h"
+#include "backend/arm_model/urdf_reader.h"
 #include "backend/pipeline/joint_channel.h"
 #include "backend/pipeline/recorded/recorded_sources.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recorder.h"
 #include "backend/recording/recording.h"
 #include "backend/recording/stream_columns.h"
@@ -15,6 +18,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -154,4 +158,30 @@ TEST(JointChannel, anArmWithoutASkinIsFoundInItsRecordingWithJointsThatTurnForEv
     EXPECT_EQ(found.lowest_rad, arm.lowest_rad);
     EXPECT_EQ(found.highest_rad, arm.highest_rad);
     EXPECT_EQ(found.fastest_radPerS, arm.fastest_radPerS);
+}
+
+TEST(JointChannel, theLinksOfAnArmAreInItsRecording) {
+    const auto model =
+        arm_model::readUrdf(std::string(TELETA_SOURCE_DIR) + "/resources/arms/seven-joints.urdf");
+    ASSERT_TRUE(model) << core::describe(model.error());
+    const auto chain = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model),
+                                                      model->links.front().name, "tool0");
+    ASSERT_TRUE(chain) << core::describe(chain.error());
+    core::ArmDescription arm;
+    arm.lowest_rad = chain->lowest();
+    arm.highest_rad = chain->highest();
+    arm.fastest_radPerS = chain->fastest();
+    recording::StreamInfo stream = pipeline::armStream("robot-joints", arm, {}, &*chain);
+
+    const auto found = pipeline::recordedArm(stream, "file");
+    ASSERT_TRUE(found) << core::describe(found.error());
+    ASSERT_TRUE(found->chain);
+    EXPECT_EQ(found->chain->tipLink(), "tool0");
+    const core::JointVector q{0.1, -0.2, 0.3, -0.4, 0.5, -0.6, 0.7};
+    EXPECT_TRUE(found->chain->X_Base_Tip(q).isApprox(chain->X_Base_Tip(q), 1e-12));
+
+    const std::size_t link = stream.details.find("<robot");
+    ASSERT_NE(link, std::string::npos);
+    stream.details.replace(link, 6, "<zobot");
+    EXPECT_FALSE(pipeline::recordedArm(stream, "file"));
 }

@@ -132,14 +132,16 @@ public:
                               "longest chain"),
                   "LINK");
         declareJson(show, m_json);
-        CLI::App& jog =
-            addPart(app, "jog", ArmText::tr("Move a joint of an arm over ROS 2 for a short time"), [this] {
-                m_jog.json = m_json;
-                return jogArm(m_jog);
-            });
-        addOption(jog, "arm", m_jog.path, ArmText::tr("File that describes the arm (kind = \"ros_arm\")"),
-                  "ARM.toml")
+        CLI::App& jog = addPart(app, "jog", ArmText::tr("Move a joint of an arm for a short time"), [this] {
+            m_jog.json = m_json;
+            return jogArm(m_jog);
+        });
+        addOption(jog, "arm", m_jog.path,
+                  ArmText::tr("File that describes the arm (kind = \"ros_arm\"), or with which its "
+                              "site is reached (kind = \"remote_site\")"),
+                  "FILE.toml")
             ->required();
+        addOption(jog, "--arm", m_jog.arm, ArmText::tr("Which arm of a site; default: its only one"), "NAME");
         addOption(jog, "--joint", m_jog.joint, ArmText::tr("Joint to move, as the URDF names it"), "NAME")
             ->required();
         addOption(jog, "--rate", m_jog.rate, ArmText::tr("Speed in rad/s, of a prismatic joint in m/s"), "R")

@@ -4,14 +4,13 @@
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
+#include "app/cli/commands/arm/jog_target.h"
 #include "backend/arm_model/motion_limits.h"
 #include "backend/core/device/arm_device.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/core/threads/wakeup.h"
-#include "devices/ros/ros_arm.h"
-#include "devices/ros/ros_arm_file.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -36,15 +35,14 @@ namespace teleta::cli {
 namespace {
 
 using arm_model::MotionFlag;
-using ros_arm::RosArm;
 
 struct ArmJogText {
     Q_DECLARE_TR_FUNCTIONS(ArmJogText)
 };
 
 constexpr std::int64_t kCommandPeriod_ns = 20'000'000;
-/// The arm may be looked for so long after other programs have been.
-constexpr std::int64_t kReadyWait_ns = RosArm::kSettling_ns + 5'000'000'000;
+/// The arm, and other programs that move it, are looked for so long.
+constexpr std::int64_t kReadyWait_ns = 7'500'000'000;
 constexpr std::int64_t kRestWait_ns = 3'000'000'000;
 /// Without motion for so long the arm is at rest.
 constexpr std::int64_t kRestTime_ns = 300'000'000;
@@ -70,8 +68,8 @@ std::vector<Limit> limitTexts() {
 /// One joint of the arm and the operator's hand on it.
 class Jog {
 public:
-    Jog(RosArm& arm, std::size_t joint)
-        : m_arm(arm)
+    Jog(JogTarget& target, std::size_t joint)
+        : m_target(target)
         , m_joint(joint) {}
 
     /// Gives a command when it is due, with the rate of the joint, and takes what the arm tells.
@@ -79,20 +77,20 @@ public:
         const std::int64_t now_ns = core::steadyNow_ns();
         if (now_ns >= m_nextCommand_ns) {
             core::ArmCommand command;
-            command.rate_radPerS = core::JointVector::zeros(m_arm.chain().joints());
+            command.rate_radPerS = core::JointVector::zeros(m_target.arm().description().joints());
             command.rate_radPerS[m_joint] = rate;
             command.time_ns = now_ns;
-            m_arm.post(command);
+            m_target.arm().post(command);
             m_nextCommand_ns = now_ns + kCommandPeriod_ns;
         }
         (void)m_wakeup.waitFor(std::chrono::nanoseconds(m_nextCommand_ns - core::steadyNow_ns()));
-        for (core::JointSample sample; m_arm.joints().pop(sample);)
+        for (core::JointSample sample; m_target.arm().joints().pop(sample);)
             m_track.emplace_back(sample.time_ns, sample.angle_rad[m_joint]);
-        m_flags |= m_arm.state().mover.flags;
+        m_flags |= m_target.flags();
     }
     void hurry() { m_nextCommand_ns = 0; }
 
-    void start() { m_arm.start(m_wakeup); }
+    void start() { m_target.arm().start(m_wakeup); }
     /// All but the newest sample. seen() first.
     void forget() {
         m_track.erase(m_track.begin(), m_track.end() - 1);
@@ -115,7 +113,7 @@ public:
     }
 
 private:
-    RosArm& m_arm;
+    JogTarget& m_target;
     std::size_t m_joint;
     core::Wakeup m_wakeup;
     std::vector<std::pair<std::int64_t, double>> m_track; ///< times and positions
@@ -131,19 +129,15 @@ struct JogResult {
     std::string problem; ///< what held the arm before the time was over
 };
 
-std::size_t jointOf(const RosArm& arm, const std::string& name) {
+std::size_t jointOf(const std::vector<JogTarget::Joint>& joints, const std::string& name) {
     QStringList names;
-    for (std::size_t i = 0; i < arm.chain().joints(); ++i) {
-        if (arm.chain().joint(i).name == name)
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (joints[i].name == name)
             return i;
-        names << QString::fromStdString(arm.chain().joint(i).name);
+        names << QString::fromStdString(joints[i].name);
     }
     refuse("--joint", ArmJogText::tr("the arm has no joint \"%1\"; it has %2")
                           .arg(QString::fromStdString(name), names.join(QStringLiteral(", "))));
-}
-
-QString unitOf(const RosArm& arm, std::size_t joint) {
-    return QLatin1String(arm.chain().joint(joint).type == arm_model::JointType::prismatic ? "m" : "rad");
 }
 
 /// Waits for a line from the terminal; false: not agreed, or interrupted.
@@ -161,27 +155,26 @@ bool agreed(const QString& question) {
     return false;
 }
 
-core::Expected<void> waitUntilReady(Jog& jog, const RosArm& arm) {
+core::Expected<void> waitUntilReady(Jog& jog, const JogTarget& target) {
     const std::int64_t end_ns = core::steadyNow_ns() + kReadyWait_ns;
     for (;;) {
         // The switch is seen let go.
         jog.turn(0.0);
-        const ros_arm::RosArmState state = arm.state();
+        const std::string problem = target.problem();
         if (interrupted())
             return core::Unexpected(interruption());
-        if (jog.seen() && state.ready && state.problem.empty() && !state.mover.needsRelease)
+        if (jog.seen() && target.ready() && problem.empty())
             return {};
         if (core::steadyNow_ns() > end_ns)
             return core::failed(core::ErrorKind::unavailable,
                                 ArmJogText::tr("the arm cannot be moved: %1")
-                                    .arg(state.problem.empty()
-                                             ? ArmJogText::tr("no joint states were received")
-                                             : QString::fromStdString(state.problem)));
+                                    .arg(problem.empty() ? ArmJogText::tr("no joint states were received")
+                                                         : QString::fromStdString(problem)));
     }
 }
 
 /// After waitUntilReady(), which has seen the joint.
-JogResult move(Jog& jog, const RosArm& arm, double rate, double time_s) {
+JogResult move(Jog& jog, const JogTarget& target, double rate, double time_s) {
     JogResult result;
     jog.forget();
     const double from = jog.position();
@@ -190,7 +183,7 @@ JogResult move(Jog& jog, const RosArm& arm, double rate, double time_s) {
     jog.hurry();
     while (!interrupted() && core::steadyNow_ns() < end_ns) {
         jog.turn(rate);
-        result.problem = arm.state().problem;
+        result.problem = target.problem();
         if (!result.problem.empty())
             break;
     }
@@ -243,28 +236,29 @@ core::Expected<void> print(const JogResult& result, const ArmJogOptions& options
 } // namespace
 
 core::Expected<void> jogArm(const ArmJogOptions& options) {
-    TELETA_TRY(const ros_arm::RosArmFile file, ros_arm::readRosArm(options.path));
     if (!options.yes && isatty(STDIN_FILENO) == 0)
         refuse("--yes", ArmJogText::tr("there is no terminal to ask on; add --yes to move the arm"));
     const core::StopSwitch stop;
-    core::Expected<std::unique_ptr<RosArm>> opened = RosArm::open(file, stop, interrupted);
+    core::Expected<std::unique_ptr<JogTarget>> opened = openJogTarget(options.path, options.arm, stop);
     if (!opened)
         return core::Unexpected(interrupted() ? interruption() : opened.error());
-    RosArm& arm = **opened;
-    const std::size_t joint = jointOf(arm, options.joint);
-    const QString unit = unitOf(arm, joint);
-    Jog jog(arm, joint);
+    JogTarget& target = **opened;
+    const std::vector<JogTarget::Joint> joints = target.joints();
+    const std::size_t joint = jointOf(joints, options.joint);
+    const QString unit = QLatin1String(joints[joint].unit);
+    Jog jog(target, joint);
     jog.start();
-    TELETA_CHECK(waitUntilReady(jog, arm));
+    TELETA_CHECK(waitUntilReady(jog, target));
     if (!options.yes) {
         if (!agreed(ArmJogText::tr("This moves %1 of %2 at %3 %4/s for %5 s. Type \"yes\" to move it: ")
-                        .arg(QString::fromStdString(options.joint), QString::fromStdString(file.name),
-                             forPeople(options.rate), unit, forPeople(options.time_s))))
+                        .arg(QString::fromStdString(options.joint), target.name(), forPeople(options.rate),
+                             unit, forPeople(options.time_s))))
             return core::failed(core::ErrorKind::cancelled, ArmJogText::tr("nothing was moved"));
-        TELETA_CHECK(waitUntilReady(jog, arm));
+        TELETA_CHECK(waitUntilReady(jog, target));
     }
-    const JogResult result = move(jog, arm, options.rate, options.time_s);
-    arm.stop();
+    const JogResult result = move(jog, target, options.rate, options.time_s);
+    target.leave();
+    target.arm().stop();
     TELETA_CHECK(unlessCut(print(result, options, unit)));
     if (!result.problem.empty())
         return core::failed(

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/base/command_io.h"
+#include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
 #include "app/cli/commands/site/site_commands.h"
+#include "app/cli/commands/site/site_views.h"
 #include "backend/core/failure.h"
 #include "backend/site_keys/site_keys.h"
 
@@ -77,9 +79,39 @@ public:
         addOption(keys, "--viewer", m_plan.viewers, SiteText::tr("Consoles that only watch"), "NAME")
             ->needs("--make");
         declareJson(keys, m_json);
+        declareView(app, "list", SiteText::tr("List the sites that are there and who controls them"),
+                    listSites);
+        declareTime(
+            declareView(app, "watch", SiteText::tr("Print each change of a site's state"), watchSite));
+        declareTime(declareView(
+            app, "clock", SiteText::tr("Print the offset of a site's clock, and its bound"), watchClock));
+        CLI::App& record = declareView(
+            app, "record", SiteText::tr("Record all that a site sends, without a screen"), recordSite);
+        declareTime(record);
+        addOption(record, "-o,--out", m_options.out, SiteText::tr("File of the recording"), "FILE.teleta")
+            ->required();
     }
 
 private:
+    CLI::App& declareView(CLI::App& app, const char* name, const QString& summary,
+                          core::Expected<void> (*work)(const SiteOptions&)) {
+        CLI::App& part = addPart(app, name, summary, [this, work] {
+            m_options.json = m_json;
+            return unlessCut(work(m_options));
+        });
+        addOption(part, "site", m_options.path,
+                  SiteText::tr("File with which the site is reached (kind = \"remote_site\")"), "SITE.toml")
+            ->required();
+        if (work != recordSite)
+            declareJson(part, m_json);
+        return part;
+    }
+    void declareTime(CLI::App& part) {
+        addOption(part, "--seconds", m_options.time_s, SiteText::tr("End after that time; default: Ctrl-C"),
+                  "S")
+            ->check(positive());
+    }
+
     [[nodiscard]] core::Expected<void> checkOrTell() const { return m_plan.site.empty() ? check() : tell(); }
 
     [[nodiscard]] core::Expected<void> tell() const {
@@ -133,6 +165,7 @@ private:
     }
 
     site_keys::KeyPlan m_plan;
+    SiteOptions m_options;
     bool m_json = false;
 };
 
@@ -140,7 +173,7 @@ private:
 
 Command siteCommand() {
     return makeCommand<SiteCommand>(
-        "site", SiteText::tr("Keys of a remote site"),
+        "site", SiteText::tr("Sites at which robots are, and their keys"),
         "teleta site keys keys --make lab --console console1 --viewer viewer1 > make_keys.sh\n"
         "  sh make_keys.sh\n"
         "  teleta site keys keys");

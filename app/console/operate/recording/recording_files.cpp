@@ -31,17 +31,17 @@ RecordingFiles::RecordingFiles(SourceManager& sources, ConsoleSettings& settings
 }
 
 void RecordingFiles::open(const QString& path) {
-    if (isRecordingName(path)) {
+    if (app::isRecordingName(path)) {
         play(path);
         return;
     }
-    if (isImported(path)) {
+    if (app::isImported(path)) {
         import(path);
         return;
     }
     base::runInBackground(
-        this, [path] { return guessCsv(path.toStdString()); },
-        [this, path](core::Expected<CsvRequest> guess) {
+        this, [path] { return app::guessCsv(path.toStdString()); },
+        [this, path](core::Expected<app::CsvRequest> guess) {
             if (guess)
                 askHow(*guess);
             else if (guess.error().kind == core::ErrorKind::badInput)
@@ -61,7 +61,7 @@ void RecordingFiles::reopen(const QString& path) {
 QString RecordingFiles::folder(const QString& otherwise) const {
     QString folder = otherwise;
     for (const QString& path : m_settings.recentFiles()) {
-        if (isPlayable(path)) {
+        if (app::isPlayable(path)) {
             folder = QFileInfo(path).absolutePath();
             break;
         }
@@ -78,13 +78,13 @@ QString RecordingFiles::usualFolder() {
 }
 
 void RecordingFiles::openAs(const RecordingArguments& recording) {
-    if (isRecordingName(recording.path) || isImported(recording.path)) {
+    if (app::isRecordingName(recording.path) || app::isImported(recording.path)) {
         open(recording.path);
         return;
     }
     base::runInBackground(
         this, [recording] { return completeRecording(recording); },
-        [this, name = QFileInfo(recording.path).fileName()](core::Expected<CsvRequest> request) {
+        [this, name = QFileInfo(recording.path).fileName()](core::Expected<app::CsvRequest> request) {
             if (request)
                 m_sources.open(*request);
             else
@@ -94,20 +94,20 @@ void RecordingFiles::openAs(const RecordingArguments& recording) {
 
 void RecordingFiles::play(const QString& path) {
     base::runInBackground(
-        this, [path] { return recordingRequestsOf(path.toStdString()); },
-        [this, path](core::Expected<std::vector<RecordingRequest>> requests) {
+        this, [path] { return app::recordingRequestsOf(path.toStdString()); },
+        [this, path](core::Expected<std::vector<app::RecordingRequest>> requests) {
             if (!requests) {
                 emit failed(QFileInfo(path).fileName(), requests.error());
                 return;
             }
-            for (const RecordingRequest& request : *requests)
+            for (const app::RecordingRequest& request : *requests)
                 m_sources.open(request);
             emit opened(path);
         });
 }
 
 void RecordingFiles::onNotImported(const QString& file, const core::Error& error) {
-    if (!isMcapName(file) && error.kind == core::ErrorKind::badInput)
+    if (!app::isMcapName(file) && error.kind == core::ErrorKind::badInput)
         askFrames(file, error);
     else
         emit failed(QFileInfo(file).fileName(), error);
@@ -165,14 +165,14 @@ void RecordingFiles::askWhether(const QString& file, const QString& recording,
     box->open();
 }
 
-void RecordingFiles::askHow(const CsvRequest& guess) {
+void RecordingFiles::askHow(const app::CsvRequest& guess) {
     const QString path = QString::fromStdString(guess.path);
     const auto known = m_settings.recording(path);
     const bool fits = known && known->layout.taxels() == guess.layout.taxels();
     auto* dialog = new RecordingDialog(fits ? *known : guess, m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
-        const CsvRequest request = dialog->request();
+        const app::CsvRequest request = dialog->request();
         m_settings.setRecording(request);
         m_sources.open(request);
         emit opened(path);

@@ -45,7 +45,7 @@ signals:
 
 private:
     void play(const QString& path);
-    void askHow(const CsvRequest& guess);
+    void askHow(const app::CsvRequest& guess);
     void import(const QString& file, const frames::FrameRequest& request = {});
     void onNotImported(const QString& file, const core::Error& error);
     /// What a file of frames leaves open.

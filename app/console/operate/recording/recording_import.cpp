@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording/recording_import.h"
 
-#include "app/console/base/recording_request.h"
+#include "app/sources/recording_request.h"
 #include "backend/core/failure.h"
 #include "backend/frames/recorded/frame_import.h"
 
@@ -72,7 +72,7 @@ RecordingImport::Result RecordingImport::make(const QString& file, const QString
     if (QFileInfo::exists(file) && !QDir().mkpath(folder))
         return core::failed(core::ErrorKind::ioFailed, tr("the folder cannot be made"), {},
                             {folder.toStdString()});
-    if (!isMcapName(file)) {
+    if (!app::isMcapName(file)) {
         frames::FrameRequest known = request;
         known.path = file.toStdString();
         return makeOfFrames(recording, std::move(known), progress);

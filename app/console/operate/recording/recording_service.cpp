@@ -52,7 +52,7 @@ QString plainName(const QString& name) {
 std::string sceneFileOf(const std::vector<SourceManager::Item>& items) {
     std::string file;
     for (const SourceManager::Item& item : items) {
-        const auto* scene = std::get_if<SceneRequest>(&item.request);
+        const auto* scene = std::get_if<app::SceneRequest>(&item.request);
         if (scene != nullptr && !file.empty())
             return {};
         if (scene != nullptr)
@@ -132,7 +132,7 @@ void RecordingService::start(const QString& path) {
     QJsonArray sources;
     for (const SourceManager::Item& item : m_sources.items()) {
         QJsonObject source{{"name", item.name}};
-        if (const auto* scene = std::get_if<SceneRequest>(&item.request)) {
+        if (const auto* scene = std::get_if<app::SceneRequest>(&item.request)) {
             source["scene"] = QString::fromStdString(scene->path);
             source["seed"] = static_cast<qint64>(scene->seed);
         }

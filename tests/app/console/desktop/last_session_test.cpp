@@ -16,14 +16,14 @@ class LastSessionTest : public QObject {
 
 private slots:
     void whatIsOpenIsKeptOnceEach() {
-        CsvRequest csv;
+        app::CsvRequest csv;
         csv.path = "/data/run.csv";
-        const std::vector<OpenSource> open{{SceneRequest{":/scenes/teleta-touch.toml", 7}},
-                                           {RecordingRequest{"/data/a.teleta", "frames", "skin"}},
-                                           {RecordingRequest{"/data/a.teleta", "camera", "skin"}},
+        const std::vector<OpenSource> open{{app::SceneRequest{":/scenes/teleta-touch.toml", 7}},
+                                           {app::RecordingRequest{"/data/a.teleta", "frames", "skin"}},
+                                           {app::RecordingRequest{"/data/a.teleta", "camera", "skin"}},
                                            {csv},
-                                           {CameraRequest{"0", "camera.json"}},
-                                           {ArmRequest{"/data/arm.toml"}}};
+                                           {app::CameraRequest{"0", "camera.json"}},
+                                           {app::ArmRequest{"/data/arm.toml"}}};
         QCOMPARE(
             last_session::entriesOf(open, "/data/study"),
             (QStringList{"scene::/scenes/teleta-touch.toml", "recording:/data/a.teleta",
@@ -32,14 +32,15 @@ private slots:
     }
 
     void ofASourceListTheListAloneIsKept() {
-        const std::vector<OpenSource> open{{WtsRequest{}, "/data/both.toml"},
-                                           {SceneRequest{":/scenes/teleta-touch.toml"}, "/data/both.toml"},
-                                           {WtsRequest{}}};
+        const std::vector<OpenSource> open{
+            {app::WtsRequest{}, "/data/both.toml"},
+            {app::SceneRequest{":/scenes/teleta-touch.toml"}, "/data/both.toml"},
+            {app::WtsRequest{}}};
         QCOMPARE(last_session::entriesOf(open), QStringList("list:/data/both.toml"));
     }
 
     void aRelativePathIsKeptWithItsFolder() {
-        QCOMPARE(last_session::entriesOf({{SceneRequest{"mine.toml"}}}),
+        QCOMPARE(last_session::entriesOf({{app::SceneRequest{"mine.toml"}}}),
                  QStringList{"scene:" + QDir::current().absoluteFilePath("mine.toml")});
     }
 

@@ -3,7 +3,7 @@
 // page that is kept in resources/handbook differs from them; run with TELETA_WRITE_PAGES=1, it writes the
 // pages anew.
 #include "app/cli/commands/devices/device_files.h"
-#include "app/console/sources/source_list.h"
+#include "app/sources/source_list.h"
 #include "backend/core/keys/key_reference.h"
 #include "backend/scene/scene.h"
 #include "backend/study/protocol/protocol.h"

@@ -16,8 +16,8 @@ using teleta::console::RecordingDialog;
 class RecordingDialogTest : public QObject {
     Q_OBJECT
 
-    static CsvRequest guess() {
-        CsvRequest request;
+    static app::CsvRequest guess() {
+        app::CsvRequest request;
         request.path = "/somewhere/run.csv";
         request.layout = {12, 6, 0.05};
         request.tarePath = "/somewhere/empty.csv";
@@ -39,7 +39,7 @@ private slots:
     void givesBackTheGuessWhenNothingIsChanged() {
         const RecordingDialog dialog(guess());
         QCOMPARE(teleta::test::labelsWithBareMnemonic(dialog), QStringList());
-        const CsvRequest request = dialog.request();
+        const app::CsvRequest request = dialog.request();
         QCOMPARE(request.path, guess().path);
         QCOMPARE(request.layout.rows, 12);
         QCOMPARE(request.layout.columns, 6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/base/source_request.h"
+#include "app/sources/source_request.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/pipeline/touch_pipeline.h"
 #include "tests/backend/pipeline/next_event.h"
@@ -13,16 +13,16 @@ namespace {
 
 using wts::test::EmulatedWts;
 
-WtsRequest requestFor(const EmulatedWts& sensor) {
-    WtsRequest request;
+app::WtsRequest requestFor(const EmulatedWts& sensor) {
+    app::WtsRequest request;
     request.config.address = *wts::parseWtsAddress(sensor.address());
     request.config.times = {.answer_ms = 5000, .stale_ms = 20000, .noFrames_ms = 20000};
     return request;
 }
 
-core::Expected<std::shared_ptr<pipeline::TouchChannel>> open(const WtsRequest& request) {
+core::Expected<std::shared_ptr<pipeline::TouchChannel>> open(const app::WtsRequest& request) {
     static const core::StopSwitch stop;
-    return makeSourceFactory(request, stop)().map([](const std::shared_ptr<pipeline::Channel>& channel) {
+    return app::makeSourceFactory(request, stop)().map([](const std::shared_ptr<pipeline::Channel>& channel) {
         return std::dynamic_pointer_cast<pipeline::TouchChannel>(channel);
     });
 }
@@ -39,7 +39,7 @@ TEST(WtsSource, takesAHundredthOfTheFullScaleForNoise) {
 
 TEST(WtsSource, showsForcesWhenItKnowsTheGain) {
     EmulatedWts sensor(EmulatedWts::Link::tcp);
-    WtsRequest request = requestFor(sensor);
+    app::WtsRequest request = requestFor(sensor);
     request.gain = 0.002;
     request.loadUnit = std::string("N");
     const auto opened = open(request);
@@ -51,7 +51,7 @@ TEST(WtsSource, showsForcesWhenItKnowsTheGain) {
 
 TEST(WtsSource, takesTheThresholdThatItIsGiven) {
     EmulatedWts sensor(EmulatedWts::Link::pty);
-    WtsRequest request = requestFor(sensor);
+    app::WtsRequest request = requestFor(sensor);
     request.threshold = 0.5;
     const auto opened = open(request);
     ASSERT_TRUE(opened) << core::describe(opened.error());
@@ -62,7 +62,7 @@ TEST(WtsSource, reachesTheViewsThroughThePipeline) {
     EmulatedWts sensor(EmulatedWts::Link::pty);
     const core::StopSwitch stop;
     pipeline::TouchPipeline pipeline;
-    pipeline.open(makeSourceFactory(requestFor(sensor), stop));
+    pipeline.open(app::makeSourceFactory(requestFor(sensor), stop));
     const pipeline::ChannelEvent event = test::nextEvent(pipeline);
     ASSERT_EQ(event.kind, pipeline::ChannelEvent::Kind::opened) << core::describe(event.error);
     ASSERT_TRUE(sensor.waitForRequests(wts::Command::startFrames, 1));
@@ -79,7 +79,7 @@ TEST(WtsSource, reachesTheViewsThroughThePipeline) {
 }
 
 TEST(WtsSource, saysThatThereIsNoPort) {
-    WtsRequest request;
+    app::WtsRequest request;
     request.config.address = wts::SerialAddress{"/dev/no-such-port"};
     const auto opened = open(request);
     ASSERT_FALSE(opened);

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/arm/jog_target.h"
+
+#include "app/cli/base/interruption.h"
+#include "app/common/version.h"
+#include "app/sources/source_list.h"
+#include "backend/arm_model/serial_chain.h"
+#include "backend/core/failure.h"
+#include "backend/core/steady_time.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
+#include "devices/ros/ros_arm.h"
+#include "devices/ros/ros_arm_file.h"
+#include "devices/site/remote_arm.h"
+#include "devices/site/remote_site_file.h"
+#include "devices/site/site_client.h"
+#include "devices/site/site_streams.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <utility>
+
+namespace teleta::cli {
+
+namespace {
+
+struct TargetText {
+    Q_DECLARE_TR_FUNCTIONS(JogTarget)
+};
+
+std::vector<JogTarget::Joint> jointsOf(const arm_model::SerialChain& chain) {
+    std::vector<JogTarget::Joint> joints;
+    for (std::size_t i = 0; i < chain.joints(); ++i)
+        joints.push_back(
+            {chain.joint(i).name, chain.joint(i).type == arm_model::JointType::prismatic ? "m" : "rad"});
+    return joints;
+}
+
+class RosTarget : public JogTarget {
+public:
+    explicit RosTarget(std::unique_ptr<ros_arm::RosArm> arm)
+        : m_arm(std::move(arm)) {}
+
+    core::ArmSource& arm() override { return *m_arm; }
+    QString name() const override { return QString::fromStdString(m_arm->file().name); }
+    std::vector<Joint> joints() const override { return jointsOf(m_arm->chain()); }
+    bool ready() const override {
+        const ros_arm::RosArmState state = m_arm->state();
+        return state.ready && !state.mover.needsRelease;
+    }
+    std::string problem() const override { return m_arm->hindrance(); }
+    std::uint32_t flags() const override { return m_arm->state().mover.flags; }
+
+private:
+    std::unique_ptr<ros_arm::RosArm> m_arm;
+};
+
+class SiteTarget : public JogTarget {
+public:
+    SiteTarget(std::shared_ptr<site_link::SiteClient> site, std::string device,
+               std::unique_ptr<site_link::RemoteArm> arm, std::shared_ptr<const arm_model::SerialChain> chain)
+        : m_site(std::move(site))
+        , m_device(std::move(device))
+        , m_arm(std::move(arm))
+        , m_chain(std::move(chain)) {
+        m_site->request(site::RequestKind::request);
+    }
+
+    core::ArmSource& arm() override { return *m_arm; }
+    QString name() const override {
+        return QStringLiteral("%1 (%2)").arg(QString::fromStdString(m_device),
+                                             QString::fromStdString(m_site->file().name));
+    }
+    std::vector<Joint> joints() const override {
+        if (m_chain)
+            return jointsOf(*m_chain);
+        std::vector<Joint> joints;
+        for (std::size_t i = 1; i <= m_arm->description().joints(); ++i)
+            joints.push_back({"joint_" + std::to_string(i)});
+        return joints;
+    }
+    bool ready() const override { return m_site->view().controls(m_site->file().console); }
+    std::string problem() const override { return m_arm->hindrance(); }
+    std::uint32_t flags() const override {
+        const site_link::SiteView view = m_site->view();
+        const auto found = std::ranges::find(view.arms, m_device, &site_link::RemoteArmState::name);
+        return found == view.arms.end() ? 0 : found->flags;
+    }
+    void leave() override {
+        // Without an answer the lease ends by itself.
+        m_site->request(site::RequestKind::release);
+        constexpr std::int64_t kWait_ns = 500'000'000;
+        core::Wakeup pause;
+        for (const std::int64_t end_ns = core::steadyNow_ns() + kWait_ns;
+             ready() && core::steadyNow_ns() < end_ns;)
+            (void)pause.waitFor(std::chrono::milliseconds(10));
+    }
+
+private:
+    std::shared_ptr<site_link::SiteClient> m_site;
+    std::string m_device;
+    std::unique_ptr<site_link::RemoteArm> m_arm;
+    std::shared_ptr<const arm_model::SerialChain> m_chain;
+};
+
+core::Expected<std::unique_ptr<JogTarget>> openAtSite(const std::string& path, const std::string& device,
+                                                      const core::StopSwitch& stop) {
+    TELETA_TRY(const auto file, site_link::readRemoteSite(path));
+    TELETA_TRY(auto site,
+               site_link::SiteClient::open(file, app::version().text().toStdString(), stop, interrupted));
+    QStringList names;
+    const recording::StreamInfo* chosen = nullptr;
+    for (const recording::StreamInfo& stream : site->streams()) {
+        if (stream.kind != recording::StreamKind::joints)
+            continue;
+        names << QString::fromStdString(site_link::deviceOf(stream));
+        if (device.empty() || names.back().toStdString() == device)
+            chosen = &stream;
+    }
+    if (chosen == nullptr || (device.empty() && names.size() > 1))
+        return core::failed(
+            core::ErrorKind::badInput,
+            device.empty()
+                ? TargetText::tr("%1 has no arm, or several").arg(QString::fromStdString(file.name))
+                : TargetText::tr("%1 has no arm \"%2\"")
+                      .arg(QString::fromStdString(file.name), QString::fromStdString(device)),
+            names.isEmpty() ? QString()
+                            : TargetText::tr("--arm with one of %1").arg(names.join(QStringLiteral(", "))));
+    const std::string name = site_link::deviceOf(*chosen);
+    TELETA_TRY(pipeline::RecordedArm described, pipeline::recordedArm(*chosen, file.name));
+    TELETA_TRY(auto arm, site_link::RemoteArm::open(site, name, described.description));
+    return std::make_unique<SiteTarget>(std::move(site), name, std::move(arm), std::move(described.chain));
+}
+
+} // namespace
+
+core::Expected<std::unique_ptr<JogTarget>> openJogTarget(const std::string& path, const std::string& device,
+                                                         const core::StopSwitch& stop) {
+    if (app::isSiteFile(path))
+        return openAtSite(path, device, stop);
+    TELETA_TRY(const ros_arm::RosArmFile file, ros_arm::readRosArm(path));
+    TELETA_TRY(auto arm, ros_arm::RosArm::open(file, stop, interrupted));
+    return std::make_unique<RosTarget>(std::move(arm));
+}
+
+} // namespace teleta::cli

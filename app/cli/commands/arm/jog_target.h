@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/arm_device.h"
+#include "backend/core/error.h"
+#include "backend/core/interface.h"
+#include "backend/core/threads/stop_switch.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace teleta::cli {
+
+/// An arm that a command moves: over ROS 2 in its own network, or at a site. Thread: one.
+class JogTarget : public core::Interface {
+public:
+    struct Joint {
+        std::string name;
+        const char* unit = "rad";
+    };
+
+    [[nodiscard]] virtual core::ArmSource& arm() = 0;
+    [[nodiscard]] virtual QString name() const = 0;
+    [[nodiscard]] virtual std::vector<Joint> joints() const = 0;
+    /// The arm was looked for long enough, and nothing is in the way but what problem() says.
+    [[nodiscard]] virtual bool ready() const = 0;
+    /// Why it does not move, a translated sentence without a full stop; empty: it may.
+    [[nodiscard]] virtual std::string problem() const = 0;
+    /// Limits that act, arm_model::MotionFlag.
+    [[nodiscard]] virtual std::uint32_t flags() const = 0;
+    /// Gives up what was asked for in order to move.
+    virtual void leave() {}
+};
+
+/// Opens the arm of a file (kind = "ros_arm"), or an arm of the site of a file (kind = "remote_site"), of
+/// which control is then asked for. device: the arm's name at the site; empty: the only one. stop outlives
+/// the target. Error: that of the file and of opening; badInput, the site has no such arm.
+[[nodiscard]] core::Expected<std::unique_ptr<JogTarget>>
+openJogTarget(const std::string& path, const std::string& device, const core::StopSwitch& stop);
+
+} // namespace teleta::cli

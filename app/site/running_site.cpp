@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/site/running_site.h"
+
+#include "app/common/version.h"
+#include "backend/core/failure.h"
+#include "backend/core/steady_time.h"
+#include "backend/pipeline/joint_channel.h"
+#include "devices/dds/participant.h"
+#include "devices/ros/arm_fault.h"
+#include "devices/ros/ros_arm.h"
+#include "devices/site/boot_name.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace teleta::site_program {
+
+namespace {
+
+struct SiteText {
+    Q_DECLARE_TR_FUNCTIONS(RunningSite)
+};
+
+using Severity = site_link::SiteNews::Severity;
+
+constexpr std::chrono::milliseconds kOpenLook{20};
+
+site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel) {
+    site_link::SiteArm arm;
+    arm.name = id;
+    arm.source = &channel.device();
+    arm.chain = channel.chain();
+    if (const auto* ros = dynamic_cast<const ros_arm::RosArm*>(&channel.device())) {
+        arm.adapter = "trajectory";
+        arm.effortUnit = ros->file().effortUnit == ros_arm::EffortUnit::newtonMetre ? "Nm"
+                         : ros->file().effortUnit == ros_arm::EffortUnit::ampere    ? "A"
+                                                                                    : "none";
+        arm.health = [ros] {
+            const ros_arm::MoverState mover = ros->state().mover;
+            return site_link::ArmHealth{
+                mover.fault ? ros_arm::describe(*mover.fault).toStdString() : std::string(), mover.flags};
+        };
+    }
+    return arm;
+}
+
+QString stateText(core::DeviceState state) {
+    switch (state) {
+    case core::DeviceState::live:
+        return {};
+    case core::DeviceState::connecting:
+        return SiteText::tr("nothing was read yet");
+    case core::DeviceState::stale:
+        return SiteText::tr("it sends nothing any more");
+    default:
+        break;
+    }
+    return SiteText::tr("it is not connected");
+}
+
+} // namespace
+
+core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& file,
+                                                               const std::string& recordings, SiteLog& log,
+                                                               const std::function<bool()>& cancelled) {
+    std::unique_ptr<RunningSite> site(new RunningSite(log));
+    TELETA_TRY(const auto participant, dds::Participant::open(file.meeting.domain));
+    const site_link::SiteTopics topics(file.name);
+    const site::BootName boot = site_link::newBootName();
+    TELETA_CHECK(site->openDevices(file, cancelled));
+    TELETA_TRY(site->m_streams, site_link::SiteStreams::open(participant, topics, boot));
+    std::vector<site_link::SiteArm> arms;
+    for (const Device& device : site->m_devices) {
+        device.channel->watch(site->m_streams, device.id);
+        if (auto* joints = dynamic_cast<pipeline::JointChannel*>(device.channel.get()))
+            arms.push_back(armOf(device.id, *joints));
+    }
+    if (file.record)
+        TELETA_CHECK(site->startRecording(file, recordings));
+    site_link::SiteSettings settings{file.name, app::version().text().toStdString(), file.supervisors,
+                                     file.times};
+    TELETA_TRY(site->m_control,
+               site_link::SiteControl::open(
+                   participant, std::move(settings), std::move(arms), site->m_streams->streams(), boot,
+                   site->m_stop, [raw = site.get()](const site_link::SiteNews& news) { raw->tell(news); }));
+    return site;
+}
+
+RunningSite::~RunningSite() {
+    m_control.reset();
+    for (const Device& device : m_devices) {
+        device.channel->watch(nullptr, device.id);
+        if (m_recorder)
+            device.channel->record(nullptr, device.id);
+    }
+    if (m_recorder)
+        (void)m_recorder->stop();
+}
+
+core::Expected<void> RunningSite::openDevices(const SiteFile& file, const std::function<bool()>& cancelled) {
+    std::vector<pipeline::ChannelKey> keys;
+    for (const SiteDevice& device : file.devices) {
+        keys.push_back(m_pipeline.open(app::makeSourceFactory(device.request, m_stop, cancelled)));
+        m_devices.push_back({device.id, nullptr});
+    }
+    for (std::size_t open = 0; open < keys.size();) {
+        if (cancelled())
+            return core::failed(core::ErrorKind::cancelled, SiteText::tr("interrupted"));
+        for (const pipeline::ChannelEvent& event : m_pipeline.takeEvents()) {
+            if (event.kind == pipeline::ChannelEvent::Kind::failed)
+                return core::Unexpected(event.error);
+            for (std::size_t i = 0; i < keys.size(); ++i) {
+                if (keys[i] == event.key && event.channel) {
+                    m_devices[i].channel = event.channel;
+                    ++open;
+                }
+            }
+        }
+        std::this_thread::sleep_for(kOpenLook);
+    }
+    return {};
+}
+
+core::Expected<void> RunningSite::startRecording(const SiteFile& file, const std::string& folder) {
+    const QString name = QString::fromStdString(file.name) +
+                         QDateTime::currentDateTimeUtc().toString(QStringLiteral("'-'yyyyMMdd'T'HHmmss'Z'"));
+    const std::string path =
+        QDir(QString::fromStdString(folder)).filePath(name + QLatin1String(".teleta")).toStdString();
+    TELETA_TRY(auto recorder,
+               recording::Recorder::start(path, {.appVersion = app::version().text().toStdString(),
+                                                 .scene = {},
+                                                 .sceneText = {},
+                                                 .configuration = {},
+                                                 .start_ns = core::steadyNow_ns()}));
+    m_recorder = std::move(recorder);
+    for (const Device& device : m_devices)
+        device.channel->record(m_recorder, device.id);
+    tell({Severity::note, {}, "recording", "recording to " + path});
+    return {};
+}
+
+void RunningSite::tell(const site_link::SiteNews& news) {
+    if (m_recorder)
+        m_recorder->add({core::steadyNow_ns(), "site", news.message, 0.0});
+    m_log.write(news);
+}
+
+void RunningSite::poll() {
+    for (const Device& device : m_devices) {
+        // Nobody looks at what a console would show.
+        device.channel->drain();
+        if (m_recorder) {
+            if (const auto changed = device.channel->takeSettingsEvent())
+                m_recorder->add(*changed);
+        }
+    }
+    (void)m_pipeline.takeEvents();
+    if (m_recorder && !m_recorderFailed &&
+        m_recorder->status().state == recording::RecorderStatus::State::failed) {
+        m_recorderFailed = true;
+        tell({Severity::error, {}, "recording_failed", core::describe(m_recorder->status().error)});
+    }
+}
+
+std::vector<std::string> RunningSite::problems() const {
+    std::vector<std::string> found;
+    for (const Device& device : m_devices) {
+        const core::DeviceStatus status = device.channel->status();
+        std::string reason = status.message.empty() ? stateText(status.state).toStdString() : status.message;
+        if (const auto* joints = dynamic_cast<const pipeline::JointChannel*>(device.channel.get());
+            joints != nullptr && reason.empty())
+            reason = const_cast<pipeline::JointChannel*>(joints)->device().hindrance();
+        if (!reason.empty())
+            found.push_back(device.id + ": " + reason);
+    }
+    return found;
+}
+
+} // namespace teleta::site_program

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/site/site_file.h"
+#include "app/site/site_log.h"
+#include "backend/core/error.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/pipeline/channel.h"
+#include "backend/pipeline/touch_pipeline.h"
+#include "backend/recording/recorder.h"
+#include "devices/site/site_control.h"
+#include "devices/site/site_streams.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace teleta::site_program {
+
+/// The robot's end of a link while it runs: its devices, what is sent of them, and who moves the arms.
+/// Thread: one; the work is done by threads of its own.
+class RunningSite {
+public:
+    /// Opens all devices and waits for them. recordings: the folder for the site's own recording. cancelled:
+    /// looked at meanwhile. Error: that of the first device that cannot be opened; cancelled.
+    [[nodiscard]] static core::Expected<std::unique_ptr<RunningSite>>
+    open(const SiteFile& file, const std::string& recordings, SiteLog& log,
+         const std::function<bool()>& cancelled);
+    /// Holds the arms, completes the recording, closes the devices.
+    ~RunningSite();
+    RunningSite(const RunningSite&) = delete;
+    RunningSite& operator=(const RunningSite&) = delete;
+
+    /// What has to be done a few times a second: follows settings, frees what nobody shows.
+    void poll();
+
+    [[nodiscard]] site_link::SiteStatus status() const { return m_control->status(); }
+    /// What keeps a device from being used now, "NAME: reason" each; empty: all of them are live.
+    [[nodiscard]] std::vector<std::string> problems() const;
+    [[nodiscard]] std::size_t devices() const { return m_devices.size(); }
+
+private:
+    struct Device {
+        std::string id;
+        std::shared_ptr<pipeline::Channel> channel;
+    };
+
+    explicit RunningSite(SiteLog& log)
+        : m_log(log) {}
+    [[nodiscard]] core::Expected<void> openDevices(const SiteFile& file,
+                                                   const std::function<bool()>& cancelled);
+    [[nodiscard]] core::Expected<void> startRecording(const SiteFile& file, const std::string& folder);
+    void tell(const site_link::SiteNews& news);
+
+    SiteLog& m_log;
+    core::StopSwitch m_stop; ///< of all devices
+    pipeline::TouchPipeline m_pipeline;
+    std::vector<Device> m_devices;
+    std::shared_ptr<recording::Recorder> m_recorder;
+    bool m_recorderFailed = false;
+    std::shared_ptr<site_link::SiteStreams> m_streams;
+    std::unique_ptr<site_link::SiteControl> m_control; ///< the first to go
+};
+
+} // namespace teleta::site_program

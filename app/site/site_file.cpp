@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/site/site_file.h"
+
+#include "app/sources/source_list.h"
+#include "backend/core/beside_file.h"
+#include "backend/core/keys/toml_keys.h"
+#include "backend/core/keys/toml_table.h"
+#include "devices/site/remote_site_file.h"
+#include "devices/site/site_topics.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <utility>
+
+namespace teleta::site_program {
+
+namespace {
+
+using core::TomlTable;
+
+struct FileText {
+    Q_DECLARE_TR_FUNCTIONS(SiteFile)
+};
+
+constexpr std::int64_t kPerMs = 1'000'000;
+
+std::int64_t milliseconds(TomlTable& table, std::string_view key, long long low, long long high,
+                          std::int64_t fallback_ns) {
+    return table.integer(key, low, high, fallback_ns / kPerMs) * kPerMs;
+}
+
+/// The id that the device has, or else the name of its file.
+std::string readId(TomlTable& table, const std::string& file) {
+    if (table.has("id") || file.empty())
+        return site_link::readSiteName(table, "id");
+    std::string name = QFileInfo(QString::fromStdString(file)).completeBaseName().toStdString();
+    if (!site_link::isSiteName(name))
+        table.fail("file", FileText::tr("the device needs an id").toStdString(),
+                   FileText::tr("id = \"a small letter, then small letters, digits and _\"").toStdString());
+    return name;
+}
+
+void readDevice(TomlTable& table, const std::string& path, SiteFile& site) {
+    SiteDevice device;
+    if (table.has("file")) {
+        const std::string file = table.text("file");
+        device.id = readId(table, file);
+        device.request = app::ArmRequest{core::besideFile(path, file)};
+        table.finish();
+        site.devices.push_back(std::move(device));
+        return;
+    }
+    device.id = readId(table, {});
+    for (const char* key : {"camera", "recording"}) {
+        if (table.has(key))
+            table.fail(key, FileText::tr("a site does not send this kind of device").toStdString(),
+                       FileText::tr("file, wts or scene").toStdString());
+    }
+    std::vector<app::SourceRequest> requests;
+    core::TomlKeys keys(table);
+    app::describeSource(keys, table.has("wts") ? app::SourceKind::wts : app::SourceKind::scene, path,
+                        requests);
+    keys.finish();
+    for (app::SourceRequest& request : requests)
+        site.devices.push_back({device.id, std::move(request)});
+}
+
+core::Expected<SiteFile> read(const core::TomlDocument& document, const std::string& path) {
+    SiteFile site;
+    TomlTable root = document.root();
+    (void)root.choice("kind", {"site"});
+    site.name = site_link::readSiteName(root, "name");
+    for (const std::string& name : root.textList("supervisors")) {
+        if (!site_link::isSiteName(name))
+            root.fail(
+                "supervisors",
+                FileText::tr("\"%1\" is no name of a console")
+                    .arg(QString::fromStdString(name))
+                    .toStdString(),
+                FileText::tr("a small letter, then at most 30 small letters, digits and _").toStdString());
+        site.supervisors.insert(name);
+    }
+    site.times.motion_ns = milliseconds(root, "motion_lease_ms", 60, 300, site.times.motion_ns);
+    site.times.control_ns = milliseconds(root, "control_lease_ms", 500, 60'000, site.times.control_ns);
+    site.times.loopLimit_ns = milliseconds(root, "loop_limit_ms", 50, 5'000, site.times.loopLimit_ns);
+    site.record = root.boolean("record", false);
+    site.meeting = site_link::readOperatorDomain(root, path);
+    std::set<std::string> ids;
+    for (TomlTable& table : root.tables("device", 1)) {
+        readDevice(table, path, site);
+        if (!site.devices.empty() && !ids.insert(site.devices.back().id).second)
+            table.fail("id",
+                       FileText::tr("two devices are called \"%1\"")
+                           .arg(QString::fromStdString(site.devices.back().id))
+                           .toStdString(),
+                       FileText::tr("a unique id for each device").toStdString());
+    }
+    root.finish();
+    if (document.firstError())
+        return core::Unexpected(*document.firstError());
+    return site;
+}
+
+} // namespace
+
+core::Expected<SiteFile> readSite(const std::string& path) {
+    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::open(path));
+    return read(document, path);
+}
+
+core::Expected<SiteFile> parseSite(std::string_view text, const std::string& file) {
+    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::parse(text, file));
+    return read(document, file);
+}
+
+} // namespace teleta::site_program

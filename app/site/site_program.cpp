@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/site/site_program.h"
+
+#include "app/common/version.h"
+#include "app/site/running_site.h"
+#include "app/site/service_manager.h"
+#include "app/site/site_file.h"
+#include "app/site/site_log.h"
+#include "backend/core/failure.h"
+#include "backend/core/steady_time.h"
+
+#include <QCoreApplication>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <ctime>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace teleta::site_program {
+
+namespace {
+
+struct ProgramText {
+    Q_DECLARE_TR_FUNCTIONS(SiteProgram)
+};
+
+constexpr std::int64_t kPoll_ns = 50'000'000;
+/// A check waits so long for the devices.
+constexpr std::int64_t kCheck_ns = 8'000'000'000;
+/// Of status lines to the service manager.
+constexpr std::int64_t kTell_ns = 250'000'000;
+
+enum ExitCode { kDone = 0, kWorkFailed = 1, kWrongUsage = 2, kBadInput = 3 };
+
+int failedWith(const core::Error& error) {
+    std::cerr << "teleta-site: " << core::describe(error) << '\n';
+    return error.kind == core::ErrorKind::badInput || error.kind == core::ErrorKind::notFound ? kBadInput
+                                                                                              : kWorkFailed;
+}
+
+struct Options {
+    std::string path;
+    std::string recordings = ".";
+    bool check = false;
+    bool json = false;
+};
+
+/// Waits until every device is live and says what is missing.
+int check(RunningSite& site, const Options& options, const EndSignals& ending) {
+    std::vector<std::string> problems = site.problems();
+    for (const std::int64_t end_ns = core::steadyNow_ns() + kCheck_ns;
+         !problems.empty() && core::steadyNow_ns() < end_ns && !ending.wait(kPoll_ns);) {
+        site.poll();
+        problems = site.problems();
+    }
+    if (options.json) {
+        std::cout << nlohmann::ordered_json(
+                         {{"devices", site.devices()}, {"usable", problems.empty()}, {"problems", problems}})
+                         .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+                  << '\n';
+    } else if (problems.empty()) {
+        std::cout << ProgramText::tr("All %n device(s) are ready.", nullptr, static_cast<int>(site.devices()))
+                         .toStdString()
+                  << '\n';
+    } else {
+        for (const std::string& problem : problems)
+            std::cout << problem << '\n';
+    }
+    return problems.empty() ? kDone : kWorkFailed;
+}
+
+int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const EndSignals& ending) {
+    const ServiceManager manager;
+    manager.tell("READY=1");
+    log.write({site_link::SiteNews::Severity::note,
+               {},
+               "ready",
+               ProgramText::tr("%1 is ready in domain %2 on %3")
+                   .arg(QString::fromStdString(file.name))
+                   .arg(file.meeting.domain.domain)
+                   .arg(QString::fromStdString(file.meeting.domain.interface))
+                   .toStdString()});
+    std::uint64_t cycles = 0;
+    std::int64_t nextTell_ns = 0;
+    while (!ending.wait(kPoll_ns)) {
+        site.poll();
+        log.flush();
+        const std::int64_t now_ns = core::steadyNow_ns();
+        if (now_ns < nextTell_ns)
+            continue;
+        nextTell_ns = now_ns + kTell_ns;
+        // The service manager restarts a program whose control hangs, not only one that is gone.
+        if (const std::uint64_t done = site.status().cycles; done != cycles) {
+            cycles = done;
+            manager.tell("WATCHDOG=1");
+        }
+    }
+    manager.tell("STOPPING=1");
+    log.write({site_link::SiteNews::Severity::note,
+               {},
+               "end",
+               ProgramText::tr("the site ends; the arms are held").toStdString()});
+    return kDone;
+}
+
+int run(const Options& options, const EndSignals& ending) {
+    const core::Expected<SiteFile> file = readSite(options.path);
+    if (!file)
+        return failedWith(file.error());
+    SiteLog log(options.json && !options.check);
+    core::Expected<std::unique_ptr<RunningSite>> site =
+        RunningSite::open(*file, options.recordings, log, [&ending] { return ending.wait(0); });
+    if (!site) {
+        log.flush();
+        return site.error().kind == core::ErrorKind::cancelled ? kWorkFailed : failedWith(site.error());
+    }
+    const int code = options.check ? check(**site, options, ending) : serve(**site, *file, log, ending);
+    site->reset();
+    log.flush();
+    return code;
+}
+
+} // namespace
+
+EndSignals::EndSignals() {
+    sigemptyset(&m_signals);
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+        // nohup has made the program deaf to one.
+        struct sigaction before {};
+        sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN)
+            sigaddset(&m_signals, signal);
+    }
+    pthread_sigmask(SIG_BLOCK, &m_signals, nullptr);
+}
+
+bool EndSignals::wait(std::int64_t longest_ns) const {
+    const timespec longest{longest_ns / 1'000'000'000, longest_ns % 1'000'000'000};
+    if (!m_came && sigtimedwait(&m_signals, nullptr, &longest) > 0)
+        m_came = true;
+    return m_came;
+}
+
+int runProgram(int argc, const char* const* argv, const EndSignals& ending) {
+    CLI::App app(ProgramText::tr("Runs at the robot: sends what its arms and tactile arrays feel to the "
+                                 "consoles, and decides which console moves them.")
+                     .toStdString(),
+                 "teleta-site");
+    app.set_help_flag("-h,--help", ProgramText::tr("Print this help").toStdString());
+    Options options;
+    bool asksVersion = false;
+    CLI::Option* site = app.add_option("site", options.path,
+                                       ProgramText::tr("File of the site (kind = \"site\")").toStdString())
+                            ->type_name("SITE.toml");
+    app.add_flag("--check", options.check,
+                 ProgramText::tr("Open everything, move nothing, and say what is missing").toStdString());
+    app.add_flag(
+        "-j,--json", options.json,
+        ProgramText::tr("Print the log, or what is missing, as JSON on standard output").toStdString());
+    app.add_option(
+           "--recordings", options.recordings,
+           ProgramText::tr("Folder for recordings (record = true); default: the current one").toStdString())
+        ->type_name("DIR");
+    app.add_flag("--version", asksVersion, ProgramText::tr("Print the version").toStdString());
+    app.failure_message([](const CLI::App*, const CLI::Error& error) {
+        return ProgramText::tr("teleta-site: %1\nRun teleta-site --help for more.\n")
+            .arg(QString::fromLocal8Bit(error.what()))
+            .toStdString();
+    });
+    try {
+        app.parse(argc, argv);
+        if (asksVersion) {
+            std::cout << "teleta-site " << app::version().number.toStdString() << '\n';
+            return kDone;
+        }
+        if (site->count() == 0)
+            throw CLI::RequiredError("SITE.toml");
+        return run(options, ending);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? kDone : kWrongUsage;
+    }
+}
+
+} // namespace teleta::site_program

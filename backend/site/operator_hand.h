@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace teleta::site {
+
+/// The operator's dead-man switch at the console's end: what to send for the commands that a view gives while
+/// the switch is held. A view that hangs gives none, and then the switch counts as let go. Pure: time is an
+/// argument, in ns of the console's steady clock. Thread: one.
+class OperatorHand {
+public:
+    /// A command counts for so long.
+    static constexpr std::int64_t kLifetime_ns = 100'000'000;
+    static constexpr std::int64_t kPeriod_ns = 20'000'000;
+    /// How often it is said that the switch was let go: over a link that loses packets.
+    static constexpr int kHolds = 5;
+
+    enum class Send {
+        nothing,
+        move, ///< the newest command
+        hold,
+    };
+
+    /// moves: a rate other than zero, that is the switch is held. given_ns: when the view gave it.
+    void post(bool moves, std::int64_t given_ns);
+
+    /// What to send now, every kPeriod_ns.
+    [[nodiscard]] Send step(std::int64_t now_ns);
+
+    /// How often the switch was pressed. A press that was silent for longer than kLifetime_ns is another one.
+    [[nodiscard]] std::uint32_t press() const { return m_press; }
+
+private:
+    bool m_held = false;
+    std::int64_t m_given_ns = std::numeric_limits<std::int64_t>::min();
+    std::uint32_t m_press = 0;
+    int m_holdsLeft = 0;
+};
+
+} // namespace teleta::site

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/keys/toml_table.h"
+#include "devices/dds/domain_config.h"
+
+#include <string>
+
+namespace teleta::site_link {
+
+/// Where a site and its consoles meet: the table [operator] of their files.
+struct OperatorDomain {
+    static constexpr int kDefaultDomain = 71;
+
+    dds::DomainConfig domain;
+    std::string certificates; ///< folder of this program's certificates; empty: no security
+};
+
+/// Reads the table. Without certificates only the loopback interface is accepted: nobody else may listen or
+/// move an arm. file: from whose folder paths count. Errors stay with the table's document. Thread: any.
+[[nodiscard]] OperatorDomain readOperatorDomain(core::TomlTable& root, const std::string& file);
+
+} // namespace teleta::site_link

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/arm_device.h"
+#include "backend/core/device/joint_outlet.h"
+#include "backend/core/error.h"
+#include "backend/core/threads/device_thread.h"
+#include "devices/dds/endpoint.h"
+#include "devices/dds/wait_set.h"
+#include "devices/site/remote_stream.h"
+#include "devices/site/site_client.h"
+
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+#include <string>
+
+namespace teleta::site_link {
+
+/// An arm at a site as a source of joint samples, moved by the operator as long as this console is in
+/// control. Times are those of the reads at the site, by the clock here.
+///   connecting -> live <-> stale; stop(): closed
+/// Thread: as core::ArmSource.
+class RemoteArm : public core::ArmSource {
+public:
+    /// name: of the arm at the site. description: as the site describes it. Error: unavailable, its topic
+    /// cannot be opened.
+    [[nodiscard]] static core::Expected<std::unique_ptr<RemoteArm>>
+    open(std::shared_ptr<SiteClient> site, const std::string& name, core::ArmDescription description);
+
+    [[nodiscard]] const core::ArmDescription& description() const override { return m_description; }
+    void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
+    void stop() override { m_thread.stop(); }
+    [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override { return m_outlet.samples(); }
+    [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
+    [[nodiscard]] core::ArmDrive drive() const override;
+    [[nodiscard]] std::string hindrance() const override;
+    void post(const core::ArmCommand& command) override { m_site->post(m_name, command); }
+
+private:
+    friend core::DeviceThread<RemoteArm>;
+    RemoteArm(std::shared_ptr<SiteClient> site, std::string name, core::ArmDescription description,
+              dds::Reader<ros::JointBlock> reader);
+
+    void open(core::Wakeup& consumer);
+    void run(const std::stop_token& stop);
+    void wake() { m_waitSet.wake(); }
+    void take(const ros::JointBlock& block);
+
+    std::shared_ptr<SiteClient> m_site;
+    std::string m_name;
+    core::ArmDescription m_description;
+    dds::Reader<ros::JointBlock> m_reader;
+    dds::WaitSet m_waitSet;
+    core::JointOutlet m_outlet;
+    RemoteStream m_stream;
+    core::DeviceThread<RemoteArm> m_thread{*this};
+};
+
+} // namespace teleta::site_link

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/site/remote_array.h"
+
+#include "backend/core/device/device_state.h"
+#include "backend/core/steady_time.h"
+#include "backend/core/threads/urgent_thread.h"
+#include "devices/site/boot_name.h"
+#include "devices/site/remote_text.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace teleta::site_link {
+
+namespace {
+
+constexpr std::size_t kQueueBlocks = 256;
+
+} // namespace
+
+core::Expected<std::unique_ptr<RemoteArray>> RemoteArray::open(std::shared_ptr<SiteClient> site,
+                                                               const std::string& name,
+                                                               core::SourceDescription description) {
+    TELETA_TRY(auto reader,
+               dds::Reader<ros::TactileBlock>::open(site->participant(), site->topics().tactile(name),
+                                                    kStreamed.withDepth(kReaderDepth)));
+    return std::unique_ptr<RemoteArray>(
+        new RemoteArray(std::move(site), std::move(description), std::move(reader)));
+}
+
+RemoteArray::RemoteArray(std::shared_ptr<SiteClient> site, core::SourceDescription description,
+                         dds::Reader<ros::TactileBlock> reader)
+    : m_site(std::move(site))
+    , m_description(std::move(description))
+    , m_reader(std::move(reader))
+    , m_waitSet(m_site->participant())
+    , m_outlet(kQueueBlocks) {
+    m_waitSet.attach(m_reader);
+}
+
+void RemoteArray::open(core::Wakeup& consumer) {
+    m_outlet.open(consumer, core::steadyNow_ns());
+}
+
+void RemoteArray::run(const std::stop_token& stop) {
+    (void)core::makeThreadUrgent();
+    const std::int64_t staleAfter_ns = core::staleAfter_ns(m_description.nominalRate_Hz);
+    while (!stop.stop_requested()) {
+        m_waitSet.wait(RemoteStream::kLook_ns);
+        (void)m_reader.take([this](const ros::TactileBlock& block, const dds::SampleInfo&) { take(block); });
+        const std::int64_t now_ns = core::steadyNow_ns();
+        if (m_outlet.state() == core::DeviceState::live && now_ns - m_outlet.lastData_ns() > staleAfter_ns)
+            m_outlet.setState(core::DeviceState::stale, now_ns, silenceText(*m_site));
+    }
+    m_outlet.setState(core::DeviceState::closed, core::steadyNow_ns());
+}
+
+void RemoteArray::take(const ros::TactileBlock& block) {
+    const std::int64_t arrived_ns = core::steadyNow_ns();
+    const auto taxels = static_cast<std::size_t>(m_description.layout.taxels());
+    const auto times = ros::view(block.read_site_ns);
+    const auto source = ros::view(block.source_s);
+    const auto values = ros::view(block.values);
+    // A block whose lengths contradict each other says nothing.
+    if (source.size() != times.size() || values.size() != times.size() * taxels)
+        return;
+    const RemoteStream::Step step = m_stream.take(bootNameOf(block.site_boot), block.first, times.size());
+    if (!step.use)
+        return;
+    if (step.lost > 0)
+        m_outlet.lose(step.lost);
+    core::SampleBlock taken;
+    taken.channels = taxels;
+    for (const std::int64_t time_ns : times)
+        taken.time_ns.push_back(m_stream.inOrder(m_site->readTime_ns(time_ns, arrived_ns)));
+    taken.sourceTime_s.assign(source.begin(), source.end());
+    taken.values.assign(values.begin(), values.end());
+    taken.discontinuity = step.discontinuity || block.discontinuity != 0;
+    m_outlet.deliver(std::move(taken), core::DeviceState::live, arrived_ns);
+}
+
+} // namespace teleta::site_link

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/device.h"
+#include "backend/core/device/source_outlet.h"
+#include "backend/core/error.h"
+#include "backend/core/threads/device_thread.h"
+#include "devices/dds/endpoint.h"
+#include "devices/dds/wait_set.h"
+#include "devices/site/remote_stream.h"
+#include "devices/site/site_client.h"
+
+#include <memory>
+#include <stop_token>
+#include <string>
+
+namespace teleta::site_link {
+
+/// A tactile array at a site as a source of frames. Times are those of the reads at the site, by the clock
+/// here.
+///   connecting -> live <-> stale; stop(): closed
+/// Thread: as core::TactileSource.
+class RemoteArray : public core::TactileSource {
+public:
+    /// name: of the array, or of the arm that wears it. description: as the site describes it. Error:
+    /// unavailable, its topic cannot be opened.
+    [[nodiscard]] static core::Expected<std::unique_ptr<RemoteArray>>
+    open(std::shared_ptr<SiteClient> site, const std::string& name, core::SourceDescription description);
+
+    [[nodiscard]] const core::SourceDescription& description() const override { return m_description; }
+    void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
+    void stop() override { m_thread.stop(); }
+    [[nodiscard]] core::BoundedQueue<core::SampleBlock>& blocks() override { return m_outlet.blocks(); }
+    [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
+
+private:
+    friend core::DeviceThread<RemoteArray>;
+    RemoteArray(std::shared_ptr<SiteClient> site, core::SourceDescription description,
+                dds::Reader<ros::TactileBlock> reader);
+
+    void open(core::Wakeup& consumer);
+    void run(const std::stop_token& stop);
+    void wake() { m_waitSet.wake(); }
+    void take(const ros::TactileBlock& block);
+
+    std::shared_ptr<SiteClient> m_site;
+    core::SourceDescription m_description;
+    dds::Reader<ros::TactileBlock> m_reader;
+    dds::WaitSet m_waitSet;
+    core::SourceOutlet m_outlet;
+    RemoteStream m_stream;
+    core::DeviceThread<RemoteArray> m_thread{*this};
+};
+
+} // namespace teleta::site_link

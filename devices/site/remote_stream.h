@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/site/control_arbiter.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+namespace teleta::site_link {
+
+/// Follows the numbers of a stream that comes in blocks over a network: what was lost, what came twice or
+/// late, and whether the site was started anew. Times never go back. Thread: one.
+class RemoteStream {
+public:
+    /// Between looks whether something still comes.
+    static constexpr std::int64_t kLook_ns = 50'000'000;
+
+    struct Step {
+        bool use = false;           ///< the block is new
+        bool discontinuity = false; ///< the site was started anew before it
+        std::uint64_t lost = 0;     ///< samples that never came
+    };
+
+    /// A block of count samples, the first of which has this number.
+    [[nodiscard]] Step take(const site::BootName& boot, std::uint64_t first, std::uint64_t count) {
+        Step step;
+        const bool other = m_boot && *m_boot != boot;
+        if (!m_boot || other) {
+            m_boot = boot;
+            m_next = first;
+        }
+        // What lies behind was overtaken on the way.
+        if (count == 0 || first < m_next)
+            return step;
+        step.use = true;
+        step.discontinuity = other;
+        step.lost = first - m_next;
+        m_next = first + count;
+        return step;
+    }
+
+    /// A time that is not before the ones that came already.
+    [[nodiscard]] std::int64_t inOrder(std::int64_t time_ns) {
+        m_last_ns = std::max(m_last_ns, time_ns);
+        return m_last_ns;
+    }
+
+private:
+    std::optional<site::BootName> m_boot;
+    std::uint64_t m_next = 0;
+    std::int64_t m_last_ns = 0;
+};
+
+} // namespace teleta::site_link

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/site/remote_text.h"
+
+#include "devices/site/site_client.h"
+
+#include <QCoreApplication>
+
+namespace teleta::site_link {
+
+namespace {
+
+struct RemoteText {
+    Q_DECLARE_TR_FUNCTIONS(RemoteDevice)
+};
+
+} // namespace
+
+std::string silenceText(const SiteClient& site) {
+    return (site.view().reached ? RemoteText::tr("%1 sends nothing of this device")
+                                : RemoteText::tr("%1 does not answer"))
+        .arg(QString::fromStdString(site.file().name))
+        .toStdString();
+}
+
+} // namespace teleta::site_link

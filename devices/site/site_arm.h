@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/arm_device.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace teleta::arm_model {
+class SerialChain;
+}
+
+namespace teleta::site_link {
+
+/// What an arm says of itself besides core::ArmSource.
+struct ArmHealth {
+    std::string fault; ///< why it is not commanded any more, a sentence without a full stop; empty: none
+    std::uint32_t flags = 0; ///< limits that act, arm_model::MotionFlag
+};
+
+/// An arm of a site, for those who command it and those who are told of it.
+struct SiteArm {
+    std::string name;                                    ///< isSiteName()
+    core::ArmSource* source = nullptr;                   ///< not null; outlives this
+    std::function<ArmHealth()> health;                   ///< empty: it has no faults
+    std::shared_ptr<const arm_model::SerialChain> chain; ///< null: not known
+    std::string adapter = "simulated";
+    bool guarded = true; ///< something at the robot ends a motion when nothing more comes
+    std::string effortUnit = "Nm";
+};
+
+} // namespace teleta::site_link

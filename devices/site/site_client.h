@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/arm_device.h"
+#include "backend/core/error.h"
+#include "backend/core/threads/latest_copy.h"
+#include "backend/core/threads/mailbox.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/recording/recording_types.h"
+#include "backend/site/clock_estimator.h"
+#include "backend/site/control_arbiter.h"
+#include "backend/site/operator_hand.h"
+#include "devices/dds/endpoint.h"
+#include "devices/dds/participant.h"
+#include "devices/dds/wait_set.h"
+#include "devices/site/remote_site_file.h"
+#include "devices/site/site_topics.h"
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace teleta::site_link {
+
+/// An arm of a site as its last state told it.
+struct RemoteArmState {
+    std::string name;
+    core::ArmDrive drive = core::ArmDrive::held;
+    std::uint32_t flags = 0; ///< limits that act, arm_model::MotionFlag
+    std::string message;     ///< why it does not move; empty: nothing is in the way
+};
+
+/// The answer to the last request of this console.
+struct RequestOutcome {
+    std::uint64_t id = 0;
+    site::RequestKind kind = site::RequestKind::request;
+    site::RequestAnswer answer = site::RequestAnswer::waits;
+};
+
+/// What happened at the site, as it told.
+struct RemoteEvent {
+    std::int64_t site_ns = 0;
+    int severity = 0; ///< 0 note, 1 warning, 2 error
+    std::string source;
+    std::string code;
+    std::string message;
+};
+
+/// What a console knows of a site now.
+struct SiteView {
+    bool reached = false;          ///< its state came within kSilence_ns
+    std::int64_t lastState_ns = 0; ///< console's clock; 0: never
+    site::Mode mode = site::Mode::free;
+    std::string controller; ///< empty: nobody
+    std::string offeredTo;
+    std::uint64_t epoch = 0;
+    double controlLeft_s = 0.0;
+    double offerLeft_s = 0.0;
+    std::vector<std::string> stopHolders;
+    std::vector<std::string> viewers;
+    std::vector<RemoteArmState> arms;
+    std::uint64_t accepted = 0;
+    std::uint64_t refused = 0;
+    site::CommandRefusal lastRefusal = site::CommandRefusal::none;
+    std::uint64_t statesLost = 0;
+    std::optional<site::ClockOffset> clock;
+    std::optional<double> loop_s; ///< age of the whole loop of the last probe: there and back
+    std::uint64_t clockJumps = 0;
+    std::optional<RequestOutcome> request;
+    std::uint64_t boots = 0; ///< how often the site was started while this console looked
+
+    [[nodiscard]] bool controls(const std::string& console) const {
+        return reached && controller == console && mode != site::Mode::free;
+    }
+};
+
+/// Why this console cannot move an arm of the site now, a translated sentence without a full stop; empty:
+/// nothing is in the way. Thread: any (pure).
+[[nodiscard]] std::string hindranceOf(const SiteView& view, const std::string& console,
+                                      const std::string& arm);
+
+/// A console at a site: tells that it is there and whether STOP is engaged, measures the clock, asks for
+/// control, and passes the operator's commands on while the dead-man switch is held. What the site's devices
+/// measure comes through RemoteArm and RemoteArray. Thread: a thread of its own; all calls from any, none
+/// waits but open().
+class SiteClient {
+public:
+    static constexpr std::int64_t kSilence_ns = 300'000'000;
+    static constexpr std::int64_t kLongestOpen_ns = 8'000'000'000;
+
+    /// Joins the domain and waits for what the site tells of itself. stop outlives the client. cancelled:
+    /// looked at meanwhile. Error: as dds::Participant::open(); unavailable, the site was not found;
+    /// refused, it speaks another protocol; cancelled.
+    [[nodiscard]] static core::Expected<std::shared_ptr<SiteClient>>
+    open(const RemoteSiteFile& file, const std::string& version, const core::StopSwitch& stop,
+         const std::function<bool()>& cancelled = {});
+    ~SiteClient();
+    SiteClient(const SiteClient&) = delete;
+    SiteClient& operator=(const SiteClient&) = delete;
+
+    [[nodiscard]] const RemoteSiteFile& file() const { return m_file; }
+    [[nodiscard]] const std::shared_ptr<const dds::Participant>& participant() const { return m_participant; }
+    [[nodiscard]] const SiteTopics& topics() const { return m_topics; }
+    /// What the site sends, as it was when the client was opened.
+    [[nodiscard]] const std::vector<recording::StreamInfo>& streams() const { return m_streams; }
+
+    [[nodiscard]] SiteView view() const { return m_view.get(); }
+    /// Events since the last call, in order; at most kMostEvents are kept.
+    [[nodiscard]] std::vector<RemoteEvent> takeEvents();
+
+    /// Asks the site; the answer is in SiteView::request. target: the console that it is about.
+    void request(site::RequestKind kind, const std::string& target = {});
+    /// The operator's command to an arm; a rate of zero: the switch is let go.
+    void post(const std::string& arm, const core::ArmCommand& command);
+
+    /// When something was read at the site, by the clock here; where the clock is not known yet, when it
+    /// arrived.
+    [[nodiscard]] std::int64_t readTime_ns(std::int64_t read_site_ns, std::int64_t arrived_ns) const;
+
+private:
+    static constexpr std::size_t kMostEvents = 256;
+    struct Ends {
+        dds::Reader<ros::SiteState> state;
+        dds::Reader<ros::SiteEvent> event;
+        dds::Reader<ros::ClockAnswer> answer;
+        dds::Writer<ros::ConsolePresence> presence;
+        dds::Writer<ros::ControlRequest> request;
+        dds::Writer<ros::SiteArmCommand> command;
+        dds::Writer<ros::ClockProbe> probe;
+    };
+    struct Posted {
+        std::string arm;
+        core::ArmCommand command;
+    };
+    struct Pending {
+        RequestOutcome outcome;
+        std::string target;
+        std::int64_t until_ns = 0;
+        std::int64_t next_ns = 0;
+    };
+
+    SiteClient(RemoteSiteFile file, std::string version, std::shared_ptr<const dds::Participant> participant,
+               std::vector<recording::StreamInfo> streams, Ends ends, const core::StopSwitch& stop);
+
+    void run(const std::stop_token& stop);
+    void listen();
+    void take(const ros::SiteState& state, std::int64_t now_ns);
+    void take(const ros::ClockAnswer& answer, std::int64_t now_ns);
+    void tellPresence(std::int64_t now_ns);
+    void probeClock(std::int64_t now_ns);
+    void ask(std::int64_t now_ns);
+    void command(std::int64_t now_ns);
+    void publish(std::int64_t now_ns);
+
+    RemoteSiteFile m_file;
+    std::string m_version;
+    std::shared_ptr<const dds::Participant> m_participant;
+    SiteTopics m_topics;
+    std::vector<recording::StreamInfo> m_streams;
+    Ends m_ends;
+    const core::StopSwitch& m_stop;
+    dds::WaitSet m_waitSet;
+    site::BootName m_boot;
+    core::LatestCopy<SiteView> m_view;
+    core::LatestCopy<std::optional<std::int64_t>> m_offset_ns;
+    std::mutex m_mutex;
+    std::deque<RemoteEvent> m_events; ///< guarded by m_mutex, as the next two
+    std::deque<Posted> m_posted;
+    std::optional<Pending> m_pending;
+    std::uint64_t m_lastRequest = 0;
+
+    // The thread's own.
+    SiteView m_now;
+    std::optional<site::BootName> m_siteBoot;
+    std::uint64_t m_stateNumber = 0;
+    std::int64_t m_echoSite_ns = 0;
+    site::ClockEstimator m_clock;
+    site::OperatorHand m_hand;
+    Posted m_newest;
+    std::uint64_t m_commandNumber = 0;
+    std::uint64_t m_presenceNumber = 0;
+    std::uint32_t m_probeNumber = 0;
+    std::int64_t m_started_ns = 0;
+    std::int64_t m_nextPresence_ns = 0;
+    std::int64_t m_nextProbe_ns = 0;
+    std::int64_t m_nextCommand_ns = 0;
+    bool m_toldStop = false;
+
+    std::jthread m_thread;
+};
+
+} // namespace teleta::site_link

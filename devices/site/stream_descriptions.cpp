@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/site/stream_descriptions.h"
+
+#include "backend/core/data/json_document.h"
+
+#include <QCoreApplication>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+
+namespace teleta::site_link {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct StreamText {
+    Q_DECLARE_TR_FUNCTIONS(SiteStreams)
+};
+
+constexpr double kFastest_Hz = 1e6;
+constexpr double kLargestSide = 1e5;
+constexpr std::size_t kMostStreams = 256;
+constexpr std::size_t kMostColumns = 4096;
+
+} // namespace
+
+std::string describeStreams(const std::vector<recording::StreamInfo>& streams) {
+    ordered_json all = ordered_json::array();
+    for (const recording::StreamInfo& stream : streams) {
+        ordered_json columns = ordered_json::array();
+        for (const recording::Column& column : stream.columns)
+            columns.push_back({{"name", column.name}, {"unit", column.unit}});
+        all.push_back({{"name", stream.name},
+                       {"kind", recording::toString(stream.kind)},
+                       {"type", recording::toString(stream.type)},
+                       {"source", stream.source},
+                       {"shape", stream.shape},
+                       {"unit", stream.unit},
+                       {"columns", columns},
+                       {"rate_hz", stream.nominalRate_Hz},
+                       {"details", stream.details}});
+    }
+    return core::jsonText({{"streams", all}});
+}
+
+core::Expected<std::vector<recording::StreamInfo>> readStreams(const std::string& text,
+                                                               const std::string& from) {
+    TELETA_TRY(const auto document, core::JsonDocument::parse(text, from));
+    core::JsonReader reader(document);
+    std::vector<recording::StreamInfo> streams;
+    for (const ordered_json& one : reader.array(reader.member(reader.root(), "streams"), 0, kMostStreams)) {
+        recording::StreamInfo stream;
+        stream.name = reader.text(one, "name", {});
+        const ordered_json& kindMember = reader.member(one, "kind");
+        const auto kind = recording::streamKindOf(reader.text(one, "kind", {}));
+        const auto type = recording::valueTypeOf(reader.text(one, "type", {}));
+        if (!kind || !type)
+            reader.fail(kindMember, StreamText::tr("this kind of stream is not known"), {});
+        stream.kind = kind.value_or(stream.kind);
+        stream.type = type.value_or(stream.type);
+        stream.source = reader.text(one, "source", {});
+        for (const ordered_json& side : reader.array(reader.member(one, "shape"), 0, 3))
+            stream.shape.push_back(static_cast<std::size_t>(reader.number(side, 0.0, kLargestSide)));
+        stream.unit = reader.text(one, "unit", {});
+        for (const ordered_json& column : reader.array(reader.member(one, "columns"), 0, kMostColumns))
+            stream.columns.push_back({reader.text(column, "name", {}), reader.text(column, "unit", {})});
+        stream.nominalRate_Hz = reader.number(reader.member(one, "rate_hz"), 0.0, kFastest_Hz);
+        stream.details = reader.text(one, "details", {});
+        streams.push_back(std::move(stream));
+    }
+    if (reader.error())
+        return core::Unexpected(*reader.error());
+    return streams;
+}
+
+} // namespace teleta::site_link

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/recording/recording_types.h"
+
+#include <string>
+#include <vector>
+
+namespace teleta::site_link {
+
+/// What a site says of its streams: a JSON document that has for each what a recording has of it.
+///   {"streams": [{"name": .., "kind": .., "type": .., "source": .., "shape": [..], "unit": ..,
+///                 "columns": [{"name": .., "unit": ..}], "rate_hz": .., "details": ..}]}
+/// Thread: any (pure).
+[[nodiscard]] std::string describeStreams(const std::vector<recording::StreamInfo>& streams);
+
+/// The inverse. from: names the site in errors. Error: badInput.
+[[nodiscard]] core::Expected<std::vector<recording::StreamInfo>> readStreams(const std::string& text,
+                                                                             const std::string& from);
+
+} // namespace teleta::site_link
