@@ -5,6 +5,7 @@
 #include "backend/core/error.h"
 #include "backend/core/threads/latest_copy.h"
 #include "backend/core/threads/stop_switch.h"
+#include "backend/recording/recording_types.h"
 #include "backend/site/control_arbiter.h"
 #include "devices/dds/discovery.h"
 #include "devices/dds/participant.h"

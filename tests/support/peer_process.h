@@ -26,6 +26,9 @@ public:
         m_process.start(program, arguments);
     }
 
+    /// 0: it does not run.
+    [[nodiscard]] qint64 processId() const { return m_process.processId(); }
+
     void kill() {
         if (m_process.state() == QProcess::NotRunning)
             return;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/site/site_file.h"
+
+#include <gtest/gtest.h>
+
+#include <variant>
+
+namespace teleta::site_program {
+namespace {
+
+constexpr const char* kHead = "kind = \"site\"\nname = \"lab\"\n[operator]\ninterface = \"lo\"\n"
+                              "security = \"none\"\n";
+
+std::string errorOf(const std::string& text) {
+    const auto file = parseSite(text, "/files/site.toml");
+    return file ? std::string() : core::describe(file.error());
+}
+
+TEST(SiteFile, hasTheKeysOfTheSpecification) {
+    const auto file = parseSite(R"(kind = "site"
+name = "lab"
+supervisors = ["console1"]
+motion_lease_ms = 120
+control_lease_ms = 3000
+loop_limit_ms = 400
+record = true
+[operator]
+domain = 71
+interface = "wg0"
+peers = ["10.8.0.2", "10.8.0.3"]
+security = "certificates"
+certificates = "keys/site"
+[[device]]
+file = "arm.toml"
+[[device]]
+id = "pad"
+wts = "/dev/ttyUSB0"
+[[device]]
+id = "practice"
+scene = ":/scenes/teleoperation.toml"
+)",
+                                "/files/site.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->supervisors, std::set<std::string>{"console1"});
+    EXPECT_EQ(file->times.motion_ns, 120'000'000);
+    EXPECT_EQ(file->times.control_ns, 3'000'000'000);
+    EXPECT_EQ(file->times.loopLimit_ns, 400'000'000);
+    EXPECT_TRUE(file->record);
+    EXPECT_EQ(file->meeting.certificates, "/files/keys/site");
+    ASSERT_EQ(file->devices.size(), 3U);
+    EXPECT_EQ(file->devices[0].id, "arm");
+    EXPECT_EQ(std::get<app::ArmRequest>(file->devices[0].request).path, "/files/arm.toml");
+    EXPECT_EQ(file->devices[1].id, "pad");
+    EXPECT_TRUE(std::holds_alternative<app::WtsRequest>(file->devices[1].request));
+    EXPECT_EQ(file->devices[2].id, "practice");
+    EXPECT_TRUE(std::holds_alternative<app::SceneRequest>(file->devices[2].request));
+}
+
+TEST(SiteFile, leasesHaveBoundsAndDefaults) {
+    const std::string device = "[[device]]\nid = \"a\"\nscene = \":/scenes/teleoperation.toml\"\n";
+    const auto file = parseSite(kHead + device, "site.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->times.motion_ns, 100'000'000);
+    EXPECT_EQ(file->times.control_ns, 2'000'000'000);
+    EXPECT_EQ(file->times.loopLimit_ns, 500'000'000);
+    const std::string error = errorOf("motion_lease_ms = 301\n" + std::string(kHead) + device);
+    EXPECT_NE(error.find("site.toml:1"), std::string::npos) << error;
+}
+
+TEST(SiteFile, devicesHaveNamesOfTheirOwn) {
+    EXPECT_NE(errorOf(kHead).find("device"), std::string::npos);
+    const std::string scene = "scene = \":/scenes/teleoperation.toml\"\n";
+    EXPECT_NE(errorOf(kHead + ("[[device]]\n" + scene)).find("id"), std::string::npos);
+    EXPECT_NE(errorOf(kHead + ("[[device]]\nid = \"a\"\n" + scene + "[[device]]\nid = \"a\"\n" + scene))
+                  .find("two devices are called \"a\""),
+              std::string::npos);
+    EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nfile = \"Left Arm.toml\"\n").find("needs an id"),
+              std::string::npos);
+    EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nid = \"a\"\ncamera = \"0\"\n")
+                  .find("does not send this kind"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace teleta::site_program

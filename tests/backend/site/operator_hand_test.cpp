@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/site/operator_hand.h"
+
+#include <gtest/gtest.h>
+
+namespace teleta::site {
+namespace {
+
+using Send = OperatorHand::Send;
+
+constexpr std::int64_t kMs = 1'000'000;
+
+TEST(OperatorHand, saysNothingBeforeTheFirstPress) {
+    OperatorHand hand;
+    hand.post(false, 0);
+    EXPECT_EQ(hand.step(0), Send::nothing);
+    EXPECT_EQ(hand.press(), 0U);
+}
+
+TEST(OperatorHand, aSwitchThatIsLetGoIsSaidFiveTimes) {
+    OperatorHand hand;
+    hand.post(true, 0);
+    EXPECT_EQ(hand.step(0), Send::move);
+    hand.post(false, 20 * kMs);
+    for (int i = 0; i < OperatorHand::kHolds; ++i)
+        EXPECT_EQ(hand.step((20 + 20 * i) * kMs), Send::hold);
+    EXPECT_EQ(hand.step(200 * kMs), Send::nothing);
+}
+
+TEST(OperatorHand, aViewThatHangsLetsGo) {
+    OperatorHand hand;
+    hand.post(true, 0);
+    EXPECT_EQ(hand.step(OperatorHand::kLifetime_ns), Send::move);
+    EXPECT_EQ(hand.step(OperatorHand::kLifetime_ns + 1), Send::hold);
+    EXPECT_EQ(hand.press(), 1U);
+    // What comes later is another press.
+    hand.post(true, 150 * kMs);
+    EXPECT_EQ(hand.press(), 2U);
+    EXPECT_EQ(hand.step(150 * kMs), Send::move);
+}
+
+TEST(OperatorHand, aPressThatWasSilentForLongIsAnotherOneEvenIfNobodyLooked) {
+    OperatorHand hand;
+    hand.post(true, 0);
+    hand.post(true, 50 * kMs);
+    EXPECT_EQ(hand.press(), 1U);
+    hand.post(true, 50 * kMs + OperatorHand::kLifetime_ns + 1);
+    EXPECT_EQ(hand.press(), 2U);
+}
+
+TEST(OperatorHand, aPressEndsTheHolds) {
+    OperatorHand hand;
+    hand.post(true, 0);
+    hand.post(false, kMs);
+    EXPECT_EQ(hand.step(2 * kMs), Send::hold);
+    hand.post(true, 3 * kMs);
+    EXPECT_EQ(hand.step(20 * kMs), Send::move);
+    EXPECT_EQ(hand.press(), 2U);
+}
+
+} // namespace
+} // namespace teleta::site

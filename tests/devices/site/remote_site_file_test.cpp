@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/site/remote_site_file.h"
+
+#include <gtest/gtest.h>
+
+namespace teleta::site_link {
+namespace {
+
+constexpr const char* kWhole = R"(kind = "remote_site"
+name = "lab"
+console = "console1"
+person = "A. Name"
+viewer = true
+[operator]
+domain = 72
+interface = "wg0"
+peers = ["10.8.0.1"]
+security = "certificates"
+certificates = "keys/console1"
+)";
+
+std::string errorOf(const std::string& text) {
+    const auto file = parseRemoteSite(text, "/files/lab.toml");
+    return file ? std::string() : core::describe(file.error());
+}
+
+TEST(RemoteSiteFile, hasAllKeysOfTheSpecification) {
+    const auto file = parseRemoteSite(kWhole, "/files/lab.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->name, "lab");
+    EXPECT_EQ(file->console, "console1");
+    EXPECT_EQ(file->person, "A. Name");
+    EXPECT_TRUE(file->viewer);
+    EXPECT_EQ(file->meeting.domain, (dds::DomainConfig{72, "wg0", {"10.8.0.1"}}));
+    EXPECT_EQ(file->meeting.certificates, "/files/keys/console1");
+}
+
+TEST(RemoteSiteFile, withoutSecurityNobodyElseMayListen) {
+    const std::string open = "kind = \"remote_site\"\nname = \"lab\"\nconsole = \"a\"\n[operator]\n"
+                             "security = \"none\"\ninterface = ";
+    const auto file = parseRemoteSite(open + "\"lo\"\n", "lab.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->meeting.domain.domain, OperatorDomain::kDefaultDomain);
+    EXPECT_TRUE(file->meeting.certificates.empty());
+    const std::string error = errorOf(open + "\"eth0\"\n");
+    EXPECT_NE(error.find("lab.toml:5"), std::string::npos) << error;
+    EXPECT_NE(error.find("anybody on this network could move the arm"), std::string::npos) << error;
+}
+
+TEST(RemoteSiteFile, saysWhatIsWrongAndWhere) {
+    EXPECT_NE(errorOf("kind = \"remote_site\"\n").find("name"), std::string::npos);
+    std::string text = kWhole;
+    text.replace(text.find("console1"), 8, "Console 1");
+    EXPECT_NE(errorOf(text).find("\"Console 1\" cannot be a name"), std::string::npos) << errorOf(text);
+    EXPECT_NE(errorOf(std::string(kWhole) + "ports = 1\n").find("ports"), std::string::npos);
+    EXPECT_NE(errorOf("kind = \"site\"\n").find("remote_site"), std::string::npos);
+}
+
+} // namespace
+} // namespace teleta::site_link

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/site/site_topics.h"
+
+#include <gtest/gtest.h>
+
+namespace teleta::site_link {
+namespace {
+
+TEST(SiteTopics, areNamedAsTheProtocolSays) {
+    const SiteTopics topics("lab");
+    EXPECT_EQ(topics.state(), "rt/teleta/lab/state");
+    EXPECT_EQ(topics.joints("left_arm"), "rt/teleta/lab/joints/left_arm");
+    EXPECT_EQ(topics.command("console1"), "rt/teleta/lab/console/console1/command");
+    EXPECT_EQ(topics.clockAnswer("console1"), "rt/teleta/lab/console/console1/clock_answer");
+}
+
+TEST(SiteTopics, aConsoleIsFoundByItsPresence) {
+    const SiteTopics topics("lab");
+    EXPECT_EQ(topics.consoleOf(topics.presence("console1")), "console1");
+    for (const char* other : {"rt/teleta/lab/console/console1/command", "rt/teleta/lab2/console/a/presence",
+                              "rt/teleta/lab/console//presence", "rt/teleta/lab/console/presence",
+                              "rt/teleta/lab/console/A/presence", "rt/teleta/lab/console/a/b/presence", ""})
+        EXPECT_FALSE(topics.consoleOf(other)) << other;
+}
+
+TEST(SiteTopics, aSiteIsFoundByWhatItTellsOfItself) {
+    EXPECT_EQ(siteOfInfo("rt/teleta/lab/info"), "lab");
+    for (const char* other : {"rt/teleta/lab/state", "rt/teleta//info", "rt/teleta/info", "rt/lab/info"})
+        EXPECT_FALSE(siteOfInfo(other)) << other;
+}
+
+TEST(SiteTopics, namesAreShortAndSmall) {
+    EXPECT_TRUE(isSiteName("a"));
+    EXPECT_TRUE(isSiteName("left_arm2"));
+    EXPECT_TRUE(isSiteName(std::string(31, 'a')));
+    for (const std::string& bad : {std::string(), std::string("2a"), std::string("_a"), std::string("a-b"),
+                                   std::string("A"), std::string("a b"), std::string(32, 'a')})
+        EXPECT_FALSE(isSiteName(bad)) << bad;
+}
+
+} // namespace
+} // namespace teleta::site_link

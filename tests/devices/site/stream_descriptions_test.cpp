@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/site/stream_descriptions.h"
+
+#include <gtest/gtest.h>
+
+namespace teleta::site_link {
+namespace {
+
+TEST(StreamDescriptions, areReadAsTheyWereWritten) {
+    recording::StreamInfo array;
+    array.name = "pad-frames";
+    array.kind = recording::StreamKind::array;
+    array.source = "Pad \"1\"";
+    array.shape = {14, 6};
+    array.unit = "counts";
+    array.nominalRate_Hz = 200.0;
+    array.details = R"({"pitch_m": 0.0034})";
+    recording::StreamInfo joints;
+    joints.name = "arm-joints";
+    joints.kind = recording::StreamKind::joints;
+    joints.type = recording::ValueType::float64;
+    joints.shape = {6};
+    joints.columns = {{"angle_1", "rad"}, {"angle_2", "rad"}};
+
+    const auto read = readStreams(describeStreams({array, joints}), "lab");
+    ASSERT_TRUE(read) << core::describe(read.error());
+    ASSERT_EQ(read->size(), 2U);
+    const recording::StreamInfo& first = (*read)[0];
+    EXPECT_EQ(first.name, array.name);
+    EXPECT_EQ(first.kind, array.kind);
+    EXPECT_EQ(first.type, array.type);
+    EXPECT_EQ(first.source, array.source);
+    EXPECT_EQ(first.shape, array.shape);
+    EXPECT_EQ(first.unit, array.unit);
+    EXPECT_EQ(first.nominalRate_Hz, array.nominalRate_Hz);
+    EXPECT_EQ(first.details, array.details);
+    const recording::StreamInfo& second = (*read)[1];
+    EXPECT_EQ(second.kind, joints.kind);
+    EXPECT_EQ(second.type, joints.type);
+    ASSERT_EQ(second.columns.size(), 2U);
+    EXPECT_EQ(second.columns[1].name, "angle_2");
+    EXPECT_EQ(second.columns[1].unit, "rad");
+    EXPECT_TRUE(readStreams(describeStreams({}), "lab")->empty());
+}
+
+TEST(StreamDescriptions, whatIsNoDescriptionIsRefused) {
+    for (const char* text :
+         {"", "[]", "{}", R"({"streams": 1})", R"({"streams": [1]})",
+          R"({"streams": [{"name": "a", "kind": "smell", "type": "float32", "shape": [], "columns": [], "rate_hz": 1}]})",
+          R"({"streams": [{"name": "a", "kind": "array", "type": "float32", "shape": [-1], "columns": [], "rate_hz": 1}]})",
+          R"({"streams": [{"name": "a", "kind": "array", "type": "float32", "shape": [1], "columns": [], "rate_hz": -1}]})"}) {
+        const auto read = readStreams(text, "lab");
+        ASSERT_FALSE(read) << text;
+        EXPECT_EQ(read.error().where.file, "lab") << text;
+    }
+}
+
+} // namespace
+} // namespace teleta::site_link

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/steady_time.h"
+#include "backend/core/threads/stop_switch.h"
+#include "backend/core/threads/wakeup.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
+#include "devices/site/remote_arm.h"
+#include "devices/site/site_client.h"
+#include "tests/support/peer_process.h"
+
+#include <QStringList>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace teleta::test {
+
+/// teleta-site in a process of its own, with the files for it and for its consoles, in a domain on the
+/// loopback interface.
+class SiteProcess {
+public:
+    /// devices: the [[device]] tables. domain: no other test's.
+    SiteProcess(int domain, const std::string& devices)
+        : m_domain(domain) {
+        std::ofstream file(m_folder.filePath("site.toml").toStdString());
+        file << "kind = \"site\"\nname = \"lab\"\nsupervisors = [\"boss\"]\n" << meeting() << devices;
+    }
+
+    void start() {
+        m_process.start(QStringLiteral(TELETA_SITE_PROGRAM), {m_folder.filePath("site.toml"), "--json"}, true);
+        ASSERT_TRUE(m_process.waitFor("\"ready\""));
+        m_id = m_process.processId();
+    }
+    void kill() { m_process.kill(); }
+    void send(int signal) const { ASSERT_EQ(::kill(static_cast<pid_t>(m_id), signal), 0); }
+
+    /// The file with which a console reaches it.
+    [[nodiscard]] std::string fileOf(const std::string& console, bool viewer = false) const {
+        const std::string path = m_folder.filePath(QString::fromStdString(console) + ".toml").toStdString();
+        std::ofstream(path) << "kind = \"remote_site\"\nname = \"lab\"\nconsole = \"" << console
+                            << "\"\nviewer = " << (viewer ? "true" : "false") << '\n'
+                            << meeting();
+        return path;
+    }
+    [[nodiscard]] QTemporaryDir& folder() { return m_folder; }
+
+private:
+    [[nodiscard]] std::string meeting() const {
+        return "[operator]\ndomain = " + std::to_string(m_domain) +
+               "\ninterface = \"lo\"\nsecurity = \"none\"\n";
+    }
+
+    int m_domain;
+    QTemporaryDir m_folder;
+    PeerProcess m_process;
+    qint64 m_id = 0;
+};
+
+/// A console at that site, with an operator's hand on one arm. Commands are given by a thread of its own, as
+/// a view does while a key is held.
+class TestConsole {
+public:
+    TestConsole(const SiteProcess& site, const std::string& name, bool viewer = false)
+        : m_name(name) {
+        auto file = site_link::readRemoteSite(site.fileOf(name, viewer));
+        EXPECT_TRUE(file) << core::describe(file.error());
+        auto client = site_link::SiteClient::open(*file, "test", m_stop);
+        EXPECT_TRUE(client) << core::describe(client.error());
+        m_client = *client;
+        for (const recording::StreamInfo& stream : m_client->streams()) {
+            if (stream.kind != recording::StreamKind::joints)
+                continue;
+            auto described = pipeline::recordedArm(stream, "lab");
+            EXPECT_TRUE(described);
+            const std::string arm = stream.name.substr(0, stream.name.find('-'));
+            m_arm = std::move(*site_link::RemoteArm::open(m_client, arm, described->description));
+        }
+        m_arm->start(m_wakeup);
+    }
+    ~TestConsole() {
+        letGo();
+        m_arm->stop();
+    }
+
+    [[nodiscard]] site_link::SiteClient& client() { return *m_client; }
+    [[nodiscard]] site_link::SiteView view() const { return m_client->view(); }
+    [[nodiscard]] core::StopSwitch& stop() { return m_stop; }
+    [[nodiscard]] std::string hindrance() const { return m_arm->hindrance(); }
+    [[nodiscard]] bool controls() const { return view().controls(m_name); }
+
+    /// Waits at most 10 s until it holds.
+    template <typename Holds>
+    [[nodiscard]] static bool eventually(const Holds& holds) {
+        using Clock = std::chrono::steady_clock;
+        for (const auto end = Clock::now() + std::chrono::seconds(10); Clock::now() < end;
+             std::this_thread::sleep_for(std::chrono::milliseconds(5))) {
+            if (holds())
+                return true;
+        }
+        return false;
+    }
+
+    /// Asks, and waits for the answer.
+    site::RequestAnswer ask(site::RequestKind kind, const std::string& target = {}) {
+        m_client->request(kind, target);
+        const std::uint64_t id = ++m_asked;
+        (void)eventually([&] {
+            const auto request = view().request;
+            return request && request->id == id && request->answer != site::RequestAnswer::waits;
+        });
+        const auto request = view().request;
+        return request && request->id == id ? request->answer : site::RequestAnswer::waits;
+    }
+
+    /// Holds the switch and asks for this rate of the second joint until letGo().
+    void press(double rate_radPerS) {
+        letGo();
+        m_hand = std::jthread([this, rate_radPerS](const std::stop_token& stop) {
+            core::ArmCommand command;
+            command.rate_radPerS = core::JointVector::zeros(m_arm->description().joints());
+            while (!stop.stop_requested()) {
+                command.rate_radPerS[1] = rate_radPerS;
+                command.time_ns = core::steadyNow_ns();
+                m_arm->post(command);
+                std::this_thread::sleep_for(std::chrono::milliseconds(15));
+            }
+            command.rate_radPerS[1] = 0.0;
+            command.time_ns = core::steadyNow_ns();
+            m_arm->post(command);
+        });
+    }
+    void letGo() {
+        if (!m_hand.joinable())
+            return;
+        m_hand.request_stop();
+        m_hand.join();
+    }
+
+    /// The newest angle of the second joint. It waits for one that was read at the site after this call.
+    [[nodiscard]] double angle() {
+        const std::int64_t from_ns = core::steadyNow_ns();
+        EXPECT_TRUE(eventually([&] {
+            take();
+            return m_newest.time_ns > from_ns;
+        }));
+        return m_newest.angle_rad[1];
+    }
+    /// Whether the joint stays where it is for so long.
+    [[nodiscard]] bool rests(std::chrono::milliseconds time, double tolerance_rad = 1e-3) {
+        const double from = angle();
+        for (const auto end = std::chrono::steady_clock::now() + time; std::chrono::steady_clock::now() < end;) {
+            if (std::abs(angle() - from) > tolerance_rad)
+                return false;
+        }
+        return true;
+    }
+    /// Whether it moves by this within 10 s.
+    [[nodiscard]] bool moves(double by_rad = 0.02) {
+        const double from = angle();
+        return eventually([&] { return std::abs(angle() - from) > by_rad; });
+    }
+    /// When the joint was last farther than this from where it is now, by the clock here.
+    [[nodiscard]] std::int64_t lastAway_ns(double tolerance_rad) {
+        const double end = angle();
+        std::int64_t last_ns = 0;
+        for (const core::JointSample& sample : m_track) {
+            if (std::abs(sample.angle_rad[1] - end) > tolerance_rad)
+                last_ns = sample.time_ns;
+        }
+        return last_ns;
+    }
+
+private:
+    void take() {
+        for (core::JointSample sample; m_arm->joints().pop(sample);) {
+            m_newest = sample;
+            m_track.push_back(sample);
+        }
+    }
+
+    std::string m_name;
+    core::StopSwitch m_stop;
+    core::Wakeup m_wakeup;
+    std::shared_ptr<site_link::SiteClient> m_client;
+    std::unique_ptr<site_link::RemoteArm> m_arm;
+    core::JointSample m_newest;
+    std::vector<core::JointSample> m_track;
+    std::uint64_t m_asked = 0;
+    std::jthread m_hand;
+};
+
+} // namespace teleta::test

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// teleta-site with a simulated arm, and its consoles, over the loopback interface. Each test has a domain of
+// its own.
+#include "tests/app/cli/program_run.h"
+#include "tests/peer/site/site_process.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace teleta {
+namespace {
+
+using namespace std::chrono_literals;
+using site::Mode;
+using site::RequestAnswer;
+using site::RequestKind;
+using test::SiteProcess;
+using test::TestConsole;
+
+constexpr const char* kPractice = "[[device]]\nid = \"practice\"\nscene = \":/scenes/teleoperation.toml\"\n";
+constexpr double kRate_radPerS = 0.3;
+
+/// The program of the simulated arm ends with the first jog; then the arm rests unless somebody moves it.
+void takeOver(TestConsole& console) {
+    ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::moving; }));
+    ASSERT_TRUE(console.moves());
+    console.letGo();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::held; }));
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.rests(200ms); }));
+}
+
+TEST(Site, nobodyMovesAnArmWithoutControl) {
+    SiteProcess site(81, kPractice);
+    site.start();
+    TestConsole console(site, "a");
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().clock.has_value(); }));
+    EXPECT_EQ(console.hindrance(), "nobody controls the site; request control first");
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().refused > 10; }));
+    EXPECT_EQ(console.view().lastRefusal, site::CommandRefusal::notController);
+    EXPECT_EQ(console.view().accepted, 0U);
+    // A press from before the grant moves nothing either.
+    EXPECT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
+    const std::uint64_t refused = console.view().refused;
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().refused > refused + 10; }));
+    EXPECT_EQ(console.view().lastRefusal, site::CommandRefusal::pressAnew);
+    EXPECT_EQ(console.view().accepted, 0U);
+    console.letGo();
+    console.press(kRate_radPerS);
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.view().accepted > 10; }));
+    EXPECT_EQ(console.hindrance(), "");
+}
+
+TEST(Site, controlIsHandedOverAndTakenOver) {
+    SiteProcess site(82, kPractice);
+    site.start();
+    TestConsole first(site, "a");
+    TestConsole second(site, "b");
+    TestConsole boss(site, "boss");
+    TestConsole viewer(site, "v", true);
+    takeOver(first);
+    EXPECT_EQ(second.ask(RequestKind::request), RequestAnswer::busy);
+    EXPECT_EQ(viewer.ask(RequestKind::request), RequestAnswer::notPermitted);
+    EXPECT_EQ(second.hindrance(), "a controls the site");
+
+    const std::uint64_t epoch = first.view().epoch;
+    first.client().request(RequestKind::offer, "b");
+    ASSERT_TRUE(TestConsole::eventually([&] { return second.view().offeredTo == "b"; }));
+    first.press(kRate_radPerS);
+    EXPECT_TRUE(first.rests(300ms));
+    EXPECT_EQ(second.ask(RequestKind::accept), RequestAnswer::done);
+    ASSERT_TRUE(TestConsole::eventually([&] { return second.controls() && !first.controls(); }));
+    EXPECT_EQ(second.view().epoch, epoch + 1);
+    // Who gave control away holds the switch still.
+    EXPECT_TRUE(first.rests(300ms));
+    first.letGo();
+    second.press(-kRate_radPerS);
+    EXPECT_TRUE(second.moves());
+    second.letGo();
+
+    // A supervisor takes over; b agrees.
+    boss.client().request(RequestKind::takeOver);
+    ASSERT_TRUE(TestConsole::eventually([&] { return second.view().offeredTo == "boss"; }));
+    EXPECT_EQ(second.ask(RequestKind::accept), RequestAnswer::done);
+    EXPECT_TRUE(TestConsole::eventually([&] { return boss.controls(); }));
+    EXPECT_EQ(boss.ask(RequestKind::release), RequestAnswer::done);
+    EXPECT_TRUE(TestConsole::eventually([&] { return boss.view().mode == Mode::free; }));
+}
+
+TEST(Site, stopOfAViewerHoldsUntilItIsWithdrawn) {
+    SiteProcess site(83, kPractice);
+    site.start();
+    TestConsole console(site, "a");
+    TestConsole boss(site, "boss");
+    auto viewer = std::make_unique<TestConsole>(site, "v", true);
+    takeOver(console);
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+    viewer->stop().engage();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::stopped; }));
+    EXPECT_EQ(console.view().stopHolders, std::vector<std::string>{"v"});
+    EXPECT_EQ(console.hindrance(), "STOP is held by v");
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.rests(200ms); }));
+    // The viewer vanishes: STOP stays, whatever happens to its program.
+    viewer.reset();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().viewers.empty(); }));
+    EXPECT_EQ(console.view().mode, Mode::stopped);
+    EXPECT_EQ(console.ask(RequestKind::withdrawStop, "v"), RequestAnswer::notPermitted);
+    EXPECT_EQ(boss.ask(RequestKind::withdrawStop, "v"), RequestAnswer::done);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::held; }));
+    EXPECT_TRUE(console.controls());
+    // The switch was held through all of it.
+    EXPECT_TRUE(console.rests(300ms));
+    console.letGo();
+    console.press(kRate_radPerS);
+    EXPECT_TRUE(console.moves());
+}
+
+TEST(Site, anArmComesToRestWhenItsOperatorIsKilled) {
+    SiteProcess site(84, kPractice);
+    site.start();
+    TestConsole viewer(site, "v", true);
+    test::RunningProgram jog({"arm", "jog", site.fileOf("a"), "--joint", "joint_2", "--rate", "0.3",
+                              "--seconds", "2", "--yes"});
+    ASSERT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::moving; }));
+    ASSERT_TRUE(viewer.moves(0.05));
+    jog.send(SIGKILL);
+    const std::int64_t killed_ns = core::steadyNow_ns();
+    EXPECT_EQ(jog.wait().exitCode, -SIGKILL);
+    ASSERT_TRUE(TestConsole::eventually([&] { return viewer.rests(300ms); }));
+    // Motion lease of 100 ms, braking, a cycle of the site; the rest is this machine's.
+    const double rest_s = core::elapsed_s(killed_ns, viewer.lastAway_ns(1e-3));
+    EXPECT_LT(rest_s, 0.4);
+    ::testing::Test::RecordProperty("rest_ms", static_cast<int>(rest_s * 1e3));
+    EXPECT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::free; }));
+}
+
+TEST(Site, aConsoleThatWasFrozenMovesNothingWhenItGoesOn) {
+    SiteProcess site(85, kPractice);
+    site.start();
+    TestConsole viewer(site, "v", true);
+    test::RunningProgram jog({"arm", "jog", site.fileOf("a"), "--joint", "joint_2", "--rate", "0.3",
+                              "--seconds", "2", "--yes"});
+    ASSERT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::moving; }));
+    jog.send(SIGSTOP);
+    ASSERT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::held; }));
+    ASSERT_TRUE(TestConsole::eventually([&] { return viewer.rests(600ms); }));
+    const std::uint64_t accepted = viewer.view().accepted;
+    jog.send(SIGCONT);
+    EXPECT_EQ(jog.wait().exitCode, 1);
+    EXPECT_TRUE(viewer.rests(300ms));
+    // What it sent was a hold, or was refused.
+    EXPECT_LE(viewer.view().accepted, accepted + site::OperatorHand::kHolds);
+}
+
+TEST(Site, aSiteThatWasFrozenOrRestartedMovesNothing) {
+    SiteProcess site(86, kPractice);
+    site.start();
+    TestConsole console(site, "a");
+    takeOver(console);
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+    site.send(SIGSTOP);
+    ASSERT_TRUE(TestConsole::eventually([&] { return !console.view().reached; }));
+    EXPECT_EQ(console.hindrance(), "the site does not answer");
+    // Longer than any lease.
+    std::this_thread::sleep_for(2500ms);
+    site.send(SIGCONT);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().reached; }));
+    EXPECT_TRUE(console.rests(500ms));
+    console.letGo();
+
+    site.kill();
+    ASSERT_TRUE(TestConsole::eventually([&] { return !console.view().reached; }));
+    site.start();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().reached; }));
+    EXPECT_EQ(console.view().boots, 1U);
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::free; }));
+}
+
+TEST(Site, theCommandLineSeesItAndRecordsIt) {
+    SiteProcess site(87, kPractice);
+    site.start();
+    const auto list = test::run({"site", "list", site.fileOf("a"), "--json"});
+    ASSERT_EQ(list.exitCode, 0) << list.err;
+    const auto sites = nlohmann::json::parse(list.out);
+    ASSERT_EQ(sites.size(), 1U);
+    EXPECT_EQ(sites[0]["site"], "lab");
+    EXPECT_EQ(sites[0]["state"], "free");
+    EXPECT_EQ(sites[0]["arms"], 1);
+    EXPECT_EQ(sites[0]["streams"], 2);
+
+    const auto clock = test::run({"site", "clock", site.fileOf("c"), "--seconds", "2.5", "--json"});
+    ASSERT_EQ(clock.exitCode, 0) << clock.err;
+    const auto rows = nlohmann::json::parse(clock.out);
+    ASSERT_EQ(rows.size(), 2U);
+    // Both programs have one clock: the true offset is 0.
+    for (const auto& row : rows)
+        EXPECT_LE(std::abs(row["offset_s"].get<double>()), row["bound_s"].get<double>()) << row;
+
+    const std::string path = site.folder().filePath("site.teleta").toStdString();
+    const auto record = test::run({"site", "record", site.fileOf("r"), "--seconds", "2", "--out", path});
+    ASSERT_EQ(record.exitCode, 0) << record.err;
+    const auto replay = test::run({"replay", path, "--json"});
+    ASSERT_EQ(replay.exitCode, 0) << replay.err;
+    // 200 frames a second for 2 s; the first ones come when the stream is found.
+    EXPECT_GT(nlohmann::json::parse(replay.out).size(), 300U);
+}
+
+TEST(Site, aCheckMovesNothingAndSaysWhatIsMissing) {
+    SiteProcess site(88, std::string(kPractice) +
+                             "[[device]]\nid = \"pad\"\nwts = \"/dev/there-is-no-such-line\"\n");
+    QProcess check;
+    check.start(QStringLiteral(TELETA_SITE_PROGRAM),
+                {site.folder().filePath("site.toml"), "--check", "--json"});
+    ASSERT_TRUE(check.waitForFinished(20'000));
+    EXPECT_EQ(check.exitCode(), 1);
+    const auto found = nlohmann::json::parse(check.readAllStandardOutput().toStdString());
+    EXPECT_EQ(found["usable"], false);
+    ASSERT_EQ(found["problems"].size(), 1U);
+    EXPECT_EQ(found["problems"][0].get<std::string>().find("pad: "), 0U) << found;
+}
+
+} // namespace
+} // namespace teleta
