@@ -9,6 +9,7 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLocale>
 
 #include <algorithm>
@@ -29,8 +30,10 @@ constexpr std::int64_t kWarning_s = 14 * kDay_s;
 /// One set of keys while it is checked.
 class KeyCheck {
 public:
-    KeyCheck(QString folder, std::int64_t now_unixS)
+    /// onlyMember: the one whose program asks; empty: all.
+    KeyCheck(QString folder, std::int64_t now_unixS, QString onlyMember = {})
         : m_folder(std::move(folder))
+        , m_onlyMember(std::move(onlyMember))
         , m_now_unixS(now_unixS) {}
 
     KeyReport run() {
@@ -42,8 +45,12 @@ public:
                    KeyText::tr("Both authorities share one key. Anyone with a certificate could sign their "
                                "own permissions."));
         governance();
-        for (const QString& name : QDir(m_folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name))
-            member(name);
+        if (!m_onlyMember.isEmpty())
+            member(m_onlyMember);
+        else
+            for (const QString& name :
+                 QDir(m_folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name))
+                member(name);
         compareSites();
         if (m_report.members.empty())
             refuse(QString(), KeyText::tr("There is no folder for a site, a console or a viewer."));
@@ -165,6 +172,8 @@ private:
         const QString key = name + QStringLiteral("/key.pem");
         if (QFile::exists(QDir(m_folder).filePath(key)))
             privateKey(key, found.get());
+        else if (!m_onlyMember.isEmpty())
+            refuse(key, KeyText::tr("The file is missing."));
         else
             warn(key,
                  KeyText::tr("The key is not here. That is fine if it is kept only on its own computer."));
@@ -176,9 +185,11 @@ private:
             one.role = check.role;
             if (!check.site.empty())
                 m_sites.emplace_back(permissions, check.site);
-            if (check.ends_unixS != 0)
+            if (check.ends_unixS != 0) {
+                one.ends_unixS = std::min(one.ends_unixS, check.ends_unixS);
                 ends(permissions, check.ends_unixS, {},
                      [](const QString& day) { return KeyText::tr("The permissions end on %1.").arg(day); });
+            }
         }
         m_report.members.push_back(std::move(one));
     }
@@ -196,12 +207,24 @@ private:
     }
 
     QString m_folder;
+    QString m_onlyMember;
     std::vector<std::pair<QString, std::string>> m_sites; ///< permissions, and whose topics they name
     std::int64_t m_now_unixS;
     KeyReport m_report;
     Held<X509> m_identity;
     Held<X509> m_permissions;
 };
+
+core::Expected<QDir> readableFolder(const std::string& folder) {
+    const QString path = QString::fromStdString(folder);
+    const QDir found(path);
+    if (!found.exists())
+        return core::failed(core::ErrorKind::notFound, KeyText::tr("There is no folder %1.").arg(path));
+    if (!found.isReadable())
+        return core::failed(core::ErrorKind::ioFailed,
+                            KeyText::tr("The folder %1 cannot be read.").arg(path));
+    return found;
+}
 
 } // namespace
 
@@ -210,13 +233,15 @@ bool KeyReport::usable() const {
 }
 
 core::Expected<KeyReport> checkKeys(const std::string& folder, std::int64_t now_unixS) {
-    const QString path = QString::fromStdString(folder);
-    if (!QDir(path).exists())
-        return core::failed(core::ErrorKind::notFound, KeyText::tr("There is no folder %1.").arg(path));
-    if (!QDir(path).isReadable())
-        return core::failed(core::ErrorKind::ioFailed,
-                            KeyText::tr("The folder %1 cannot be read.").arg(path));
-    return KeyCheck(path, now_unixS).run();
+    TELETA_TRY(const QDir keys, readableFolder(folder));
+    return KeyCheck(keys.path(), now_unixS).run();
+}
+
+core::Expected<KeyReport> checkMember(const std::string& folder, std::int64_t now_unixS) {
+    TELETA_TRY(const QDir member, readableFolder(folder));
+    // Not only "keys/console1", but also "keys/console1/" and ".".
+    const QDir named(QDir::cleanPath(member.absolutePath()));
+    return KeyCheck(QFileInfo(named.path()).path(), now_unixS, named.dirName()).run();
 }
 
 } // namespace teleta::site_keys

@@ -22,7 +22,7 @@ struct KeyFinding {
 struct KeyMember {
     std::string name;
     std::string subject;            ///< in the order of RFC 2253, as permissions name it
-    std::int64_t ends_unixS = 0;    ///< when its certificate ends, 0 if it cannot be read
+    std::int64_t ends_unixS = 0;    ///< when its certificate or its permissions end, the first; 0: unknown
     std::optional<MemberRole> role; ///< as its permissions tell
 };
 
@@ -38,8 +38,12 @@ struct KeyReport {
 /// permissions_ca.pem, governance.p7s and one folder for each member. Certificates and their dates at
 /// `now_unixS`, who signed what, that keys fit and that nobody else can read them, and that no identity
 /// verifies against the authority of permissions: its holder could sign permissions of its own. A certificate
-/// that ends within 14 days is a warning. Fails when the folder cannot be read. Thread: any.
+/// or permissions that end within 14 days are a warning. Fails when the folder cannot be read. Thread: any.
 [[nodiscard]] core::Expected<KeyReport> checkKeys(const std::string& folder, std::int64_t now_unixS);
+
+/// The same for the program of one member, whose own folder this is: "keys/console1". The files of all are in
+/// the folder that holds it. Other members are not looked at, and the member's key must be there.
+[[nodiscard]] core::Expected<KeyReport> checkMember(const std::string& folder, std::int64_t now_unixS);
 
 /// Who takes part in a site.
 struct KeyPlan {

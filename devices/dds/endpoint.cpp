@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/dds/endpoint.h"
 
+#include "backend/core/failure.h"
 #include "devices/dds/dds_error.h"
 #include "devices/dds/dds_qos.h"
 
@@ -41,23 +42,34 @@ Qos qosOf(const ros::QosProfile& profile, bool reads) {
     return qos;
 }
 
+core::Unexpected notPermitted(const QString& ddsTopic, bool reads) {
+    return core::refused((reads ? EndpointText::tr("the permissions do not allow reading topic %1")
+                                : EndpointText::tr("the permissions do not allow writing topic %1"))
+                             .arg(ddsTopic));
+}
+
 core::Expected<std::int32_t> openEnd(const Participant& participant, const std::string& ddsTopic,
                                      const dds_topic_descriptor_t& type, const ros::QosProfile& profile,
                                      bool reads) {
     const dds_entity_t topic =
         dds_create_topic(participant.entity(), &type, ddsTopic.c_str(), nullptr, nullptr);
+    const QString name = QString::fromStdString(ddsTopic);
+    // It is refused only where it may neither be read nor written.
+    if (topic == DDS_RETCODE_NOT_ALLOWED_BY_SECURITY)
+        return notPermitted(name, reads);
     if (topic < 0)
-        return ddsFailure(EndpointText::tr("topic %1 cannot be opened").arg(QString::fromStdString(ddsTopic)),
-                          topic);
+        return ddsFailure(EndpointText::tr("topic %1 cannot be opened").arg(name), topic);
     const Qos qos = qosOf(profile, reads);
     const dds_entity_t entity = reads ? dds_create_reader(participant.entity(), topic, qos.get(), nullptr)
                                       : dds_create_writer(participant.entity(), topic, qos.get(), nullptr);
     // The end keeps its topic.
     (void)dds_delete(topic);
+    if (entity == DDS_RETCODE_NOT_ALLOWED_BY_SECURITY)
+        return notPermitted(name, reads);
     if (entity < 0)
         return ddsFailure((reads ? EndpointText::tr("topic %1 cannot be read")
                                  : EndpointText::tr("topic %1 cannot be written"))
-                              .arg(QString::fromStdString(ddsTopic)),
+                              .arg(name),
                           entity);
     if (reads)
         (void)dds_set_status_mask(entity, DDS_DATA_AVAILABLE_STATUS);

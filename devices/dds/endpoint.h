@@ -50,7 +50,7 @@ protected:
 class AnyReader : public Endpoint {
 public:
     /// ddsTopic: with its prefix (ros::ddsTopicOf()). Failure: unavailable, another type has this topic in
-    /// this program.
+    /// this program; refused, the permissions of a secured participant do not allow it.
     [[nodiscard]] static core::Expected<AnyReader> open(std::shared_ptr<const Participant> participant,
                                                         const std::string& ddsTopic,
                                                         const dds_topic_descriptor_t& type,

@@ -24,6 +24,16 @@ private:
 /// Sends what the middleware reports to standard error, as LogLimit lets it. Once is enough. Thread: any.
 void limitLog();
 
+/// What the middleware reported of programs that security keeps out of a domain.
+struct RefusalLines {
+    std::uint64_t count = 0;
+    std::string last;
+};
+
+/// Those of a domain since forgetRefusals(). Counted while limitLog() is in force. Thread: any.
+[[nodiscard]] RefusalLines refusalLines(int domain);
+void forgetRefusals(int domain);
+
 /// Collects what the middleware reports on this thread while it lives, instead of printing it: the reason of
 /// a call that fails. Thread: one; not nested.
 class CollectedLog {

@@ -2,6 +2,7 @@
 // The openssl program makes the keys by the commands that are told to people.
 #include "backend/site_keys/site_keys.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -114,6 +115,34 @@ TEST_F(SiteKeys, warnBeforeACertificateEndsAndRefuseItAfter) {
     EXPECT_TRUE(std::any_of(over.findings.begin(), over.findings.end(), [](const KeyFinding& one) {
         return one.refused && one.file == "site/cert.pem" && one.message.find("expired") != std::string::npos;
     }));
+}
+
+TEST_F(SiteKeys, areCheckedForOneMember) {
+    // Other members are none of its business.
+    sh("rm site/key.pem viewer1/key.pem viewer1/permissions.p7s");
+    const std::int64_t now_s = std::time(nullptr) + 60;
+    for (const char* folder : {"console1", "console1/", "console1/."}) {
+        const auto report = checkMember(m_folder.filePath(folder).toStdString(), now_s);
+        ASSERT_TRUE(report) << folder;
+        EXPECT_TRUE(report->findings.empty()) << folder;
+        ASSERT_EQ(report->members.size(), 1U);
+        EXPECT_EQ(report->members[0].name, "console1");
+    }
+    const std::string folder = m_folder.filePath("console1").toStdString();
+    // The permissions end before the certificate.
+    const QDateTime end = QDateTime::fromSecsSinceEpoch(now_s + 13 * kDay_s, Qt::UTC);
+    writePermissions("2026-01-01T00:00:00", end.toString("yyyy-MM-ddTHH:mm:ss"));
+    const auto soon = checkMember(folder, now_s);
+    ASSERT_TRUE(soon);
+    EXPECT_TRUE(soon->usable());
+    EXPECT_EQ(soon->members[0].ends_unixS, now_s + 13 * kDay_s);
+    ASSERT_EQ(soon->findings.size(), 1U);
+    EXPECT_EQ(soon->findings[0].file, "console1/permissions.p7s");
+    sh("rm console1/key.pem");
+    const auto keyless = checkMember(folder, now_s);
+    ASSERT_TRUE(keyless);
+    EXPECT_FALSE(keyless->usable());
+    EXPECT_FALSE(checkMember(folder + "2", now_s));
 }
 
 TEST_F(SiteKeys, refuseOneAuthorityForBoth) {

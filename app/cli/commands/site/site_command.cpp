@@ -24,7 +24,7 @@ struct SiteText {
     Q_DECLARE_TR_FUNCTIONS(SiteCommand)
 };
 
-/// When the certificate ends, in UTC; empty if it cannot be read.
+/// When the certificate or the permissions end, in UTC; empty if that cannot be read.
 std::string timeOf(const site_keys::KeyMember& member) {
     if (member.ends_unixS == 0)
         return {};
