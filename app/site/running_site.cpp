@@ -5,7 +5,6 @@
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/joint_channel.h"
-#include "devices/dds/participant.h"
 #include "devices/ros/arm_fault.h"
 #include "devices/ros/ros_arm.h"
 #include "devices/site/boot_name.h"
@@ -69,10 +68,14 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
                                                                const std::string& recordings, SiteLog& log,
                                                                const std::function<bool()>& cancelled) {
     std::unique_ptr<RunningSite> site(new RunningSite(log));
-    TELETA_TRY(const auto participant, dds::Participant::open(file.meeting.domain));
+    TELETA_TRY(const auto participant, file.meeting.join());
     const site_link::SiteTopics topics(file.name);
     const site::BootName boot = site_link::newBootName();
     TELETA_CHECK(site->openDevices(file, cancelled));
+    for (const Device& device : site->m_devices) {
+        if (!device.channel)
+            return core::Unexpected(device.error);
+    }
     TELETA_TRY(site->m_streams, site_link::SiteStreams::open(participant, topics, boot));
     std::vector<site_link::SiteArm> arms;
     for (const Device& device : site->m_devices) {
@@ -91,9 +94,19 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
     return site;
 }
 
+core::Expected<std::unique_ptr<RunningSite>>
+RunningSite::openForCheck(const SiteFile& file, SiteLog& log, const std::function<bool()>& cancelled) {
+    std::unique_ptr<RunningSite> site(new RunningSite(log));
+    TELETA_TRY(const auto participant, file.meeting.join());
+    TELETA_CHECK(site->openDevices(file, cancelled));
+    return site;
+}
+
 RunningSite::~RunningSite() {
     m_control.reset();
     for (const Device& device : m_devices) {
+        if (!device.channel)
+            continue;
         device.channel->watch(nullptr, device.id);
         if (m_recorder)
             device.channel->record(nullptr, device.id);
@@ -106,19 +119,18 @@ core::Expected<void> RunningSite::openDevices(const SiteFile& file, const std::f
     std::vector<pipeline::ChannelKey> keys;
     for (const SiteDevice& device : file.devices) {
         keys.push_back(m_pipeline.open(app::makeSourceFactory(device.request, m_stop, cancelled)));
-        m_devices.push_back({device.id, nullptr});
+        m_devices.push_back({device.id, nullptr, {}});
     }
-    for (std::size_t open = 0; open < keys.size();) {
+    for (std::size_t known = 0; known < keys.size();) {
         if (cancelled())
             return core::failed(core::ErrorKind::cancelled, SiteText::tr("interrupted"));
         for (const pipeline::ChannelEvent& event : m_pipeline.takeEvents()) {
-            if (event.kind == pipeline::ChannelEvent::Kind::failed)
-                return core::Unexpected(event.error);
             for (std::size_t i = 0; i < keys.size(); ++i) {
-                if (keys[i] == event.key && event.channel) {
-                    m_devices[i].channel = event.channel;
-                    ++open;
-                }
+                if (keys[i] != event.key)
+                    continue;
+                m_devices[i].channel = event.channel;
+                m_devices[i].error = event.error;
+                ++known;
             }
         }
         std::this_thread::sleep_for(kOpenLook);
@@ -152,6 +164,8 @@ void RunningSite::tell(const site_link::SiteNews& news) {
 
 void RunningSite::poll() {
     for (const Device& device : m_devices) {
+        if (!device.channel)
+            continue;
         // Nobody looks at what a console would show.
         device.channel->drain();
         if (m_recorder) {
@@ -170,6 +184,10 @@ void RunningSite::poll() {
 std::vector<std::string> RunningSite::problems() const {
     std::vector<std::string> found;
     for (const Device& device : m_devices) {
+        if (!device.channel) {
+            found.push_back(device.id + ": " + core::describe(device.error));
+            continue;
+        }
         const core::DeviceStatus status = device.channel->status();
         std::string reason = status.message.empty() ? stateText(status.state).toStdString() : status.message;
         if (const auto* joints = dynamic_cast<const pipeline::JointChannel*>(device.channel.get());

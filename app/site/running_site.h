@@ -27,6 +27,10 @@ public:
     [[nodiscard]] static core::Expected<std::unique_ptr<RunningSite>>
     open(const SiteFile& file, const std::string& recordings, SiteLog& log,
          const std::function<bool()>& cancelled);
+    /// The same for a check: a device that cannot be opened is one of problems(), nothing is recorded, and
+    /// no console is let in.
+    [[nodiscard]] static core::Expected<std::unique_ptr<RunningSite>>
+    openForCheck(const SiteFile& file, SiteLog& log, const std::function<bool()>& cancelled);
     /// Holds the arms, completes the recording, closes the devices.
     ~RunningSite();
     RunningSite(const RunningSite&) = delete;
@@ -35,6 +39,7 @@ public:
     /// What has to be done a few times a second: follows settings, frees what nobody shows.
     void poll();
 
+    /// Not of a check.
     [[nodiscard]] site_link::SiteStatus status() const { return m_control->status(); }
     /// What keeps a device from being used now, "NAME: reason" each; empty: all of them are live.
     [[nodiscard]] std::vector<std::string> problems() const;
@@ -43,11 +48,13 @@ public:
 private:
     struct Device {
         std::string id;
-        std::shared_ptr<pipeline::Channel> channel;
+        std::shared_ptr<pipeline::Channel> channel; ///< null: it could not be opened
+        core::Error error;                          ///< of such a one
     };
 
     explicit RunningSite(SiteLog& log)
         : m_log(log) {}
+    /// Error: cancelled.
     [[nodiscard]] core::Expected<void> openDevices(const SiteFile& file,
                                                    const std::function<bool()>& cancelled);
     [[nodiscard]] core::Expected<void> startRecording(const SiteFile& file, const std::string& folder);

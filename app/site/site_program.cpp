@@ -112,8 +112,10 @@ int run(const Options& options, const EndSignals& ending) {
     if (!file)
         return failedWith(file.error());
     SiteLog log(options.json && !options.check);
+    const auto cancelled = [&ending] { return ending.wait(0); };
     core::Expected<std::unique_ptr<RunningSite>> site =
-        RunningSite::open(*file, options.recordings, log, [&ending] { return ending.wait(0); });
+        options.check ? RunningSite::openForCheck(*file, log, cancelled)
+                      : RunningSite::open(*file, options.recordings, log, cancelled);
     if (!site) {
         log.flush();
         return site.error().kind == core::ErrorKind::cancelled ? kWorkFailed : failedWith(site.error());

@@ -23,7 +23,7 @@ OperatorDomain readOperatorDomain(core::TomlTable& root, const std::string& file
     found.domain.interface = table.text("interface");
     found.domain.peers = table.textList("peers");
     if (table.choice("security", {"certificates", "none"}) == 0)
-        found.certificates = core::besideFile(file, table.text("certificates"));
+        found.security = dds::Security{core::besideFile(file, table.text("certificates"))};
     else if (!dds::isLoopback(found.domain.interface))
         table.fail(
             "security",

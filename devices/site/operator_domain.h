@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/error.h"
 #include "backend/core/keys/toml_table.h"
 #include "devices/dds/domain_config.h"
+#include "devices/dds/participant.h"
+#include "devices/dds/security.h"
 
+#include <memory>
+#include <optional>
 #include <string>
 
 namespace teleta::site_link {
@@ -13,7 +18,12 @@ struct OperatorDomain {
     static constexpr int kDefaultDomain = 71;
 
     dds::DomainConfig domain;
-    std::string certificates; ///< folder of this program's certificates; empty: no security
+    std::optional<dds::Security> security; ///< empty: none, on the loopback interface only
+
+    /// Error: as dds::Participant::open(). Thread: any.
+    [[nodiscard]] core::Expected<std::shared_ptr<const dds::Participant>> join() const {
+        return dds::Participant::open(domain, {}, security);
+    }
 };
 
 /// Reads the table. Without certificates only the loopback interface is accepted: nobody else may listen or

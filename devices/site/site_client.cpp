@@ -134,7 +134,7 @@ core::Expected<std::shared_ptr<SiteClient>> SiteClient::open(const RemoteSiteFil
                                                              const std::string& version,
                                                              const core::StopSwitch& stop,
                                                              const std::function<bool()>& cancelled) {
-    TELETA_TRY(const auto participant, dds::Participant::open(file.meeting.domain));
+    TELETA_TRY(const auto participant, file.meeting.join());
     const SiteTopics topics(file.name);
     TELETA_TRY(auto streams, findSite(participant, topics, file, cancelled));
     TELETA_TRY(auto state, dds::Reader<ros::SiteState>::open(participant, topics.state(), kState));

@@ -46,7 +46,8 @@ scene = ":/scenes/teleoperation.toml"
     EXPECT_EQ(file->times.control_ns, 3'000'000'000);
     EXPECT_EQ(file->times.loopLimit_ns, 400'000'000);
     EXPECT_TRUE(file->record);
-    EXPECT_EQ(file->meeting.certificates, "/files/keys/site");
+    ASSERT_TRUE(file->meeting.security);
+    EXPECT_EQ(file->meeting.security->folder, "/files/keys/site");
     ASSERT_EQ(file->devices.size(), 3U);
     EXPECT_EQ(file->devices[0].id, "arm");
     EXPECT_EQ(std::get<app::ArmRequest>(file->devices[0].request).path, "/files/arm.toml");

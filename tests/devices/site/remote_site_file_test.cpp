@@ -32,7 +32,8 @@ TEST(RemoteSiteFile, hasAllKeysOfTheSpecification) {
     EXPECT_EQ(file->person, "A. Name");
     EXPECT_TRUE(file->viewer);
     EXPECT_EQ(file->meeting.domain, (dds::DomainConfig{72, "wg0", {"10.8.0.1"}}));
-    EXPECT_EQ(file->meeting.certificates, "/files/keys/console1");
+    ASSERT_TRUE(file->meeting.security);
+    EXPECT_EQ(file->meeting.security->folder, "/files/keys/console1");
 }
 
 TEST(RemoteSiteFile, withoutSecurityNobodyElseMayListen) {
@@ -41,7 +42,7 @@ TEST(RemoteSiteFile, withoutSecurityNobodyElseMayListen) {
     const auto file = parseRemoteSite(open + "\"lo\"\n", "lab.toml");
     ASSERT_TRUE(file) << core::describe(file.error());
     EXPECT_EQ(file->meeting.domain.domain, OperatorDomain::kDefaultDomain);
-    EXPECT_TRUE(file->meeting.certificates.empty());
+    EXPECT_FALSE(file->meeting.security);
     const std::string error = errorOf(open + "\"eth0\"\n");
     EXPECT_NE(error.find("lab.toml:5"), std::string::npos) << error;
     EXPECT_NE(error.find("anybody on this network could move the arm"), std::string::npos) << error;

@@ -44,11 +44,12 @@ TEST(StreamDescriptions, areReadAsTheyWereWritten) {
 }
 
 TEST(StreamDescriptions, whatIsNoDescriptionIsRefused) {
-    for (const char* text :
-         {"", "[]", "{}", R"({"streams": 1})", R"({"streams": [1]})",
-          R"({"streams": [{"name": "a", "kind": "smell", "type": "float32", "shape": [], "columns": [], "rate_hz": 1}]})",
-          R"({"streams": [{"name": "a", "kind": "array", "type": "float32", "shape": [-1], "columns": [], "rate_hz": 1}]})",
-          R"({"streams": [{"name": "a", "kind": "array", "type": "float32", "shape": [1], "columns": [], "rate_hz": -1}]})"}) {
+    for (
+        const char* text :
+        {"", "[]", "{}", R"({"streams": 1})", R"({"streams": [1]})",
+         R"({"streams": [{"name": "a", "kind": "smell", "type": "float32", "shape": [], "columns": [], "rate_hz": 1}]})",
+         R"({"streams": [{"name": "a", "kind": "array", "type": "float32", "shape": [-1], "columns": [], "rate_hz": 1}]})",
+         R"({"streams": [{"name": "a", "kind": "array", "type": "float32", "shape": [1], "columns": [], "rate_hz": -1}]})"}) {
         const auto read = readStreams(text, "lab");
         ASSERT_FALSE(read) << text;
         EXPECT_EQ(read.error().where.file, "lab") << text;

@@ -37,7 +37,8 @@ public:
     }
 
     void start() {
-        m_process.start(QStringLiteral(TELETA_SITE_PROGRAM), {m_folder.filePath("site.toml"), "--json"}, true);
+        m_process.start(QStringLiteral(TELETA_SITE_PROGRAM), {m_folder.filePath("site.toml"), "--json"},
+                        true);
         ASSERT_TRUE(m_process.waitFor("\"ready\""));
         m_id = m_process.processId();
     }
@@ -110,10 +111,13 @@ public:
         return false;
     }
 
-    /// Asks, and waits for the answer.
-    site::RequestAnswer ask(site::RequestKind kind, const std::string& target = {}) {
+    std::uint64_t request(site::RequestKind kind, const std::string& target = {}) {
         m_client->request(kind, target);
-        const std::uint64_t id = ++m_asked;
+        return ++m_asked;
+    }
+    /// The same, and waits for the answer.
+    site::RequestAnswer ask(site::RequestKind kind, const std::string& target = {}) {
+        const std::uint64_t id = request(kind, target);
         (void)eventually([&] {
             const auto request = view().request;
             return request && request->id == id && request->answer != site::RequestAnswer::waits;
@@ -158,7 +162,8 @@ public:
     /// Whether the joint stays where it is for so long.
     [[nodiscard]] bool rests(std::chrono::milliseconds time, double tolerance_rad = 1e-3) {
         const double from = angle();
-        for (const auto end = std::chrono::steady_clock::now() + time; std::chrono::steady_clock::now() < end;) {
+        for (const auto end = std::chrono::steady_clock::now() + time;
+             std::chrono::steady_clock::now() < end;) {
             if (std::abs(angle() - from) > tolerance_rad)
                 return false;
         }

@@ -66,7 +66,7 @@ TEST(Site, controlIsHandedOverAndTakenOver) {
     EXPECT_EQ(second.hindrance(), "a controls the site");
 
     const std::uint64_t epoch = first.view().epoch;
-    first.client().request(RequestKind::offer, "b");
+    first.request(RequestKind::offer, "b");
     ASSERT_TRUE(TestConsole::eventually([&] { return second.view().offeredTo == "b"; }));
     first.press(kRate_radPerS);
     EXPECT_TRUE(first.rests(300ms));
@@ -81,7 +81,7 @@ TEST(Site, controlIsHandedOverAndTakenOver) {
     second.letGo();
 
     // A supervisor takes over; b agrees.
-    boss.client().request(RequestKind::takeOver);
+    boss.request(RequestKind::takeOver);
     ASSERT_TRUE(TestConsole::eventually([&] { return second.view().offeredTo == "boss"; }));
     EXPECT_EQ(second.ask(RequestKind::accept), RequestAnswer::done);
     EXPECT_TRUE(TestConsole::eventually([&] { return boss.controls(); }));
@@ -122,8 +122,8 @@ TEST(Site, anArmComesToRestWhenItsOperatorIsKilled) {
     SiteProcess site(84, kPractice);
     site.start();
     TestConsole viewer(site, "v", true);
-    test::RunningProgram jog({"arm", "jog", site.fileOf("a"), "--joint", "joint_2", "--rate", "0.3",
-                              "--seconds", "2", "--yes"});
+    test::RunningProgram jog(
+        {"arm", "jog", site.fileOf("a"), "--joint", "joint_2", "--rate", "0.3", "--seconds", "2", "--yes"});
     ASSERT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::moving; }));
     ASSERT_TRUE(viewer.moves(0.05));
     jog.send(SIGKILL);
@@ -141,8 +141,8 @@ TEST(Site, aConsoleThatWasFrozenMovesNothingWhenItGoesOn) {
     SiteProcess site(85, kPractice);
     site.start();
     TestConsole viewer(site, "v", true);
-    test::RunningProgram jog({"arm", "jog", site.fileOf("a"), "--joint", "joint_2", "--rate", "0.3",
-                              "--seconds", "2", "--yes"});
+    test::RunningProgram jog(
+        {"arm", "jog", site.fileOf("a"), "--joint", "joint_2", "--rate", "0.3", "--seconds", "2", "--yes"});
     ASSERT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::moving; }));
     jog.send(SIGSTOP);
     ASSERT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::held; }));
@@ -169,7 +169,10 @@ TEST(Site, aSiteThatWasFrozenOrRestartedMovesNothing) {
     std::this_thread::sleep_for(2500ms);
     site.send(SIGCONT);
     ASSERT_TRUE(TestConsole::eventually([&] { return console.view().reached; }));
+    // The world of a simulated arm stood still meanwhile: it brakes first.
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.rests(200ms); }));
     EXPECT_TRUE(console.rests(500ms));
+    EXPECT_EQ(console.view().mode, Mode::free);
     console.letGo();
 
     site.kill();

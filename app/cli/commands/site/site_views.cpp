@@ -114,7 +114,7 @@ struct FoundSite {
 
 core::Expected<void> listSites(const SiteOptions& options) {
     TELETA_TRY(const site_link::RemoteSiteFile file, site_link::readRemoteSite(options.path));
-    TELETA_TRY(const auto participant, dds::Participant::open(file.meeting.domain));
+    TELETA_TRY(const auto participant, file.meeting.join());
     TELETA_TRY(const auto discovery, dds::Discovery::open(participant));
     std::map<std::string, FoundSite> sites;
     for (const std::int64_t end_ns = core::steadyNow_ns() + kDiscovery_ns;
