@@ -103,11 +103,12 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
            "  teleta-console session.teleta\n"
            "  teleta-console --camera 0 --camera-model camera.json\n"
            "  teleta-console --arm arm.toml\n"
+           "  teleta-console --site lab.toml\n"
            "  teleta-console --sources both-arrays.toml --theme dark"));
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
     m_parser.addPositionalArgument(QStringLiteral("FILE"),
                                    tr("Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, "
-                                      "arms and source lists (.toml) to open."),
+                                      "arms, sites and source lists (.toml) to open."),
                                    QStringLiteral("[FILE...]"));
     // It adds --help-all too, of which this program has no more to say.
     const QCommandLineOption help = m_parser.addHelpOption();
@@ -149,6 +150,8 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         option("camera-model", tr("Calibration of that camera (JSON of teleta calibrate)."), tr("FILE"));
     const auto arm =
         option("arm", tr("Open an arm over ROS 2, described in a file (TOML; repeatable)."), tr("FILE"));
+    const auto site = option(
+        "site", tr("Connect to a site where teleta-site runs, by its file (TOML; repeatable)."), tr("FILE"));
     const auto pattern =
         option("pattern", tr("Open a pattern file, or a built-in pattern by its id, on the Patterns page."),
                tr("FILE"));
@@ -242,6 +245,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         options.camera = app::CameraRequest{m_parser.value(camera).toStdString(),
                                             m_parser.value(cameraModel).toStdString(), true};
     options.arms = m_parser.values(arm);
+    options.sites = m_parser.values(site);
     options.cameraPairs = m_parser.value(cameraPairs);
     options.study = m_parser.value(study);
     options.rehearse = m_parser.isSet(rehearse);

@@ -15,7 +15,7 @@ namespace teleta::console {
 
 /// What the command line of teleta-console asks for.
 struct ConsoleOptions {
-    QStringList files; ///< recordings, scenes, arms and source lists
+    QStringList files; ///< recordings, scenes, arms, sites and source lists
     QStringList scenes;
     std::vector<RecordingArguments> recordings;
     QString sourceList;
@@ -29,6 +29,7 @@ struct ConsoleOptions {
     bool rehearse = false; ///< simulated participants go through the study
     std::optional<app::CameraRequest> camera; ///< to open
     QStringList arms;                         ///< files that describe arms, to open
+    QStringList sites;                        ///< files with which sites are reached, to open
     QString cameraPairs;                      ///< to calibrate the cylinder camera with
     QString page;
     QString dock;     ///< of the Operate page, or a view of the Study page, brought to the front
@@ -45,7 +46,7 @@ struct ConsoleOptions {
     [[nodiscard]] bool opensAnything() const {
         return !files.isEmpty() || !scenes.isEmpty() || !recordings.empty() || !sourceList.isEmpty() ||
                !pattern.isEmpty() || !study.isEmpty() || rehearse || camera || !arms.isEmpty() ||
-               !cameraPairs.isEmpty();
+               !sites.isEmpty() || !cameraPairs.isEmpty();
     }
 };
 

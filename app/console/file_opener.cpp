@@ -5,6 +5,7 @@
 #include "app/console/operate/recording/recording_files.h"
 #include "app/console/sources/source_manager.h"
 #include "app/console/study/study_page.h"
+#include "app/sources/site_request.h"
 #include "app/sources/source_list.h"
 #include "widgets/base/background.h"
 
@@ -19,11 +20,12 @@
 namespace teleta::console {
 
 FileOpener::FileOpener(SourceManager& sources, RecordingFiles& recordings, StudyPage& study,
-                       std::uint64_t seed, QObject* parent)
+                       const core::StopSwitch& stop, std::uint64_t seed, QObject* parent)
     : QObject(parent)
     , m_sources(sources)
     , m_recordings(recordings)
     , m_study(study)
+    , m_stop(stop)
     , m_seed(seed) {
     connect(&m_recordings, &RecordingFiles::opened, this,
             [this](const QString& path) { m_awaited.removeOne(path); });
@@ -73,6 +75,7 @@ void FileOpener::openFile(const QString& path) {
             const std::string file = path.toStdString();
             return app::isSourceList(file) ? &FileOpener::openList
                    : app::isArmFile(file)  ? &FileOpener::openArm
+                   : app::isSiteFile(file) ? &FileOpener::openSite
                                            : &FileOpener::openScene;
         },
         [this, path](Open open) { (this->*open)(path); });
@@ -112,6 +115,29 @@ void FileOpener::openList(const QString& path) {
 void FileOpener::openArm(const QString& path) {
     m_sources.open(app::ArmRequest{path.toStdString()});
     emit armOpened(path);
+}
+
+void FileOpener::openSite(const QString& path) {
+    for (const SourceManager::Item& item : m_sources.items()) {
+        const auto* open = std::get_if<app::SiteRequest>(&item.request);
+        if (open == nullptr || QFileInfo(QString::fromStdString(open->path)) != QFileInfo(path))
+            continue;
+        m_sources.activate(item.key);
+        return;
+    }
+    read(
+        [path, &stop = m_stop, cancelled = m_cancelled] {
+            return app::siteRequestsOf(path.toStdString(), stop, [cancelled] { return cancelled->load(); });
+        },
+        [this, path](const core::Expected<std::vector<app::SiteRequest>>& devices) {
+            if (!devices) {
+                emit failed(QFileInfo(path).fileName(), devices.error());
+                return;
+            }
+            emit siteOpened(path);
+            for (const app::SiteRequest& device : *devices)
+                m_sources.open(device);
+        });
 }
 
 void FileOpener::openScene(const QString& path) {

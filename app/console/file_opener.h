@@ -3,6 +3,7 @@
 
 #include "app/console/console_options.h"
 #include "backend/core/error.h"
+#include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/touch_pipeline.h"
 
 #include <QHash>
@@ -10,7 +11,9 @@
 #include <QString>
 #include <QStringList>
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 
 namespace teleta::console {
 
@@ -18,17 +21,19 @@ class RecordingFiles;
 class SourceManager;
 class StudyPage;
 
-/// Opens what files name, from the command line, a menu or a drop: recordings, source lists, arms, scenes and
-/// the studies of scenes. Files are read on pool threads. Thread: GUI.
+/// Opens what files name, from the command line, a menu or a drop: recordings, source lists, arms, sites,
+/// scenes and the studies of scenes. Files are read on pool threads. Thread: GUI.
 class FileOpener : public QObject {
     Q_OBJECT
 
 public:
     /// All of them outlive this. seed: of the scenes.
-    FileOpener(SourceManager& sources, RecordingFiles& recordings, StudyPage& study, std::uint64_t seed,
-               QObject* parent);
+    FileOpener(SourceManager& sources, RecordingFiles& recordings, StudyPage& study,
+               const core::StopSwitch& stop, std::uint64_t seed, QObject* parent);
+    ~FileOpener() override { *m_cancelled = true; }
 
-    /// A recording by its name; of the other files a source list, an arm or a scene by what is in it.
+    /// A recording by its name; of the other files a source list, an arm, a site or a scene by what is in
+    /// it.
     void openFile(const QString& path);
     void openRecording(const QString& path);
     /// Opens without asking; what the command line omits is guessed.
@@ -40,6 +45,8 @@ public:
     void openList(const QString& path);
     /// An arm over ROS 2.
     void openArm(const QString& path);
+    /// All devices of a site.
+    void openSite(const QString& path);
     void openScene(const QString& path);
     /// A scene of a study goes to its page, in a folder of its own or the one that is named, and is a
     /// rehearsal already; all others are sources, beside which the study is opened as it would be without
@@ -56,6 +63,7 @@ signals:
     /// A scene in a file was opened as a source.
     void sceneOpened(const QString& path);
     void armOpened(const QString& path);
+    void siteOpened(const QString& path);
     /// A source list was read.
     void listOpened(const QString& path);
     void failed(const QString& name, const teleta::core::Error& error);
@@ -70,7 +78,10 @@ private:
     SourceManager& m_sources;
     RecordingFiles& m_recordings;
     StudyPage& m_study;
+    const core::StopSwitch& m_stop;
     std::uint64_t m_seed;
+    /// Asked while a site is looked for.
+    std::shared_ptr<std::atomic<bool>> m_cancelled = std::make_shared<std::atomic<bool>>(false);
     int m_reading = 0;
     QStringList m_awaited;                        ///< recordings that are being read
     QHash<pipeline::ChannelKey, QString> m_lists; ///< by what was opened from them

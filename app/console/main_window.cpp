@@ -108,7 +108,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_recording(new RecordingControls(m_recorder, m_sources, *m_operate, settings, this))
     , m_live(std::make_unique<LiveViewService>(m_sources, m_bracelet))
     , m_help(new HelpMenu(*this, [this] { return m_rail->currentPage(); }))
-    , m_opener(new FileOpener(m_sources, *m_recordings, *m_study, options.seed, this))
+    , m_opener(new FileOpener(m_sources, *m_recordings, *m_study, m_stop, options.seed, this))
     , m_hand(std::make_unique<HandStation>())
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
@@ -172,6 +172,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_opener, &FileOpener::listOpened, this, &MainWindow::addRecent);
     connect(m_opener, &FileOpener::sceneOpened, this, &MainWindow::addRecent);
     connect(m_opener, &FileOpener::armOpened, this, &MainWindow::addRecent);
+    connect(m_opener, &FileOpener::siteOpened, this, &MainWindow::addRecent);
     connect(&m_operate->recent(), &chrome::RecentList::fileRequested, m_opener, &FileOpener::openFile);
     connect(&m_operate->recent(), &chrome::RecentList::sessionRequested, this, &MainWindow::openLastSession);
     connect(m_layouts, &LayoutsMenu::notRestored, this, [this](const QString& name) {
@@ -303,6 +304,8 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         m_sources.open(*options.camera);
     for (const QString& arm : options.arms)
         m_opener->openArm(arm);
+    for (const QString& site : options.sites)
+        m_opener->openSite(site);
     if (!options.sourceList.isEmpty())
         m_opener->openList(options.sourceList);
     if (!options.pattern.isEmpty())
@@ -331,6 +334,10 @@ void MainWindow::beginRecording() {
 
 void MainWindow::openArm() {
     askForFile(tr("Open arm"), tr("Arms over ROS 2 (*.toml)"), &FileOpener::openArm);
+}
+
+void MainWindow::openSite() {
+    askForFile(tr("Connect to a site"), tr("Sites (*.toml)"), &FileOpener::openSite);
 }
 
 void MainWindow::openDemo() {

@@ -60,6 +60,7 @@ public:
     void openRequested(const ConsoleOptions& options);
     void openDemo();
     void openArm();
+    void openSite();
 
     [[nodiscard]] GuiClock& clock() { return m_clock; }
     [[nodiscard]] BraceletService& bracelet() { return m_bracelet; }

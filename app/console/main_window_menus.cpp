@@ -89,6 +89,8 @@ void MainWindow::buildArmMenu() {
     const bool hasProgram = m_operate->hasProgram();
     menu->addAction(tr("&Open arm\u2026"), this, &MainWindow::openArm)
         ->setToolTip(tr("An arm over ROS 2, described in a file"));
+    menu->addAction(tr("&Connect to a site\u2026"), this, &MainWindow::openSite)
+        ->setToolTip(tr("Arms and arrays at another place, where teleta-site runs"));
     menu->addSeparator();
     const auto add = [&](const QString& text, const QKeySequence& key, bool isPossible, auto call) {
         QAction* action = menu->addAction(text, key, m_operate.get(), call);
@@ -98,6 +100,11 @@ void MainWindow::buildArmMenu() {
     add(tr("&Run its program"), Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(true); });
     add(tr("&Hold"), Qt::SHIFT | Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(false); });
     add(tr("Re&start"), Qt::CTRL | Qt::Key_F5, hasProgram, [this] { m_operate->restartProgram(); });
+    menu->addSeparator();
+    SiteViews& site = m_operate->siteViews();
+    add(tr("Re&quest control of the site"), {}, site.mayRequest(), [&site] { site.request(); });
+    add(tr("Rele&ase control of the site"), Qt::CTRL | Qt::ALT | Qt::Key_C, site.controls(),
+        [&site] { site.release(); });
     menu->addSeparator();
     add(tr("&Forget the explored contour"), Qt::CTRL | Qt::SHIFT | Qt::Key_N, hasArm, [this] {
         m_operate->armViews().forgetContour();
@@ -178,6 +185,9 @@ void MainWindow::openLastSession() {
             break;
         case Kind::arm:
             m_opener->openArm(entry.path);
+            break;
+        case Kind::site:
+            m_opener->openSite(entry.path);
             break;
         case Kind::study:
             m_study->open(entry.path);

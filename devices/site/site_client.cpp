@@ -37,6 +37,7 @@ constexpr std::int64_t kAskAgain_ns = 200'000'000;
 /// Longer than any offer waits.
 constexpr std::int64_t kLongestAsk_ns = 15'000'000'000;
 constexpr std::int64_t kOpenLook_ns = 50'000'000;
+constexpr std::int64_t kConsolesLook_ns = 500'000'000;
 /// Numbers of a message are looked at in steps of ms.
 constexpr double kPerMs = 1e-3;
 
@@ -149,10 +150,11 @@ core::Expected<std::shared_ptr<SiteClient>> SiteClient::open(const RemoteSiteFil
                dds::Writer<ros::SiteArmCommand>::open(participant, topics.command(file.console), kNewest));
     TELETA_TRY(auto probe,
                dds::Writer<ros::ClockProbe>::open(participant, topics.clockProbe(file.console), kNewest));
+    TELETA_TRY(auto discovery, dds::Discovery::open(participant));
     std::shared_ptr<SiteClient> client(
         new SiteClient(file, version, participant, std::move(streams),
                        {std::move(state), std::move(event), std::move(answer), std::move(presence),
-                        std::move(request), std::move(command), std::move(probe)},
+                        std::move(request), std::move(command), std::move(probe), std::move(discovery)},
                        stop));
     client->m_thread = std::jthread([raw = client.get()](const std::stop_token& end) { raw->run(end); });
     return client;
@@ -232,6 +234,7 @@ void SiteClient::run(const std::stop_token& stop) {
         tellPresence(now_ns);
         probeClock(now_ns);
         ask(now_ns);
+        findConsoles(now_ns);
         command(now_ns);
         publish(now_ns);
     }
@@ -353,6 +356,18 @@ void SiteClient::ask(std::int64_t now_ns) {
     request.target = texts(m_pending->target);
     request.epoch = m_now.epoch;
     (void)m_ends.request.write(request);
+}
+
+void SiteClient::findConsoles(std::int64_t now_ns) {
+    if (now_ns < m_nextLook_ns)
+        return;
+    m_nextLook_ns = now_ns + kConsolesLook_ns;
+    m_now.consoles.clear();
+    for (const dds::FoundEnd& end : m_ends.discovery.ends()) {
+        const std::optional<std::string> name = m_topics.consoleOf(end.ddsTopic);
+        if (name && end.writes && std::ranges::find(m_now.consoles, *name) == m_now.consoles.end())
+            m_now.consoles.push_back(*name);
+    }
 }
 
 void SiteClient::command(std::int64_t now_ns) {

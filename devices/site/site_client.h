@@ -10,6 +10,7 @@
 #include "backend/site/clock_estimator.h"
 #include "backend/site/control_arbiter.h"
 #include "backend/site/operator_hand.h"
+#include "devices/dds/discovery.h"
 #include "devices/dds/endpoint.h"
 #include "devices/dds/participant.h"
 #include "devices/dds/wait_set.h"
@@ -65,6 +66,7 @@ struct SiteView {
     double offerLeft_s = 0.0;
     std::vector<std::string> stopHolders;
     std::vector<std::string> viewers;
+    std::vector<std::string> consoles; ///< all that are there, this one included
     std::vector<RemoteArmState> arms;
     std::uint64_t accepted = 0;
     std::uint64_t refused = 0;
@@ -134,6 +136,7 @@ private:
         dds::Writer<ros::ControlRequest> request;
         dds::Writer<ros::SiteArmCommand> command;
         dds::Writer<ros::ClockProbe> probe;
+        dds::Discovery discovery;
     };
     struct Posted {
         std::string arm;
@@ -156,6 +159,7 @@ private:
     void tellPresence(std::int64_t now_ns);
     void probeClock(std::int64_t now_ns);
     void ask(std::int64_t now_ns);
+    void findConsoles(std::int64_t now_ns);
     void command(std::int64_t now_ns);
     void publish(std::int64_t now_ns);
 
@@ -191,6 +195,7 @@ private:
     std::int64_t m_nextPresence_ns = 0;
     std::int64_t m_nextProbe_ns = 0;
     std::int64_t m_nextCommand_ns = 0;
+    std::int64_t m_nextLook_ns = 0;
     bool m_toldStop = false;
 
     std::jthread m_thread;

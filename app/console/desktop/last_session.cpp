@@ -17,11 +17,12 @@ struct SessionText {
     Q_DECLARE_TR_FUNCTIONS(LastSession)
 };
 
-constexpr std::array<std::pair<Entry::Kind, const char*>, 6> kWords{{{Entry::Kind::scene, "scene:"},
+constexpr std::array<std::pair<Entry::Kind, const char*>, 7> kWords{{{Entry::Kind::scene, "scene:"},
                                                                      {Entry::Kind::recording, "recording:"},
                                                                      {Entry::Kind::list, "list:"},
                                                                      {Entry::Kind::camera, "camera:"},
                                                                      {Entry::Kind::arm, "arm:"},
+                                                                     {Entry::Kind::site, "site:"},
                                                                      {Entry::Kind::study, "study:"}}};
 
 QString entry(Entry::Kind kind, const QString& path) {
@@ -43,6 +44,8 @@ QString entryOf(const OpenSource& source) {
         return entry(Entry::Kind::recording, QString::fromStdString(csv->path));
     if (const auto* arm = std::get_if<app::ArmRequest>(&source.request))
         return entry(Entry::Kind::arm, QString::fromStdString(arm->path));
+    if (const auto* site = std::get_if<app::SiteRequest>(&source.request))
+        return entry(Entry::Kind::site, QString::fromStdString(site->path));
     return std::holds_alternative<app::CameraRequest>(source.request) ? entry(Entry::Kind::camera, {})
                                                                       : QString();
 }

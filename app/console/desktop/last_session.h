@@ -26,7 +26,7 @@ struct OpenSource {
 
 /// One entry, ready to be opened.
 struct Entry {
-    enum class Kind { scene, recording, list, camera, arm, study };
+    enum class Kind { scene, recording, list, camera, arm, site, study };
     Kind kind = Kind::scene;
     QString path; ///< of a scene that comes with the program, ":/scenes/NAME.toml"; empty of a camera
 };

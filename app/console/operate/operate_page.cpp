@@ -79,7 +79,8 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     , m_arm(new ArmViews(stop, m_bracelet, *m_scene, this))
     , m_servo(new ServoViews(*m_scene, this))
     , m_camera(new CameraViews(*m_scene, this))
-    , m_marks(new MarkViews(*m_charts, this)) {
+    , m_marks(new MarkViews(*m_charts, this))
+    , m_site(new SiteViews(*m_messages, this)) {
     auto* top = new QHBoxLayout;
     top->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this), base::grid(this, 0.5));
     top->addWidget(m_chooser);
@@ -103,6 +104,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     layout->setSpacing(0);
     layout->addWidget(m_messages);
     layout->addLayout(top);
+    layout->addWidget(&m_site->bar());
     layout->addWidget(m_stack, 1);
 
     auto* demo = m_empty->addAction(QString(), QString());
@@ -169,6 +171,10 @@ void OperatePage::tick() {
             tickArray(*array, item, now_ns);
     }
     m_marks->tick();
+    const SourceManager::Item* shown = m_sources.active();
+    const auto* remote = shown != nullptr ? std::get_if<app::SiteRequest>(&shown->request) : nullptr;
+    m_site->setSite(remote != nullptr ? remote->site : nullptr);
+    m_site->tick();
     m_charts->refresh();
     m_bracelet.tick();
     m_arm->tick();

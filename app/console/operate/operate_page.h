@@ -7,6 +7,7 @@
 #include "app/console/operate/operate_docks.h"
 #include "app/console/operate/recording/mark_views.h"
 #include "app/console/operate/servo_views.h"
+#include "app/console/operate/site_views.h"
 #include "app/console/sources/source_manager.h"
 #include "widgets/charts/feature_history.h"
 #include "widgets/chrome/device_strip.h"
@@ -68,6 +69,7 @@ public:
     [[nodiscard]] ArmViews& armViews() { return *m_arm; }
     [[nodiscard]] CameraViews& cameraViews() { return *m_camera; }
     [[nodiscard]] MarkViews& marks() { return *m_marks; }
+    [[nodiscard]] SiteViews& siteViews() { return *m_site; }
     /// The shown source runs a program that can be held and restarted: an arm's program or a
     /// scene.
     [[nodiscard]] bool hasProgram() const;
@@ -123,6 +125,7 @@ private:
     ServoViews* m_servo;
     CameraViews* m_camera;
     MarkViews* m_marks;
+    SiteViews* m_site;
     std::uint64_t m_settingsRevision = 0;
     std::optional<double> m_latency_s;
     std::set<pipeline::ChannelKey> m_reportedLost;
