@@ -203,6 +203,15 @@ void FrameOptions::declare(CLI::App& app) {
               FrameOptionText::tr(
                   "Summits that rise less than this share of the frame's peak are no contacts of their own"),
               between(0.0, 1.0));
+    addFlag(app, "--summit", summit,
+            FrameOptionText::tr("Add the place of deepest pressure, finer than the taxels, also on a strip"));
+    addOption(
+        app, "--noise-sd", noise_N,
+        FrameOptionText::tr("Standard deviation of a taxel's load at rest in N, for the standard errors "
+                            "of the summit"),
+        "N")
+        ->check(positive())
+        ->needs("--summit");
     addOption(app, "--min-taxels", minimumTaxels, FrameOptionText::tr("Contacts of fewer taxels are dropped"),
               between(1, core::ArrayLayout::kMaximumSide * core::ArrayLayout::kMaximumSide));
     declareJson(app, output.json);
