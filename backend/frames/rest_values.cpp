@@ -99,7 +99,7 @@ core::Expected<std::vector<float>> untouchedValues(const FrameSeries& frames, bo
             widest = std::max(widest, most - least);
         }
 
-    constexpr double kUntouchedRange = 0.2;
+    constexpr double kUntouchedRange = 0.25;
     std::vector<float> rest(taxels, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t taxel = 0; taxel < taxels; ++taxel) {
         std::vector<double> loads = loadsOf(taxel);

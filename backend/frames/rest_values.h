@@ -26,7 +26,7 @@ inline constexpr double kFirst_s = 0.5;
 /// The rest value of each taxel where no frame shows the empty array: where its readings lie closest together
 /// at its unloaded end. Each taxel must be untouched in at least one frame in ten, of 200 or more. The value
 /// is the middle of the shortest interval that holds one reading in twenty, at least ten, in the unloaded
-/// half of the taxel's range. A taxel whose range is less than a fifth of the widest one was never touched;
+/// half of the taxel's range. A taxel whose range is less than a quarter of the widest one was never touched;
 /// its median is taken. NaN for a taxel without finite values, which is dead then.
 /// Error: refused with the number of the first taxel whose readings do not lie closer together there than
 /// evenly spread loads would, or reach further below: it was touched nearly always, or nothing was. A taxel

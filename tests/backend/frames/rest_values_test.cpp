@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/random_stream.h"
+#include "backend/frames/frame_reader.h"
+#include "backend/frames/frame_request.h"
 #include "backend/frames/rest_values.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
+#include <string>
 #include <vector>
 
 using teleta::core::RandomStream;
@@ -135,4 +139,32 @@ TEST(RestValues, ofUntouchedTaxelsNeedFramesAndTouches) {
     ASSERT_TRUE(none);
     for (const float value : *none)
         EXPECT_TRUE(std::isnan(value));
+}
+
+// A person who turns on a mat, and the same mat empty: each taxel is lain on for a part of the time.
+TEST(RestValues, ofARecordedMatAreThoseOfTheEmptyMat) {
+    const std::string folder = TELETA_SOURCE_DIR "/../shared/data/popu/";
+    if (!std::filesystem::exists(folder))
+        GTEST_SKIP() << "skipped: the recordings are not here";
+    const auto read = [&](const std::string& name) {
+        teleta::frames::FrameRequest request{.path = folder + name};
+        request.rows = 64;
+        request.columns = 27;
+        return teleta::frames::readFrames(request, [] { return true; });
+    };
+    const auto turning = read("tactilus_sequence.csv");
+    const auto empty = read("tactilus_empty1.csv");
+    ASSERT_TRUE(turning && empty);
+    const auto found = untouchedValues(*turning, false);
+    ASSERT_TRUE(found) << describe(found.error());
+    const std::vector<float> expected = restValues(*empty, RestRule::mean);
+    const std::vector<float> median = restValues(*turning, RestRule::median);
+    // Counts of 104 at most. A few taxels keep a load after the person has gone.
+    std::size_t right = 0, rightByMedian = 0;
+    for (std::size_t taxel = 0; taxel < expected.size(); ++taxel) {
+        right += std::abs((*found)[taxel] - expected[taxel]) <= 1.0F ? 1 : 0;
+        rightByMedian += std::abs(median[taxel] - expected[taxel]) <= 1.0F ? 1 : 0;
+    }
+    EXPECT_GE(right, expected.size() * 95 / 100);
+    EXPECT_LT(rightByMedian, right);
 }
