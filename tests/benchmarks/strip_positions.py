@@ -10,7 +10,8 @@ here. Columns: X (steps), Y, Z, then the readings of the strips, which fall unde
 
 The places of a recording are fitted to X by one straight line, as the sensors' origin and pitch are not known. Printed
 are the lowest, the middle and the highest root mean square of what is left, in steps, of all recordings. The rest
-values are the highest reading of each strip (`highest`), 95 % of it, or those that `--tare untouched` finds.
+values are the highest reading of each strip (`highest`), 95 % of it, or those that `--tare untouched` finds. The last
+line tells how often 1.96 standard errors of the summit hold the place, with the noise of an untouched strip.
 """
 
 import csv
@@ -23,6 +24,7 @@ import tempfile
 import numpy as np
 
 THRESHOLD = "100"
+NOISE = "9"
 STRIPS = 7
 
 
@@ -89,8 +91,20 @@ def teleta(program, command, frames, tare, column, *options):
     places = {}
     for row in csv.DictReader(io.StringIO(done.stdout)):
         value = np.nan if row[column] == "NA" else float(row[column])
-        places.setdefault(round(float(row["time_s"]) * 100), value + (STRIPS - 1) / 2)
+        if "_se_" not in column:
+            value += (STRIPS - 1) / 2
+        places.setdefault(round(float(row["time_s"]) * 100), value)
     return places
+
+
+def share_held(places, errors, x):
+    """How often 1.96 standard errors hold the place that the straight line gives."""
+    at = np.array([places.get(i, np.nan) for i in range(len(x))])
+    se = np.array([errors.get(i, np.nan) for i in range(len(x))])
+    known = np.isfinite(at)
+    slope, start = np.polyfit(at[known], x[known], 1)
+    off = np.abs(slope * at[known] + start - x[known]) / slope
+    return np.mean(off <= 1.96 * se[known])
 
 
 def main(program, folder):
@@ -99,6 +113,7 @@ def main(program, folder):
     if not recordings:
         sys.exit(f"strip_positions.py: no recordings in {folder}")
     found = {}
+    held = []
 
     def add(name, places, x):
         if places is None:
@@ -124,8 +139,11 @@ def main(program, folder):
                 add(f"features --active-only, {name}",
                     teleta(program, "features", frames, tare, "cop_x_m", "--active-only"), x)  # fmt: skip
                 add(f"contacts, {name}", teleta(program, "contacts", frames, tare, "x_m"), x)
-                add(f"features --summit, {name}",
-                    teleta(program, "features", frames, tare, "summit_x_m", "--summit"), x)  # fmt: skip
+                summits = teleta(program, "features", frames, tare, "summit_x_m", "--summit")
+                add(f"features --summit, {name}", summits, x)
+                if name == "highest":
+                    errors = teleta(program, "features", frames, tare, "summit_x_se_m", "--summit", "--noise-sd", NOISE)
+                    held.append(share_held(summits, errors, x))
                 add(f"contacts --summit, {name}",
                     teleta(program, "contacts", frames, tare, "summit_x_m", "--summit"), x)  # fmt: skip
             add("features --summit --tare untouched",
@@ -139,6 +157,7 @@ def main(program, folder):
             f"{name:52} {np.nanmin(rms):6.2f} {np.nanmedian(rms):6.2f} {np.nanmax(rms):6.2f}"
             f" {np.nanmedian(slope):6.1f} {np.isnan(rms).sum():5d}"
         )
+    print(f"1.96 standard errors hold {np.median(held):.0%} in the median, {np.min(held):.0%} to {np.max(held):.0%}")
 
 
 if __name__ == "__main__":
