@@ -5,6 +5,7 @@
 // the medians with the required ratios.
 #include "backend/contact/contact_segmenter.h"
 #include "backend/contact/frame_conditioner.h"
+#include "backend/contact/summit.h"
 #include "backend/contact/tactile_features.h"
 #include "backend/scene/scene_reader.h"
 #include "backend/simulation/array/simulated_array.h"
@@ -503,6 +504,17 @@ void compareContacts(const std::string& size, WatershedRuns& runs, std::vector<C
     };
     std::printf("%s: %g allocations a frame\n", name.c_str(), allocationsPerFrame(ours));
     registerRun(name + "/ours", ours);
+    const auto withSummits = [&runs](std::size_t i) {
+        const FrameSet& frames = runs.frames;
+        for (const contact::Contact& contact : runs.segmenter.segment(frames.load(i), frames.deadOf(i)))
+            benchmark::DoNotOptimize(contact::summitOf(frames.load(i), frames.layout, runs.segmenter, contact,
+                                                       frames.deadOf(i), 0.03));
+    };
+    std::printf("%s with their summits: %g allocations a frame\n", name.c_str(),
+                allocationsPerFrame(withSummits));
+    registerRun(name + "/oursWithSummits", withSummits);
+    comparisons.push_back({name + ": the summits as well, over the contacts alone", name + "/ours",
+                           name + "/oursWithSummits", 1.0});
     const auto registerWatershed = [&](const std::string& run, WatershedImages& images,
                                        const std::string& what) {
         registerRun(

@@ -62,6 +62,27 @@ def test_contacts(program, indenter, frames, flags, options):
     np.testing.assert_array_equal(frames.time_s[table["frame"]], table["time_s"])
 
 
+@pytest.mark.parametrize("noise", [None, 0.02])
+def test_summit(program, indenter, frames, noise):
+    flags = ["--summit"] + ([] if noise is None else ["--noise-sd", str(noise)])
+    for command, function in (("features", teleta.features), ("contacts", teleta.contacts)):
+        printed = read_csv(program(command, indenter / "frames.csv", *flags))
+        table = function(frames.values, time_s=frames.time_s, summit=True, noise_n=noise)
+        assert list(printed)[-4:] == ["summit_x_m", "summit_y_m", "summit_x_se_m", "summit_y_se_m"]
+        assert_same(table, printed, list(printed))
+        assert np.isfinite(table["summit_x_m"]).any()
+        assert np.isfinite(table["summit_x_se_m"]).any() == (noise is not None)
+
+
+def test_summit_of_a_strip():
+    # An even pressure of 4 N a taxel from 1.75 to 4.5 taxels, and one that covers the end.
+    frames = np.array([[[0, 0, 3, 4, 4, 0, 0]], [[4, 1, 0, 0, 0, 0, 0]]], dtype=np.float32)
+    table = teleta.features(frames, pitch_m=0.01, summit=True)
+    np.testing.assert_allclose(table["summit_x_m"], [0.01 * (0.5 * (1.75 + 4.5) - 3), np.nan], atol=1e-9)
+    with pytest.raises(ValueError, match="noise_n"):
+        teleta.features(frames, summit=True, noise_n=0.0)
+
+
 def test_gains(program, tmp_path):
     program("simulate", "tactile-even-load", "--out", tmp_path)
     program("gains", tmp_path / "frames.csv", "--out", tmp_path / "gains.csv")

@@ -25,6 +25,7 @@ struct FrameOptionText {
 
 constexpr char kMedian[] = "median";
 constexpr char kFirst[] = "first";
+constexpr char kUntouched[] = "untouched";
 
 /// What the options say of the array and its taxels.
 core::Expected<contact::ConditioningSettings> conditioning(const FrameOptions& options,
@@ -91,8 +92,9 @@ void ArrayOptions::declare(CLI::App& app) {
     addOption(
         app, "--tare", tare,
         FrameOptionText::tr("Frames of the unloaded array, whose mean is subtracted; or of the recording "
-                            "itself the median of each taxel, or the mean of the first half second"),
-        "FILE|median|first");
+                            "itself the median of each taxel, the mean of the first half second, or its "
+                            "value while it is untouched, in at least one frame in ten"),
+        "FILE|median|first|untouched");
     addOption(app, "--time-column", m_timeColumn,
               FrameOptionText::tr("Name or number of the column of the times in a table of another program"),
               "NAME");
@@ -132,7 +134,7 @@ frames::FrameRequest ArrayOptions::request(const std::string& path) const {
 }
 
 std::string ArrayOptions::tarePath() const {
-    return tare == kMedian || tare == kFirst ? std::string() : tare;
+    return tare == kMedian || tare == kFirst || tare == kUntouched ? std::string() : tare;
 }
 
 core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning(const core::ArrayLayout& layout,
@@ -159,6 +161,10 @@ core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning(const c
     auto series = frames::readFrames(unloaded, [] { return !interrupted(); });
     if (!series)
         return core::Unexpected(interruptedInstead(std::move(series).error()));
+    if (tare == kUntouched) {
+        TELETA_TRY(settings.tare, frames::untouchedValues(*series, inverted, settings.dead));
+        return settings;
+    }
     settings.tare = frames::restValues(*series, tare == kMedian  ? frames::RestRule::median
                                                 : tare == kFirst ? frames::RestRule::first
                                                                  : frames::RestRule::mean);
@@ -197,6 +203,15 @@ void FrameOptions::declare(CLI::App& app) {
               FrameOptionText::tr(
                   "Summits that rise less than this share of the frame's peak are no contacts of their own"),
               between(0.0, 1.0));
+    addFlag(app, "--summit", summit,
+            FrameOptionText::tr("Add the place of deepest pressure, finer than the taxels, also on a strip"));
+    addOption(
+        app, "--noise-sd", noise_N,
+        FrameOptionText::tr("Standard deviation of a taxel's load at rest in N, for the standard errors "
+                            "of the summit"),
+        "N")
+        ->check(positive())
+        ->needs("--summit");
     addOption(app, "--min-taxels", minimumTaxels, FrameOptionText::tr("Contacts of fewer taxels are dropped"),
               between(1, core::ArrayLayout::kMaximumSide * core::ArrayLayout::kMaximumSide));
     declareJson(app, output.json);

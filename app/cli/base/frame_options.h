@@ -69,6 +69,8 @@ struct FrameOptions {
     bool weighted = false;
     bool automaticThreshold = false;
     bool activeOnly = false;
+    bool summit = false;
+    std::optional<double> noise_N; ///< standard deviation of a taxel's load
     double noiseHeight = contact::SegmentationSettings{}.noiseHeight;
     int minimumTaxels = contact::SegmentationSettings{}.minimumTaxels;
     RowOptions output;

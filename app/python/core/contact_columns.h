@@ -3,12 +3,15 @@
 
 #include "app/python/base/array_output.h"
 #include "backend/contact/contact_segmenter.h"
+#include "backend/contact/summit.h"
 #include "backend/contact/tactile_features.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -92,6 +95,28 @@ public:
 private:
     std::vector<std::int64_t> m_ids;
     std::vector<double> m_x_m, m_y_m, m_force_N, m_peak_N, m_area_m2;
+};
+
+/// The columns of --summit, one entry a frame or a contact.
+class SummitColumns {
+public:
+    void add(const std::optional<contact::Summit>& summit) {
+        const contact::Summit found = summit.value_or(contact::Summit{});
+        m_x_m.push_back(summit ? found.x_m : std::numeric_limits<double>::quiet_NaN());
+        m_y_m.push_back(summit ? found.y_m : std::numeric_limits<double>::quiet_NaN());
+        m_xSe_m.push_back(orNaN(found.xSe_m));
+        m_ySe_m.push_back(orNaN(found.ySe_m));
+    }
+
+    void moveTo(py::dict& table) && {
+        table["summit_x_m"] = arrayOf(std::move(m_x_m));
+        table["summit_y_m"] = arrayOf(std::move(m_y_m));
+        table["summit_x_se_m"] = arrayOf(std::move(m_xSe_m));
+        table["summit_y_se_m"] = arrayOf(std::move(m_ySe_m));
+    }
+
+private:
+    std::vector<double> m_x_m, m_y_m, m_xSe_m, m_ySe_m;
 };
 
 } // namespace teleta::python

@@ -42,7 +42,9 @@ py::dict features(const py::object& frames, double pitch_m, const py::dict& argu
     const contact::FrameConditioner conditioner(input.layout.taxels(),
                                                 conditioningOf(arguments, input.layout));
     contact::FeatureExtractor extractor(input.layout, featureSettingsOf(arguments));
+    const SummitArguments summit = summitArgumentsOf(arguments);
     FeatureColumns columns(input.count);
+    SummitColumns summits;
     LongWork work;
     {
         const py::gil_scoped_release released;
@@ -53,7 +55,11 @@ py::dict features(const py::object& frames, double pitch_m, const py::dict& argu
             if (i % pause == 0 && !work.goOn())
                 break;
             const bool anyDead = conditioner.apply(input.frame(i), load_N, dead) > 0;
-            columns.add(extractor.compute(load_N, anyDead ? dead : std::span<const std::uint8_t>()));
+            const contact::TactileFeatures found =
+                extractor.compute(load_N, anyDead ? dead : std::span<const std::uint8_t>());
+            columns.add(found);
+            if (summit.wanted)
+                summits.add(contact::summitOf(load_N, input.layout, found.threshold_N, dead, summit.noise_N));
         }
     }
     work.rethrow();
@@ -63,6 +69,8 @@ py::dict features(const py::object& frames, double pitch_m, const py::dict& argu
     else
         table["time_s"] = arrayOf(std::move(times_s));
     std::move(columns).moveTo(table);
+    if (summit.wanted)
+        std::move(summits).moveTo(table);
     return table;
 }
 
@@ -91,7 +99,9 @@ py::object contacts(const py::object& frames, double pitch_m, const py::dict& ar
     contact::FeatureExtractor extractor(input.layout, featureSettings);
     contact::ContactSegmenter segmenter(input.layout, settings);
     contact::ContactTracker tracker(trackingSettingsOf(arguments, input.layout));
+    const SummitArguments summit = summitArgumentsOf(arguments);
     ContactColumns columns;
+    SummitColumns summits;
     std::vector<std::int64_t> numbers;
     std::vector<double> seen_s;
     std::unique_ptr<std::int32_t[]> labels;
@@ -115,6 +125,10 @@ py::object contacts(const py::object& frames, double pitch_m, const py::dict& ar
             if (timed)
                 tracker.assign(found, times_s[i]);
             columns.add(found);
+            if (summit.wanted)
+                for (const contact::Contact& each : found)
+                    summits.add(
+                        contact::summitOf(load_N, input.layout, segmenter, each, dead, summit.noise_N));
             numbers.insert(numbers.end(), found.size(), static_cast<std::int64_t>(i));
             seen_s.insert(seen_s.end(), found.size(),
                           timed ? times_s[i] : std::numeric_limits<double>::quiet_NaN());
@@ -127,6 +141,8 @@ py::object contacts(const py::object& frames, double pitch_m, const py::dict& ar
     table["frame"] = arrayOf(std::move(numbers));
     table["time_s"] = arrayOf(std::move(seen_s));
     std::move(columns).moveTo(table);
+    if (summit.wanted)
+        std::move(summits).moveTo(table);
     if (labels == nullptr)
         return table;
     const std::vector<py::ssize_t> shape(input.array.shape(), input.array.shape() + input.array.ndim());

@@ -126,6 +126,13 @@ contact::SegmentationSettings segmentationSettingsOf(const py::dict& arguments) 
             .minimumTaxels = static_cast<int>(taxels)};
 }
 
+SummitArguments summitArgumentsOf(const py::dict& arguments) {
+    SummitArguments summit{.wanted = flagOf(arguments, "summit"), .noise_N = {}};
+    if (!py::object(arguments["noise_n"]).is_none())
+        summit.noise_N = positive(numberOf(arguments, "noise_n"), "noise_n");
+    return summit;
+}
+
 contact::TrackingSettings trackingSettingsOf(const py::dict& arguments, const core::ArrayLayout& layout) {
     contact::TrackingSettings settings = contact::trackingFor(layout);
     if (!py::object(arguments["gate_m"]).is_none())

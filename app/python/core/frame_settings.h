@@ -8,6 +8,7 @@
 #include "backend/contact/tactile_features.h"
 #include "backend/core/data/array_layout.h"
 
+#include <optional>
 #include <pybind11/pybind11.h>
 
 namespace teleta::python {
@@ -22,6 +23,13 @@ namespace teleta::python {
 
 /// threshold_n, noise_height, minimum_taxels.
 [[nodiscard]] contact::SegmentationSettings segmentationSettingsOf(const py::dict& arguments);
+
+/// summit, noise_n.
+struct SummitArguments {
+    bool wanted = false;
+    std::optional<double> noise_N;
+};
+[[nodiscard]] SummitArguments summitArgumentsOf(const py::dict& arguments);
 
 /// gate_m, memory_s.
 [[nodiscard]] contact::TrackingSettings trackingSettingsOf(const py::dict& arguments,

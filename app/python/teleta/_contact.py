@@ -155,6 +155,8 @@ def features(
     orientation: Literal["binarised", "weighted"] = "binarised",
     moment_range: Literal["image", "active"] = "image",
     automatic_threshold: bool = False,
+    summit: bool = False,
+    noise_n: float | None = None,
     time_s: npt.ArrayLike | None = None,
 ) -> Table:
     """Compute force, centres, moments and orientation of each tactile frame.
@@ -183,6 +185,11 @@ def features(
         Whether force and centre of pressure take all taxels, or those in contact.
     automatic_threshold : bool
         Find the threshold in each frame; `threshold_n` is the least.
+    summit : bool
+        Add the place of deepest pressure of the only contact, finer than the taxels, also on a strip (one row
+        or one column).
+    noise_n : float, optional
+        Standard deviation of a taxel's load at rest, N, for the standard errors of the summit.
     time_s : array_like, (frames,), optional
         Times of the frames, s, which do not decrease. None: the table has frame numbers instead.
 
@@ -191,7 +198,8 @@ def features(
     dict of str to ndarray
         The columns of `teleta features`, a row a frame: time_s (or frame, int64), contact_type (str),
         force_n, cop_x_m, cop_y_m, coc_x_m, coc_y_m, dzmp_x_m, dzmp_y_m, alpha_z_rad, lambda1_m2,
-        lambda2_m2 (float64, NaN where not defined), active (int64).
+        lambda2_m2 (float64, NaN where not defined), active (int64). With `summit` also summit_x_m,
+        summit_y_m, summit_x_se_m, summit_y_se_m (float64, NaN where not defined).
 
     Raises
     ------
@@ -224,6 +232,8 @@ def features(
             "inverted": inverted,
             "taxel_gains": taxel_gains,
             "dead": dead,
+            "summit": summit,
+            "noise_n": noise_n,
         },
         time_s,
     )
@@ -245,6 +255,8 @@ def contacts(
     minimum_taxels: int = ...,
     gate_m: float | None = ...,
     memory_s: float = ...,
+    summit: bool = ...,
+    noise_n: float | None = ...,
     time_s: npt.ArrayLike | None = ...,
     rate_hz: float | None = ...,
     return_labels: Literal[False] = ...,
@@ -267,6 +279,8 @@ def contacts(
     minimum_taxels: int = ...,
     gate_m: float | None = ...,
     memory_s: float = ...,
+    summit: bool = ...,
+    noise_n: float | None = ...,
     time_s: npt.ArrayLike | None = ...,
     rate_hz: float | None = ...,
     return_labels: Literal[True],
@@ -288,6 +302,8 @@ def contacts(
     minimum_taxels: int = 1,
     gate_m: float | None = None,
     memory_s: float = 0.1,
+    summit: bool = False,
+    noise_n: float | None = None,
     time_s: npt.ArrayLike | None = None,
     rate_hz: float | None = None,
     return_labels: bool = False,
@@ -307,6 +323,8 @@ def contacts(
         taxels, at least 15 mm.
     memory_s : float
         How long a lost contact keeps its identity, s.
+    summit, noise_n
+        As in `features`, for each contact.
     time_s : array_like, (frames,), optional
         Times of the frames, s, which do not decrease.
     rate_hz : float, optional
@@ -318,8 +336,8 @@ def contacts(
     -------
     table : dict of str to ndarray
         A row a contact, by falling force within a frame: frame (int64), time_s (float64), contact_id
-        (int64, from 1), x_m, y_m, force_n, peak_n, area_m2 (float64). Without `time_s` and `rate_hz` there
-        are no identities: time_s is NaN and contact_id 0.
+        (int64, from 1), x_m, y_m, force_n, peak_n, area_m2 (float64), and with `summit` its columns.
+        Without `time_s` and `rate_hz` there are no identities: time_s is NaN and contact_id 0.
     labels : ndarray of int32, the shape of `frames`
         Only with `return_labels`: 1, 2, ... for the contacts of the frame in the order of the rows,
         0 for taxels without contact.
@@ -356,6 +374,8 @@ def contacts(
             "minimum_taxels": minimum_taxels,
             "gate_m": gate_m,
             "memory_s": memory_s,
+            "summit": summit,
+            "noise_n": noise_n,
         },
         time_s,
         rate_hz,

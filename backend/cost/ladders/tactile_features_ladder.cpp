@@ -18,7 +18,7 @@ using Centre = Eigen::Vector2d;
 
 constexpr std::size_t kFramesPerTrial = 64;
 constexpr std::size_t kPressedFrames = 512;
-constexpr float kActiveFrom_N = 0.2F;
+constexpr double kActiveFrom_N = 0.2;
 
 struct PressedFrame {
     std::vector<float> load_N;
@@ -44,7 +44,7 @@ std::vector<PressedFrame> pressedFrames(const core::ArrayLayout& layout) {
         frame.centre_m = {x_m, y_m};
         for (const double load : load_N)
             frame.load_N.push_back(
-                load < static_cast<double>(kActiveFrom_N)
+                load < kActiveFrom_N
                     ? 0.0F
                     : static_cast<float>(std::max(0.0, load + kReadingNoise_N * random.normal())));
     }

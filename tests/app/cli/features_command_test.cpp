@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -160,4 +161,72 @@ TEST_F(FeaturesCommand, timesAndNumbersKeepAllTheirDigits) {
     EXPECT_EQ(row[kTime], "1234567.0000001");
     const double force = std::stod(row[kForce]);
     EXPECT_EQ(force, static_cast<double>(1e-3F) + 3e8);
+}
+
+namespace {
+
+/// A strip of seven taxels with a pitch of 10 mm.
+std::vector<std::vector<std::string>> stripRows(const std::string& command, const std::string& frames,
+                                                std::vector<std::string> options) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("frames.csv", "time_s,t0,t1,t2,t3,t4,t5,t6\n" + frames);
+    options.insert(options.begin(), {command, path, "--rows", "1", "--columns", "7", "--pitch-mm", "10"});
+    const ProgramResult result = run(options);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return splitCsv(result.out);
+}
+
+} // namespace
+
+TEST_F(FeaturesCommand, summitOfAStripStandsBehindTheOtherColumns) {
+    // An even pressure of 4 N a taxel from 1.75 to 4.25 taxels; the next frame covers the end of the strip.
+    const std::string frames = "0,0,0,3,4,3,0,0\n1,4,1,0,0,0,0,0\n2,0,0,0,0,0,0,0\n3,0,0,2,4,4,1,0\n";
+    for (const std::string command : {"features", "contacts"}) {
+        const auto plain = stripRows(command, frames, {});
+        const auto all = stripRows(command, frames, {"--summit", "--noise-sd", "0.01"});
+        ASSERT_EQ(all.size(), plain.size());
+        const std::size_t columns = plain[0].size();
+        for (std::size_t row = 0; row < all.size(); ++row) {
+            ASSERT_EQ(all[row].size(), columns + 4);
+            EXPECT_TRUE(std::equal(plain[row].begin(), plain[row].end(), all[row].begin()));
+        }
+        const std::vector<std::string> names(all[0].begin() + static_cast<std::ptrdiff_t>(columns),
+                                             all[0].end());
+        EXPECT_EQ(names,
+                  (std::vector<std::string>{"summit_x_m", "summit_y_m", "summit_x_se_m", "summit_y_se_m"}));
+        EXPECT_NEAR(std::stod(all[1][columns]), 0.0, kTolerance);
+        EXPECT_EQ(all[1][columns + 1], "0");
+        EXPECT_NEAR(std::stod(all[1][columns + 2]), 0.01 * std::hypot(0.05, 0.5 * 0.0025 * std::sqrt(2.0)),
+                    kTolerance);
+        EXPECT_EQ(all[1][columns + 3], "NA");
+        EXPECT_EQ(all[2][columns], "NA") << command;
+        // From 2 - 1/2 + 1/2 to 5 - 1/2 + 1/4.
+        EXPECT_NEAR(std::stod(all.back()[columns]), 0.01 * (0.5 * (2.0 + 4.75) - 3.0), kTolerance);
+
+        EXPECT_EQ(stripRows(command, frames, {"--summit"})[1][columns + 2], "NA") << "the noise is not told";
+    }
+}
+
+TEST_F(FeaturesCommand, untouchedValuesAreFoundInTheRecording) {
+    // A touch goes to and fro over a strip that reads 500 without load and falls under it.
+    std::string frames;
+    for (int i = 0; i < 400; ++i) {
+        frames += std::to_string(i);
+        for (int taxel = 0; taxel < 7; ++taxel) {
+            const double place = 1.0 + 4.0 * std::abs(i % 40 - 20) / 20.0;
+            const double load = 300.0 * std::max(0.0, 1.0 - std::abs(taxel - place) / 1.5);
+            frames += "," + std::to_string(500 - static_cast<int>(load) + (i * 7 + taxel) % 3 - 1);
+        }
+        frames += "\n";
+    }
+    const auto all = stripRows("contacts", frames, {"--tare", "untouched", "--invert", "--threshold", "20"});
+    ASSERT_EQ(all.size(), 401U) << "one contact a frame";
+    for (std::size_t i = 1; i < all.size(); ++i)
+        EXPECT_LE(std::stod(all[i][5]), 302.0) << "the peak";
+
+    const std::string path = m_folder.write("held.csv", "time_s,t0\n0,1\n1,2\n2,3\n");
+    const ProgramResult refused =
+        run({"features", path, "--rows", "1", "--columns", "1", "--tare", "untouched"});
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_NE(refused.err.find("taxel 0"), std::string::npos) << refused.err;
 }

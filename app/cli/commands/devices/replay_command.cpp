@@ -216,8 +216,10 @@ private:
                 data.waitFor(kIdle);
             channel.process();
             pipeline::FeatureSample sample;
-            while (channel.popSample(sample))
+            while (channel.popSample(sample)) {
                 writeFeatures(rows, sample.sourceTime_s, sample.features);
+                rows.endRow();
+            }
             rows.flushIfDue();
             progress.update(static_cast<double>(channel.framesProcessed()),
                             static_cast<double>(channel.playback()->position().frames));

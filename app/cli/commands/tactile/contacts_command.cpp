@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/base/feature_rows.h"
 #include "app/cli/base/frame_options.h"
 #include "app/cli/commands/tactile/tactile_commands.h"
 #include "backend/contact/contact_tracker.h"
@@ -23,7 +24,8 @@ struct ContactsCommand : FrameOptions {
         contact::FeatureExtractor extractor(layout, featureSettings());
         contact::ContactTracker tracker(contact::trackingFor(layout));
         return processFrames(
-            *this, std::move(frames), kColumns, [&](const ConditionedFrame& frame, RowOutput& rows) {
+            *this, std::move(frames), withSummit(kColumns, summit),
+            [&](const ConditionedFrame& frame, RowOutput& rows) {
                 if (automaticThreshold) {
                     settings.threshold_N = extractor.compute(frame.load_N, frame.dead).threshold_N;
                     segmenter.setSettings(settings);
@@ -36,6 +38,9 @@ struct ContactsCommand : FrameOptions {
                     for (const double value :
                          {contact.x_m, contact.y_m, contact.force_N, contact.peak_N, contact.area_m2})
                         rows.number(value);
+                    if (summit)
+                        writeSummit(rows, contact::summitOf(frame.load_N, layout, segmenter, contact,
+                                                            frame.dead, noise_N));
                     rows.endRow();
                 }
             });

@@ -15,9 +15,16 @@ struct FeaturesCommand : FrameOptions {
     [[nodiscard]] core::Expected<void> run() const {
         TELETA_TRY(frames::FrameReader frames, openFrames(*this));
         contact::FeatureExtractor extractor(frames.layout(), featureSettings());
+        const core::ArrayLayout layout = frames.layout();
         return processFrames(
-            *this, std::move(frames), kFeatureColumns, [&](const ConditionedFrame& frame, RowOutput& rows) {
-                writeFeatures(rows, frame.time_s, extractor.compute(frame.load_N, frame.dead));
+            *this, std::move(frames), withSummit(kFeatureColumns, summit),
+            [&](const ConditionedFrame& frame, RowOutput& rows) {
+                const contact::TactileFeatures features = extractor.compute(frame.load_N, frame.dead);
+                writeFeatures(rows, frame.time_s, features);
+                if (summit)
+                    writeSummit(rows, contact::summitOf(frame.load_N, layout, features.threshold_N,
+                                                        frame.dead, noise_N));
+                rows.endRow();
             });
     }
 };
