@@ -526,7 +526,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    // Whatever moves is stopped before the window that can stop it is gone.
+    // Whatever moves is stopped before the window that can stop it is gone. A site goes on without it.
+    for (const SourceManager::Item& item : m_sources.items())
+        if (const auto* remote = std::get_if<app::SiteRequest>(&item.request))
+            remote->site->leave();
     m_stop.engage();
     m_clock.stop();
     saveState();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sudden_end.h"
 
+#include "devices/site/site_client.h"
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <QGuiApplication>
@@ -40,6 +42,8 @@ QtMessageHandler g_handlerBefore = nullptr;
 
 void onSignal(int) {
     const int before = errno;
+    // A site is not stopped because a console ends.
+    site_link::SiteClient::leaveAll();
     if (core::StopSwitch* stop = g_stop)
         stop->engage();
     if (g_signalled == 0)
@@ -131,6 +135,7 @@ SuddenEnd::~SuddenEnd() {
 void SuddenEnd::leave() {
     if (std::exchange(m_leaves, true))
         return;
+    site_link::SiteClient::leaveAll();
     m_stop.engage();
     m_actions.leave();
 }
@@ -144,6 +149,7 @@ bool SuddenEnd::whenDisplayIsGone() {
     SuddenEnd* end = g_end;
     if (end == nullptr)
         return false;
+    site_link::SiteClient::leaveAll();
     end->m_stop.engage();
     if (QThread::currentThread() == end->thread()) {
         if (!g_securing.exchange(true)) {

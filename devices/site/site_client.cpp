@@ -231,6 +231,8 @@ void SiteClient::run(const std::stop_token& stop) {
         const std::int64_t now_ns = core::steadyNow_ns();
         next_ns = now_ns + kCycle_ns;
         listen();
+        if (leaves() && !std::exchange(m_released, true) && m_now.controls(m_file.console))
+            request(RequestKind::release);
         tellPresence(now_ns);
         probeClock(now_ns);
         ask(now_ns);
@@ -306,7 +308,7 @@ void SiteClient::take(const ros::ClockAnswer& answer, std::int64_t now_ns) {
 }
 
 void SiteClient::tellPresence(std::int64_t now_ns) {
-    const bool stopped = m_stop.engaged();
+    const bool stopped = leaves() ? m_toldStop : m_stop.engaged();
     if (now_ns < m_nextPresence_ns && stopped == m_toldStop)
         return;
     m_nextPresence_ns = now_ns + kPresence_ns;
@@ -380,7 +382,7 @@ void SiteClient::command(std::int64_t now_ns) {
         m_posted.clear();
     }
     // The site stops by the presence; a switch that is held through STOP counts as let go.
-    if (m_stop.engaged())
+    if (m_stop.engaged() || leaves())
         m_hand.post(false, now_ns);
     if (now_ns < m_nextCommand_ns)
         return;

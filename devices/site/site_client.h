@@ -17,6 +17,7 @@
 #include "devices/site/remote_site_file.h"
 #include "devices/site/site_topics.h"
 
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -122,6 +123,13 @@ public:
     /// The operator's command to an arm; a rate of zero: the switch is let go.
     void post(const std::string& arm, const core::ArmCommand& command);
 
+    /// The program ends, and with it this console's part: the switch counts as let go, control is given up,
+    /// and STOP stays at the site as it was. A program engages STOP for its own devices when it ends; that is
+    /// no STOP of a person, which would hold the site until a supervisor withdraws it.
+    void leave() { m_leaves.store(true, std::memory_order_relaxed); }
+    /// The same for all of them, also from the handler of a signal.
+    static void leaveAll() { s_allLeave.store(true, std::memory_order_relaxed); }
+
     /// When something was read at the site, by the clock here; where the clock is not known yet, when it
     /// arrived.
     [[nodiscard]] std::int64_t readTime_ns(std::int64_t read_site_ns, std::int64_t arrived_ns) const;
@@ -162,6 +170,9 @@ private:
     void findConsoles(std::int64_t now_ns);
     void command(std::int64_t now_ns);
     void publish(std::int64_t now_ns);
+    [[nodiscard]] bool leaves() const {
+        return m_leaves.load(std::memory_order_relaxed) || s_allLeave.load(std::memory_order_relaxed);
+    }
 
     RemoteSiteFile m_file;
     std::string m_version;
@@ -172,6 +183,8 @@ private:
     const core::StopSwitch& m_stop;
     dds::WaitSet m_waitSet;
     site::BootName m_boot;
+    static inline std::atomic<bool> s_allLeave{false};
+    std::atomic<bool> m_leaves{false};
     core::LatestCopy<SiteView> m_view;
     core::LatestCopy<std::optional<std::int64_t>> m_offset_ns;
     std::mutex m_mutex;
@@ -197,6 +210,7 @@ private:
     std::int64_t m_nextCommand_ns = 0;
     std::int64_t m_nextLook_ns = 0;
     bool m_toldStop = false;
+    bool m_released = false; ///< control was given up for the end
 
     std::jthread m_thread;
 };

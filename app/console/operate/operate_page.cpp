@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/operate_page.h"
 
+#include "app/sources/site_request.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "widgets/base/on_change.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/site/control_arbiter.h"
 #include "devices/site/site_client.h"
 #include "widgets/chrome/message_bar.h"
 #include "widgets/site/site_bar.h"

@@ -118,6 +118,29 @@ TEST(Site, stopOfAViewerHoldsUntilItIsWithdrawn) {
     EXPECT_TRUE(console.moves());
 }
 
+TEST(Site, aConsoleThatEndsGivesControlUpAndStopsNobody) {
+    SiteProcess site(89, kPractice);
+    site.start();
+    TestConsole console(site, "a");
+    TestConsole viewer(site, "v", true);
+    takeOver(console);
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+    // As the console does when its window is closed.
+    console.client().leave();
+    console.stop().engage();
+    ASSERT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::free; }));
+    EXPECT_TRUE(TestConsole::eventually([&] { return viewer.rests(300ms); }));
+    EXPECT_TRUE(viewer.view().stopHolders.empty());
+    // A STOP that a person has engaged before stays.
+    viewer.stop().engage();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::stopped; }));
+    viewer.client().leave();
+    viewer.stop().release();
+    std::this_thread::sleep_for(300ms);
+    EXPECT_EQ(console.view().stopHolders, std::vector<std::string>{"v"});
+}
+
 TEST(Site, anArmComesToRestWhenItsOperatorIsKilled) {
     SiteProcess site(84, kPractice);
     site.start();
