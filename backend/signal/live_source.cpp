@@ -4,6 +4,7 @@
 #include "backend/signal/recorded_signals.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -48,9 +49,13 @@ bool LiveSource::take() {
         stream.name =
             each.info.name.starts_with(prefix) ? each.info.name.substr(prefix.size()) : each.info.name;
         const std::vector<recording::Column> columns = columnsOf(each.info);
-        stream.capacity = std::max(2 * Series::kChunk, kBytesOfAStream / (sizeof(Sample) * columns.size()));
+        stream.capacity =
+            columns.size() > kWide
+                ? 0
+                : std::max(2 * Series::kChunk, kBytesOfAStream / (sizeof(Sample) * columns.size()));
         for (const recording::Column& column : columns)
-            stream.columns.push_back({column, std::make_shared<Series>(stream.capacity)});
+            stream.columns.push_back({column, std::make_shared<Series>(stream.capacity),
+                                      std::numeric_limits<double>::quiet_NaN()});
         m_feeds.push_back(
             {std::move(each.tap), {m_origin_ns, isOfEvents(each.info) ? 0.0 : each.info.nominalRate_Hz}});
         stream.info = std::move(each.info);
@@ -72,12 +77,28 @@ void LiveSource::append(const core::TappedFrames& frames, Stream& stream, Stream
         const StreamClock::Step step =
             clock.next(frames.time_ns[frame], frames.sourceTime_s[frame], frame == 0 && frames.discontinuity);
         for (std::size_t column = 0; column < channels; ++column) {
-            Series& series = *stream.columns[column].series;
+            Signal& signal = stream.columns[column];
+            signal.newest = valueOf(frames, stream.info, frame, column);
+            if (stream.capacity == 0 && !signal.isPlotted)
+                continue;
             if (step.gap)
-                series.lift();
-            series.append(step.time_s, valueOf(frames, stream.info, frame, column));
+                signal.series->lift();
+            signal.series->append(step.time_s, signal.newest);
         }
     }
+}
+
+void LiveSource::keep(const std::function<bool(const std::string&, const std::string&)>& isPlotted,
+                      std::size_t samples) {
+    for (Stream& stream : m_streams)
+        for (Signal& signal : stream.columns) {
+            const bool was = std::exchange(signal.isPlotted, isPlotted(stream.name, signal.column.name));
+            // What comes later is not joined to what was kept before.
+            if (was && !signal.isPlotted && stream.capacity == 0)
+                signal.series->lift();
+            signal.series->setCapacity(signal.isPlotted ? std::max(samples, stream.capacity)
+                                                        : stream.capacity);
+        }
 }
 
 std::uint64_t LiveSource::lost() const {

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -19,8 +20,10 @@ namespace teleta::signal {
 /// into the series of the columns. Thread: the viewer's, except for what StreamSink promises.
 class LiveSource : public recording::StreamSink {
 public:
-    /// Memory for the samples of a stream that nobody looks at.
+    /// Memory for the samples of a stream that nobody plots.
     static constexpr std::size_t kBytesOfAStream = std::size_t{32} << 20U;
+    /// A stream with more columns is too wide to keep them all: it keeps those that somebody plots.
+    static constexpr std::size_t kWide = 128;
 
     /// name: with which its streams begin. origin_ns: steady clock at the zero of the time axis.
     LiveSource(std::string name, std::int64_t origin_ns);
@@ -28,17 +31,23 @@ public:
     struct Signal {
         recording::Column column;
         std::shared_ptr<Series> series;
+        double newest = 0.0; ///< NaN: none
+        bool isPlotted = false;
     };
     struct Stream {
         std::string name; ///< without that of the source
         recording::StreamInfo info;
         std::vector<Signal> columns;
-        std::size_t capacity = 0; ///< samples of a signal that nobody looks at
+        std::size_t capacity = 0; ///< samples of a signal that nobody plots
     };
 
     [[nodiscard]] std::shared_ptr<core::StreamTap> addStream(recording::StreamInfo info) override;
     /// Events are no signals.
     void add(recording::RecordingEvent event) override;
+
+    /// Keeps so many samples of the signals that are plotted, and of the others what their streams grant.
+    void keep(const std::function<bool(const std::string& stream, const std::string& column)>& isPlotted,
+              std::size_t samples);
 
     /// Takes what has come. True: there are streams that were not there before.
     bool take();

@@ -14,7 +14,7 @@ namespace teleta::signal {
 namespace {
 
 struct RecordedSignalsText {
-    Q_DECLARE_TR_FUNCTIONS(RecordedSignals)
+    Q_DECLARE_TR_FUNCTIONS(RecordedSignalsText)
 };
 
 core::Unexpected noSuch(const std::string& path, const std::string& name) {

@@ -18,7 +18,7 @@ namespace teleta::signal {
 namespace {
 
 struct SpectrumText {
-    Q_DECLARE_TR_FUNCTIONS(Spectrum)
+    Q_DECLARE_TR_FUNCTIONS(SpectrumText)
 };
 
 constexpr std::size_t kLongestSegment = 65536;

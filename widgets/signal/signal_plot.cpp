@@ -145,7 +145,6 @@ void SignalPlot::refresh() {
         const double span = span_s();
         m_to_s = extent->high;
         m_from_s = m_to_s - span;
-        emit rangeChanged();
     }
     draw();
 }
@@ -208,7 +207,7 @@ void SignalPlot::drawSpectra() {
     plot::styleAxis(*size, m_colours, font());
     while (m_plot->graphCount() > static_cast<int>(m_graphs.size()))
         m_plot->removeGraph(m_plot->graphCount() - 1);
-    double highest = 0.0, fastest_Hz = 0.0;
+    double highest = 0.0, lowest = std::numeric_limits<double>::infinity(), fastest_Hz = 0.0;
     QString unit;
     bool sameUnit = true, isFirst = true;
     for (const PlotCurve& curve : m_curves) {
@@ -226,6 +225,7 @@ void SignalPlot::drawSpectra() {
         for (std::size_t bin = 1; bin < values.size(); ++bin) {
             graph->addData(spectrum.frequency_Hz[bin], values[bin]);
             highest = std::max(highest, values[bin]);
+            lowest = values[bin] > 0.0 ? std::min(lowest, values[bin]) : lowest;
         }
         fastest_Hz = std::max(fastest_Hz, spectrum.frequency_Hz.back());
     }
@@ -236,9 +236,8 @@ void SignalPlot::drawSpectra() {
         : shown.isEmpty() ? tr("amplitude")
                           : tr("amplitude (%1)").arg(shown));
     frequency->setRange(0.0, fastest_Hz > 0.0 ? fastest_Hz : 1.0);
-    size->setRange(highest > 0.0 ? highest * (m_density ? kSpectrumFloor * kSpectrumFloor : kSpectrumFloor)
-                                 : 1e-6,
-                   highest > 0.0 ? 2.0 * highest : 1.0);
+    const double floor = highest * (m_density ? kSpectrumFloor * kSpectrumFloor : kSpectrumFloor);
+    size->setRange(highest > 0.0 ? std::max(floor, 0.5 * lowest) : 1e-6, highest > 0.0 ? 2.0 * highest : 1.0);
 }
 
 void SignalPlot::drawCursors() {
@@ -271,7 +270,6 @@ void SignalPlot::setRange(double from_s, double to_s) {
     m_dirty = true;
     if (std::exchange(m_following, false))
         emit followingChanged(false);
-    emit rangeChanged();
 }
 
 void SignalPlot::setFollowing(bool following) {
@@ -293,7 +291,6 @@ void SignalPlot::zoomBy(double factor, double at_s) {
         // The newest sample stays at the right end.
         m_from_s = m_to_s - std::clamp(factor * span_s(), kShortestSpan_s, kLongestSpan_s);
         m_dirty = true;
-        emit rangeChanged();
         return;
     }
     setRange(at_s + factor * (m_from_s - at_s), at_s + factor * (m_to_s - at_s));

@@ -84,7 +84,6 @@ public:
 
 signals:
     void followingChanged(bool following);
-    void rangeChanged();
     void cursorsChanged();
     void menuRequested(const QPoint& global);
     void exportFailed(const QString& message);

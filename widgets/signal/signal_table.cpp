@@ -118,6 +118,8 @@ void SignalTable::labelColumns() {
     const bool cursors = m_cursors_s.has_value();
     m_view->setHeaderLabels({tr("Plotted signal"), cursors ? tr("at A") : tr("Newest"), tr("at B"),
                              tr("B \u2212 A", "difference of two values"), tr("Unit")});
+    for (int column = aColumn; column < unitColumn; ++column)
+        m_view->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     m_view->setColumnHidden(bColumn, !cursors);
     m_view->setColumnHidden(differenceColumn, !cursors);
     m_times->setVisible(cursors);

@@ -138,6 +138,7 @@ void SignalTree::setSources(const std::vector<SourceEntry>& sources) {
     const auto row = [](const QString& text, const std::string& own) {
         auto* item = new QStandardItem(text);
         item->setData(QString::fromStdString(own), kOwnRole);
+        item->setToolTip(text);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
         return item;
     };

@@ -15,7 +15,7 @@ namespace teleta::signal {
 namespace {
 
 struct UnitAxesText {
-    Q_DECLARE_TR_FUNCTIONS(UnitAxes)
+    Q_DECLARE_TR_FUNCTIONS(UnitAxesText)
 };
 
 /// Of an axis whose values are all alike, around them.

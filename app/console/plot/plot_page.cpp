@@ -15,7 +15,9 @@
 #include "widgets/signal/signal_table.h"
 #include "widgets/signal/signal_tree.h"
 
+#include <QAbstractButton>
 #include <QAction>
+#include <QCheckBox>
 #include <QDir>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -31,6 +33,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace teleta::console {
 
@@ -39,13 +42,6 @@ namespace {
 constexpr int kValues_ms = 250;  ///< between two paintings of newest values
 constexpr int kSpectra_ms = 500; ///< between two computations of spectra
 constexpr double kUsualSpan_s = 10.0;
-
-QToolButton* tool(const char* name, QWidget* parent, bool checkable = false) {
-    auto* button = base::named<QToolButton>(name, parent);
-    button->setCheckable(checkable);
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    return button;
-}
 
 } // namespace
 
@@ -95,14 +91,14 @@ QWidget* PlotPage::makeSignalColumn() {
 
 QWidget* PlotPage::makeToolBar() {
     auto* bar = new QWidget(this);
-    m_follow = tool("follow", bar, true);
-    m_everything = tool("everything", bar);
-    m_cursors = tool("cursors", bar, true);
-    m_density = tool("density", bar, true);
-    m_layoutsButton = tool("plotLayouts", bar);
+    m_follow = base::named<QCheckBox>("follow", bar);
+    m_everything = base::named<QToolButton>("everything", bar);
+    m_cursors = base::named<QCheckBox>("cursors", bar);
+    m_density = base::named<QCheckBox>("density", bar);
+    m_layoutsButton = base::named<QToolButton>("plotLayouts", bar);
     m_layoutsButton->setMenu(m_layouts);
     m_layoutsButton->setPopupMode(QToolButton::InstantPopup);
-    m_saveButton = tool("savePlot", bar);
+    m_saveButton = base::named<QToolButton>("savePlot", bar);
     m_saveMenu = new QMenu(this);
     m_saveButton->setMenu(m_saveMenu);
     m_saveButton->setPopupMode(QToolButton::InstantPopup);
@@ -110,8 +106,8 @@ QWidget* PlotPage::makeToolBar() {
     auto* layout = new QHBoxLayout(bar);
     layout->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this),
                                base::grid(this, 0.5));
-    layout->setSpacing(base::grid(this, 0.5));
-    base::addWidgets(layout, {m_follow, m_everything, m_cursors, m_density});
+    layout->setSpacing(base::grid(this));
+    base::addWidgets(layout, {m_everything, m_follow, m_cursors, m_density});
     layout->addStretch(1);
     base::addWidgets(layout, {m_state, m_layoutsButton, m_saveButton});
     return bar;
@@ -126,8 +122,8 @@ QWidget* PlotPage::makeMiddle() {
     parts->setChildrenCollapsible(false);
     parts->addWidget(m_plot);
     parts->addWidget(m_table);
-    parts->setStretchFactor(0, 4);
-    parts->setStretchFactor(1, 1);
+    parts->setStretchFactor(0, 1);
+    parts->setSizes({base::em(this, 30), base::em(this, 9)});
     m_empty = new chrome::EmptyState(base::Icon::plot);
     auto* demo = m_empty->addAction(QString(), QString());
     demo->setObjectName(QStringLiteral("openDemo"));
@@ -189,14 +185,14 @@ void PlotPage::connectViews() {
     connect(m_table, &signal::SignalTable::spectrumRequested, m_signals, &PlotSignals::setSpectrum);
     connect(m_undo, &QAction::triggered, m_signals, &PlotSignals::undoRemove);
     connect(m_plot, &signal::SignalPlot::menuRequested, this, &PlotPage::popUpMenu);
-    connect(m_plot, &signal::SignalPlot::followingChanged, m_follow, &QToolButton::setChecked);
+    connect(m_plot, &signal::SignalPlot::followingChanged, m_follow, &QCheckBox::setChecked);
     connect(m_plot, &signal::SignalPlot::cursorsChanged, this, &PlotPage::showReadings);
     connect(m_plot, &signal::SignalPlot::exportFailed, this,
             [report](const QString& message) { report(message, QString()); });
-    connect(m_follow, &QToolButton::toggled, m_plot, &signal::SignalPlot::setFollowing);
+    connect(m_follow, &QCheckBox::toggled, m_plot, &signal::SignalPlot::setFollowing);
     connect(m_everything, &QToolButton::clicked, m_plot, &signal::SignalPlot::showEverything);
-    connect(m_cursors, &QToolButton::toggled, m_plot, &signal::SignalPlot::setCursors);
-    connect(m_density, &QToolButton::toggled, m_plot, &signal::SignalPlot::setDensity);
+    connect(m_cursors, &QCheckBox::toggled, m_plot, &signal::SignalPlot::setCursors);
+    connect(m_density, &QCheckBox::toggled, m_plot, &signal::SignalPlot::setDensity);
     connect(m_layouts, &PlotLayoutsMenu::chosen, this, &PlotPage::restore);
     connect(m_layouts, &PlotLayoutsMenu::notRestored, this, [this](const QString& name) {
         m_messages->post({chrome::Message::Severity::warning,
@@ -237,9 +233,7 @@ void PlotPage::retranslate() {
 
 QString PlotPage::valueText(const signal::SignalId& id) const {
     const auto found = m_signals->sources().find(id);
-    if (!found || !found->series || found->series->empty())
-        return {};
-    return base::threeDigits(found->series->newest());
+    return found && found->newest ? base::threeDigits(found->newest) : QString();
 }
 
 void PlotPage::showSources() {
@@ -267,7 +261,8 @@ void PlotPage::showSignals() {
     m_stack->setCurrentIndex(has ? 1 : 0);
     m_density->setVisible(std::ranges::any_of(rows, &signal::SignalRow::hasSpectrum));
     m_undo->setEnabled(m_signals->canUndo());
-    for (QWidget* button : {m_follow, m_everything, m_cursors, m_saveButton})
+    for (auto* button :
+         std::initializer_list<QAbstractButton*>{m_follow, m_everything, m_cursors, m_saveButton})
         button->setEnabled(has);
     showReadings();
 }
@@ -306,12 +301,16 @@ void PlotPage::showState() {
 void PlotPage::refreshSpectra() {
     const auto& shown = m_signals->shown();
     std::uint64_t appended = 0;
-    for (const auto& each : shown)
-        if (each.what.spectrum && each.series())
-            appended += 1 + each.series()->appended();
+    bool isMissing = false;
+    for (const auto& each : shown) {
+        if (!each.what.spectrum || !each.series())
+            continue;
+        appended += 1 + each.series()->appended();
+        isMissing = isMissing || (!each.spectrum && each.spectrumNote.isEmpty());
+    }
     const std::pair range(m_plot->from_s(), m_plot->to_s());
     if (appended == 0 || (m_spectraComputed.isValid() && m_spectraComputed.elapsed() < kSpectra_ms) ||
-        (range == m_spectraOf && appended == m_spectraAppended))
+        (range == m_spectraOf && appended == m_spectraAppended && !isMissing))
         return;
     m_spectraOf = range;
     m_spectraAppended = appended;
@@ -368,7 +367,7 @@ void PlotPage::popUpMenu(const QPoint& global) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(m_everything->text(), m_plot, &signal::SignalPlot::showEverything);
-    menu->addAction(m_cursors->text(), m_cursors, &QToolButton::toggle);
+    menu->addAction(m_cursors->text(), m_cursors, &QCheckBox::toggle);
     if (m_signals->canUndo())
         menu->addAction(m_undo);
     menu->addSeparator();

@@ -14,6 +14,7 @@
 #include <utility>
 
 class QAction;
+class QCheckBox;
 class QLabel;
 class QMenu;
 class QProgressBar;
@@ -79,10 +80,10 @@ private:
     signal::SignalTree* m_tree;
     QPushButton* m_addRecording;
     QProgressBar* m_progress;
-    QToolButton* m_follow;
+    QCheckBox* m_follow;
     QToolButton* m_everything;
-    QToolButton* m_cursors;
-    QToolButton* m_density;
+    QCheckBox* m_cursors;
+    QCheckBox* m_density;
     QToolButton* m_layoutsButton;
     QToolButton* m_saveButton;
     QMenu* m_saveMenu;

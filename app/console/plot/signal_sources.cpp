@@ -51,7 +51,7 @@ std::optional<SignalSources::Signal> SignalSources::find(const signal::SignalId&
         if (column == columns.end())
             return std::nullopt;
         const bool events = signal::isOfEvents(info);
-        return Signal{nullptr, column->unit, events ? 0.0 : info.nominalRate_Hz, events, true};
+        return Signal{nullptr, std::nullopt, column->unit, events ? 0.0 : info.nominalRate_Hz, events, true};
     };
     for (const Live& live : m_live) {
         if (live.source->name() != id.source)
@@ -63,6 +63,7 @@ std::optional<SignalSources::Signal> SignalSources::find(const signal::SignalId&
                 continue;
             auto found = signalOf(stream.info);
             found->series = place->series;
+            found->newest = place->newest;
             found->isRecorded = false;
             return found;
         }
@@ -166,12 +167,12 @@ std::optional<double> SignalSources::progress() const {
 
 void SignalSources::keep(const std::vector<signal::SignalId>& signalIds, std::size_t samples) {
     for (const Live& live : m_live)
-        for (const signal::LiveSource::Stream& stream : live.source->streams())
-            for (const signal::LiveSource::Signal& each : stream.columns) {
-                const signal::SignalId id{live.source->name(), stream.name, each.column.name};
-                const bool isKept = std::ranges::find(signalIds, id) != signalIds.end();
-                each.series->setCapacity(isKept ? std::max(samples, stream.capacity) : stream.capacity);
-            }
+        live.source->keep(
+            [&](const std::string& stream, const std::string& column) {
+                const signal::SignalId id{live.source->name(), stream, column};
+                return std::ranges::find(signalIds, id) != signalIds.end();
+            },
+            samples);
 }
 
 void SignalSources::tick() {

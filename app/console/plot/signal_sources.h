@@ -30,6 +30,7 @@ public:
     /// What is known of a signal.
     struct Signal {
         std::shared_ptr<const signal::Series> series; ///< null: it must be read()
+        std::optional<double> newest;                 ///< of one that runs
         std::string unit;
         double rate_Hz = 0.0;
         bool isOfEvents = false;

@@ -97,6 +97,25 @@ TEST(LiveSource, whatNobodyLooksAtIsBounded) {
     EXPECT_EQ(source.streams().front().capacity, LiveSource::kBytesOfAStream / (2 * sizeof(Sample)));
 }
 
+TEST(LiveSource, aWideStreamKeepsWhatIsPlotted) {
+    LiveSource source("mat", 0);
+    const auto tap = source.addStream({.name = "mat-frames", .shape = {20, 10}, .nominalRate_Hz = 200.0});
+    source.take();
+    const std::vector<float> values(200, 7.0F);
+    const auto appendFrame = [&](double time_s) {
+        tap->append(static_cast<std::int64_t>(1e9 * time_s), time_s, std::span<const float>(values));
+        source.take();
+    };
+    appendFrame(0.0);
+    const auto& columns = source.streams().front().columns;
+    EXPECT_TRUE(columns[3].series->empty());
+    EXPECT_EQ(columns[3].newest, 7.0);
+    source.keep([](const std::string&, const std::string& column) { return column == "t3"; }, 1000);
+    appendFrame(0.005);
+    EXPECT_EQ(columns[3].series->size(), 1U);
+    EXPECT_TRUE(columns[4].series->empty());
+}
+
 TEST(SignalName, hasTheUnitOnce) {
     EXPECT_EQ(nameWithUnit("force_n", "N"), "force_n");
     EXPECT_EQ(nameWithUnit("tau1", "Nm"), "tau1_nm");

@@ -9,6 +9,7 @@
 #include "widgets/signal/signal_table.h"
 #include "widgets/signal/signals_mime.h"
 
+#include <QCheckBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
@@ -19,7 +20,6 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QToolButton>
 #include <QTreeWidget>
 
 #include <cmath>
@@ -182,7 +182,7 @@ private slots:
         const auto peak = std::ranges::max_element(spectrum.amplitude);
         QVERIFY(std::abs(spectrum.frequency_Hz[static_cast<std::size_t>(peak - spectrum.amplitude.begin())] -
                          10.0) < 4.0);
-        QVERIFY(m_page->findChild<QToolButton*>("density")->isVisible());
+        QVERIFY(m_page->findChild<QCheckBox*>("density")->isVisible());
     }
 
     void tooFewSamplesInViewAreNoSpectrum() {
@@ -200,7 +200,7 @@ private slots:
         QTreeWidget& table = m_page->table().view();
         QVERIFY(ticks([&] { return table.topLevelItem(0)->text(3).startsWith("0.3"); }));
         QVERIFY(m_page->table().times().contains("25"));
-        QVERIFY(m_page->findChild<QToolButton*>("cursors")->isChecked());
+        QVERIFY(m_page->findChild<QCheckBox*>("cursors")->isChecked());
     }
 
     void deleteRemovesAndUndoBringsBack() {
