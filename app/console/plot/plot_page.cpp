@@ -91,7 +91,7 @@ QWidget* PlotPage::makeSignalColumn() {
 
 QWidget* PlotPage::makeToolBar() {
     auto* bar = new QWidget(this);
-    m_follow = base::named<QCheckBox>("follow", bar);
+    m_follow = base::named<QCheckBox>("plotFollow", bar);
     m_everything = base::named<QToolButton>("everything", bar);
     m_cursors = base::named<QCheckBox>("cursors", bar);
     m_density = base::named<QCheckBox>("density", bar);
@@ -126,9 +126,9 @@ QWidget* PlotPage::makeMiddle() {
     parts->setSizes({base::em(this, 30), base::em(this, 9)});
     m_empty = new chrome::EmptyState(base::Icon::plot);
     auto* demo = m_empty->addAction(QString(), QString());
-    demo->setObjectName(QStringLiteral("openDemo"));
+    demo->setObjectName(QStringLiteral("plotDemo"));
     auto* recording = m_empty->addAction(QString(), QString());
-    recording->setObjectName(QStringLiteral("openRecording"));
+    recording->setObjectName(QStringLiteral("plotRecording"));
     m_stack = new QStackedWidget;
     m_stack->addWidget(m_empty);
     m_stack->addWidget(parts);
@@ -225,8 +225,8 @@ void PlotPage::retranslate() {
     m_undo->setText(tr("Undo remove"));
     m_empty->setTexts(tr("Nothing is plotted yet"),
                       tr("Drag a signal from the list onto this place, or choose it there and press Enter."));
-    m_empty->setAction("openDemo", tr("Open a demo"), tr("A simulated arm that touches things"));
-    m_empty->setAction("openRecording", tr("Add a recording\u2026"),
+    m_empty->setAction("plotDemo", tr("Open a demo"), tr("A simulated arm that touches things"));
+    m_empty->setAction("plotRecording", tr("Add a recording\u2026"),
                        tr("Plot a recording as a whole, without playing it"));
     showSignals();
 }

@@ -102,7 +102,7 @@ private slots:
     }
 
     void anEmptyPageSaysWhatToDo() {
-        auto* demo = m_page->findChild<QPushButton*>("openDemo");
+        auto* demo = m_page->findChild<QPushButton*>("plotDemo");
         QVERIFY(demo != nullptr && demo->isVisible());
         QSignalSpy asked(m_page.get(), &PlotPage::demoRequested);
         QTest::mouseClick(demo, Qt::LeftButton);
@@ -210,7 +210,7 @@ private slots:
         table.setCurrentItem(table.topLevelItem(0));
         QTest::keyClick(&table, Qt::Key_Delete);
         QVERIFY(m_page->plotSignals().shown().empty());
-        QVERIFY(m_page->findChild<QPushButton*>("openDemo")->isVisible());
+        QVERIFY(m_page->findChild<QPushButton*>("plotDemo")->isVisible());
         QTest::keyClick(m_page.get(), Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(m_page->plotSignals().shown().size(), std::size_t{1});
         QVERIFY(m_page->plotSignals().shown().front().raw != nullptr);
