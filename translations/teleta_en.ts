@@ -428,6 +428,16 @@
     </message>
 </context>
 <context>
+    <name>teleta::console::PlotPage</name>
+    <message numerus="yes">
+        <source>%1 is damaged: %n part(s) could not be read and are gaps.</source>
+        <translation>
+            <numerusform>%1 is damaged: %n part could not be read and is a gap.</numerusform>
+            <numerusform>%1 is damaged: %n parts could not be read and are gaps.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::ProtocolDialog</name>
     <message numerus="yes">
         <source>%n test trial(s) per participant</source>

@@ -6911,6 +6911,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RecordedSignalsText</name>
+    <message>
+        <source>The recording has no &quot;%1&quot;.</source>
+        <translation>L’enregistrement n’a pas de «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>The reading was stopped.</source>
+        <translation>La lecture a été arrêtée.</translation>
+    </message>
+</context>
+<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
@@ -9073,6 +9084,17 @@ Run %2 --help for more.
     <message>
         <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
         <translation>des virgules, et un point dans les nombres&#xa0;: les essais qui sont dans data/ de l’étude, ou le fichier enregistré en CSV avec des virgules</translation>
+    </message>
+</context>
+<context>
+    <name>SpectrumText</name>
+    <message>
+        <source>The signal has no rate: its samples come when they please.</source>
+        <translation>Le signal n’a pas de cadence&#xa0;: ses échantillons arrivent à des instants quelconques.</translation>
+    </message>
+    <message>
+        <source>There are only %1 samples in a row in view; a spectrum needs %2.</source>
+        <translation>Seuls %1 échantillons sans interruption sont visibles&#xa0;; un spectre en demande %2.</translation>
     </message>
 </context>
 <context>
@@ -12975,6 +12997,13 @@ Run %2 --help for more.
     <message>
         <source>a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC</source>
         <translation>un port série tel que /dev/ttyUSB0, ou HOST:PORT pour OSC</translation>
+    </message>
+</context>
+<context>
+    <name>UnitAxesText</name>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
     </message>
 </context>
 <context>
@@ -17020,6 +17049,14 @@ Run %2 --help for more.
         <source>Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</source>
         <translation>Enregistrements (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</translation>
     </message>
+    <message>
+        <source>Plot</source>
+        <translation>Tracé</translation>
+    </message>
+    <message>
+        <source>Any signal over time: live ones and those of recordings, with cursors and spectra</source>
+        <translation>N’importe quel signal au cours du temps, en direct ou d’un enregistrement, avec curseurs et spectres</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -17589,6 +17626,193 @@ Run %2 --help for more.
     <message>
         <source>AHAP (*.ahap *.ahap.zip)</source>
         <translation>AHAP (*.ahap *.ahap.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotLayoutsMenu</name>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>&amp;Enregistrer la disposition sous…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>Enregistrer la disposition</translation>
+    </message>
+    <message>
+        <source>Name (a layout of the same name is replaced):</source>
+        <translation>Nom (une disposition du même nom est remplacée)&#xa0;:</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotPage</name>
+    <message>
+        <source>%1 could not be read.</source>
+        <comment>a recording</comment>
+        <translation>%1 n’a pas pu être lu.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is damaged: %n part(s) could not be read and are gaps.</source>
+        <translation>
+            <numerusform>%1 est endommagé&#xa0;: %n partie n’a pas pu être lue et reste vide.</numerusform>
+            <numerusform>%1 est endommagé&#xa0;: %n parties n’ont pas pu être lues et restent vides.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The layout %1 cannot be restored.</source>
+        <translation>La disposition %1 ne peut pas être rétablie.</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>Elle a été enregistrée par une autre version du programme.</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>Enregistrer les d&amp;onnées…</translation>
+    </message>
+    <message>
+        <source>&amp;Add a recording…</source>
+        <translation>&amp;Ajouter un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Plot a recording as a whole, without playing it</source>
+        <translation>Tracer un enregistrement en entier, sans le lire</translation>
+    </message>
+    <message>
+        <source>Reading: %p %</source>
+        <translation>Lecture&#xa0;: %p&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>The newest sample stays at the right end (Space, End)</source>
+        <translation>L’échantillon le plus récent reste au bord droit (Espace, Fin)</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>Tout montrer</translation>
+    </message>
+    <message>
+        <source>All samples, and axes that follow the values (Home, double click)</source>
+        <translation>Tous les échantillons, et des axes qui suivent les valeurs (Début, double clic)</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Curseurs</translation>
+    </message>
+    <message>
+        <source>Two lines to measure between (C); Left and Right move A, with Ctrl B</source>
+        <translation>Deux lignes pour mesurer entre elles (C)&#xa0;; Gauche et Droite déplacent A, avec Ctrl B</translation>
+    </message>
+    <message>
+        <source>Power density</source>
+        <translation>Densité de puissance</translation>
+    </message>
+    <message>
+        <source>Spectra show the density of power instead of the amplitude</source>
+        <translation>Les spectres montrent la densité de puissance au lieu de l’amplitude</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>Dispositions</translation>
+    </message>
+    <message>
+        <source>Save what is plotted under a name, and choose it again</source>
+        <translation>Enregistrer sous un nom ce qui est tracé, et le choisir de nouveau</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>The picture, or the samples in view as CSV</source>
+        <translation>L’image, ou les échantillons visibles en CSV</translation>
+    </message>
+    <message>
+        <source>Undo remove</source>
+        <translation>Annuler le retrait</translation>
+    </message>
+    <message>
+        <source>Nothing is plotted yet</source>
+        <translation>Rien n’est encore tracé</translation>
+    </message>
+    <message>
+        <source>Drag a signal from the list onto this place, or choose it there and press Enter.</source>
+        <translation>Faites glisser ici un signal de la liste, ou choisissez-le et appuyez sur Entrée.</translation>
+    </message>
+    <message>
+        <source>Open a demo</source>
+        <translation>Ouvrir une démonstration</translation>
+    </message>
+    <message>
+        <source>A simulated arm that touches things</source>
+        <translation>Un bras simulé qui touche des objets</translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation>Ajouter un enregistrement…</translation>
+    </message>
+    <message>
+        <source>%1 old samples dropped</source>
+        <translation>%1 anciens échantillons abandonnés</translation>
+    </message>
+    <message>
+        <source>%1 frames lost</source>
+        <translation>%1 trames perdues</translation>
+    </message>
+    <message>
+        <source>Add a recording</source>
+        <translation>Ajouter un enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta)</source>
+        <translation>Enregistrements (*.teleta)</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>Enregistrer les données</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>trace</translation>
+    </message>
+    <message>
+        <source>The data were saved.</source>
+        <translation>Les données ont été enregistrées.</translation>
+    </message>
+    <message>
+        <source>The data could not be saved.</source>
+        <translation>Les données n’ont pas pu être enregistrées.</translation>
+    </message>
+    <message>
+        <source>Choose another folder or file name.</source>
+        <translation>Choisissez un autre dossier ou un autre nom de fichier.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotSignals</name>
+    <message>
+        <source>d/dt %1</source>
+        <comment>derivative of a signal</comment>
+        <translation>d/dt %1</translation>
+    </message>
+    <message>
+        <source>its source is not open</source>
+        <translation>sa source n’est pas ouverte</translation>
+    </message>
+    <message>
+        <source>is being read</source>
+        <translation>en cours de lecture</translation>
     </message>
 </context>
 <context>
@@ -18521,6 +18745,13 @@ Run %2 --help for more.
     <message>
         <source>Choose a folder by its full path.</source>
         <translation>Choisissez un dossier, avec son chemin complet.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SignalSources</name>
+    <message>
+        <source>whole recording</source>
+        <translation>enregistrement entier</translation>
     </message>
 </context>
 <context>
@@ -19941,6 +20172,114 @@ Run %2 --help for more.
     <message>
         <source>No runs yet. Servo runs are drawn here on top of each other.</source>
         <translation>Pas encore d’exécution. Les exécutions d’asservissements sont tracées ici, l’une sur l’autre.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalPlot</name>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>fréquence (Hz)</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>unités</translation>
+    </message>
+    <message>
+        <source>power density ((%1)²/Hz)</source>
+        <translation>densité de puissance ((%1)²/Hz)</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitude</translation>
+    </message>
+    <message>
+        <source>amplitude (%1)</source>
+        <translation>amplitude (%1)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>temps (s)</translation>
+    </message>
+    <message>
+        <source>Signals over time</source>
+        <translation>Signaux au cours du temps</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>trace</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTable</name>
+    <message>
+        <source>Plotted signals with their values</source>
+        <translation>Signaux tracés avec leurs valeurs</translation>
+    </message>
+    <message>
+        <source>Add its &amp;derivative</source>
+        <translation>Ajouter sa &amp;dérivée</translation>
+    </message>
+    <message>
+        <source>Show its &amp;spectrum</source>
+        <translation>Montrer son &amp;spectre</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>Plotted signal</source>
+        <translation>Signal tracé</translation>
+    </message>
+    <message>
+        <source>at A</source>
+        <translation>en A</translation>
+    </message>
+    <message>
+        <source>Newest</source>
+        <translation>Le plus récent</translation>
+    </message>
+    <message>
+        <source>at B</source>
+        <translation>en B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <comment>difference of two values</comment>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>B − A: %1, 1/(B − A): %2</source>
+        <translation>B − A&#xa0;: %1, 1/(B − A)&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>Chercher des signaux</translation>
+    </message>
+    <message>
+        <source>Signals of all sources</source>
+        <translation>Signaux de toutes les sources</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Newest value</source>
+        <translation>Dernière valeur</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>signal, unit</comment>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -6895,6 +6895,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RecordedSignalsText</name>
+    <message>
+        <source>The recording has no &quot;%1&quot;.</source>
+        <translation>記録に「%1」がありません。</translation>
+    </message>
+    <message>
+        <source>The reading was stopped.</source>
+        <translation>読み込みを中止しました。</translation>
+    </message>
+</context>
+<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
@@ -9051,6 +9062,17 @@ Run %2 --help for more.
     <message>
         <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
         <translation>コンマ区切りで、小数点はピリオド: 実験のdata/にある試行、またはコンマ区切りのCSVとして保存したファイル</translation>
+    </message>
+</context>
+<context>
+    <name>SpectrumText</name>
+    <message>
+        <source>The signal has no rate: its samples come when they please.</source>
+        <translation>この信号には周期がありません: サンプルは不定期に届きます。</translation>
+    </message>
+    <message>
+        <source>There are only %1 samples in a row in view; a spectrum needs %2.</source>
+        <translation>見えている連続したサンプルは %1 個だけです。スペクトルには %2 個必要です。</translation>
     </message>
 </context>
 <context>
@@ -12944,6 +12966,13 @@ Run %2 --help for more.
     <message>
         <source>a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC</source>
         <translation>/dev/ttyUSB0などのシリアルポート、またはOSC用のHOST:PORT</translation>
+    </message>
+</context>
+<context>
+    <name>UnitAxesText</name>
+    <message>
+        <source>value</source>
+        <translation>値</translation>
     </message>
 </context>
 <context>
@@ -16973,6 +17002,14 @@ Run %2 --help for more.
         <source>Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</source>
         <translation>記録 (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</translation>
     </message>
+    <message>
+        <source>Plot</source>
+        <translation>プロット</translation>
+    </message>
+    <message>
+        <source>Any signal over time: live ones and those of recordings, with cursors and spectra</source>
+        <translation>あらゆる信号の時間変化: 動作中の信号と記録の信号。カーソルとスペクトル付き</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -17540,6 +17577,192 @@ Run %2 --help for more.
     <message>
         <source>AHAP (*.ahap *.ahap.zip)</source>
         <translation>AHAP (*.ahap *.ahap.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotLayoutsMenu</name>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>レイアウトに名前を付けて保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>削除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>レイアウトを保存</translation>
+    </message>
+    <message>
+        <source>Name (a layout of the same name is replaced):</source>
+        <translation>名前 (同じ名前のレイアウトは置き換えられます):</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotPage</name>
+    <message>
+        <source>%1 could not be read.</source>
+        <comment>a recording</comment>
+        <translation>%1 を読み込めませんでした。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is damaged: %n part(s) could not be read and are gaps.</source>
+        <translation>
+            <numerusform>%1 は破損しています: %n 個の部分を読み込めず、空白になります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The layout %1 cannot be restored.</source>
+        <translation>レイアウト「%1」を復元できません。</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>プログラムの別のバージョンで保存されたものです。</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>データを保存(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Add a recording…</source>
+        <translation>記録を追加(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Plot a recording as a whole, without playing it</source>
+        <translation>記録を再生せずに全体をプロットします</translation>
+    </message>
+    <message>
+        <source>Reading: %p %</source>
+        <translation>読み込み中: %p %</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>追従</translation>
+    </message>
+    <message>
+        <source>The newest sample stays at the right end (Space, End)</source>
+        <translation>最新のサンプルを右端に保ちます (Space、End)</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>すべて表示</translation>
+    </message>
+    <message>
+        <source>All samples, and axes that follow the values (Home, double click)</source>
+        <translation>すべてのサンプルと、値に合わせる軸 (Home、ダブルクリック)</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>カーソル</translation>
+    </message>
+    <message>
+        <source>Two lines to measure between (C); Left and Right move A, with Ctrl B</source>
+        <translation>間を測る二本の線 (C)。左右キーで A、Ctrl と左右キーで B を動かします</translation>
+    </message>
+    <message>
+        <source>Power density</source>
+        <translation>パワー密度</translation>
+    </message>
+    <message>
+        <source>Spectra show the density of power instead of the amplitude</source>
+        <translation>スペクトルを振幅ではなくパワー密度で表示します</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>レイアウト</translation>
+    </message>
+    <message>
+        <source>Save what is plotted under a name, and choose it again</source>
+        <translation>プロットしているものを名前を付けて保存し、また選べます</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>The picture, or the samples in view as CSV</source>
+        <translation>図、または見えているサンプルの CSV</translation>
+    </message>
+    <message>
+        <source>Undo remove</source>
+        <translation>取り除きを元に戻す</translation>
+    </message>
+    <message>
+        <source>Nothing is plotted yet</source>
+        <translation>まだ何もプロットしていません</translation>
+    </message>
+    <message>
+        <source>Drag a signal from the list onto this place, or choose it there and press Enter.</source>
+        <translation>一覧から信号をここにドラッグするか、一覧で選んで Enter を押します。</translation>
+    </message>
+    <message>
+        <source>Open a demo</source>
+        <translation>デモを開く</translation>
+    </message>
+    <message>
+        <source>A simulated arm that touches things</source>
+        <translation>物に触れるシミュレーションのアーム</translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation>記録を追加…</translation>
+    </message>
+    <message>
+        <source>%1 old samples dropped</source>
+        <translation>古いサンプル %1 個を破棄</translation>
+    </message>
+    <message>
+        <source>%1 frames lost</source>
+        <translation>%1 フレーム欠落</translation>
+    </message>
+    <message>
+        <source>Add a recording</source>
+        <translation>記録を追加</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta)</source>
+        <translation>記録 (*.teleta)</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>データを保存</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>カンマ区切り (*.csv)</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>plot</translation>
+    </message>
+    <message>
+        <source>The data were saved.</source>
+        <translation>データを保存しました。</translation>
+    </message>
+    <message>
+        <source>The data could not be saved.</source>
+        <translation>データを保存できませんでした。</translation>
+    </message>
+    <message>
+        <source>Choose another folder or file name.</source>
+        <translation>別のフォルダーまたはファイル名を選んでください。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotSignals</name>
+    <message>
+        <source>d/dt %1</source>
+        <comment>derivative of a signal</comment>
+        <translation>d/dt %1</translation>
+    </message>
+    <message>
+        <source>its source is not open</source>
+        <translation>ソースが開いていません</translation>
+    </message>
+    <message>
+        <source>is being read</source>
+        <translation>読み込み中</translation>
     </message>
 </context>
 <context>
@@ -18466,6 +18689,13 @@ Run %2 --help for more.
     <message>
         <source>Choose a folder by its full path.</source>
         <translation>フォルダーを完全なパスで選んでください。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SignalSources</name>
+    <message>
+        <source>whole recording</source>
+        <translation>記録全体</translation>
     </message>
 </context>
 <context>
@@ -19886,6 +20116,114 @@ Run %2 --help for more.
     <message>
         <source>No runs yet. Servo runs are drawn here on top of each other.</source>
         <translation>実行はまだありません。サーボの実行がここに重ねて描かれます。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalPlot</name>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>周波数 (Hz)</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>power density ((%1)²/Hz)</source>
+        <translation>パワー密度 ((%1)²/Hz)</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>振幅</translation>
+    </message>
+    <message>
+        <source>amplitude (%1)</source>
+        <translation>振幅 (%1)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>時間 (s)</translation>
+    </message>
+    <message>
+        <source>Signals over time</source>
+        <translation>信号の時間変化</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>plot</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTable</name>
+    <message>
+        <source>Plotted signals with their values</source>
+        <translation>プロットした信号とその値</translation>
+    </message>
+    <message>
+        <source>Add its &amp;derivative</source>
+        <translation>微分を追加(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show its &amp;spectrum</source>
+        <translation>スペクトルを表示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>取り除く(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Plotted signal</source>
+        <translation>プロットした信号</translation>
+    </message>
+    <message>
+        <source>at A</source>
+        <translation>A の値</translation>
+    </message>
+    <message>
+        <source>Newest</source>
+        <translation>最新</translation>
+    </message>
+    <message>
+        <source>at B</source>
+        <translation>B の値</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <comment>difference of two values</comment>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>B − A: %1, 1/(B − A): %2</source>
+        <translation>B − A: %1、1/(B − A): %2</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>信号を検索</translation>
+    </message>
+    <message>
+        <source>Signals of all sources</source>
+        <translation>すべてのソースの信号</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Newest value</source>
+        <translation>最新の値</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>signal, unit</comment>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

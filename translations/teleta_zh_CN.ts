@@ -6895,6 +6895,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RecordedSignalsText</name>
+    <message>
+        <source>The recording has no &quot;%1&quot;.</source>
+        <translation>记录中没有“%1”。</translation>
+    </message>
+    <message>
+        <source>The reading was stopped.</source>
+        <translation>读取已停止。</translation>
+    </message>
+</context>
+<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
@@ -9051,6 +9062,17 @@ Run %2 --help for more.
     <message>
         <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
         <translation>以逗号分隔，数字用小数点：研究的 data/ 中的试次，或以逗号保存为 CSV 的文件</translation>
+    </message>
+</context>
+<context>
+    <name>SpectrumText</name>
+    <message>
+        <source>The signal has no rate: its samples come when they please.</source>
+        <translation>该信号没有采样率：其样本不定时到来。</translation>
+    </message>
+    <message>
+        <source>There are only %1 samples in a row in view; a spectrum needs %2.</source>
+        <translation>可见的连续样本只有 %1 个；频谱需要 %2 个。</translation>
     </message>
 </context>
 <context>
@@ -12944,6 +12966,13 @@ Run %2 --help for more.
     <message>
         <source>a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC</source>
         <translation>串口，例如 /dev/ttyUSB0，或用于 OSC 的 HOST:PORT</translation>
+    </message>
+</context>
+<context>
+    <name>UnitAxesText</name>
+    <message>
+        <source>value</source>
+        <translation>值</translation>
     </message>
 </context>
 <context>
@@ -16973,6 +17002,14 @@ Run %2 --help for more.
         <source>Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</source>
         <translation>记录 (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</translation>
     </message>
+    <message>
+        <source>Plot</source>
+        <translation>绘图</translation>
+    </message>
+    <message>
+        <source>Any signal over time: live ones and those of recordings, with cursors and spectra</source>
+        <translation>任何信号随时间的变化：实时信号与记录中的信号，带光标和频谱</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -17540,6 +17577,192 @@ Run %2 --help for more.
     <message>
         <source>AHAP (*.ahap *.ahap.zip)</source>
         <translation>AHAP (*.ahap *.ahap.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotLayoutsMenu</name>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>布局另存为(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>删除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>保存布局</translation>
+    </message>
+    <message>
+        <source>Name (a layout of the same name is replaced):</source>
+        <translation>名称（同名的布局将被替换）：</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotPage</name>
+    <message>
+        <source>%1 could not be read.</source>
+        <comment>a recording</comment>
+        <translation>无法读取 %1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is damaged: %n part(s) could not be read and are gaps.</source>
+        <translation>
+            <numerusform>%1 已损坏：%n 个部分无法读取，成为空缺。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The layout %1 cannot be restored.</source>
+        <translation>无法恢复布局 %1。</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>它由另一版本的程序保存。</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>保存数据(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Add a recording…</source>
+        <translation>添加记录(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Plot a recording as a whole, without playing it</source>
+        <translation>绘制整个记录，而不回放它</translation>
+    </message>
+    <message>
+        <source>Reading: %p %</source>
+        <translation>正在读取：%p %</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>跟随</translation>
+    </message>
+    <message>
+        <source>The newest sample stays at the right end (Space, End)</source>
+        <translation>最新的样本保持在右端（空格键、End）</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>All samples, and axes that follow the values (Home, double click)</source>
+        <translation>所有样本，坐标轴跟随数值（Home、双击）</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>光标</translation>
+    </message>
+    <message>
+        <source>Two lines to measure between (C); Left and Right move A, with Ctrl B</source>
+        <translation>用于测量的两条线（C）；左右键移动 A，加 Ctrl 移动 B</translation>
+    </message>
+    <message>
+        <source>Power density</source>
+        <translation>功率密度</translation>
+    </message>
+    <message>
+        <source>Spectra show the density of power instead of the amplitude</source>
+        <translation>频谱显示功率密度而不是幅值</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>布局</translation>
+    </message>
+    <message>
+        <source>Save what is plotted under a name, and choose it again</source>
+        <translation>以一个名称保存所绘制的内容，并可再次选择</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>The picture, or the samples in view as CSV</source>
+        <translation>图，或可见样本的 CSV</translation>
+    </message>
+    <message>
+        <source>Undo remove</source>
+        <translation>撤销移除</translation>
+    </message>
+    <message>
+        <source>Nothing is plotted yet</source>
+        <translation>尚未绘制任何内容</translation>
+    </message>
+    <message>
+        <source>Drag a signal from the list onto this place, or choose it there and press Enter.</source>
+        <translation>把信号从列表拖到这里，或在列表中选中它并按 Enter。</translation>
+    </message>
+    <message>
+        <source>Open a demo</source>
+        <translation>打开演示</translation>
+    </message>
+    <message>
+        <source>A simulated arm that touches things</source>
+        <translation>触碰物体的仿真机械臂</translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation>添加记录…</translation>
+    </message>
+    <message>
+        <source>%1 old samples dropped</source>
+        <translation>已丢弃 %1 个旧样本</translation>
+    </message>
+    <message>
+        <source>%1 frames lost</source>
+        <translation>丢失 %1 帧</translation>
+    </message>
+    <message>
+        <source>Add a recording</source>
+        <translation>添加记录</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta)</source>
+        <translation>记录 (*.teleta)</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>保存数据</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>逗号分隔值 (*.csv)</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>plot</translation>
+    </message>
+    <message>
+        <source>The data were saved.</source>
+        <translation>数据已保存。</translation>
+    </message>
+    <message>
+        <source>The data could not be saved.</source>
+        <translation>无法保存数据。</translation>
+    </message>
+    <message>
+        <source>Choose another folder or file name.</source>
+        <translation>请选择其他文件夹或文件名。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotSignals</name>
+    <message>
+        <source>d/dt %1</source>
+        <comment>derivative of a signal</comment>
+        <translation>d/dt %1</translation>
+    </message>
+    <message>
+        <source>its source is not open</source>
+        <translation>其数据源未打开</translation>
+    </message>
+    <message>
+        <source>is being read</source>
+        <translation>正在读取</translation>
     </message>
 </context>
 <context>
@@ -18466,6 +18689,13 @@ Run %2 --help for more.
     <message>
         <source>Choose a folder by its full path.</source>
         <translation>请选择文件夹，使用完整路径。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SignalSources</name>
+    <message>
+        <source>whole recording</source>
+        <translation>整个记录</translation>
     </message>
 </context>
 <context>
@@ -19886,6 +20116,114 @@ Run %2 --help for more.
     <message>
         <source>No runs yet. Servo runs are drawn here on top of each other.</source>
         <translation>尚无运行。伺服运行将叠加绘制于此。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalPlot</name>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>频率 (Hz)</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>power density ((%1)²/Hz)</source>
+        <translation>功率密度 ((%1)²/Hz)</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>幅值</translation>
+    </message>
+    <message>
+        <source>amplitude (%1)</source>
+        <translation>幅值 (%1)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>时间 (s)</translation>
+    </message>
+    <message>
+        <source>Signals over time</source>
+        <translation>信号随时间的变化</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>plot</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTable</name>
+    <message>
+        <source>Plotted signals with their values</source>
+        <translation>绘制的信号及其数值</translation>
+    </message>
+    <message>
+        <source>Add its &amp;derivative</source>
+        <translation>添加其导数(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show its &amp;spectrum</source>
+        <translation>显示其频谱(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Plotted signal</source>
+        <translation>绘制的信号</translation>
+    </message>
+    <message>
+        <source>at A</source>
+        <translation>A 处</translation>
+    </message>
+    <message>
+        <source>Newest</source>
+        <translation>最新</translation>
+    </message>
+    <message>
+        <source>at B</source>
+        <translation>B 处</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <comment>difference of two values</comment>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>B − A: %1, 1/(B − A): %2</source>
+        <translation>B − A：%1，1/(B − A)：%2</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>查找信号</translation>
+    </message>
+    <message>
+        <source>Signals of all sources</source>
+        <translation>所有数据源的信号</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Newest value</source>
+        <translation>最新值</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>signal, unit</comment>
+        <translation>%1（%2）</translation>
     </message>
 </context>
 <context>

@@ -79,7 +79,7 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
     TELETA_TRY(site->m_streams, site_link::SiteStreams::open(participant, topics, boot));
     std::vector<site_link::SiteArm> arms;
     for (const Device& device : site->m_devices) {
-        device.channel->watch(site->m_streams, device.id);
+        device.channel->watch(pipeline::Watcher::liveView, site->m_streams, device.id);
         if (auto* joints = dynamic_cast<pipeline::JointChannel*>(device.channel.get()))
             arms.push_back(armOf(device.id, *joints));
     }
@@ -107,7 +107,7 @@ RunningSite::~RunningSite() {
     for (const Device& device : m_devices) {
         if (!device.channel)
             continue;
-        device.channel->watch(nullptr, device.id);
+        device.channel->watch(pipeline::Watcher::liveView, nullptr, device.id);
         if (m_recorder)
             device.channel->record(nullptr, device.id);
     }

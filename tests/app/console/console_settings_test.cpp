@@ -12,7 +12,7 @@
 #include <memory>
 
 using teleta::console::ConsoleSettings;
-using teleta::console::CsvRequest;
+using teleta::app::CsvRequest;
 
 namespace {
 
@@ -69,7 +69,7 @@ private slots:
     }
 
     void remembersHowARecordingWasOpened() {
-        app::CsvRequest request;
+        CsvRequest request;
         request.path = "/somewhere/run.csv";
         request.layout = {64, 27, 0.025};
         request.inverted = true;
