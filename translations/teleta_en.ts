@@ -541,4 +541,24 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>SiteProgramText</name>
+    <message numerus="yes">
+        <source>All %n device(s) are ready.</source>
+        <translation>
+            <numerusform>The %n device is ready.</numerusform>
+            <numerusform>All %n devices are ready.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::site_view::SiteBar</name>
+    <message numerus="yes">
+        <source>%n state(s) of the site were lost on the way</source>
+        <translation>
+            <numerusform>%n state of the site was lost on the way</numerusform>
+            <numerusform>%n states of the site were lost on the way</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

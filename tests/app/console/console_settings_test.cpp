@@ -11,8 +11,8 @@
 
 #include <memory>
 
-using teleta::console::ConsoleSettings;
 using teleta::app::CsvRequest;
+using teleta::console::ConsoleSettings;
 
 namespace {
 

@@ -25,12 +25,12 @@
 #include <vector>
 
 using namespace teleta;
-using console::CameraDialog;
 using app::CameraRequest;
+using app::SceneRequest;
+using console::CameraDialog;
 using console::CameraSourceField;
 using console::OperateDocks;
 using console::OperatePage;
-using app::SceneRequest;
 using console::SourceManager;
 
 namespace {

@@ -89,8 +89,7 @@ class RecordingTest : public QObject {
     }
     bool shows(const std::string& stream) const {
         auto* item = m_window->sources().active();
-        const auto* playback =
-            item != nullptr ? std::get_if<app::RecordingRequest>(&item->request) : nullptr;
+        const auto* playback = item != nullptr ? std::get_if<app::RecordingRequest>(&item->request) : nullptr;
         return playback != nullptr && playback->stream == stream;
     }
     RecordingService& station() const { return m_window->recorder(); }

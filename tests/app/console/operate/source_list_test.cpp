@@ -63,13 +63,13 @@ private slots:
 
     void readsCamerasAndVideosWithTheirCalibration() {
         const auto list = readSourceList(write("cameras.toml", "[[source]]\n"
-                                                                    "camera = \"0\"\n"
-                                                                    "camera_model = \"tube.json\"\n"
-                                                                    "[[source]]\n"
-                                                                    "camera = \"run.avi\"\n"
-                                                                    "camera_model = \"tube.json\"\n"
-                                                                    "loop = false\n")
-                                                  .toStdString());
+                                                               "camera = \"0\"\n"
+                                                               "camera_model = \"tube.json\"\n"
+                                                               "[[source]]\n"
+                                                               "camera = \"run.avi\"\n"
+                                                               "camera_model = \"tube.json\"\n"
+                                                               "loop = false\n")
+                                             .toStdString());
         QVERIFY(list.has_value());
         QCOMPARE(list->size(), std::size_t(2));
         const auto& connected = std::get<CameraRequest>((*list)[0]);
@@ -78,8 +78,7 @@ private slots:
         const auto& video = std::get<CameraRequest>((*list)[1]);
         QCOMPARE(QString::fromStdString(video.source), m_folder.filePath("run.avi"));
         QVERIFY(!video.loop);
-        const auto without =
-            readSourceList(write("bad.toml", "[[source]]\ncamera = \"0\"\n").toStdString());
+        const auto without = readSourceList(write("bad.toml", "[[source]]\ncamera = \"0\"\n").toStdString());
         QVERIFY(!without.has_value());
         QVERIFY(without.error().where.line > 0);
     }
@@ -161,8 +160,7 @@ private slots:
         QFETCH(QByteArray, lines);
         QFETCH(int, line);
         QFETCH(int, column);
-        const auto requests =
-            readSourceList(write("bad.toml", "[[source]]\n" + lines + "\n").toStdString());
+        const auto requests = readSourceList(write("bad.toml", "[[source]]\n" + lines + "\n").toStdString());
         QVERIFY(!requests.has_value());
         QCOMPARE(int(requests.error().where.line), line);
         QCOMPARE(int(requests.error().where.column), column);
