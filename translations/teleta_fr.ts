@@ -19165,6 +19165,10 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::console::SiteViews</name>
     <message>
+        <source>Ask for new keys in time.</source>
+        <translation>Demandez de nouvelles clés à temps.</translation>
+    </message>
+    <message>
         <source>%1 was started anew.</source>
         <translation>%1 a été redémarré.</translation>
     </message>

@@ -19108,6 +19108,10 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::console::SiteViews</name>
     <message>
+        <source>Ask for new keys in time.</source>
+        <translation>期限までに新しい鍵を依頼してください。</translation>
+    </message>
+    <message>
         <source>%1 was started anew.</source>
         <translation>%1 が再起動されました。</translation>
     </message>

@@ -19108,6 +19108,10 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::console::SiteViews</name>
     <message>
+        <source>Ask for new keys in time.</source>
+        <translation>请及时申请新密钥。</translation>
+    </message>
+    <message>
         <source>%1 was started anew.</source>
         <translation>%1 已重新启动。</translation>
     </message>

@@ -71,6 +71,8 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
     TELETA_TRY(const auto participant, file.meeting.join());
     const site_link::SiteTopics topics(file.name);
     const site::BootName boot = site_link::newBootName();
+    for (const std::string& warning : file.meeting.keyWarnings())
+        log.write({Severity::warning, {}, "keys", warning});
     TELETA_CHECK(site->openDevices(file, cancelled));
     for (const Device& device : site->m_devices) {
         if (!device.channel)

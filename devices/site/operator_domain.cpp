@@ -2,8 +2,10 @@
 #include "devices/site/operator_domain.h"
 
 #include "backend/core/beside_file.h"
+#include "backend/site_keys/site_keys.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 
 namespace teleta::site_link {
 
@@ -14,6 +16,18 @@ struct OperatorDomainText {
 };
 
 } // namespace
+
+std::vector<std::string> OperatorDomain::keyWarnings() const {
+    std::vector<std::string> warnings;
+    if (!security)
+        return warnings;
+    if (const auto report =
+            site_keys::checkMember(security->folder, QDateTime::currentSecsSinceEpoch())) {
+        for (const site_keys::KeyFinding& finding : report->findings)
+            warnings.push_back(finding.file.empty() ? finding.message : finding.file + ": " + finding.message);
+    }
+    return warnings;
+}
 
 OperatorDomain readOperatorDomain(core::TomlTable& root, const std::string& file) {
     OperatorDomain found;

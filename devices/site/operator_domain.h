@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace teleta::site_link {
 
@@ -24,6 +25,9 @@ struct OperatorDomain {
     [[nodiscard]] core::Expected<std::shared_ptr<const dds::Participant>> join() const {
         return dds::Participant::open(domain, {}, security);
     }
+    /// What to know of the keys although they may be used, a translated sentence each: for example that they
+    /// end within 14 days. Reads the files. Thread: any.
+    [[nodiscard]] std::vector<std::string> keyWarnings() const;
 };
 
 /// Reads the table. Without certificates only the loopback interface is accepted: nobody else may listen or

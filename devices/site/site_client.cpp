@@ -100,6 +100,9 @@ findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteT
         }
         waitSet.wait(kOpenLook_ns);
     }
+    // With keys that do not accept each other, this end may be the only one that knows.
+    if (const dds::Refusals refusals = participant->refusals(); refusals.count > 0)
+        return core::refused(QString::fromStdString(refusals.reason));
     return core::failed(core::ErrorKind::unavailable,
                         SiteClientText::tr("the site %1 was not found in domain %2 within %3 s")
                             .arg(QString::fromStdString(file.name))
@@ -168,6 +171,7 @@ SiteClient::SiteClient(RemoteSiteFile file, std::string version,
     , m_participant(std::move(participant))
     , m_topics(m_file.name)
     , m_streams(std::move(streams))
+    , m_keyWarnings(m_file.meeting.keyWarnings())
     , m_ends(std::move(ends))
     , m_stop(stop)
     , m_waitSet(m_participant)

@@ -113,6 +113,8 @@ public:
     [[nodiscard]] const SiteTopics& topics() const { return m_topics; }
     /// What the site sends, as it was when the client was opened.
     [[nodiscard]] const std::vector<recording::StreamInfo>& streams() const { return m_streams; }
+    /// OperatorDomain::keyWarnings() then.
+    [[nodiscard]] const std::vector<std::string>& keyWarnings() const { return m_keyWarnings; }
 
     [[nodiscard]] SiteView view() const { return m_view.get(); }
     /// Events since the last call, in order; at most kMostEvents are kept.
@@ -179,6 +181,7 @@ private:
     std::shared_ptr<const dds::Participant> m_participant;
     SiteTopics m_topics;
     std::vector<recording::StreamInfo> m_streams;
+    std::vector<std::string> m_keyWarnings;
     Ends m_ends;
     const core::StopSwitch& m_stop;
     dds::WaitSet m_waitSet;

@@ -219,6 +219,11 @@ void SiteControl::findConsoles() {
     if (now_ns < m_nextLook_ns)
         return;
     m_nextLook_ns = now_ns + kConsoleLook_ns;
+    if (std::string reason = m_participant->refusals().reason; reason != m_keptOut) {
+        m_keptOut = std::move(reason);
+        if (!m_keptOut.empty())
+            tell(Severity::warning, {}, "kept_out", m_keptOut);
+    }
     for (const dds::FoundEnd& end : m_discovery.ends()) {
         const std::optional<std::string> name = m_topics.consoleOf(end.ddsTopic);
         if (!name || !end.writes || end.own || m_consoles.contains(*name) ||

@@ -145,6 +145,7 @@ private:
     std::int64_t m_nextLook_ns = 0;
     SiteStatus m_known; ///< as it was told last
     std::set<std::string> m_stopHolders;
+    std::string m_keptOut; ///< why a program was, as told last
 
     std::jthread m_thread;
 };

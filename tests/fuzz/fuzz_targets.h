@@ -61,6 +61,10 @@ bool rosArmFile(Bytes bytes);
 bool urdf(Bytes bytes);
 bool sitePermissions(Bytes bytes);
 bool siteGovernance(Bytes bytes);
+bool siteFile(Bytes bytes);
+bool remoteSiteFile(Bytes bytes);
+/// What a site tells of its streams.
+bool siteStreams(Bytes bytes);
 
 // What devices send.
 bool wtsFrames(Bytes bytes);

@@ -104,6 +104,11 @@ void SiteViews::setSite(std::shared_ptr<site_link::SiteClient> site) {
     m_answered = view.request ? view.request->id : 0;
     m_boots = view.boots;
     m_bar->setState(stateOf(*m_site, {}));
+    if (m_warned.lock() == m_site)
+        return;
+    m_warned = m_site;
+    for (const std::string& warning : m_site->keyWarnings())
+        m_messages.post({Message::Severity::warning, text(warning), tr("Ask for new keys in time."), {}});
 }
 
 void SiteViews::tick() {

@@ -48,6 +48,7 @@ private:
     std::shared_ptr<site_link::SiteClient> m_site;
     std::uint64_t m_answered = 0; ///< the last request whose answer was told
     std::uint64_t m_boots = 0;
+    std::weak_ptr<site_link::SiteClient> m_warned; ///< whose keys were spoken of
 };
 
 } // namespace teleta::console

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The console at a site with a simulated arm, over the loopback interface: connected by its file, moved by
+// keys. Another console, which only looks, says what the site thinks of it.
+#include "app/console/console_options.h"
+#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/operate_page.h"
+#include "tests/app/console/window_bench.h"
+#include "tests/peer/site/site_process.h"
+#include "widgets/base/theme.h"
+#include "widgets/site/site_bar.h"
+#include "widgets/touch/jog/jog_panel.h"
+#include "widgets/view3d/vtk/gl_setup.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+#include <algorithm>
+#include <memory>
+
+using namespace teleta;
+using console::ConsoleOptions;
+using console::OperateDocks;
+using site::Mode;
+
+namespace {
+
+constexpr int kPatience_ms = 30'000;
+
+} // namespace
+
+class ConsoleSiteTest : public QObject, protected test::WindowBench {
+    Q_OBJECT
+
+    std::unique_ptr<test::SiteProcess> m_site;
+    std::unique_ptr<test::TestConsole> m_viewer;
+    touch::JogPanel* m_jog = nullptr;
+    site_view::SiteBar* m_bar = nullptr;
+
+    void connectToSite(int domain) {
+        m_site = std::make_unique<test::SiteProcess>(
+            domain, "[[device]]\nid = \"practice\"\nscene = \":/scenes/teleoperation.toml\"\n");
+        m_site->start();
+        m_viewer = std::make_unique<test::TestConsole>(*m_site, "v", true);
+        ConsoleOptions options;
+        options.sites = {QString::fromStdString(m_site->fileOf("a"))};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->operatePage().armViews().joints() != nullptr, kPatience_ms);
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        m_jog = m_window->findChild<touch::JogPanel*>();
+        m_bar = m_window->findChild<site_view::SiteBar*>();
+    }
+    [[nodiscard]] bool panelSays(const QString& text) const {
+        return std::ranges::any_of(m_jog->findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text().contains(text); });
+    }
+    void click(const char* button) {
+        QTest::mouseClick(m_bar->findChild<QPushButton*>(QLatin1String(button)), Qt::LeftButton);
+    }
+    void press() {
+        m_jog->setFocus();
+        QTest::keyPress(m_jog, Qt::Key_Shift);
+        QTest::keyPress(m_jog, Qt::Key_W, Qt::ShiftModifier);
+    }
+    void letGo() {
+        QTest::keyRelease(m_jog, Qt::Key_W, Qt::ShiftModifier);
+        QTest::keyRelease(m_jog, Qt::Key_Shift);
+    }
+    [[nodiscard]] Mode mode() const { return m_viewer->view().mode; }
+
+private slots:
+    void initTestCase() { base::applyTheme(base::ThemeChoice::light); }
+    void cleanup() {
+        m_window.reset();
+        m_viewer.reset();
+        m_site.reset();
+    }
+
+    void anArmIsMovedByWhoAskedForControl() {
+        connectToSite(120);
+        QCOMPARE(m_window->operatePage().docks().kind(), OperateDocks::Kind::arm);
+        QVERIFY(m_bar->isVisible());
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: nobody controls"), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(panelSays("request control first"), kPatience_ms);
+        press();
+        QTRY_VERIFY_WITH_TIMEOUT(m_viewer->view().refused > 3, kPatience_ms);
+        QCOMPARE(m_viewer->view().accepted, std::uint64_t{0});
+        letGo();
+
+        click("requestControl");
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: you control"), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!panelSays("request control first"), kPatience_ms);
+        press();
+        QTRY_COMPARE_WITH_TIMEOUT(mode(), Mode::moving, kPatience_ms);
+        letGo();
+        QTRY_COMPARE_WITH_TIMEOUT(mode(), Mode::held, kPatience_ms);
+
+        // STOP here stops the site, and a press from before it moves nothing afterwards.
+        press();
+        QTRY_COMPARE_WITH_TIMEOUT(mode(), Mode::moving, kPatience_ms);
+        m_stop->engage();
+        QTRY_COMPARE_WITH_TIMEOUT(mode(), Mode::stopped, kPatience_ms);
+        m_stop->release();
+        QTRY_COMPARE_WITH_TIMEOUT(mode(), Mode::held, kPatience_ms);
+        const std::uint64_t accepted = m_viewer->view().accepted;
+        QTest::qWait(500);
+        QCOMPARE(m_viewer->view().accepted, accepted);
+        letGo();
+
+        click("releaseControl");
+        QTRY_COMPARE_WITH_TIMEOUT(mode(), Mode::free, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: nobody controls"), kPatience_ms);
+    }
+
+    void stopOfAnotherIsSaidAndAClosedWindowStopsNobody() {
+        connectToSite(122);
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: nobody controls"), kPatience_ms);
+        m_viewer->stop().engage();
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: STOP is held by v"), kPatience_ms);
+        QVERIFY2(!m_stop->engaged(), "STOP of a site is not that of the devices here");
+        m_viewer->stop().release();
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: nobody controls"), kPatience_ms);
+        click("requestControl");
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: you control"), kPatience_ms);
+        m_window->close();
+        QTRY_COMPARE_WITH_TIMEOUT(mode(), Mode::free, kPatience_ms);
+        QVERIFY(m_viewer->view().stopHolders.empty());
+    }
+
+    void aSiteThatIsGoneIsSaid() {
+        connectToSite(124);
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: nobody controls"), kPatience_ms);
+        m_site->kill();
+        QTRY_VERIFY_WITH_TIMEOUT(m_bar->headline().startsWith("lab does not answer"), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(panelSays("the site does not answer") ||
+                                     !m_jog->refusal().isEmpty(),
+                                 kPatience_ms);
+        m_site->start();
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: nobody controls"), kPatience_ms);
+    }
+};
+
+int main(int argc, char* argv[]) {
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    ConsoleSiteTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "console_site_test.moc"
