@@ -428,6 +428,16 @@
     </message>
 </context>
 <context>
+    <name>teleta::console::PlotPage</name>
+    <message numerus="yes">
+        <source>%1 is damaged: %n part(s) could not be read and are gaps.</source>
+        <translation>
+            <numerusform>%1 is damaged: %n part could not be read and is a gap.</numerusform>
+            <numerusform>%1 is damaged: %n parts could not be read and are gaps.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::ProtocolDialog</name>
     <message numerus="yes">
         <source>%n test trial(s) per participant</source>
@@ -528,6 +538,26 @@
         <translation>
             <numerusform>%n touch</numerusform>
             <numerusform>%n touches</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SiteProgramText</name>
+    <message numerus="yes">
+        <source>All %n device(s) are ready.</source>
+        <translation>
+            <numerusform>The %n device is ready.</numerusform>
+            <numerusform>All %n devices are ready.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::site_view::SiteBar</name>
+    <message numerus="yes">
+        <source>%n state(s) of the site were lost on the way</source>
+        <translation>
+            <numerusform>%n state of the site was lost on the way</numerusform>
+            <numerusform>%n states of the site were lost on the way</numerusform>
         </translation>
     </message>
 </context>

@@ -407,14 +407,6 @@
         <translation>%1 kg sont bougés.</translation>
     </message>
     <message>
-        <source>Move a joint of an arm over ROS 2 for a short time</source>
-        <translation>Bouger une articulation d’un bras par ROS 2 pendant un court instant</translation>
-    </message>
-    <message>
-        <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
-        <translation>Fichier qui décrit le bras (kind = &quot;ros_arm&quot;)</translation>
-    </message>
-    <message>
         <source>Joint to move, as the URDF names it</source>
         <translation>Articulation à bouger, telle que l’URDF la nomme</translation>
     </message>
@@ -433,6 +425,18 @@
     <message>
         <source>Show the description of a robot arm (URDF), or jog an arm over ROS 2</source>
         <translation>Bras robotisés&#xa0;: descriptions (URDF), et une articulation qui est bougée par ROS 2</translation>
+    </message>
+    <message>
+        <source>Move a joint of an arm for a short time</source>
+        <translation>Déplacer une articulation d’un bras pendant un court moment</translation>
+    </message>
+    <message>
+        <source>File that describes the arm (kind = &quot;ros_arm&quot;), or with which its site is reached (kind = &quot;remote_site&quot;)</source>
+        <translation>Fichier qui décrit le bras (kind = &quot;ros_arm&quot;), ou qui permet d’atteindre son site (kind = &quot;remote_site&quot;)</translation>
+    </message>
+    <message>
+        <source>Which arm of a site; default: its only one</source>
+        <translation>Quel bras d’un site ; par défaut : son seul bras</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1677,33 @@
     </message>
 </context>
 <context>
+    <name>CliSiteText</name>
+    <message>
+        <source>no site was found in domain %1</source>
+        <translation>aucun site n’a été trouvé dans le domaine %1</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Trames</translation>
+    </message>
+    <message>
+        <source>Dropped here</source>
+        <translation>Perdues ici</translation>
+    </message>
+</context>
+<context>
     <name>ComparisonContent</name>
     <message>
         <source>Effect</source>
@@ -2391,6 +2422,10 @@
         <translation>ADRESSE</translation>
     </message>
     <message>
+        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
+        <translation>Ouvrir un bras sur ROS 2, décrit dans un fichier (TOML ; répétable).</translation>
+    </message>
+    <message>
         <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
 
 Examples:
@@ -2399,6 +2434,7 @@ Examples:
   teleta-console session.teleta
   teleta-console --camera 0 --camera-model camera.json
   teleta-console --arm arm.toml
+  teleta-console --site lab.toml
   teleta-console --sources both-arrays.toml --theme dark</source>
         <translation>Montre ce que touche un bras robotisé distant&#xa0;: où, avec quelle force, quelle raideur, quelle forme.
 
@@ -2408,15 +2444,16 @@ Exemples&#xa0;:
   teleta-console session.teleta
   teleta-console --camera 0 --camera-model camera.json
   teleta-console --arm arm.toml
+  teleta-console --site lab.toml
   teleta-console --sources both-arrays.toml --theme dark</translation>
     </message>
     <message>
-        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
-        <translation>Ouvrir un bras sur ROS 2, décrit dans un fichier (TOML ; répétable).</translation>
+        <source>Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms, sites and source lists (.toml) to open.</source>
+        <translation>Enregistrements (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scènes, bras, sites et listes de sources (.toml) à ouvrir.</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms and source lists (.toml) to open.</source>
-        <translation>Enregistrements (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scènes, bras et listes de sources (.toml) à ouvrir.</translation>
+        <source>Connect to a site where teleta-site runs, by its file (TOML; repeatable).</source>
+        <translation>Se connecter à un site où tourne teleta-site, par son fichier (TOML ; répétable).</translation>
     </message>
 </context>
 <context>
@@ -2895,6 +2932,14 @@ Exemples&#xa0;:
         <source>topic %1 cannot be written</source>
         <translation>le topic&#xa0;%1 ne peut pas être écrit</translation>
     </message>
+    <message>
+        <source>the permissions do not allow reading topic %1</source>
+        <translation>les permissions n’autorisent pas la lecture du topic %1</translation>
+    </message>
+    <message>
+        <source>the permissions do not allow writing topic %1</source>
+        <translation>les permissions n’autorisent pas l’écriture du topic %1</translation>
+    </message>
 </context>
 <context>
     <name>DdsParticipant</name>
@@ -2917,6 +2962,77 @@ Exemples&#xa0;:
     <message>
         <source>domain %1 of DDS cannot be joined</source>
         <translation>le domaine DDS&#xa0;%1 ne peut pas être rejoint</translation>
+    </message>
+    <message>
+        <source>this program has joined domain %1 with keys already</source>
+        <translation>ce programme a déjà rejoint le domaine %1 avec des clés</translation>
+    </message>
+    <message>
+        <source>once: the permissions of the first would apply to all</source>
+        <translation>une seule fois : les permissions de la première s’appliqueraient à toutes</translation>
+    </message>
+    <message>
+        <source>this program joined domain %1 with other permissions before</source>
+        <translation>ce programme a déjà rejoint le domaine %1 avec d’autres permissions</translation>
+    </message>
+    <message>
+        <source>the same ones until the program is started again</source>
+        <translation>les mêmes jusqu’au redémarrage du programme</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be joined with the keys in %2: %3</source>
+        <translation>le domaine DDS %1 ne peut pas être rejoint avec les clés de %2 : %3</translation>
+    </message>
+    <message>
+        <source>a program is kept out of domain %1: %2</source>
+        <translation>un programme est tenu hors du domaine %1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>DdsSecurity</name>
+    <message>
+        <source>the certificate has expired</source>
+        <translation>le certificat a expiré</translation>
+    </message>
+    <message>
+        <source>the certificate is not valid yet</source>
+        <translation>le certificat n’est pas encore valable</translation>
+    </message>
+    <message>
+        <source>the certificate is not signed by identity_ca.pem</source>
+        <translation>le certificat n’est pas signé par identity_ca.pem</translation>
+    </message>
+    <message>
+        <source>the key does not belong to the certificate</source>
+        <translation>la clé ne correspond pas au certificat</translation>
+    </message>
+    <message>
+        <source>the permissions are not signed by permissions_ca.pem</source>
+        <translation>les permissions ne sont pas signées par permissions_ca.pem</translation>
+    </message>
+    <message>
+        <source>the permissions do not name the subject of the certificate</source>
+        <translation>les permissions ne nomment pas le sujet du certificat</translation>
+    </message>
+    <message>
+        <source>the permissions have expired</source>
+        <translation>les permissions ont expiré</translation>
+    </message>
+    <message>
+        <source>the permissions are not valid yet</source>
+        <translation>les permissions ne sont pas encore valables</translation>
+    </message>
+    <message>
+        <source>the permissions (permissions.p7s) do not allow this domain</source>
+        <translation>les permissions (permissions.p7s) n’autorisent pas ce domaine</translation>
+    </message>
+    <message>
+        <source>the governance (governance.p7s) does not name this domain</source>
+        <translation>la gouvernance (governance.p7s) ne nomme pas ce domaine</translation>
+    </message>
+    <message>
+        <source>the plugins of DDS Security cannot be loaded</source>
+        <translation>les modules de DDS Security ne peuvent pas être chargés</translation>
     </message>
 </context>
 <context>
@@ -3973,10 +4089,6 @@ Exemples&#xa0;:
         <translation>Dimension du tableau qui compte les trames</translation>
     </message>
     <message>
-        <source>Frames of the unloaded array, whose mean is subtracted; or of the recording itself the median of each taxel, or the mean of the first half second</source>
-        <translation>Trames de la matrice à vide, dont la moyenne est soustraite&#xa0;; ou, de l’enregistrement lui-même, la médiane de chaque taxel ou la moyenne de la première demi-seconde</translation>
-    </message>
-    <message>
         <source>Name or number of the column of the times in a table of another program</source>
         <translation>Nom ou numéro de la colonne des temps dans le tableau d’un autre programme</translation>
     </message>
@@ -3991,6 +4103,18 @@ Exemples&#xa0;:
     <message>
         <source>The values are in %1, not in N: give the N of one unit with --gain.</source>
         <translation>Les valeurs sont en&#xa0;%1, non en N&#xa0;: indiquez avec --gain combien de N vaut une unité.</translation>
+    </message>
+    <message>
+        <source>Frames of the unloaded array, whose mean is subtracted; or of the recording itself the median of each taxel, the mean of the first half second, or its value while it is untouched, in at least one frame in ten</source>
+        <translation>Trames du réseau sans charge, dont la moyenne est soustraite ; ou, de l’enregistrement lui-même, la médiane de chaque taxel, la moyenne de la première demi-seconde, ou sa valeur quand il n’est pas touché, dans au moins une trame sur dix</translation>
+    </message>
+    <message>
+        <source>Add the place of deepest pressure, finer than the taxels, also on a strip</source>
+        <translation>Ajouter l’endroit de pression la plus forte, plus fin que les taxels, aussi sur une bande</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a taxel&apos;s load at rest in N, for the standard errors of the summit</source>
+        <translation>Écart type de la charge d’un taxel au repos en N, pour les erreurs types du sommet</translation>
     </message>
 </context>
 <context>
@@ -4520,6 +4644,21 @@ Exemples&#xa0;:
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
         <translation>interrompu&#xa0;; la sortie s’arrête à ce qui avait été calculé</translation>
+    </message>
+</context>
+<context>
+    <name>JogTargetText</name>
+    <message>
+        <source>%1 has no arm, or several</source>
+        <translation>%1 n’a pas de bras, ou en a plusieurs</translation>
+    </message>
+    <message>
+        <source>%1 has no arm &quot;%2&quot;</source>
+        <translation>%1 n’a pas de bras « %2 »</translation>
+    </message>
+    <message>
+        <source>--arm with one of %1</source>
+        <translation>--arm avec l’un de %1</translation>
     </message>
 </context>
 <context>
@@ -5601,6 +5740,17 @@ Exemples&#xa0;:
     <message>
         <source>a whole npz file that is not encrypted</source>
         <translation>un fichier npz entier et non chiffré</translation>
+    </message>
+</context>
+<context>
+    <name>OperatorDomainText</name>
+    <message>
+        <source>without certificates anybody on this network could move the arm</source>
+        <translation>sans certificats, n’importe qui sur ce réseau pourrait déplacer le bras</translation>
+    </message>
+    <message>
+        <source>security = &quot;certificates&quot;, or interface = &quot;lo&quot;</source>
+        <translation>security = &quot;certificates&quot;, ou interface = &quot;lo&quot;</translation>
     </message>
 </context>
 <context>
@@ -6911,6 +7061,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RecordedSignalsText</name>
+    <message>
+        <source>The recording has no &quot;%1&quot;.</source>
+        <translation>L’enregistrement n’a pas de «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>The reading was stopped.</source>
+        <translation>La lecture a été arrêtée.</translation>
+    </message>
+</context>
+<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
@@ -6923,6 +7084,10 @@ Run %2 --help for more.
     <message>
         <source>it is not an arm</source>
         <translation>ce n’est pas un bras</translation>
+    </message>
+    <message>
+        <source>its links have another number of joints</source>
+        <translation>ses segments ont un autre nombre d’articulations</translation>
     </message>
 </context>
 <context>
@@ -7173,6 +7338,28 @@ Run %2 --help for more.
     <message>
         <source>no line to the driver can be opened: %1</source>
         <translation>aucune ligne vers le pilote ne peut être ouverte&#xa0;:&#xa0;%1</translation>
+    </message>
+</context>
+<context>
+    <name>RemoteDeviceText</name>
+    <message>
+        <source>%1 sends nothing of this device</source>
+        <translation>%1 n’envoie rien de cet appareil</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 ne répond pas</translation>
+    </message>
+</context>
+<context>
+    <name>RemoteSiteFileText</name>
+    <message>
+        <source>&quot;%1&quot; cannot be a name</source>
+        <translation>« %1 » ne peut pas être un nom</translation>
+    </message>
+    <message>
+        <source>a small letter, then at most 30 small letters, digits and _</source>
+        <translation>une minuscule, puis au plus 30 minuscules, chiffres et _</translation>
     </message>
 </context>
 <context>
@@ -7582,6 +7769,17 @@ Run %2 --help for more.
     <message>
         <source>arrows enlarged %1 times</source>
         <translation>flèches %1 fois</translation>
+    </message>
+</context>
+<context>
+    <name>RestText</name>
+    <message>
+        <source>The frames do not show the value of taxel %1 without load: it is touched in nearly all of them, or nothing touches the array</source>
+        <translation>Les trames ne montrent pas la valeur du taxel %1 sans charge : il est touché dans presque toutes, ou rien ne touche le réseau</translation>
+    </message>
+    <message>
+        <source>frames of the unloaded array, their median, or a dead taxel</source>
+        <translation>des trames du réseau sans charge, leur médiane, ou un taxel mort</translation>
     </message>
 </context>
 <context>
@@ -8210,6 +8408,25 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RunningSiteText</name>
+    <message>
+        <source>nothing was read yet</source>
+        <translation>rien n’a encore été lu</translation>
+    </message>
+    <message>
+        <source>it sends nothing any more</source>
+        <translation>il n’envoie plus rien</translation>
+    </message>
+    <message>
+        <source>it is not connected</source>
+        <translation>il n’est pas connecté</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompu</translation>
+    </message>
+</context>
+<context>
     <name>Scene</name>
     <message>
         <source>the scene is not that of a tactile array</source>
@@ -8775,7 +8992,54 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>SiteCommand</name>
+    <name>SiteClientText</name>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompu</translation>
+    </message>
+    <message>
+        <source>%1 speaks version %2 of the protocol of sites, this program version %3</source>
+        <translation>%1 parle la version %2 du protocole des sites, ce programme la version %3</translation>
+    </message>
+    <message>
+        <source>the site %1 was not found in domain %2 within %3 s</source>
+        <translation>le site %1 n’a pas été trouvé dans le domaine %2 en %3 s</translation>
+    </message>
+    <message>
+        <source>teleta-site running there, and its address under peers</source>
+        <translation>teleta-site en marche là-bas, et son adresse sous peers</translation>
+    </message>
+    <message>
+        <source>the site does not answer</source>
+        <translation>le site ne répond pas</translation>
+    </message>
+    <message>
+        <source>STOP is held by %1</source>
+        <translation>STOP est maintenu par %1</translation>
+    </message>
+    <message>
+        <source>nobody controls the site; request control first</source>
+        <translation>personne ne commande le site ; demandez d’abord la commande</translation>
+    </message>
+    <message>
+        <source>%1 controls the site</source>
+        <translation>%1 commande le site</translation>
+    </message>
+    <message>
+        <source>control is being handed to %1</source>
+        <translation>la commande est en cours de transfert à %1</translation>
+    </message>
+    <message>
+        <source>the site has no such arm any more</source>
+        <translation>le site n’a plus ce bras</translation>
+    </message>
+    <message>
+        <source>an arm had a fault; clear it first</source>
+        <translation>un bras a eu un défaut ; effacez-le d’abord</translation>
+    </message>
+</context>
+<context>
+    <name>SiteCommandText</name>
     <message>
         <source>Check the certificates and permissions of a site, or print the commands that create them</source>
         <translation>Vérifier les certificats et les permissions d’un site, ou donner les commandes qui les créent</translation>
@@ -8797,6 +9061,34 @@ Run %2 --help for more.
         <translation>Consoles qui ne font qu’observer</translation>
     </message>
     <message>
+        <source>List the sites that are there and who controls them</source>
+        <translation>Lister les sites présents et qui les commande</translation>
+    </message>
+    <message>
+        <source>Print each change of a site&apos;s state</source>
+        <translation>Afficher chaque changement d’état d’un site</translation>
+    </message>
+    <message>
+        <source>Print the offset of a site&apos;s clock, and its bound</source>
+        <translation>Afficher le décalage de l’horloge d’un site, et sa borne</translation>
+    </message>
+    <message>
+        <source>Record all that a site sends, without a screen</source>
+        <translation>Enregistrer tout ce qu’un site envoie, sans écran</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Fichier de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>File with which the site is reached (kind = &quot;remote_site&quot;)</source>
+        <translation>Fichier qui permet d’atteindre le site (kind = &quot;remote_site&quot;)</translation>
+    </message>
+    <message>
+        <source>End after that time; default: Ctrl-C</source>
+        <translation>Finir après ce temps ; par défaut : Ctrl-C</translation>
+    </message>
+    <message>
         <source>These keys are not safe to use.</source>
         <translation>Ces clés ne peuvent pas être utilisées sans danger.</translation>
     </message>
@@ -8813,8 +9105,43 @@ Run %2 --help for more.
         <translation>Avertissement&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
-        <source>Keys of a remote site</source>
-        <translation>Clés d’un site, là où un robot est à un autre endroit</translation>
+        <source>Sites at which robots are, and their keys</source>
+        <translation>Sites où sont les robots, et leurs clés</translation>
+    </message>
+</context>
+<context>
+    <name>SiteFileText</name>
+    <message>
+        <source>the device needs an id</source>
+        <translation>l’appareil a besoin d’un id</translation>
+    </message>
+    <message>
+        <source>id = &quot;a small letter, then small letters, digits and _&quot;</source>
+        <translation>id = &quot;une minuscule, puis des minuscules, des chiffres et _&quot;</translation>
+    </message>
+    <message>
+        <source>a site does not send this kind of device</source>
+        <translation>un site n’envoie pas ce genre d’appareil</translation>
+    </message>
+    <message>
+        <source>file, wts or scene</source>
+        <translation>file, wts ou scene</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a console</source>
+        <translation>« %1 » n’est pas un nom de console</translation>
+    </message>
+    <message>
+        <source>a small letter, then at most 30 small letters, digits and _</source>
+        <translation>une minuscule, puis au plus 30 minuscules, chiffres et _</translation>
+    </message>
+    <message>
+        <source>two devices are called &quot;%1&quot;</source>
+        <translation>deux appareils s’appellent « %1 »</translation>
+    </message>
+    <message>
+        <source>a unique id for each device</source>
+        <translation>un id unique pour chaque appareil</translation>
     </message>
 </context>
 <context>
@@ -8981,6 +9308,74 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>SiteProgramText</name>
+    <message numerus="yes">
+        <source>All %n device(s) are ready.</source>
+        <translation>
+            <numerusform>Le %n appareil est prêt.</numerusform>
+            <numerusform>Les %n appareils sont prêts.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is ready in domain %2 on %3</source>
+        <translation>%1 est prêt dans le domaine %2 sur %3</translation>
+    </message>
+    <message>
+        <source>the site ends; the arms are held</source>
+        <translation>le site se termine ; les bras sont maintenus</translation>
+    </message>
+    <message>
+        <source>Runs at the robot: sends what its arms and tactile arrays feel to the consoles, and decides which console moves them.</source>
+        <translation>Tourne auprès du robot : envoie aux consoles ce que sentent ses bras et ses réseaux tactiles, et décide quelle console les déplace.</translation>
+    </message>
+    <message>
+        <source>Print this help</source>
+        <translation>Afficher cette aide</translation>
+    </message>
+    <message>
+        <source>File of the site (kind = &quot;site&quot;)</source>
+        <translation>Fichier du site (kind = &quot;site&quot;)</translation>
+    </message>
+    <message>
+        <source>Open everything, move nothing, and say what is missing</source>
+        <translation>Tout ouvrir, ne rien déplacer, et dire ce qui manque</translation>
+    </message>
+    <message>
+        <source>Print the log, or what is missing, as JSON on standard output</source>
+        <translation>Afficher le journal, ou ce qui manque, en JSON sur la sortie standard</translation>
+    </message>
+    <message>
+        <source>Folder for recordings (record = true); default: the current one</source>
+        <translation>Dossier des enregistrements (record = true) ; par défaut : le dossier courant</translation>
+    </message>
+    <message>
+        <source>Print the version</source>
+        <translation>Afficher la version</translation>
+    </message>
+    <message>
+        <source>teleta-site: %1
+Run teleta-site --help for more.
+</source>
+        <translation>teleta-site: %1
+Lancez teleta-site --help pour en savoir plus.
+</translation>
+    </message>
+</context>
+<context>
+    <name>SiteRequestText</name>
+    <message>
+        <source>the site %1 has no device to show</source>
+        <translation>le site %1 n’a aucun appareil à montrer</translation>
+    </message>
+</context>
+<context>
+    <name>SiteStreamText</name>
+    <message>
+        <source>this kind of stream is not known</source>
+        <translation>ce genre de flux n’est pas connu</translation>
+    </message>
+</context>
+<context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
@@ -9073,6 +9468,17 @@ Run %2 --help for more.
     <message>
         <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
         <translation>des virgules, et un point dans les nombres&#xa0;: les essais qui sont dans data/ de l’étude, ou le fichier enregistré en CSV avec des virgules</translation>
+    </message>
+</context>
+<context>
+    <name>SpectrumText</name>
+    <message>
+        <source>The signal has no rate: its samples come when they please.</source>
+        <translation>Le signal n’a pas de cadence&#xa0;: ses échantillons arrivent à des instants quelconques.</translation>
+    </message>
+    <message>
+        <source>There are only %1 samples in a row in view; a spectrum needs %2.</source>
+        <translation>Seuls %1 échantillons sans interruption sont visibles&#xa0;; un spectre en demande %2.</translation>
     </message>
 </context>
 <context>
@@ -12975,6 +13381,13 @@ Run %2 --help for more.
     <message>
         <source>a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC</source>
         <translation>un port série tel que /dev/ttyUSB0, ou HOST:PORT pour OSC</translation>
+    </message>
+</context>
+<context>
+    <name>UnitAxesText</name>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
     </message>
 </context>
 <context>
@@ -17020,6 +17433,38 @@ Run %2 --help for more.
         <source>Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</source>
         <translation>Enregistrements (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</translation>
     </message>
+    <message>
+        <source>Plot</source>
+        <translation>Tracé</translation>
+    </message>
+    <message>
+        <source>Any signal over time: live ones and those of recordings, with cursors and spectra</source>
+        <translation>N’importe quel signal au cours du temps, en direct ou d’un enregistrement, avec curseurs et spectres</translation>
+    </message>
+    <message>
+        <source>Connect to a site</source>
+        <translation>Se connecter à un site</translation>
+    </message>
+    <message>
+        <source>Sites (*.toml)</source>
+        <translation>Sites (*.toml)</translation>
+    </message>
+    <message>
+        <source>&amp;Connect to a site…</source>
+        <translation>Se &amp;connecter à un site…</translation>
+    </message>
+    <message>
+        <source>Arms and arrays at another place, where teleta-site runs</source>
+        <translation>Bras et réseaux en un autre lieu, où tourne teleta-site</translation>
+    </message>
+    <message>
+        <source>Re&amp;quest control of the site</source>
+        <translation>&amp;Demander la commande du site</translation>
+    </message>
+    <message>
+        <source>Rele&amp;ase control of the site</source>
+        <translation>Ren&amp;dre la commande du site</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -17589,6 +18034,193 @@ Run %2 --help for more.
     <message>
         <source>AHAP (*.ahap *.ahap.zip)</source>
         <translation>AHAP (*.ahap *.ahap.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotLayoutsMenu</name>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>&amp;Enregistrer la disposition sous…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>Enregistrer la disposition</translation>
+    </message>
+    <message>
+        <source>Name (a layout of the same name is replaced):</source>
+        <translation>Nom (une disposition du même nom est remplacée)&#xa0;:</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotPage</name>
+    <message>
+        <source>%1 could not be read.</source>
+        <comment>a recording</comment>
+        <translation>%1 n’a pas pu être lu.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is damaged: %n part(s) could not be read and are gaps.</source>
+        <translation>
+            <numerusform>%1 est endommagé&#xa0;: %n partie n’a pas pu être lue et reste vide.</numerusform>
+            <numerusform>%1 est endommagé&#xa0;: %n parties n’ont pas pu être lues et restent vides.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The layout %1 cannot be restored.</source>
+        <translation>La disposition %1 ne peut pas être rétablie.</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>Elle a été enregistrée par une autre version du programme.</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>Enregistrer les d&amp;onnées…</translation>
+    </message>
+    <message>
+        <source>&amp;Add a recording…</source>
+        <translation>&amp;Ajouter un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Plot a recording as a whole, without playing it</source>
+        <translation>Tracer un enregistrement en entier, sans le lire</translation>
+    </message>
+    <message>
+        <source>Reading: %p %</source>
+        <translation>Lecture&#xa0;: %p&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>The newest sample stays at the right end (Space, End)</source>
+        <translation>L’échantillon le plus récent reste au bord droit (Espace, Fin)</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>Tout montrer</translation>
+    </message>
+    <message>
+        <source>All samples, and axes that follow the values (Home, double click)</source>
+        <translation>Tous les échantillons, et des axes qui suivent les valeurs (Début, double clic)</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Curseurs</translation>
+    </message>
+    <message>
+        <source>Two lines to measure between (C); Left and Right move A, with Ctrl B</source>
+        <translation>Deux lignes pour mesurer entre elles (C)&#xa0;; Gauche et Droite déplacent A, avec Ctrl B</translation>
+    </message>
+    <message>
+        <source>Power density</source>
+        <translation>Densité de puissance</translation>
+    </message>
+    <message>
+        <source>Spectra show the density of power instead of the amplitude</source>
+        <translation>Les spectres montrent la densité de puissance au lieu de l’amplitude</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>Dispositions</translation>
+    </message>
+    <message>
+        <source>Save what is plotted under a name, and choose it again</source>
+        <translation>Enregistrer sous un nom ce qui est tracé, et le choisir de nouveau</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>The picture, or the samples in view as CSV</source>
+        <translation>L’image, ou les échantillons visibles en CSV</translation>
+    </message>
+    <message>
+        <source>Undo remove</source>
+        <translation>Annuler le retrait</translation>
+    </message>
+    <message>
+        <source>Nothing is plotted yet</source>
+        <translation>Rien n’est encore tracé</translation>
+    </message>
+    <message>
+        <source>Drag a signal from the list onto this place, or choose it there and press Enter.</source>
+        <translation>Faites glisser ici un signal de la liste, ou choisissez-le et appuyez sur Entrée.</translation>
+    </message>
+    <message>
+        <source>Open a demo</source>
+        <translation>Ouvrir une démonstration</translation>
+    </message>
+    <message>
+        <source>A simulated arm that touches things</source>
+        <translation>Un bras simulé qui touche des objets</translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation>Ajouter un enregistrement…</translation>
+    </message>
+    <message>
+        <source>%1 old samples dropped</source>
+        <translation>%1 anciens échantillons abandonnés</translation>
+    </message>
+    <message>
+        <source>%1 frames lost</source>
+        <translation>%1 trames perdues</translation>
+    </message>
+    <message>
+        <source>Add a recording</source>
+        <translation>Ajouter un enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta)</source>
+        <translation>Enregistrements (*.teleta)</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>Enregistrer les données</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>trace</translation>
+    </message>
+    <message>
+        <source>The data were saved.</source>
+        <translation>Les données ont été enregistrées.</translation>
+    </message>
+    <message>
+        <source>The data could not be saved.</source>
+        <translation>Les données n’ont pas pu être enregistrées.</translation>
+    </message>
+    <message>
+        <source>Choose another folder or file name.</source>
+        <translation>Choisissez un autre dossier ou un autre nom de fichier.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotSignals</name>
+    <message>
+        <source>d/dt %1</source>
+        <comment>derivative of a signal</comment>
+        <translation>d/dt %1</translation>
+    </message>
+    <message>
+        <source>its source is not open</source>
+        <translation>sa source n’est pas ouverte</translation>
+    </message>
+    <message>
+        <source>is being read</source>
+        <translation>en cours de lecture</translation>
     </message>
 </context>
 <context>
@@ -18521,6 +19153,120 @@ Run %2 --help for more.
     <message>
         <source>Choose a folder by its full path.</source>
         <translation>Choisissez un dossier, avec son chemin complet.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SignalSources</name>
+    <message>
+        <source>whole recording</source>
+        <translation>enregistrement entier</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SiteViews</name>
+    <message>
+        <source>%1 was started anew.</source>
+        <translation>%1 a été redémarré.</translation>
+    </message>
+    <message>
+        <source>Request control again.</source>
+        <translation>Demandez de nouveau la commande.</translation>
+    </message>
+    <message>
+        <source>Control was handed to you by %1.</source>
+        <translation>%1 vous a transmis la commande.</translation>
+    </message>
+    <message>
+        <source>Let go of the switch and press it again.</source>
+        <translation>Lâchez l’interrupteur et pressez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>You no longer control %1.</source>
+        <translation>Vous ne commandez plus %1.</translation>
+    </message>
+    <message>
+        <source>%1 controls %2 now.</source>
+        <translation>%1 commande maintenant %2.</translation>
+    </message>
+    <message>
+        <source>STOP is held by %1.</source>
+        <translation>STOP est maintenu par %1.</translation>
+    </message>
+    <message>
+        <source>It can be withdrawn there, or by a supervisor.</source>
+        <translation>Il peut être levé là-bas, ou par un superviseur.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer; its arms are held.</source>
+        <translation>%1 ne répond pas ; ses bras sont maintenus.</translation>
+    </message>
+    <message>
+        <source>The site holds its arms by itself when no command comes.</source>
+        <translation>Le site maintient lui-même ses bras quand aucune commande n’arrive.</translation>
+    </message>
+    <message>
+        <source>Refused: another console is in control, or the cause is still there.</source>
+        <translation>Refusé : une autre console commande, ou la cause est toujours là.</translation>
+    </message>
+    <message>
+        <source>Refused: this console may not do that.</source>
+        <translation>Refusé : cette console n’en a pas le droit.</translation>
+    </message>
+    <message>
+        <source>Refused: there is no such console.</source>
+        <translation>Refusé : cette console n’existe pas.</translation>
+    </message>
+    <message>
+        <source>Refused: this console is not in control.</source>
+        <translation>Refusé : cette console ne commande pas.</translation>
+    </message>
+    <message>
+        <source>Refused: STOP is engaged.</source>
+        <translation>Refusé : STOP est engagé.</translation>
+    </message>
+    <message>
+        <source>Nobody answered in time, or it was declined.</source>
+        <translation>Personne n’a répondu à temps, ou c’était un refus.</translation>
+    </message>
+    <message>
+        <source>not in control</source>
+        <translation>sans la commande</translation>
+    </message>
+    <message>
+        <source>control has changed since</source>
+        <translation>la commande a changé depuis</translation>
+    </message>
+    <message>
+        <source>STOP is engaged</source>
+        <translation>STOP est engagé</translation>
+    </message>
+    <message>
+        <source>the switch must be let go and pressed again</source>
+        <translation>il faut lâcher l’interrupteur et le presser de nouveau</translation>
+    </message>
+    <message>
+        <source>it was overtaken</source>
+        <translation>elle a été dépassée</translation>
+    </message>
+    <message>
+        <source>the loop takes too long</source>
+        <translation>la boucle est trop longue</translation>
+    </message>
+    <message>
+        <source>the arm is not known</source>
+        <translation>le bras n’est pas connu</translation>
+    </message>
+    <message>
+        <source>it was no number</source>
+        <translation>ce n’était pas un nombre</translation>
+    </message>
+    <message>
+        <source>the arm is not live</source>
+        <translation>le bras n’est pas actif</translation>
+    </message>
+    <message>
+        <source>another program has this console&apos;s name</source>
+        <translation>un autre programme porte le nom de cette console</translation>
     </message>
 </context>
 <context>
@@ -19941,6 +20687,228 @@ Run %2 --help for more.
     <message>
         <source>No runs yet. Servo runs are drawn here on top of each other.</source>
         <translation>Pas encore d’exécution. Les exécutions d’asservissements sont tracées ici, l’une sur l’autre.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalPlot</name>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>fréquence (Hz)</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>unités</translation>
+    </message>
+    <message>
+        <source>power density ((%1)²/Hz)</source>
+        <translation>densité de puissance ((%1)²/Hz)</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplitude</translation>
+    </message>
+    <message>
+        <source>amplitude (%1)</source>
+        <translation>amplitude (%1)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>temps (s)</translation>
+    </message>
+    <message>
+        <source>Signals over time</source>
+        <translation>Signaux au cours du temps</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>trace</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTable</name>
+    <message>
+        <source>Plotted signals with their values</source>
+        <translation>Signaux tracés avec leurs valeurs</translation>
+    </message>
+    <message>
+        <source>Add its &amp;derivative</source>
+        <translation>Ajouter sa &amp;dérivée</translation>
+    </message>
+    <message>
+        <source>Show its &amp;spectrum</source>
+        <translation>Montrer son &amp;spectre</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>Plotted signal</source>
+        <translation>Signal tracé</translation>
+    </message>
+    <message>
+        <source>at A</source>
+        <translation>en A</translation>
+    </message>
+    <message>
+        <source>Newest</source>
+        <translation>Le plus récent</translation>
+    </message>
+    <message>
+        <source>at B</source>
+        <translation>en B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <comment>difference of two values</comment>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>B − A: %1, 1/(B − A): %2</source>
+        <translation>B − A&#xa0;: %1, 1/(B − A)&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>Chercher des signaux</translation>
+    </message>
+    <message>
+        <source>Signals of all sources</source>
+        <translation>Signaux de toutes les sources</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Newest value</source>
+        <translation>Dernière valeur</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>signal, unit</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::site_view::SiteBar</name>
+    <message>
+        <source>%1 does not answer (%2 s)</source>
+        <translation>%1 ne répond pas (%2 s)</translation>
+    </message>
+    <message>
+        <source>%1: STOP is held by %2</source>
+        <translation>%1 : STOP maintenu par %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 offers you control</source>
+        <translation>%1 : %2 vous propose la commande</translation>
+    </message>
+    <message>
+        <source>%1: handing control to %2</source>
+        <translation>%1 : transfert de la commande à %2</translation>
+    </message>
+    <message>
+        <source>%1: an arm has a fault</source>
+        <translation>%1 : un bras est en défaut</translation>
+    </message>
+    <message>
+        <source>%1: you are moving it</source>
+        <translation>%1 : vous le déplacez</translation>
+    </message>
+    <message>
+        <source>%1: you control</source>
+        <translation>%1 : vous commandez</translation>
+    </message>
+    <message>
+        <source>%1: %2 controls</source>
+        <translation>%1 : %2 commande</translation>
+    </message>
+    <message>
+        <source>%1: viewing</source>
+        <translation>%1 : observation</translation>
+    </message>
+    <message>
+        <source>%1: nobody controls</source>
+        <translation>%1 : personne ne commande</translation>
+    </message>
+    <message>
+        <source>loop %1 ms</source>
+        <translation>boucle %1 ms</translation>
+    </message>
+    <message>
+        <source>clock ±%1 ms</source>
+        <translation>horloge ±%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 refused: %2</source>
+        <translation>%1 refusées : %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n state(s) of the site were lost on the way</source>
+        <translation>
+            <numerusform>%n état du site perdu en route</numerusform>
+            <numerusform>%n états du site perdus en route</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Control lease: how long control stays here without an answer</source>
+        <translation>Bail de commande : combien de temps la commande reste ici sans réponse</translation>
+    </message>
+    <message>
+        <source>Request control</source>
+        <translation>Demander la commande</translation>
+    </message>
+    <message>
+        <source>Accept control</source>
+        <translation>Accepter la commande</translation>
+    </message>
+    <message>
+        <source>Agree</source>
+        <translation>Accepter</translation>
+    </message>
+    <message>
+        <source>Decline</source>
+        <translation>Refuser</translation>
+    </message>
+    <message>
+        <source>Keep control</source>
+        <translation>Garder la commande</translation>
+    </message>
+    <message>
+        <source>Take over…</source>
+        <translation>Reprendre…</translation>
+    </message>
+    <message>
+        <source>For supervisors: the other console has 5 s to decline</source>
+        <translation>Pour les superviseurs : l’autre console a 5 s pour refuser</translation>
+    </message>
+    <message>
+        <source>Clear the fault</source>
+        <translation>Effacer le défaut</translation>
+    </message>
+    <message>
+        <source>Hand over</source>
+        <translation>Transmettre</translation>
+    </message>
+    <message>
+        <source>Withdraw STOP</source>
+        <translation>Lever STOP</translation>
+    </message>
+    <message>
+        <source>For supervisors, once the console that engaged STOP is gone</source>
+        <translation>Pour les superviseurs, quand la console qui a engagé STOP a disparu</translation>
+    </message>
+    <message>
+        <source>Release control</source>
+        <translation>Rendre la commande</translation>
     </message>
 </context>
 <context>

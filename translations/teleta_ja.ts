@@ -406,14 +406,6 @@
         <translation>動く質量は%1 kgです。</translation>
     </message>
     <message>
-        <source>Move a joint of an arm over ROS 2 for a short time</source>
-        <translation>ROS 2でアームの関節を短時間動かします</translation>
-    </message>
-    <message>
-        <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
-        <translation>アームを記述したファイル (kind = &quot;ros_arm&quot;)</translation>
-    </message>
-    <message>
         <source>Joint to move, as the URDF names it</source>
         <translation>動かす関節 (URDFでの名前)</translation>
     </message>
@@ -432,6 +424,18 @@
     <message>
         <source>Show the description of a robot arm (URDF), or jog an arm over ROS 2</source>
         <translation>ロボットアーム: 記述 (URDF)、およびROS 2での関節の動作</translation>
+    </message>
+    <message>
+        <source>Move a joint of an arm for a short time</source>
+        <translation>アームの関節を短時間動かす</translation>
+    </message>
+    <message>
+        <source>File that describes the arm (kind = &quot;ros_arm&quot;), or with which its site is reached (kind = &quot;remote_site&quot;)</source>
+        <translation>アームを記述するファイル（kind = &quot;ros_arm&quot;）、またはそのサイトに接続するためのファイル（kind = &quot;remote_site&quot;）</translation>
+    </message>
+    <message>
+        <source>Which arm of a site; default: its only one</source>
+        <translation>サイトのどのアームか。既定：唯一のアーム</translation>
     </message>
 </context>
 <context>
@@ -1670,6 +1674,33 @@
     </message>
 </context>
 <context>
+    <name>CliSiteText</name>
+    <message>
+        <source>no site was found in domain %1</source>
+        <translation>ドメイン %1 にサイトは見つかりませんでした</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Dropped here</source>
+        <translation>ここでの欠落</translation>
+    </message>
+</context>
+<context>
     <name>ComparisonContent</name>
     <message>
         <source>Effect</source>
@@ -2387,6 +2418,10 @@
         <translation>ADDRESS</translation>
     </message>
     <message>
+        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
+        <translation>ファイル（TOML）で記述されたROS 2のアームを開く（繰り返し可）。</translation>
+    </message>
+    <message>
         <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
 
 Examples:
@@ -2395,6 +2430,7 @@ Examples:
   teleta-console session.teleta
   teleta-console --camera 0 --camera-model camera.json
   teleta-console --arm arm.toml
+  teleta-console --site lab.toml
   teleta-console --sources both-arrays.toml --theme dark</source>
         <translation>遠隔のロボットアームが触れているものの位置、強さ、硬さ、形を表示します。
 
@@ -2404,15 +2440,16 @@ Examples:
   teleta-console session.teleta
   teleta-console --camera 0 --camera-model camera.json
   teleta-console --arm arm.toml
+  teleta-console --site lab.toml
   teleta-console --sources both-arrays.toml --theme dark</translation>
     </message>
     <message>
-        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
-        <translation>ファイル（TOML）で記述されたROS 2のアームを開く（繰り返し可）。</translation>
+        <source>Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms, sites and source lists (.toml) to open.</source>
+        <translation>開く記録（.teleta、.csv、.mcap、.npz、.npy、.h5、.mat）、シーン、アーム、サイト、ソース一覧（.toml）。</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms and source lists (.toml) to open.</source>
-        <translation>開く記録（.teleta、.csv、.mcap、.npz、.npy、.h5、.mat）、シーン、アーム、ソースの一覧（.toml）。</translation>
+        <source>Connect to a site where teleta-site runs, by its file (TOML; repeatable).</source>
+        <translation>teleta-site が動いているサイトに、そのファイルで接続します（TOML、繰り返し可）。</translation>
     </message>
 </context>
 <context>
@@ -2890,6 +2927,14 @@ Examples:
         <source>topic %1 cannot be written</source>
         <translation>トピック %1 に書き込めません</translation>
     </message>
+    <message>
+        <source>the permissions do not allow reading topic %1</source>
+        <translation>権限はトピック %1 の読み取りを許可していません</translation>
+    </message>
+    <message>
+        <source>the permissions do not allow writing topic %1</source>
+        <translation>権限はトピック %1 への書き込みを許可していません</translation>
+    </message>
 </context>
 <context>
     <name>DdsParticipant</name>
@@ -2912,6 +2957,77 @@ Examples:
     <message>
         <source>domain %1 of DDS cannot be joined</source>
         <translation>DDSのドメイン %1 に参加できません</translation>
+    </message>
+    <message>
+        <source>this program has joined domain %1 with keys already</source>
+        <translation>このプログラムはすでに鍵を使ってドメイン %1 に参加しています</translation>
+    </message>
+    <message>
+        <source>once: the permissions of the first would apply to all</source>
+        <translation>一度だけ：最初の権限がすべてに適用されてしまいます</translation>
+    </message>
+    <message>
+        <source>this program joined domain %1 with other permissions before</source>
+        <translation>このプログラムは以前、別の権限でドメイン %1 に参加しました</translation>
+    </message>
+    <message>
+        <source>the same ones until the program is started again</source>
+        <translation>プログラムを再起動するまで同じ権限</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be joined with the keys in %2: %3</source>
+        <translation>%2 の鍵では DDS のドメイン %1 に参加できません：%3</translation>
+    </message>
+    <message>
+        <source>a program is kept out of domain %1: %2</source>
+        <translation>ドメイン %1 への参加を拒否したプログラムがあります：%2</translation>
+    </message>
+</context>
+<context>
+    <name>DdsSecurity</name>
+    <message>
+        <source>the certificate has expired</source>
+        <translation>証明書の有効期限が切れています</translation>
+    </message>
+    <message>
+        <source>the certificate is not valid yet</source>
+        <translation>証明書はまだ有効ではありません</translation>
+    </message>
+    <message>
+        <source>the certificate is not signed by identity_ca.pem</source>
+        <translation>証明書は identity_ca.pem で署名されていません</translation>
+    </message>
+    <message>
+        <source>the key does not belong to the certificate</source>
+        <translation>鍵が証明書と一致しません</translation>
+    </message>
+    <message>
+        <source>the permissions are not signed by permissions_ca.pem</source>
+        <translation>権限は permissions_ca.pem で署名されていません</translation>
+    </message>
+    <message>
+        <source>the permissions do not name the subject of the certificate</source>
+        <translation>権限に証明書のサブジェクトがありません</translation>
+    </message>
+    <message>
+        <source>the permissions have expired</source>
+        <translation>権限の有効期限が切れています</translation>
+    </message>
+    <message>
+        <source>the permissions are not valid yet</source>
+        <translation>権限はまだ有効ではありません</translation>
+    </message>
+    <message>
+        <source>the permissions (permissions.p7s) do not allow this domain</source>
+        <translation>権限（permissions.p7s）はこのドメインを許可していません</translation>
+    </message>
+    <message>
+        <source>the governance (governance.p7s) does not name this domain</source>
+        <translation>ガバナンス（governance.p7s）にこのドメインがありません</translation>
+    </message>
+    <message>
+        <source>the plugins of DDS Security cannot be loaded</source>
+        <translation>DDS Security のプラグインを読み込めません</translation>
     </message>
 </context>
 <context>
@@ -3963,10 +4079,6 @@ Examples:
         <translation>フレームを数える配列の次元</translation>
     </message>
     <message>
-        <source>Frames of the unloaded array, whose mean is subtracted; or of the recording itself the median of each taxel, or the mean of the first half second</source>
-        <translation>無荷重アレイのフレーム。その平均を差し引きます。または記録自体から求めた、各タクセルの中央値か最初の0.5秒間の平均</translation>
-    </message>
-    <message>
         <source>Name or number of the column of the times in a table of another program</source>
         <translation>他のプログラムの表での時刻の列の名前または番号</translation>
     </message>
@@ -3981,6 +4093,18 @@ Examples:
     <message>
         <source>The values are in %1, not in N: give the N of one unit with --gain.</source>
         <translation>値の単位がNではなく%1です: 1単位あたりのNを--gainで指定してください。</translation>
+    </message>
+    <message>
+        <source>Frames of the unloaded array, whose mean is subtracted; or of the recording itself the median of each taxel, the mean of the first half second, or its value while it is untouched, in at least one frame in ten</source>
+        <translation>無負荷のアレイのフレーム（平均を引く）。または記録自身から、各タクセルの中央値、最初の 0.5 秒の平均、あるいは触れられていない（10 フレームに 1 つ以上）ときの値</translation>
+    </message>
+    <message>
+        <source>Add the place of deepest pressure, finer than the taxels, also on a strip</source>
+        <translation>最も強く押された位置をタクセルより細かく追加する（一列のセンサーでも）</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a taxel&apos;s load at rest in N, for the standard errors of the summit</source>
+        <translation>静止時のタクセル荷重の標準偏差（N）。頂点の標準誤差に使う</translation>
     </message>
 </context>
 <context>
@@ -4505,6 +4629,21 @@ Examples:
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
         <translation>中断されました。出力はそれまでに計算した分で終わっています</translation>
+    </message>
+</context>
+<context>
+    <name>JogTargetText</name>
+    <message>
+        <source>%1 has no arm, or several</source>
+        <translation>%1 にはアームがないか、複数あります</translation>
+    </message>
+    <message>
+        <source>%1 has no arm &quot;%2&quot;</source>
+        <translation>%1 にアーム「%2」はありません</translation>
+    </message>
+    <message>
+        <source>--arm with one of %1</source>
+        <translation>--arm に %1 のいずれか</translation>
     </message>
 </context>
 <context>
@@ -5586,6 +5725,17 @@ Examples:
     <message>
         <source>a whole npz file that is not encrypted</source>
         <translation>暗号化されていない完全なnpzファイル</translation>
+    </message>
+</context>
+<context>
+    <name>OperatorDomainText</name>
+    <message>
+        <source>without certificates anybody on this network could move the arm</source>
+        <translation>証明書がないと、このネットワークの誰でもアームを動かせてしまいます</translation>
+    </message>
+    <message>
+        <source>security = &quot;certificates&quot;, or interface = &quot;lo&quot;</source>
+        <translation>security = &quot;certificates&quot;、または interface = &quot;lo&quot;</translation>
     </message>
 </context>
 <context>
@@ -6895,6 +7045,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RecordedSignalsText</name>
+    <message>
+        <source>The recording has no &quot;%1&quot;.</source>
+        <translation>記録に「%1」がありません。</translation>
+    </message>
+    <message>
+        <source>The reading was stopped.</source>
+        <translation>読み込みを中止しました。</translation>
+    </message>
+</context>
+<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
@@ -6907,6 +7068,10 @@ Run %2 --help for more.
     <message>
         <source>it is not an arm</source>
         <translation>アームではありません</translation>
+    </message>
+    <message>
+        <source>its links have another number of joints</source>
+        <translation>リンクの関節数が異なります</translation>
     </message>
 </context>
 <context>
@@ -7157,6 +7322,28 @@ Run %2 --help for more.
     <message>
         <source>no line to the driver can be opened: %1</source>
         <translation>ドライバーへの回線を開けません: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RemoteDeviceText</name>
+    <message>
+        <source>%1 sends nothing of this device</source>
+        <translation>%1 からこの装置のデータが届きません</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 が応答しません</translation>
+    </message>
+</context>
+<context>
+    <name>RemoteSiteFileText</name>
+    <message>
+        <source>&quot;%1&quot; cannot be a name</source>
+        <translation>「%1」は名前に使えません</translation>
+    </message>
+    <message>
+        <source>a small letter, then at most 30 small letters, digits and _</source>
+        <translation>小文字で始まり、小文字、数字、_ が最大 30 文字続くもの</translation>
     </message>
 </context>
 <context>
@@ -7561,6 +7748,17 @@ Run %2 --help for more.
     <message>
         <source>arrows enlarged %1 times</source>
         <translation>矢印は%1倍</translation>
+    </message>
+</context>
+<context>
+    <name>RestText</name>
+    <message>
+        <source>The frames do not show the value of taxel %1 without load: it is touched in nearly all of them, or nothing touches the array</source>
+        <translation>フレームからはタクセル %1 の無負荷の値がわかりません。ほぼすべてで触れられているか、アレイに何も触れていません</translation>
+    </message>
+    <message>
+        <source>frames of the unloaded array, their median, or a dead taxel</source>
+        <translation>無負荷のアレイのフレーム、その中央値、または死んだタクセルの指定</translation>
     </message>
 </context>
 <context>
@@ -8188,6 +8386,25 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RunningSiteText</name>
+    <message>
+        <source>nothing was read yet</source>
+        <translation>まだ何も読み取っていません</translation>
+    </message>
+    <message>
+        <source>it sends nothing any more</source>
+        <translation>もう何も送ってきません</translation>
+    </message>
+    <message>
+        <source>it is not connected</source>
+        <translation>接続されていません</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>中断されました</translation>
+    </message>
+</context>
+<context>
     <name>Scene</name>
     <message>
         <source>the scene is not that of a tactile array</source>
@@ -8753,7 +8970,54 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>SiteCommand</name>
+    <name>SiteClientText</name>
+    <message>
+        <source>interrupted</source>
+        <translation>中断されました</translation>
+    </message>
+    <message>
+        <source>%1 speaks version %2 of the protocol of sites, this program version %3</source>
+        <translation>%1 のサイトプロトコルは版 %2、このプログラムは版 %3 です</translation>
+    </message>
+    <message>
+        <source>the site %1 was not found in domain %2 within %3 s</source>
+        <translation>サイト %1 はドメイン %2 で %3 秒以内に見つかりませんでした</translation>
+    </message>
+    <message>
+        <source>teleta-site running there, and its address under peers</source>
+        <translation>そこで動いている teleta-site と、peers にあるそのアドレス</translation>
+    </message>
+    <message>
+        <source>the site does not answer</source>
+        <translation>サイトが応答しません</translation>
+    </message>
+    <message>
+        <source>STOP is held by %1</source>
+        <translation>STOP は %1 が保持しています</translation>
+    </message>
+    <message>
+        <source>nobody controls the site; request control first</source>
+        <translation>サイトを操作している人はいません。先に操作権を要求してください</translation>
+    </message>
+    <message>
+        <source>%1 controls the site</source>
+        <translation>%1 がサイトを操作しています</translation>
+    </message>
+    <message>
+        <source>control is being handed to %1</source>
+        <translation>操作権を %1 に渡しています</translation>
+    </message>
+    <message>
+        <source>the site has no such arm any more</source>
+        <translation>サイトにそのアームはもうありません</translation>
+    </message>
+    <message>
+        <source>an arm had a fault; clear it first</source>
+        <translation>アームに異常がありました。先に解除してください</translation>
+    </message>
+</context>
+<context>
+    <name>SiteCommandText</name>
     <message>
         <source>Check the certificates and permissions of a site, or print the commands that create them</source>
         <translation>拠点の証明書と許可を検査するか、それらを作成するコマンドを示します</translation>
@@ -8775,6 +9039,34 @@ Run %2 --help for more.
         <translation>閲覧のみのコンソール</translation>
     </message>
     <message>
+        <source>List the sites that are there and who controls them</source>
+        <translation>存在するサイトと、その操作者を一覧表示する</translation>
+    </message>
+    <message>
+        <source>Print each change of a site&apos;s state</source>
+        <translation>サイトの状態の変化を表示する</translation>
+    </message>
+    <message>
+        <source>Print the offset of a site&apos;s clock, and its bound</source>
+        <translation>サイトの時計のずれとその限界を表示する</translation>
+    </message>
+    <message>
+        <source>Record all that a site sends, without a screen</source>
+        <translation>サイトが送るものすべてを画面なしで記録する</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>記録のファイル</translation>
+    </message>
+    <message>
+        <source>File with which the site is reached (kind = &quot;remote_site&quot;)</source>
+        <translation>サイトに接続するためのファイル（kind = &quot;remote_site&quot;）</translation>
+    </message>
+    <message>
+        <source>End after that time; default: Ctrl-C</source>
+        <translation>この時間で終える。既定：Ctrl-C</translation>
+    </message>
+    <message>
         <source>These keys are not safe to use.</source>
         <translation>これらの鍵は安全に使用できません。</translation>
     </message>
@@ -8791,8 +9083,43 @@ Run %2 --help for more.
         <translation>警告: %1</translation>
     </message>
     <message>
-        <source>Keys of a remote site</source>
-        <translation>ロボットが別の場所にある拠点の鍵</translation>
+        <source>Sites at which robots are, and their keys</source>
+        <translation>ロボットのあるサイトとその鍵</translation>
+    </message>
+</context>
+<context>
+    <name>SiteFileText</name>
+    <message>
+        <source>the device needs an id</source>
+        <translation>装置には id が必要です</translation>
+    </message>
+    <message>
+        <source>id = &quot;a small letter, then small letters, digits and _&quot;</source>
+        <translation>id = &quot;小文字で始まり、小文字、数字、_ が続く&quot;</translation>
+    </message>
+    <message>
+        <source>a site does not send this kind of device</source>
+        <translation>サイトはこの種の装置を送りません</translation>
+    </message>
+    <message>
+        <source>file, wts or scene</source>
+        <translation>file、wts、scene のいずれか</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a console</source>
+        <translation>「%1」はコンソールの名前ではありません</translation>
+    </message>
+    <message>
+        <source>a small letter, then at most 30 small letters, digits and _</source>
+        <translation>小文字で始まり、小文字、数字、_ が最大 30 文字続くもの</translation>
+    </message>
+    <message>
+        <source>two devices are called &quot;%1&quot;</source>
+        <translation>「%1」という装置が二つあります</translation>
+    </message>
+    <message>
+        <source>a unique id for each device</source>
+        <translation>装置ごとに異なる id</translation>
     </message>
 </context>
 <context>
@@ -8959,6 +9286,73 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>SiteProgramText</name>
+    <message numerus="yes">
+        <source>All %n device(s) are ready.</source>
+        <translation>
+            <numerusform>%n 台の装置がすべて準備完了です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is ready in domain %2 on %3</source>
+        <translation>%1 はドメイン %2（%3）で準備完了</translation>
+    </message>
+    <message>
+        <source>the site ends; the arms are held</source>
+        <translation>サイトを終了します。アームは保持されます</translation>
+    </message>
+    <message>
+        <source>Runs at the robot: sends what its arms and tactile arrays feel to the consoles, and decides which console moves them.</source>
+        <translation>ロボット側で動きます。アームと触覚アレイが感じたものをコンソールに送り、どのコンソールが動かすかを決めます。</translation>
+    </message>
+    <message>
+        <source>Print this help</source>
+        <translation>このヘルプを表示する</translation>
+    </message>
+    <message>
+        <source>File of the site (kind = &quot;site&quot;)</source>
+        <translation>サイトのファイル（kind = &quot;site&quot;）</translation>
+    </message>
+    <message>
+        <source>Open everything, move nothing, and say what is missing</source>
+        <translation>すべてを開き、何も動かさず、足りないものを示す</translation>
+    </message>
+    <message>
+        <source>Print the log, or what is missing, as JSON on standard output</source>
+        <translation>ログ、または足りないものを JSON で標準出力に出す</translation>
+    </message>
+    <message>
+        <source>Folder for recordings (record = true); default: the current one</source>
+        <translation>記録のフォルダー（record = true）。既定：現在のフォルダー</translation>
+    </message>
+    <message>
+        <source>Print the version</source>
+        <translation>バージョンを表示する</translation>
+    </message>
+    <message>
+        <source>teleta-site: %1
+Run teleta-site --help for more.
+</source>
+        <translation>teleta-site: %1
+詳しくは teleta-site --help を実行してください。
+</translation>
+    </message>
+</context>
+<context>
+    <name>SiteRequestText</name>
+    <message>
+        <source>the site %1 has no device to show</source>
+        <translation>サイト %1 に表示できる装置はありません</translation>
+    </message>
+</context>
+<context>
+    <name>SiteStreamText</name>
+    <message>
+        <source>this kind of stream is not known</source>
+        <translation>この種のストリームは不明です</translation>
+    </message>
+</context>
+<context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
@@ -9051,6 +9445,17 @@ Run %2 --help for more.
     <message>
         <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
         <translation>コンマ区切りで、小数点はピリオド: 実験のdata/にある試行、またはコンマ区切りのCSVとして保存したファイル</translation>
+    </message>
+</context>
+<context>
+    <name>SpectrumText</name>
+    <message>
+        <source>The signal has no rate: its samples come when they please.</source>
+        <translation>この信号には周期がありません: サンプルは不定期に届きます。</translation>
+    </message>
+    <message>
+        <source>There are only %1 samples in a row in view; a spectrum needs %2.</source>
+        <translation>見えている連続したサンプルは %1 個だけです。スペクトルには %2 個必要です。</translation>
     </message>
 </context>
 <context>
@@ -12944,6 +13349,13 @@ Run %2 --help for more.
     <message>
         <source>a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC</source>
         <translation>/dev/ttyUSB0などのシリアルポート、またはOSC用のHOST:PORT</translation>
+    </message>
+</context>
+<context>
+    <name>UnitAxesText</name>
+    <message>
+        <source>value</source>
+        <translation>値</translation>
     </message>
 </context>
 <context>
@@ -16973,6 +17385,38 @@ Run %2 --help for more.
         <source>Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</source>
         <translation>記録 (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</translation>
     </message>
+    <message>
+        <source>Plot</source>
+        <translation>プロット</translation>
+    </message>
+    <message>
+        <source>Any signal over time: live ones and those of recordings, with cursors and spectra</source>
+        <translation>あらゆる信号の時間変化: 動作中の信号と記録の信号。カーソルとスペクトル付き</translation>
+    </message>
+    <message>
+        <source>Connect to a site</source>
+        <translation>サイトに接続</translation>
+    </message>
+    <message>
+        <source>Sites (*.toml)</source>
+        <translation>サイト (*.toml)</translation>
+    </message>
+    <message>
+        <source>&amp;Connect to a site…</source>
+        <translation>サイトに接続(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Arms and arrays at another place, where teleta-site runs</source>
+        <translation>teleta-site が動く別の場所のアームとアレイ</translation>
+    </message>
+    <message>
+        <source>Re&amp;quest control of the site</source>
+        <translation>サイトの操作権を要求(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Rele&amp;ase control of the site</source>
+        <translation>サイトの操作権を手放す(&amp;A)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -17540,6 +17984,192 @@ Run %2 --help for more.
     <message>
         <source>AHAP (*.ahap *.ahap.zip)</source>
         <translation>AHAP (*.ahap *.ahap.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotLayoutsMenu</name>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>レイアウトに名前を付けて保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>削除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>レイアウトを保存</translation>
+    </message>
+    <message>
+        <source>Name (a layout of the same name is replaced):</source>
+        <translation>名前 (同じ名前のレイアウトは置き換えられます):</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotPage</name>
+    <message>
+        <source>%1 could not be read.</source>
+        <comment>a recording</comment>
+        <translation>%1 を読み込めませんでした。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is damaged: %n part(s) could not be read and are gaps.</source>
+        <translation>
+            <numerusform>%1 は破損しています: %n 個の部分を読み込めず、空白になります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The layout %1 cannot be restored.</source>
+        <translation>レイアウト「%1」を復元できません。</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>プログラムの別のバージョンで保存されたものです。</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>データを保存(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Add a recording…</source>
+        <translation>記録を追加(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Plot a recording as a whole, without playing it</source>
+        <translation>記録を再生せずに全体をプロットします</translation>
+    </message>
+    <message>
+        <source>Reading: %p %</source>
+        <translation>読み込み中: %p %</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>追従</translation>
+    </message>
+    <message>
+        <source>The newest sample stays at the right end (Space, End)</source>
+        <translation>最新のサンプルを右端に保ちます (Space、End)</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>すべて表示</translation>
+    </message>
+    <message>
+        <source>All samples, and axes that follow the values (Home, double click)</source>
+        <translation>すべてのサンプルと、値に合わせる軸 (Home、ダブルクリック)</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>カーソル</translation>
+    </message>
+    <message>
+        <source>Two lines to measure between (C); Left and Right move A, with Ctrl B</source>
+        <translation>間を測る二本の線 (C)。左右キーで A、Ctrl と左右キーで B を動かします</translation>
+    </message>
+    <message>
+        <source>Power density</source>
+        <translation>パワー密度</translation>
+    </message>
+    <message>
+        <source>Spectra show the density of power instead of the amplitude</source>
+        <translation>スペクトルを振幅ではなくパワー密度で表示します</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>レイアウト</translation>
+    </message>
+    <message>
+        <source>Save what is plotted under a name, and choose it again</source>
+        <translation>プロットしているものを名前を付けて保存し、また選べます</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>The picture, or the samples in view as CSV</source>
+        <translation>図、または見えているサンプルの CSV</translation>
+    </message>
+    <message>
+        <source>Undo remove</source>
+        <translation>取り除きを元に戻す</translation>
+    </message>
+    <message>
+        <source>Nothing is plotted yet</source>
+        <translation>まだ何もプロットしていません</translation>
+    </message>
+    <message>
+        <source>Drag a signal from the list onto this place, or choose it there and press Enter.</source>
+        <translation>一覧から信号をここにドラッグするか、一覧で選んで Enter を押します。</translation>
+    </message>
+    <message>
+        <source>Open a demo</source>
+        <translation>デモを開く</translation>
+    </message>
+    <message>
+        <source>A simulated arm that touches things</source>
+        <translation>物に触れるシミュレーションのアーム</translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation>記録を追加…</translation>
+    </message>
+    <message>
+        <source>%1 old samples dropped</source>
+        <translation>古いサンプル %1 個を破棄</translation>
+    </message>
+    <message>
+        <source>%1 frames lost</source>
+        <translation>%1 フレーム欠落</translation>
+    </message>
+    <message>
+        <source>Add a recording</source>
+        <translation>記録を追加</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta)</source>
+        <translation>記録 (*.teleta)</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>データを保存</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>カンマ区切り (*.csv)</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>plot</translation>
+    </message>
+    <message>
+        <source>The data were saved.</source>
+        <translation>データを保存しました。</translation>
+    </message>
+    <message>
+        <source>The data could not be saved.</source>
+        <translation>データを保存できませんでした。</translation>
+    </message>
+    <message>
+        <source>Choose another folder or file name.</source>
+        <translation>別のフォルダーまたはファイル名を選んでください。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotSignals</name>
+    <message>
+        <source>d/dt %1</source>
+        <comment>derivative of a signal</comment>
+        <translation>d/dt %1</translation>
+    </message>
+    <message>
+        <source>its source is not open</source>
+        <translation>ソースが開いていません</translation>
+    </message>
+    <message>
+        <source>is being read</source>
+        <translation>読み込み中</translation>
     </message>
 </context>
 <context>
@@ -18466,6 +19096,120 @@ Run %2 --help for more.
     <message>
         <source>Choose a folder by its full path.</source>
         <translation>フォルダーを完全なパスで選んでください。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SignalSources</name>
+    <message>
+        <source>whole recording</source>
+        <translation>記録全体</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SiteViews</name>
+    <message>
+        <source>%1 was started anew.</source>
+        <translation>%1 が再起動されました。</translation>
+    </message>
+    <message>
+        <source>Request control again.</source>
+        <translation>もう一度操作権を要求してください。</translation>
+    </message>
+    <message>
+        <source>Control was handed to you by %1.</source>
+        <translation>%1 から操作権を渡されました。</translation>
+    </message>
+    <message>
+        <source>Let go of the switch and press it again.</source>
+        <translation>スイッチを離して、もう一度押してください。</translation>
+    </message>
+    <message>
+        <source>You no longer control %1.</source>
+        <translation>%1 の操作権がなくなりました。</translation>
+    </message>
+    <message>
+        <source>%1 controls %2 now.</source>
+        <translation>いま %1 が %2 を操作しています。</translation>
+    </message>
+    <message>
+        <source>STOP is held by %1.</source>
+        <translation>STOP は %1 が保持しています。</translation>
+    </message>
+    <message>
+        <source>It can be withdrawn there, or by a supervisor.</source>
+        <translation>そこで、または監督者が解除できます。</translation>
+    </message>
+    <message>
+        <source>%1 does not answer; its arms are held.</source>
+        <translation>%1 が応答しません。アームは保持されます。</translation>
+    </message>
+    <message>
+        <source>The site holds its arms by itself when no command comes.</source>
+        <translation>指令が来なければ、サイトが自らアームを保持します。</translation>
+    </message>
+    <message>
+        <source>Refused: another console is in control, or the cause is still there.</source>
+        <translation>拒否：別のコンソールが操作中か、原因がまだ残っています。</translation>
+    </message>
+    <message>
+        <source>Refused: this console may not do that.</source>
+        <translation>拒否：このコンソールには許可されていません。</translation>
+    </message>
+    <message>
+        <source>Refused: there is no such console.</source>
+        <translation>拒否：そのコンソールはありません。</translation>
+    </message>
+    <message>
+        <source>Refused: this console is not in control.</source>
+        <translation>拒否：このコンソールに操作権がありません。</translation>
+    </message>
+    <message>
+        <source>Refused: STOP is engaged.</source>
+        <translation>拒否：STOP が作動しています。</translation>
+    </message>
+    <message>
+        <source>Nobody answered in time, or it was declined.</source>
+        <translation>時間内に応答がないか、断られました。</translation>
+    </message>
+    <message>
+        <source>not in control</source>
+        <translation>操作権なし</translation>
+    </message>
+    <message>
+        <source>control has changed since</source>
+        <translation>その後操作権が移りました</translation>
+    </message>
+    <message>
+        <source>STOP is engaged</source>
+        <translation>STOP が作動中</translation>
+    </message>
+    <message>
+        <source>the switch must be let go and pressed again</source>
+        <translation>スイッチを離して押し直す必要があります</translation>
+    </message>
+    <message>
+        <source>it was overtaken</source>
+        <translation>追い越されました</translation>
+    </message>
+    <message>
+        <source>the loop takes too long</source>
+        <translation>往復に時間がかかりすぎます</translation>
+    </message>
+    <message>
+        <source>the arm is not known</source>
+        <translation>アームが不明です</translation>
+    </message>
+    <message>
+        <source>it was no number</source>
+        <translation>数値ではありません</translation>
+    </message>
+    <message>
+        <source>the arm is not live</source>
+        <translation>アームが動作していません</translation>
+    </message>
+    <message>
+        <source>another program has this console&apos;s name</source>
+        <translation>別のプログラムがこのコンソールの名前を使っています</translation>
     </message>
 </context>
 <context>
@@ -19886,6 +20630,227 @@ Run %2 --help for more.
     <message>
         <source>No runs yet. Servo runs are drawn here on top of each other.</source>
         <translation>実行はまだありません。サーボの実行がここに重ねて描かれます。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalPlot</name>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>周波数 (Hz)</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>power density ((%1)²/Hz)</source>
+        <translation>パワー密度 ((%1)²/Hz)</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>振幅</translation>
+    </message>
+    <message>
+        <source>amplitude (%1)</source>
+        <translation>振幅 (%1)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>時間 (s)</translation>
+    </message>
+    <message>
+        <source>Signals over time</source>
+        <translation>信号の時間変化</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>plot</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTable</name>
+    <message>
+        <source>Plotted signals with their values</source>
+        <translation>プロットした信号とその値</translation>
+    </message>
+    <message>
+        <source>Add its &amp;derivative</source>
+        <translation>微分を追加(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show its &amp;spectrum</source>
+        <translation>スペクトルを表示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>取り除く(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Plotted signal</source>
+        <translation>プロットした信号</translation>
+    </message>
+    <message>
+        <source>at A</source>
+        <translation>A の値</translation>
+    </message>
+    <message>
+        <source>Newest</source>
+        <translation>最新</translation>
+    </message>
+    <message>
+        <source>at B</source>
+        <translation>B の値</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <comment>difference of two values</comment>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>B − A: %1, 1/(B − A): %2</source>
+        <translation>B − A: %1、1/(B − A): %2</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>信号を検索</translation>
+    </message>
+    <message>
+        <source>Signals of all sources</source>
+        <translation>すべてのソースの信号</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Newest value</source>
+        <translation>最新の値</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>signal, unit</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::site_view::SiteBar</name>
+    <message>
+        <source>%1 does not answer (%2 s)</source>
+        <translation>%1 が応答しません（%2 秒）</translation>
+    </message>
+    <message>
+        <source>%1: STOP is held by %2</source>
+        <translation>%1：STOP は %2 が保持</translation>
+    </message>
+    <message>
+        <source>%1: %2 offers you control</source>
+        <translation>%1：%2 が操作権を渡そうとしています</translation>
+    </message>
+    <message>
+        <source>%1: handing control to %2</source>
+        <translation>%1：操作権を %2 に渡しています</translation>
+    </message>
+    <message>
+        <source>%1: an arm has a fault</source>
+        <translation>%1：アームに異常</translation>
+    </message>
+    <message>
+        <source>%1: you are moving it</source>
+        <translation>%1：操作中</translation>
+    </message>
+    <message>
+        <source>%1: you control</source>
+        <translation>%1：あなたに操作権</translation>
+    </message>
+    <message>
+        <source>%1: %2 controls</source>
+        <translation>%1：%2 が操作</translation>
+    </message>
+    <message>
+        <source>%1: viewing</source>
+        <translation>%1：閲覧中</translation>
+    </message>
+    <message>
+        <source>%1: nobody controls</source>
+        <translation>%1：操作者なし</translation>
+    </message>
+    <message>
+        <source>loop %1 ms</source>
+        <translation>往復 %1 ms</translation>
+    </message>
+    <message>
+        <source>clock ±%1 ms</source>
+        <translation>時計 ±%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 refused: %2</source>
+        <translation>拒否 %1 件：%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n state(s) of the site were lost on the way</source>
+        <translation>
+            <numerusform>サイトの状態が途中で %n 件失われました</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Control lease: how long control stays here without an answer</source>
+        <translation>操作権の期限：応答なしで操作権が残る時間</translation>
+    </message>
+    <message>
+        <source>Request control</source>
+        <translation>操作権を要求</translation>
+    </message>
+    <message>
+        <source>Accept control</source>
+        <translation>操作権を受け取る</translation>
+    </message>
+    <message>
+        <source>Agree</source>
+        <translation>同意</translation>
+    </message>
+    <message>
+        <source>Decline</source>
+        <translation>断る</translation>
+    </message>
+    <message>
+        <source>Keep control</source>
+        <translation>操作権を保つ</translation>
+    </message>
+    <message>
+        <source>Take over…</source>
+        <translation>引き継ぐ…</translation>
+    </message>
+    <message>
+        <source>For supervisors: the other console has 5 s to decline</source>
+        <translation>監督者用：相手のコンソールは 5 秒以内に断れます</translation>
+    </message>
+    <message>
+        <source>Clear the fault</source>
+        <translation>異常を解除</translation>
+    </message>
+    <message>
+        <source>Hand over</source>
+        <translation>渡す</translation>
+    </message>
+    <message>
+        <source>Withdraw STOP</source>
+        <translation>STOP を解除</translation>
+    </message>
+    <message>
+        <source>For supervisors, once the console that engaged STOP is gone</source>
+        <translation>監督者用：STOP を作動させたコンソールがなくなったとき</translation>
+    </message>
+    <message>
+        <source>Release control</source>
+        <translation>操作権を手放す</translation>
     </message>
 </context>
 <context>

@@ -406,14 +406,6 @@
         <translation>移动的质量为 %1 kg。</translation>
     </message>
     <message>
-        <source>Move a joint of an arm over ROS 2 for a short time</source>
-        <translation>通过 ROS 2 短时移动机械臂的一个关节</translation>
-    </message>
-    <message>
-        <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
-        <translation>描述机械臂的文件 (kind = &quot;ros_arm&quot;)</translation>
-    </message>
-    <message>
         <source>Joint to move, as the URDF names it</source>
         <translation>要移动的关节，采用 URDF 中的名称</translation>
     </message>
@@ -432,6 +424,18 @@
     <message>
         <source>Show the description of a robot arm (URDF), or jog an arm over ROS 2</source>
         <translation>机械臂：描述 (URDF)，以及通过 ROS 2 移动关节</translation>
+    </message>
+    <message>
+        <source>Move a joint of an arm for a short time</source>
+        <translation>让机械臂的一个关节短时间运动</translation>
+    </message>
+    <message>
+        <source>File that describes the arm (kind = &quot;ros_arm&quot;), or with which its site is reached (kind = &quot;remote_site&quot;)</source>
+        <translation>描述机械臂的文件（kind = &quot;ros_arm&quot;），或用于连接其站点的文件（kind = &quot;remote_site&quot;）</translation>
+    </message>
+    <message>
+        <source>Which arm of a site; default: its only one</source>
+        <translation>站点的哪个机械臂；默认：唯一的一个</translation>
     </message>
 </context>
 <context>
@@ -1670,6 +1674,33 @@
     </message>
 </context>
 <context>
+    <name>CliSiteText</name>
+    <message>
+        <source>no site was found in domain %1</source>
+        <translation>在域 %1 中未找到站点</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Dropped here</source>
+        <translation>在此丢失</translation>
+    </message>
+</context>
+<context>
     <name>ComparisonContent</name>
     <message>
         <source>Effect</source>
@@ -2387,6 +2418,10 @@
         <translation>地址</translation>
     </message>
     <message>
+        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
+        <translation>打开通过 ROS 2 的机械臂，由文件（TOML）描述（可重复）。</translation>
+    </message>
+    <message>
         <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
 
 Examples:
@@ -2395,6 +2430,7 @@ Examples:
   teleta-console session.teleta
   teleta-console --camera 0 --camera-model camera.json
   teleta-console --arm arm.toml
+  teleta-console --site lab.toml
   teleta-console --sources both-arrays.toml --theme dark</source>
         <translation>显示远程机械臂所触碰的内容：位置、力度、刚度、形状。
 
@@ -2404,15 +2440,16 @@ Examples:
   teleta-console session.teleta
   teleta-console --camera 0 --camera-model camera.json
   teleta-console --arm arm.toml
+  teleta-console --site lab.toml
   teleta-console --sources both-arrays.toml --theme dark</translation>
     </message>
     <message>
-        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
-        <translation>打开通过 ROS 2 的机械臂，由文件（TOML）描述（可重复）。</translation>
+        <source>Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms, sites and source lists (.toml) to open.</source>
+        <translation>要打开的记录（.teleta、.csv、.mcap、.npz、.npy、.h5、.mat）、场景、机械臂、站点和源列表（.toml）。</translation>
     </message>
     <message>
-        <source>Recordings (.teleta, .csv, .mcap, .npz, .npy, .h5, .mat), scenes, arms and source lists (.toml) to open.</source>
-        <translation>要打开的记录（.teleta、.csv、.mcap、.npz、.npy、.h5、.mat）、场景、机械臂和信号源列表（.toml）。</translation>
+        <source>Connect to a site where teleta-site runs, by its file (TOML; repeatable).</source>
+        <translation>按文件连接运行 teleta-site 的站点（TOML；可重复）。</translation>
     </message>
 </context>
 <context>
@@ -2890,6 +2927,14 @@ Examples:
         <source>topic %1 cannot be written</source>
         <translation>无法写入话题 %1</translation>
     </message>
+    <message>
+        <source>the permissions do not allow reading topic %1</source>
+        <translation>权限不允许读取话题 %1</translation>
+    </message>
+    <message>
+        <source>the permissions do not allow writing topic %1</source>
+        <translation>权限不允许写入话题 %1</translation>
+    </message>
 </context>
 <context>
     <name>DdsParticipant</name>
@@ -2912,6 +2957,77 @@ Examples:
     <message>
         <source>domain %1 of DDS cannot be joined</source>
         <translation>无法加入 DDS 域 %1</translation>
+    </message>
+    <message>
+        <source>this program has joined domain %1 with keys already</source>
+        <translation>此程序已使用密钥加入域 %1</translation>
+    </message>
+    <message>
+        <source>once: the permissions of the first would apply to all</source>
+        <translation>仅一次：否则第一次的权限会适用于全部</translation>
+    </message>
+    <message>
+        <source>this program joined domain %1 with other permissions before</source>
+        <translation>此程序之前以其他权限加入过域 %1</translation>
+    </message>
+    <message>
+        <source>the same ones until the program is started again</source>
+        <translation>在程序重新启动之前使用相同的权限</translation>
+    </message>
+    <message>
+        <source>domain %1 of DDS cannot be joined with the keys in %2: %3</source>
+        <translation>无法用 %2 中的密钥加入 DDS 域 %1：%3</translation>
+    </message>
+    <message>
+        <source>a program is kept out of domain %1: %2</source>
+        <translation>有程序被拒于域 %1 之外：%2</translation>
+    </message>
+</context>
+<context>
+    <name>DdsSecurity</name>
+    <message>
+        <source>the certificate has expired</source>
+        <translation>证书已过期</translation>
+    </message>
+    <message>
+        <source>the certificate is not valid yet</source>
+        <translation>证书尚未生效</translation>
+    </message>
+    <message>
+        <source>the certificate is not signed by identity_ca.pem</source>
+        <translation>证书不是由 identity_ca.pem 签名的</translation>
+    </message>
+    <message>
+        <source>the key does not belong to the certificate</source>
+        <translation>密钥与证书不匹配</translation>
+    </message>
+    <message>
+        <source>the permissions are not signed by permissions_ca.pem</source>
+        <translation>权限不是由 permissions_ca.pem 签名的</translation>
+    </message>
+    <message>
+        <source>the permissions do not name the subject of the certificate</source>
+        <translation>权限中没有证书的主体</translation>
+    </message>
+    <message>
+        <source>the permissions have expired</source>
+        <translation>权限已过期</translation>
+    </message>
+    <message>
+        <source>the permissions are not valid yet</source>
+        <translation>权限尚未生效</translation>
+    </message>
+    <message>
+        <source>the permissions (permissions.p7s) do not allow this domain</source>
+        <translation>权限（permissions.p7s）不允许此域</translation>
+    </message>
+    <message>
+        <source>the governance (governance.p7s) does not name this domain</source>
+        <translation>治理文件（governance.p7s）中没有此域</translation>
+    </message>
+    <message>
+        <source>the plugins of DDS Security cannot be loaded</source>
+        <translation>无法加载 DDS Security 的插件</translation>
     </message>
 </context>
 <context>
@@ -3963,10 +4079,6 @@ Examples:
         <translation>数组中表示帧序号的维</translation>
     </message>
     <message>
-        <source>Frames of the unloaded array, whose mean is subtracted; or of the recording itself the median of each taxel, or the mean of the first half second</source>
-        <translation>空载阵列的帧，将减去其均值；或取自记录本身：每个触元的中位数，或前半秒的均值</translation>
-    </message>
-    <message>
         <source>Name or number of the column of the times in a table of another program</source>
         <translation>其他程序的表格中时间列的名称或编号</translation>
     </message>
@@ -3981,6 +4093,18 @@ Examples:
     <message>
         <source>The values are in %1, not in N: give the N of one unit with --gain.</source>
         <translation>数值的单位是 %1，不是 N：请用 --gain 给出每单位的 N 数。</translation>
+    </message>
+    <message>
+        <source>Frames of the unloaded array, whose mean is subtracted; or of the recording itself the median of each taxel, the mean of the first half second, or its value while it is untouched, in at least one frame in ten</source>
+        <translation>空载阵列的帧（减去其均值）；或取自记录本身：每个触元的中位数、最初半秒的均值，或其未被触碰时（至少十帧中有一帧）的值</translation>
+    </message>
+    <message>
+        <source>Add the place of deepest pressure, finer than the taxels, also on a strip</source>
+        <translation>添加压力最大的位置，精度高于触元，条形传感器也可用</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a taxel&apos;s load at rest in N, for the standard errors of the summit</source>
+        <translation>触元静止时载荷的标准差（N），用于峰值位置的标准误差</translation>
     </message>
 </context>
 <context>
@@ -4505,6 +4629,21 @@ Examples:
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
         <translation>已中断；输出截至中断前已计算的内容</translation>
+    </message>
+</context>
+<context>
+    <name>JogTargetText</name>
+    <message>
+        <source>%1 has no arm, or several</source>
+        <translation>%1 没有机械臂，或有多个</translation>
+    </message>
+    <message>
+        <source>%1 has no arm &quot;%2&quot;</source>
+        <translation>%1 没有机械臂“%2”</translation>
+    </message>
+    <message>
+        <source>--arm with one of %1</source>
+        <translation>--arm 取 %1 之一</translation>
     </message>
 </context>
 <context>
@@ -5586,6 +5725,17 @@ Examples:
     <message>
         <source>a whole npz file that is not encrypted</source>
         <translation>未加密的完整 npz 文件</translation>
+    </message>
+</context>
+<context>
+    <name>OperatorDomainText</name>
+    <message>
+        <source>without certificates anybody on this network could move the arm</source>
+        <translation>没有证书，此网络上的任何人都能移动机械臂</translation>
+    </message>
+    <message>
+        <source>security = &quot;certificates&quot;, or interface = &quot;lo&quot;</source>
+        <translation>security = &quot;certificates&quot;，或 interface = &quot;lo&quot;</translation>
     </message>
 </context>
 <context>
@@ -6895,6 +7045,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RecordedSignalsText</name>
+    <message>
+        <source>The recording has no &quot;%1&quot;.</source>
+        <translation>记录中没有“%1”。</translation>
+    </message>
+    <message>
+        <source>The reading was stopped.</source>
+        <translation>读取已停止。</translation>
+    </message>
+</context>
+<context>
     <name>RecordedStreamText</name>
     <message>
         <source>the stream &quot;%1&quot; is not described: %2</source>
@@ -6907,6 +7068,10 @@ Run %2 --help for more.
     <message>
         <source>it is not an arm</source>
         <translation>它不是机械臂</translation>
+    </message>
+    <message>
+        <source>its links have another number of joints</source>
+        <translation>其连杆的关节数不同</translation>
     </message>
 </context>
 <context>
@@ -7157,6 +7322,28 @@ Run %2 --help for more.
     <message>
         <source>no line to the driver can be opened: %1</source>
         <translation>无法打开到驱动器的线路：%1</translation>
+    </message>
+</context>
+<context>
+    <name>RemoteDeviceText</name>
+    <message>
+        <source>%1 sends nothing of this device</source>
+        <translation>%1 没有发送此设备的数据</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 没有应答</translation>
+    </message>
+</context>
+<context>
+    <name>RemoteSiteFileText</name>
+    <message>
+        <source>&quot;%1&quot; cannot be a name</source>
+        <translation>“%1”不能作为名称</translation>
+    </message>
+    <message>
+        <source>a small letter, then at most 30 small letters, digits and _</source>
+        <translation>一个小写字母，其后最多 30 个小写字母、数字和 _</translation>
     </message>
 </context>
 <context>
@@ -7561,6 +7748,17 @@ Run %2 --help for more.
     <message>
         <source>arrows enlarged %1 times</source>
         <translation>箭头放大 %1 倍</translation>
+    </message>
+</context>
+<context>
+    <name>RestText</name>
+    <message>
+        <source>The frames do not show the value of taxel %1 without load: it is touched in nearly all of them, or nothing touches the array</source>
+        <translation>这些帧没有显示触元 %1 的空载值：它几乎在所有帧中都被触碰，或阵列未被触碰</translation>
+    </message>
+    <message>
+        <source>frames of the unloaded array, their median, or a dead taxel</source>
+        <translation>空载阵列的帧、其中位数，或标为失效触元</translation>
     </message>
 </context>
 <context>
@@ -8188,6 +8386,25 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RunningSiteText</name>
+    <message>
+        <source>nothing was read yet</source>
+        <translation>尚未读到任何数据</translation>
+    </message>
+    <message>
+        <source>it sends nothing any more</source>
+        <translation>已不再发送数据</translation>
+    </message>
+    <message>
+        <source>it is not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+</context>
+<context>
     <name>Scene</name>
     <message>
         <source>the scene is not that of a tactile array</source>
@@ -8753,7 +8970,54 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>SiteCommand</name>
+    <name>SiteClientText</name>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>%1 speaks version %2 of the protocol of sites, this program version %3</source>
+        <translation>%1 使用站点协议版本 %2，此程序使用版本 %3</translation>
+    </message>
+    <message>
+        <source>the site %1 was not found in domain %2 within %3 s</source>
+        <translation>在域 %2 中 %3 秒内未找到站点 %1</translation>
+    </message>
+    <message>
+        <source>teleta-site running there, and its address under peers</source>
+        <translation>那里正在运行 teleta-site，且其地址列在 peers 中</translation>
+    </message>
+    <message>
+        <source>the site does not answer</source>
+        <translation>站点没有应答</translation>
+    </message>
+    <message>
+        <source>STOP is held by %1</source>
+        <translation>STOP 由 %1 保持</translation>
+    </message>
+    <message>
+        <source>nobody controls the site; request control first</source>
+        <translation>没有人控制该站点；请先请求控制权</translation>
+    </message>
+    <message>
+        <source>%1 controls the site</source>
+        <translation>%1 正在控制该站点</translation>
+    </message>
+    <message>
+        <source>control is being handed to %1</source>
+        <translation>控制权正在移交给 %1</translation>
+    </message>
+    <message>
+        <source>the site has no such arm any more</source>
+        <translation>站点已没有这个机械臂</translation>
+    </message>
+    <message>
+        <source>an arm had a fault; clear it first</source>
+        <translation>某个机械臂发生过故障；请先清除</translation>
+    </message>
+</context>
+<context>
+    <name>SiteCommandText</name>
     <message>
         <source>Check the certificates and permissions of a site, or print the commands that create them</source>
         <translation>检查站点的证书和权限，或给出生成它们的命令</translation>
@@ -8775,6 +9039,34 @@ Run %2 --help for more.
         <translation>只能查看的控制台</translation>
     </message>
     <message>
+        <source>List the sites that are there and who controls them</source>
+        <translation>列出现有站点及其控制者</translation>
+    </message>
+    <message>
+        <source>Print each change of a site&apos;s state</source>
+        <translation>显示站点状态的每次变化</translation>
+    </message>
+    <message>
+        <source>Print the offset of a site&apos;s clock, and its bound</source>
+        <translation>显示站点时钟的偏差及其界限</translation>
+    </message>
+    <message>
+        <source>Record all that a site sends, without a screen</source>
+        <translation>无屏幕记录站点发送的全部数据</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>记录的文件</translation>
+    </message>
+    <message>
+        <source>File with which the site is reached (kind = &quot;remote_site&quot;)</source>
+        <translation>用于连接站点的文件（kind = &quot;remote_site&quot;）</translation>
+    </message>
+    <message>
+        <source>End after that time; default: Ctrl-C</source>
+        <translation>在此时间后结束；默认：Ctrl-C</translation>
+    </message>
+    <message>
         <source>These keys are not safe to use.</source>
         <translation>这些密钥不能安全使用。</translation>
     </message>
@@ -8791,8 +9083,43 @@ Run %2 --help for more.
         <translation>警告：%1</translation>
     </message>
     <message>
-        <source>Keys of a remote site</source>
-        <translation>站点的密钥，用于机器人位于异地的情况</translation>
+        <source>Sites at which robots are, and their keys</source>
+        <translation>机器人所在的站点及其密钥</translation>
+    </message>
+</context>
+<context>
+    <name>SiteFileText</name>
+    <message>
+        <source>the device needs an id</source>
+        <translation>设备需要 id</translation>
+    </message>
+    <message>
+        <source>id = &quot;a small letter, then small letters, digits and _&quot;</source>
+        <translation>id = &quot;以小写字母开头，其后为小写字母、数字和 _&quot;</translation>
+    </message>
+    <message>
+        <source>a site does not send this kind of device</source>
+        <translation>站点不发送这类设备</translation>
+    </message>
+    <message>
+        <source>file, wts or scene</source>
+        <translation>file、wts 或 scene</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name of a console</source>
+        <translation>“%1”不是控制台名称</translation>
+    </message>
+    <message>
+        <source>a small letter, then at most 30 small letters, digits and _</source>
+        <translation>一个小写字母，其后最多 30 个小写字母、数字和 _</translation>
+    </message>
+    <message>
+        <source>two devices are called &quot;%1&quot;</source>
+        <translation>有两个设备名为“%1”</translation>
+    </message>
+    <message>
+        <source>a unique id for each device</source>
+        <translation>每个设备唯一的 id</translation>
     </message>
 </context>
 <context>
@@ -8959,6 +9286,73 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>SiteProgramText</name>
+    <message numerus="yes">
+        <source>All %n device(s) are ready.</source>
+        <translation>
+            <numerusform>全部 %n 个设备已就绪。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is ready in domain %2 on %3</source>
+        <translation>%1 已在域 %2（%3）就绪</translation>
+    </message>
+    <message>
+        <source>the site ends; the arms are held</source>
+        <translation>站点结束；机械臂保持不动</translation>
+    </message>
+    <message>
+        <source>Runs at the robot: sends what its arms and tactile arrays feel to the consoles, and decides which console moves them.</source>
+        <translation>在机器人处运行：把机械臂和触觉阵列感知到的内容发送给控制台，并决定由哪个控制台移动它们。</translation>
+    </message>
+    <message>
+        <source>Print this help</source>
+        <translation>显示此帮助</translation>
+    </message>
+    <message>
+        <source>File of the site (kind = &quot;site&quot;)</source>
+        <translation>站点的文件（kind = &quot;site&quot;）</translation>
+    </message>
+    <message>
+        <source>Open everything, move nothing, and say what is missing</source>
+        <translation>打开全部设备，不移动任何东西，并说明缺少什么</translation>
+    </message>
+    <message>
+        <source>Print the log, or what is missing, as JSON on standard output</source>
+        <translation>以 JSON 在标准输出显示日志或缺少的内容</translation>
+    </message>
+    <message>
+        <source>Folder for recordings (record = true); default: the current one</source>
+        <translation>记录的文件夹（record = true）；默认：当前文件夹</translation>
+    </message>
+    <message>
+        <source>Print the version</source>
+        <translation>显示版本</translation>
+    </message>
+    <message>
+        <source>teleta-site: %1
+Run teleta-site --help for more.
+</source>
+        <translation>teleta-site: %1
+运行 teleta-site --help 了解更多。
+</translation>
+    </message>
+</context>
+<context>
+    <name>SiteRequestText</name>
+    <message>
+        <source>the site %1 has no device to show</source>
+        <translation>站点 %1 没有可显示的设备</translation>
+    </message>
+</context>
+<context>
+    <name>SiteStreamText</name>
+    <message>
+        <source>this kind of stream is not known</source>
+        <translation>未知的流类型</translation>
+    </message>
+</context>
+<context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
@@ -9051,6 +9445,17 @@ Run %2 --help for more.
     <message>
         <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
         <translation>以逗号分隔，数字用小数点：研究的 data/ 中的试次，或以逗号保存为 CSV 的文件</translation>
+    </message>
+</context>
+<context>
+    <name>SpectrumText</name>
+    <message>
+        <source>The signal has no rate: its samples come when they please.</source>
+        <translation>该信号没有采样率：其样本不定时到来。</translation>
+    </message>
+    <message>
+        <source>There are only %1 samples in a row in view; a spectrum needs %2.</source>
+        <translation>可见的连续样本只有 %1 个；频谱需要 %2 个。</translation>
     </message>
 </context>
 <context>
@@ -12944,6 +13349,13 @@ Run %2 --help for more.
     <message>
         <source>a serial port such as /dev/ttyUSB0, or HOST:PORT for OSC</source>
         <translation>串口，例如 /dev/ttyUSB0，或用于 OSC 的 HOST:PORT</translation>
+    </message>
+</context>
+<context>
+    <name>UnitAxesText</name>
+    <message>
+        <source>value</source>
+        <translation>值</translation>
     </message>
 </context>
 <context>
@@ -16973,6 +17385,38 @@ Run %2 --help for more.
         <source>Recordings (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</source>
         <translation>记录 (*.teleta *.csv *.mcap *.npz *.npy *.h5 *.hdf5 *.mat *.asf)</translation>
     </message>
+    <message>
+        <source>Plot</source>
+        <translation>绘图</translation>
+    </message>
+    <message>
+        <source>Any signal over time: live ones and those of recordings, with cursors and spectra</source>
+        <translation>任何信号随时间的变化：实时信号与记录中的信号，带光标和频谱</translation>
+    </message>
+    <message>
+        <source>Connect to a site</source>
+        <translation>连接到站点</translation>
+    </message>
+    <message>
+        <source>Sites (*.toml)</source>
+        <translation>站点 (*.toml)</translation>
+    </message>
+    <message>
+        <source>&amp;Connect to a site…</source>
+        <translation>连接到站点(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Arms and arrays at another place, where teleta-site runs</source>
+        <translation>另一地点（运行 teleta-site）的机械臂和阵列</translation>
+    </message>
+    <message>
+        <source>Re&amp;quest control of the site</source>
+        <translation>请求站点的控制权(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Rele&amp;ase control of the site</source>
+        <translation>释放站点的控制权(&amp;A)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -17540,6 +17984,192 @@ Run %2 --help for more.
     <message>
         <source>AHAP (*.ahap *.ahap.zip)</source>
         <translation>AHAP (*.ahap *.ahap.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotLayoutsMenu</name>
+    <message>
+        <source>&amp;Save layout as…</source>
+        <translation>布局另存为(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>删除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>保存布局</translation>
+    </message>
+    <message>
+        <source>Name (a layout of the same name is replaced):</source>
+        <translation>名称（同名的布局将被替换）：</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotPage</name>
+    <message>
+        <source>%1 could not be read.</source>
+        <comment>a recording</comment>
+        <translation>无法读取 %1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is damaged: %n part(s) could not be read and are gaps.</source>
+        <translation>
+            <numerusform>%1 已损坏：%n 个部分无法读取，成为空缺。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The layout %1 cannot be restored.</source>
+        <translation>无法恢复布局 %1。</translation>
+    </message>
+    <message>
+        <source>It was saved by another version of the program.</source>
+        <translation>它由另一版本的程序保存。</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>保存数据(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Add a recording…</source>
+        <translation>添加记录(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Plot a recording as a whole, without playing it</source>
+        <translation>绘制整个记录，而不回放它</translation>
+    </message>
+    <message>
+        <source>Reading: %p %</source>
+        <translation>正在读取：%p %</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>跟随</translation>
+    </message>
+    <message>
+        <source>The newest sample stays at the right end (Space, End)</source>
+        <translation>最新的样本保持在右端（空格键、End）</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>All samples, and axes that follow the values (Home, double click)</source>
+        <translation>所有样本，坐标轴跟随数值（Home、双击）</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>光标</translation>
+    </message>
+    <message>
+        <source>Two lines to measure between (C); Left and Right move A, with Ctrl B</source>
+        <translation>用于测量的两条线（C）；左右键移动 A，加 Ctrl 移动 B</translation>
+    </message>
+    <message>
+        <source>Power density</source>
+        <translation>功率密度</translation>
+    </message>
+    <message>
+        <source>Spectra show the density of power instead of the amplitude</source>
+        <translation>频谱显示功率密度而不是幅值</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>布局</translation>
+    </message>
+    <message>
+        <source>Save what is plotted under a name, and choose it again</source>
+        <translation>以一个名称保存所绘制的内容，并可再次选择</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>The picture, or the samples in view as CSV</source>
+        <translation>图，或可见样本的 CSV</translation>
+    </message>
+    <message>
+        <source>Undo remove</source>
+        <translation>撤销移除</translation>
+    </message>
+    <message>
+        <source>Nothing is plotted yet</source>
+        <translation>尚未绘制任何内容</translation>
+    </message>
+    <message>
+        <source>Drag a signal from the list onto this place, or choose it there and press Enter.</source>
+        <translation>把信号从列表拖到这里，或在列表中选中它并按 Enter。</translation>
+    </message>
+    <message>
+        <source>Open a demo</source>
+        <translation>打开演示</translation>
+    </message>
+    <message>
+        <source>A simulated arm that touches things</source>
+        <translation>触碰物体的仿真机械臂</translation>
+    </message>
+    <message>
+        <source>Add a recording…</source>
+        <translation>添加记录…</translation>
+    </message>
+    <message>
+        <source>%1 old samples dropped</source>
+        <translation>已丢弃 %1 个旧样本</translation>
+    </message>
+    <message>
+        <source>%1 frames lost</source>
+        <translation>丢失 %1 帧</translation>
+    </message>
+    <message>
+        <source>Add a recording</source>
+        <translation>添加记录</translation>
+    </message>
+    <message>
+        <source>Recordings (*.teleta)</source>
+        <translation>记录 (*.teleta)</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>保存数据</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>逗号分隔值 (*.csv)</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>plot</translation>
+    </message>
+    <message>
+        <source>The data were saved.</source>
+        <translation>数据已保存。</translation>
+    </message>
+    <message>
+        <source>The data could not be saved.</source>
+        <translation>无法保存数据。</translation>
+    </message>
+    <message>
+        <source>Choose another folder or file name.</source>
+        <translation>请选择其他文件夹或文件名。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::PlotSignals</name>
+    <message>
+        <source>d/dt %1</source>
+        <comment>derivative of a signal</comment>
+        <translation>d/dt %1</translation>
+    </message>
+    <message>
+        <source>its source is not open</source>
+        <translation>其数据源未打开</translation>
+    </message>
+    <message>
+        <source>is being read</source>
+        <translation>正在读取</translation>
     </message>
 </context>
 <context>
@@ -18466,6 +19096,120 @@ Run %2 --help for more.
     <message>
         <source>Choose a folder by its full path.</source>
         <translation>请选择文件夹，使用完整路径。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SignalSources</name>
+    <message>
+        <source>whole recording</source>
+        <translation>整个记录</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SiteViews</name>
+    <message>
+        <source>%1 was started anew.</source>
+        <translation>%1 已重新启动。</translation>
+    </message>
+    <message>
+        <source>Request control again.</source>
+        <translation>请重新请求控制权。</translation>
+    </message>
+    <message>
+        <source>Control was handed to you by %1.</source>
+        <translation>%1 已将控制权移交给您。</translation>
+    </message>
+    <message>
+        <source>Let go of the switch and press it again.</source>
+        <translation>松开开关，再重新按下。</translation>
+    </message>
+    <message>
+        <source>You no longer control %1.</source>
+        <translation>您不再控制 %1。</translation>
+    </message>
+    <message>
+        <source>%1 controls %2 now.</source>
+        <translation>现在由 %1 控制 %2。</translation>
+    </message>
+    <message>
+        <source>STOP is held by %1.</source>
+        <translation>STOP 由 %1 保持。</translation>
+    </message>
+    <message>
+        <source>It can be withdrawn there, or by a supervisor.</source>
+        <translation>可在那里或由监督者解除。</translation>
+    </message>
+    <message>
+        <source>%1 does not answer; its arms are held.</source>
+        <translation>%1 没有应答；其机械臂保持不动。</translation>
+    </message>
+    <message>
+        <source>The site holds its arms by itself when no command comes.</source>
+        <translation>没有指令到来时，站点会自行保持机械臂不动。</translation>
+    </message>
+    <message>
+        <source>Refused: another console is in control, or the cause is still there.</source>
+        <translation>被拒绝：另一控制台正在控制，或原因仍然存在。</translation>
+    </message>
+    <message>
+        <source>Refused: this console may not do that.</source>
+        <translation>被拒绝：此控制台无权这样做。</translation>
+    </message>
+    <message>
+        <source>Refused: there is no such console.</source>
+        <translation>被拒绝：没有这个控制台。</translation>
+    </message>
+    <message>
+        <source>Refused: this console is not in control.</source>
+        <translation>被拒绝：此控制台没有控制权。</translation>
+    </message>
+    <message>
+        <source>Refused: STOP is engaged.</source>
+        <translation>被拒绝：STOP 已启动。</translation>
+    </message>
+    <message>
+        <source>Nobody answered in time, or it was declined.</source>
+        <translation>无人及时应答，或已被拒绝。</translation>
+    </message>
+    <message>
+        <source>not in control</source>
+        <translation>没有控制权</translation>
+    </message>
+    <message>
+        <source>control has changed since</source>
+        <translation>控制权此后已变更</translation>
+    </message>
+    <message>
+        <source>STOP is engaged</source>
+        <translation>STOP 已启动</translation>
+    </message>
+    <message>
+        <source>the switch must be let go and pressed again</source>
+        <translation>必须松开开关再重新按下</translation>
+    </message>
+    <message>
+        <source>it was overtaken</source>
+        <translation>已被后来的指令超过</translation>
+    </message>
+    <message>
+        <source>the loop takes too long</source>
+        <translation>回路时间过长</translation>
+    </message>
+    <message>
+        <source>the arm is not known</source>
+        <translation>未知的机械臂</translation>
+    </message>
+    <message>
+        <source>it was no number</source>
+        <translation>不是数值</translation>
+    </message>
+    <message>
+        <source>the arm is not live</source>
+        <translation>机械臂未处于活动状态</translation>
+    </message>
+    <message>
+        <source>another program has this console&apos;s name</source>
+        <translation>另一程序使用了此控制台的名称</translation>
     </message>
 </context>
 <context>
@@ -19886,6 +20630,227 @@ Run %2 --help for more.
     <message>
         <source>No runs yet. Servo runs are drawn here on top of each other.</source>
         <translation>尚无运行。伺服运行将叠加绘制于此。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalPlot</name>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>频率 (Hz)</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>power density ((%1)²/Hz)</source>
+        <translation>功率密度 ((%1)²/Hz)</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>幅值</translation>
+    </message>
+    <message>
+        <source>amplitude (%1)</source>
+        <translation>幅值 (%1)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>时间 (s)</translation>
+    </message>
+    <message>
+        <source>Signals over time</source>
+        <translation>信号随时间的变化</translation>
+    </message>
+    <message>
+        <source>plot</source>
+        <comment>name of a file</comment>
+        <translation>plot</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTable</name>
+    <message>
+        <source>Plotted signals with their values</source>
+        <translation>绘制的信号及其数值</translation>
+    </message>
+    <message>
+        <source>Add its &amp;derivative</source>
+        <translation>添加其导数(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show its &amp;spectrum</source>
+        <translation>显示其频谱(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Plotted signal</source>
+        <translation>绘制的信号</translation>
+    </message>
+    <message>
+        <source>at A</source>
+        <translation>A 处</translation>
+    </message>
+    <message>
+        <source>Newest</source>
+        <translation>最新</translation>
+    </message>
+    <message>
+        <source>at B</source>
+        <translation>B 处</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <comment>difference of two values</comment>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>B − A: %1, 1/(B − A): %2</source>
+        <translation>B − A：%1，1/(B − A)：%2</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::signal::SignalTree</name>
+    <message>
+        <source>Search signals</source>
+        <translation>查找信号</translation>
+    </message>
+    <message>
+        <source>Signals of all sources</source>
+        <translation>所有数据源的信号</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Newest value</source>
+        <translation>最新值</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>signal, unit</comment>
+        <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::site_view::SiteBar</name>
+    <message>
+        <source>%1 does not answer (%2 s)</source>
+        <translation>%1 没有应答（%2 秒）</translation>
+    </message>
+    <message>
+        <source>%1: STOP is held by %2</source>
+        <translation>%1：STOP 由 %2 保持</translation>
+    </message>
+    <message>
+        <source>%1: %2 offers you control</source>
+        <translation>%1：%2 要把控制权交给您</translation>
+    </message>
+    <message>
+        <source>%1: handing control to %2</source>
+        <translation>%1：正在把控制权交给 %2</translation>
+    </message>
+    <message>
+        <source>%1: an arm has a fault</source>
+        <translation>%1：机械臂故障</translation>
+    </message>
+    <message>
+        <source>%1: you are moving it</source>
+        <translation>%1：您正在移动它</translation>
+    </message>
+    <message>
+        <source>%1: you control</source>
+        <translation>%1：您在控制</translation>
+    </message>
+    <message>
+        <source>%1: %2 controls</source>
+        <translation>%1：%2 在控制</translation>
+    </message>
+    <message>
+        <source>%1: viewing</source>
+        <translation>%1：查看中</translation>
+    </message>
+    <message>
+        <source>%1: nobody controls</source>
+        <translation>%1：无人控制</translation>
+    </message>
+    <message>
+        <source>loop %1 ms</source>
+        <translation>回路 %1 ms</translation>
+    </message>
+    <message>
+        <source>clock ±%1 ms</source>
+        <translation>时钟 ±%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 refused: %2</source>
+        <translation>%1 条被拒绝：%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n state(s) of the site were lost on the way</source>
+        <translation>
+            <numerusform>途中丢失了 %n 个站点状态</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Control lease: how long control stays here without an answer</source>
+        <translation>控制租期：无应答时控制权保留的时间</translation>
+    </message>
+    <message>
+        <source>Request control</source>
+        <translation>请求控制权</translation>
+    </message>
+    <message>
+        <source>Accept control</source>
+        <translation>接受控制权</translation>
+    </message>
+    <message>
+        <source>Agree</source>
+        <translation>同意</translation>
+    </message>
+    <message>
+        <source>Decline</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>Keep control</source>
+        <translation>保留控制权</translation>
+    </message>
+    <message>
+        <source>Take over…</source>
+        <translation>接管…</translation>
+    </message>
+    <message>
+        <source>For supervisors: the other console has 5 s to decline</source>
+        <translation>供监督者使用：对方控制台有 5 秒时间拒绝</translation>
+    </message>
+    <message>
+        <source>Clear the fault</source>
+        <translation>清除故障</translation>
+    </message>
+    <message>
+        <source>Hand over</source>
+        <translation>移交</translation>
+    </message>
+    <message>
+        <source>Withdraw STOP</source>
+        <translation>解除 STOP</translation>
+    </message>
+    <message>
+        <source>For supervisors, once the console that engaged STOP is gone</source>
+        <translation>供监督者使用：启动 STOP 的控制台已消失时</translation>
+    </message>
+    <message>
+        <source>Release control</source>
+        <translation>释放控制权</translation>
     </message>
 </context>
 <context>

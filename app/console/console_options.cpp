@@ -289,8 +289,8 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
 } // namespace
 
 QStringList pageNames() {
-    return {QStringLiteral("operate"), QStringLiteral("patterns"), QStringLiteral("study"),
-            QStringLiteral("calibrate"), QStringLiteral("cost")};
+    return {QStringLiteral("operate"),   QStringLiteral("patterns"), QStringLiteral("study"),
+            QStringLiteral("calibrate"), QStringLiteral("cost"),     QStringLiteral("plot")};
 }
 
 ParsedOptions parseOptions(const QStringList& arguments) {

@@ -18,6 +18,7 @@
 #include "app/console/operate/recording_controls.h"
 #include "app/console/patterns/pattern_collection.h"
 #include "app/console/patterns/patterns_page.h"
+#include "app/console/plot/plot_page.h"
 #include "app/console/settings_notice.h"
 #include "app/console/sources/camera_dialog.h"
 #include "app/console/sources/demo_scenes.h"
@@ -103,6 +104,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                               ? QString()
                               : options.dataFolder + QStringLiteral("/cost/tradeoff.csv"),
                           {}, this))
+    , m_plot(new PlotPage(m_sources, settings, this))
     , m_layouts(new LayoutsMenu(m_operate->docks(), settings, this))
     , m_braceletMenu(new BraceletMenu(m_bracelet, settings, this))
     , m_recording(new RecordingControls(m_recorder, m_sources, *m_operate, settings, this))
@@ -205,6 +207,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     });
     connect(m_cost.get(), &CostPage::demoCameraRequested, this,
             [this] { m_opener->openScene(QStringLiteral(":/scenes/vtacarm-multicontact.toml")); });
+    connect(m_plot.get(), &PlotPage::demoRequested, this, &MainWindow::openDemo);
     auto& chooser = m_operate->chooser();
     connect(m_calibrate.get(), &CalibratePage::demoRequested, m_opener, &FileOpener::openScene);
     connect(&chooser, &chrome::SourceChooser::demoRequested, m_opener, &FileOpener::openScene);
@@ -280,6 +283,7 @@ void MainWindow::onTick() {
     m_study->tick();
     m_calibrate->tick();
     m_cost->tick(m_operate->cameraViews().camera());
+    m_plot->tick();
     beginRecording();
     std::vector<chrome::DeviceReading> readings = m_operate->readings();
     if (auto hand = m_hand->reading())
@@ -563,7 +567,10 @@ std::vector<MainWindow::Page> MainWindow::pages() const {
          tr("What has to be measured: the motors of the bracelet, the camera in the tube, the taxels"),
          m_calibrate.get()},
         {QStringLiteral("cost"), base::Icon::cost, tr("Cost"),
-         tr("What accuracy costs in time on this machine, and the rung that the camera uses"), m_cost.get()}};
+         tr("What accuracy costs in time on this machine, and the rung that the camera uses"), m_cost.get()},
+        {QStringLiteral("plot"), base::Icon::plot, tr("Plot"),
+         tr("Any signal over time: live ones and those of recordings, with cursors and spectra"),
+         m_plot.get()}};
 }
 
 void MainWindow::retranslate() {

@@ -42,6 +42,7 @@ class OperatePage;
 class PageStack;
 class PatternCollection;
 class PatternsPage;
+class PlotPage;
 class RecordingControls;
 class RecordingFiles;
 class StudyPage;
@@ -69,6 +70,7 @@ public:
     [[nodiscard]] PatternsPage& patternsPage() { return *m_patterns; }
     [[nodiscard]] StudyPage& studyPage() { return *m_study; }
     [[nodiscard]] CalibratePage& calibratePage() { return *m_calibrate; }
+    [[nodiscard]] PlotPage& plotPage() { return *m_plot; }
     [[nodiscard]] OperatePage& operatePage() { return *m_operate; }
     [[nodiscard]] RecordingControls& recording() { return *m_recording; }
     /// Closes the window without questions, and ends the program. Edits that are not saved are offered again
@@ -146,6 +148,7 @@ private:
     std::unique_ptr<StudyPage> m_study;
     std::unique_ptr<CalibratePage> m_calibrate;
     std::unique_ptr<CostPage> m_cost;
+    std::unique_ptr<PlotPage> m_plot;
     LayoutsMenu* m_layouts;
     BraceletMenu* m_braceletMenu;
     std::unique_ptr<RecordingControls> m_recording;

@@ -21,8 +21,8 @@ namespace teleta::site_program {
 
 namespace {
 
-struct SiteText {
-    Q_DECLARE_TR_FUNCTIONS(RunningSite)
+struct RunningSiteText {
+    Q_DECLARE_TR_FUNCTIONS(RunningSiteText)
 };
 
 using Severity = site_link::SiteNews::Severity;
@@ -53,13 +53,13 @@ QString stateText(core::DeviceState state) {
     case core::DeviceState::live:
         return {};
     case core::DeviceState::connecting:
-        return SiteText::tr("nothing was read yet");
+        return RunningSiteText::tr("nothing was read yet");
     case core::DeviceState::stale:
-        return SiteText::tr("it sends nothing any more");
+        return RunningSiteText::tr("it sends nothing any more");
     default:
         break;
     }
-    return SiteText::tr("it is not connected");
+    return RunningSiteText::tr("it is not connected");
 }
 
 } // namespace
@@ -79,7 +79,7 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
     TELETA_TRY(site->m_streams, site_link::SiteStreams::open(participant, topics, boot));
     std::vector<site_link::SiteArm> arms;
     for (const Device& device : site->m_devices) {
-        device.channel->watch(site->m_streams, device.id);
+        device.channel->watch(pipeline::Watcher::liveView, site->m_streams, device.id);
         if (auto* joints = dynamic_cast<pipeline::JointChannel*>(device.channel.get()))
             arms.push_back(armOf(device.id, *joints));
     }
@@ -107,7 +107,7 @@ RunningSite::~RunningSite() {
     for (const Device& device : m_devices) {
         if (!device.channel)
             continue;
-        device.channel->watch(nullptr, device.id);
+        device.channel->watch(pipeline::Watcher::liveView, nullptr, device.id);
         if (m_recorder)
             device.channel->record(nullptr, device.id);
     }
@@ -123,7 +123,7 @@ core::Expected<void> RunningSite::openDevices(const SiteFile& file, const std::f
     }
     for (std::size_t known = 0; known < keys.size();) {
         if (cancelled())
-            return core::failed(core::ErrorKind::cancelled, SiteText::tr("interrupted"));
+            return core::failed(core::ErrorKind::cancelled, RunningSiteText::tr("interrupted"));
         for (const pipeline::ChannelEvent& event : m_pipeline.takeEvents()) {
             for (std::size_t i = 0; i < keys.size(); ++i) {
                 if (keys[i] != event.key)

@@ -19,8 +19,8 @@ namespace {
 
 using core::TomlTable;
 
-struct FileText {
-    Q_DECLARE_TR_FUNCTIONS(SiteFile)
+struct SiteFileText {
+    Q_DECLARE_TR_FUNCTIONS(SiteFileText)
 };
 
 constexpr std::int64_t kPerMs = 1'000'000;
@@ -36,8 +36,9 @@ std::string readId(TomlTable& table, const std::string& file) {
         return site_link::readSiteName(table, "id");
     std::string name = QFileInfo(QString::fromStdString(file)).completeBaseName().toStdString();
     if (!site_link::isSiteName(name))
-        table.fail("file", FileText::tr("the device needs an id").toStdString(),
-                   FileText::tr("id = \"a small letter, then small letters, digits and _\"").toStdString());
+        table.fail(
+            "file", SiteFileText::tr("the device needs an id").toStdString(),
+            SiteFileText::tr("id = \"a small letter, then small letters, digits and _\"").toStdString());
     return name;
 }
 
@@ -54,8 +55,8 @@ void readDevice(TomlTable& table, const std::string& path, SiteFile& site) {
     device.id = readId(table, {});
     for (const char* key : {"camera", "recording"}) {
         if (table.has(key))
-            table.fail(key, FileText::tr("a site does not send this kind of device").toStdString(),
-                       FileText::tr("file, wts or scene").toStdString());
+            table.fail(key, SiteFileText::tr("a site does not send this kind of device").toStdString(),
+                       SiteFileText::tr("file, wts or scene").toStdString());
     }
     std::vector<app::SourceRequest> requests;
     core::TomlKeys keys(table);
@@ -73,12 +74,12 @@ core::Expected<SiteFile> read(const core::TomlDocument& document, const std::str
     site.name = site_link::readSiteName(root, "name");
     for (const std::string& name : root.textList("supervisors")) {
         if (!site_link::isSiteName(name))
-            root.fail(
-                "supervisors",
-                FileText::tr("\"%1\" is no name of a console")
-                    .arg(QString::fromStdString(name))
-                    .toStdString(),
-                FileText::tr("a small letter, then at most 30 small letters, digits and _").toStdString());
+            root.fail("supervisors",
+                      SiteFileText::tr("\"%1\" is no name of a console")
+                          .arg(QString::fromStdString(name))
+                          .toStdString(),
+                      SiteFileText::tr("a small letter, then at most 30 small letters, digits and _")
+                          .toStdString());
         site.supervisors.insert(name);
     }
     site.times.motion_ns = milliseconds(root, "motion_lease_ms", 60, 300, site.times.motion_ns);
@@ -91,10 +92,10 @@ core::Expected<SiteFile> read(const core::TomlDocument& document, const std::str
         readDevice(table, path, site);
         if (!site.devices.empty() && !ids.insert(site.devices.back().id).second)
             table.fail("id",
-                       FileText::tr("two devices are called \"%1\"")
+                       SiteFileText::tr("two devices are called \"%1\"")
                            .arg(QString::fromStdString(site.devices.back().id))
                            .toStdString(),
-                       FileText::tr("a unique id for each device").toStdString());
+                       SiteFileText::tr("a unique id for each device").toStdString());
     }
     root.finish();
     if (document.firstError())

@@ -24,8 +24,8 @@ namespace teleta::site_program {
 
 namespace {
 
-struct ProgramText {
-    Q_DECLARE_TR_FUNCTIONS(SiteProgram)
+struct SiteProgramText {
+    Q_DECLARE_TR_FUNCTIONS(SiteProgramText)
 };
 
 constexpr std::int64_t kPoll_ns = 50'000'000;
@@ -63,7 +63,8 @@ int check(RunningSite& site, const Options& options, const EndSignals& ending) {
                          .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
                   << '\n';
     } else if (problems.empty()) {
-        std::cout << ProgramText::tr("All %n device(s) are ready.", nullptr, static_cast<int>(site.devices()))
+        std::cout << SiteProgramText::tr("All %n device(s) are ready.", nullptr,
+                                         static_cast<int>(site.devices()))
                          .toStdString()
                   << '\n';
     } else {
@@ -79,7 +80,7 @@ int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const EndSignal
     log.write({site_link::SiteNews::Severity::note,
                {},
                "ready",
-               ProgramText::tr("%1 is ready in domain %2 on %3")
+               SiteProgramText::tr("%1 is ready in domain %2 on %3")
                    .arg(QString::fromStdString(file.name))
                    .arg(file.meeting.domain.domain)
                    .arg(QString::fromStdString(file.meeting.domain.interface))
@@ -103,7 +104,7 @@ int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const EndSignal
     log.write({site_link::SiteNews::Severity::note,
                {},
                "end",
-               ProgramText::tr("the site ends; the arms are held").toStdString()});
+               SiteProgramText::tr("the site ends; the arms are held").toStdString()});
     return kDone;
 }
 
@@ -148,28 +149,29 @@ bool EndSignals::wait(std::int64_t longest_ns) const {
 }
 
 int runProgram(int argc, const char* const* argv, const EndSignals& ending) {
-    CLI::App app(ProgramText::tr("Runs at the robot: sends what its arms and tactile arrays feel to the "
-                                 "consoles, and decides which console moves them.")
+    CLI::App app(SiteProgramText::tr("Runs at the robot: sends what its arms and tactile arrays feel to the "
+                                     "consoles, and decides which console moves them.")
                      .toStdString(),
                  "teleta-site");
-    app.set_help_flag("-h,--help", ProgramText::tr("Print this help").toStdString());
+    app.set_help_flag("-h,--help", SiteProgramText::tr("Print this help").toStdString());
     Options options;
     bool asksVersion = false;
-    CLI::Option* site = app.add_option("site", options.path,
-                                       ProgramText::tr("File of the site (kind = \"site\")").toStdString())
-                            ->type_name("SITE.toml");
+    CLI::Option* site =
+        app.add_option("site", options.path,
+                       SiteProgramText::tr("File of the site (kind = \"site\")").toStdString())
+            ->type_name("SITE.toml");
     app.add_flag("--check", options.check,
-                 ProgramText::tr("Open everything, move nothing, and say what is missing").toStdString());
+                 SiteProgramText::tr("Open everything, move nothing, and say what is missing").toStdString());
     app.add_flag(
         "-j,--json", options.json,
-        ProgramText::tr("Print the log, or what is missing, as JSON on standard output").toStdString());
-    app.add_option(
-           "--recordings", options.recordings,
-           ProgramText::tr("Folder for recordings (record = true); default: the current one").toStdString())
+        SiteProgramText::tr("Print the log, or what is missing, as JSON on standard output").toStdString());
+    app.add_option("--recordings", options.recordings,
+                   SiteProgramText::tr("Folder for recordings (record = true); default: the current one")
+                       .toStdString())
         ->type_name("DIR");
-    app.add_flag("--version", asksVersion, ProgramText::tr("Print the version").toStdString());
+    app.add_flag("--version", asksVersion, SiteProgramText::tr("Print the version").toStdString());
     app.failure_message([](const CLI::App*, const CLI::Error& error) {
-        return ProgramText::tr("teleta-site: %1\nRun teleta-site --help for more.\n")
+        return SiteProgramText::tr("teleta-site: %1\nRun teleta-site --help for more.\n")
             .arg(QString::fromLocal8Bit(error.what()))
             .toStdString();
     });

@@ -21,8 +21,8 @@ namespace teleta::app {
 
 namespace {
 
-struct SiteText {
-    Q_DECLARE_TR_FUNCTIONS(SiteRequest)
+struct SiteRequestText {
+    Q_DECLARE_TR_FUNCTIONS(SiteRequestText)
 };
 
 using recording::StreamInfo;
@@ -58,7 +58,7 @@ core::Expected<std::vector<SiteRequest>> siteRequestsOf(const std::string& path,
     }
     if (requests.empty())
         return core::refused(
-            SiteText::tr("the site %1 has no device to show").arg(QString::fromStdString(file.name)));
+            SiteRequestText::tr("the site %1 has no device to show").arg(QString::fromStdString(file.name)));
     return requests;
 }
 

@@ -50,10 +50,12 @@ void ArmChannel::record(const std::shared_ptr<recording::Recorder>& recorder, co
     m_touchTap.set(recorder ? recorder->addStream(touchStream(name + "-touches", description())) : nullptr);
 }
 
-void ArmChannel::watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) {
-    m_skin->watch(sink, name);
-    watchJoints(sink.get(), name, framesStreamName(name));
-    m_touchesWatched.set(sink ? sink->addStream(touchStream(name + "-touches", description())) : nullptr);
+void ArmChannel::watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
+                       const std::string& name) {
+    m_skin->watch(who, sink, name);
+    watchJoints(who, sink.get(), name, framesStreamName(name));
+    m_touchesWatched[static_cast<std::size_t>(who)].set(
+        sink ? sink->addStream(touchStream(name + "-touches", description())) : nullptr);
 }
 
 std::size_t ArmChannel::process() {
@@ -113,12 +115,15 @@ bool ArmChannel::takeCommands() {
 
 void ArmChannel::take(TouchRecord&& touch) {
     addToObjects(touch);
-    for (const auto& tap : {m_touchTap.get(), m_touchesWatched.get()}) {
+    const auto tapInto = [&touch](const std::shared_ptr<core::StreamTap>& tap) {
         if (!tap)
-            continue;
+            return;
         const auto values = touchValues(touch);
         tap->append(touch.ready_ns, touch.ready_s, std::span<const double>(values));
-    }
+    };
+    tapInto(m_touchTap.get());
+    for (const auto& watched : m_touchesWatched)
+        tapInto(watched.get());
     const std::shared_ptr<TactileFeedback> feedback = m_feedback.get();
     if (feedback)
         feedback->onTouch(touch);

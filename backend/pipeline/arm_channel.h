@@ -14,6 +14,7 @@
 #include "backend/pipeline/touch/touch_history.h"
 #include "backend/pipeline/touch_channel.h"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -94,7 +95,8 @@ public:
 
     /// Streams NAME-joints and NAME-touches, and those of the skin.
     void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
-    void watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) override;
+    void watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
+               const std::string& name) override;
     [[nodiscard]] std::optional<recording::RecordingEvent> takeSettingsEvent() override {
         return m_skin->takeSettingsEvent();
     }
@@ -125,7 +127,7 @@ private:
     std::atomic<bool> m_contourReset{false};
     core::LatestCopy<std::shared_ptr<TactileFeedback>> m_feedback;
     core::LatestCopy<std::shared_ptr<core::StreamTap>> m_touchTap;
-    core::LatestCopy<std::shared_ptr<core::StreamTap>> m_touchesWatched;
+    std::array<core::LatestCopy<std::shared_ptr<core::StreamTap>>, kWatchers> m_touchesWatched;
 
     std::vector<SkinContact> m_contacts;
     core::JointSample m_newest;

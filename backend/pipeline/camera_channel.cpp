@@ -95,8 +95,9 @@ void CameraChannel::record(const std::shared_ptr<recording::Recorder>& recorder,
     m_taps.set(recorder ? tapsInto(recorder, name) : nullptr);
 }
 
-void CameraChannel::watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) {
-    m_watched.set(sink ? tapsInto(sink, name) : nullptr);
+void CameraChannel::watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
+                          const std::string& name) {
+    m_watched[static_cast<std::size_t>(who)].set(sink ? tapsInto(sink, name) : nullptr);
 }
 
 std::shared_ptr<const CameraTaps> CameraChannel::tapsInto(const std::shared_ptr<recording::StreamSink>& sink,
@@ -173,10 +174,9 @@ void CameraChannel::run(const std::stop_token& stop) {
         core::CameraFrame newest;
         bool any = false;
         while (m_source->pop(frame)) {
-            if (m_tapsInUse)
-                m_tapsInUse->pictures->append(frame);
-            if (m_watchedInUse)
-                m_watchedInUse->pictures->append(frame);
+            for (const auto& taps : m_tapsInUse)
+                if (taps)
+                    taps->pictures->append(frame);
             if (any)
                 frame.replace(newest);
             newest = std::move(frame);
@@ -429,13 +429,14 @@ void CameraChannel::takeTaps() {
         inUse = std::move(taps);
         recordReference(inUse, core::steadyNow_ns(), m_time_s - m_offset_s);
     };
-    take(m_taps.get(), m_tapsInUse);
-    take(m_watched.get(), m_watchedInUse);
+    take(m_taps.get(), m_tapsInUse.front());
+    for (std::size_t i = 0; i < kWatchers; ++i)
+        take(m_watched[i].get(), m_tapsInUse[1 + i]);
 }
 
 void CameraChannel::recordReference(std::int64_t time_ns, double capture_s) {
-    recordReference(m_tapsInUse, time_ns, capture_s);
-    recordReference(m_watchedInUse, time_ns, capture_s);
+    for (const auto& taps : m_tapsInUse)
+        recordReference(taps, time_ns, capture_s);
 }
 
 void CameraChannel::recordReference(const std::shared_ptr<const CameraTaps>& taps, std::int64_t time_ns,
@@ -448,7 +449,7 @@ void CameraChannel::recordReference(const std::shared_ptr<const CameraTaps>& tap
 
 void CameraChannel::recordContacts(const core::CameraFrame& frame,
                                    const std::vector<FollowedContact>& contacts) {
-    for (const auto& taps : {m_tapsInUse, m_watchedInUse}) {
+    for (const auto& taps : m_tapsInUse) {
         if (!taps)
             continue;
         for (const FollowedContact& followed : contacts) {
@@ -461,7 +462,7 @@ void CameraChannel::recordContacts(const core::CameraFrame& frame,
 }
 
 void CameraChannel::addEvent(CameraEvent event) {
-    for (const auto& taps : {m_tapsInUse, m_watchedInUse}) {
+    for (const auto& taps : m_tapsInUse) {
         if (taps && taps->event)
             taps->event(event, m_frame_ns);
     }

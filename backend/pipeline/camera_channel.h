@@ -14,6 +14,7 @@
 #include "backend/pipeline/channel.h"
 #include "backend/vision/finders/contact_ladder.h"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -96,7 +97,8 @@ public:
 
     /// Streams NAME-reference, NAME-camera and NAME-contacts, and the events.
     void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
-    void watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) override;
+    void watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
+               const std::string& name) override;
     /// Who gets copies of pictures, contacts and events from the next ones on, and of the reference; null:
     /// nobody. Any thread.
     void record(std::shared_ptr<const CameraTaps> taps) { m_taps.set(std::move(taps)); }
@@ -164,7 +166,7 @@ private:
     tapsInto(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) const;
 
     core::LatestCopy<std::shared_ptr<const CameraTaps>> m_taps;
-    core::LatestCopy<std::shared_ptr<const CameraTaps>> m_watched;
+    std::array<core::LatestCopy<std::shared_ptr<const CameraTaps>>, kWatchers> m_watched;
     std::stop_source m_stopping; ///< ends what makes a finder ready
     std::atomic<std::uint64_t> m_processed{0};
 
@@ -184,8 +186,7 @@ private:
     double m_offset_s = 0.0;      ///< from the source's time to that of the snapshots
     double m_time_s = 0.0;
     std::uint64_t m_passedOver = 0;
-    std::shared_ptr<const CameraTaps> m_tapsInUse;
-    std::shared_ptr<const CameraTaps> m_watchedInUse;
+    std::array<std::shared_ptr<const CameraTaps>, 1 + kWatchers> m_tapsInUse; ///< the recorder's first
     int m_following = 0; ///< contact that the arm follows, or is held from following
 
     std::jthread m_maker;

@@ -20,6 +20,13 @@ class StreamSink;
 
 namespace teleta::pipeline {
 
+/// Who may follow the streams of a channel beside its recorder.
+enum class Watcher {
+    liveView, ///< for other programs
+    plot,
+};
+inline constexpr std::size_t kWatchers = 2;
+
 /// What is known of every channel, whatever its source measures.
 struct ChannelSummary {
     std::string name;
@@ -62,7 +69,8 @@ public:
     /// Records what comes from now on as streams that begin with a name; a null recorder: no more.
     virtual void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) = 0;
     /// Somebody else follows the same streams, whether it is recorded or not; null: no more.
-    virtual void watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) = 0;
+    virtual void watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
+                       const std::string& name) = 0;
     /// The settings, when they have changed since record() or the last call.
     [[nodiscard]] virtual std::optional<recording::RecordingEvent> takeSettingsEvent() {
         return std::nullopt;

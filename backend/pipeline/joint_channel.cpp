@@ -5,6 +5,7 @@
 #include "backend/recording/recorder.h"
 #include "backend/recording/stream_columns.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -40,8 +41,9 @@ void JointChannel::record(const std::shared_ptr<recording::Recorder>& recorder, 
     recordJoints(recorder.get(), name, {});
 }
 
-void JointChannel::watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) {
-    watchJoints(sink.get(), name, {});
+void JointChannel::watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
+                         const std::string& name) {
+    watchJoints(who, sink.get(), name, {});
 }
 
 void JointChannel::recordJoints(recording::StreamSink* sink, const std::string& name,
@@ -49,9 +51,9 @@ void JointChannel::recordJoints(recording::StreamSink* sink, const std::string& 
     m_tap.set(tapInto(sink, name, skinStream));
 }
 
-void JointChannel::watchJoints(recording::StreamSink* sink, const std::string& name,
+void JointChannel::watchJoints(Watcher who, recording::StreamSink* sink, const std::string& name,
                                const std::string& skinStream) {
-    m_watched.set(tapInto(sink, name, skinStream));
+    m_watched[static_cast<std::size_t>(who)].set(tapInto(sink, name, skinStream));
 }
 
 JointChannel::Tap JointChannel::tapInto(recording::StreamSink* sink, const std::string& name,
@@ -69,8 +71,9 @@ std::size_t JointChannel::process() {
 }
 
 const std::vector<core::JointSample>& JointChannel::takeSamples() {
-    m_tapInUse = m_tap.get();
-    m_watchedInUse = m_watched.get();
+    m_tapsInUse[0] = m_tap.get();
+    std::ranges::transform(m_watched, m_tapsInUse.begin() + 1,
+                           [](const auto& watched) { return watched.get(); });
     m_taken.clear();
     core::JointSample sample;
     core::BoundedQueue<core::JointSample>& joints = m_arm->joints();
@@ -80,7 +83,7 @@ const std::vector<core::JointSample>& JointChannel::takeSamples() {
 }
 
 void JointChannel::publish(const core::JointSample& sample) {
-    for (const Tap& tap : {m_tapInUse, m_watchedInUse}) {
+    for (const Tap& tap : m_tapsInUse) {
         if (!tap)
             continue;
         const auto values = recording::jointValues(sample, description().joints());

@@ -7,6 +7,7 @@
 #include "backend/core/threads/latest_copy.h"
 #include "backend/pipeline/channel.h"
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -68,7 +69,8 @@ public:
 
     /// Stream NAME-joints.
     void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
-    void watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) override;
+    void watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
+               const std::string& name) override;
 
     /// Publishes all joint samples that wait. Pipeline thread. Returns their number.
     std::size_t process() override;
@@ -80,7 +82,8 @@ protected:
     void publish(const core::JointSample& sample);
     /// skinStream: with what it is recorded; empty: nothing.
     void recordJoints(recording::StreamSink* sink, const std::string& name, const std::string& skinStream);
-    void watchJoints(recording::StreamSink* sink, const std::string& name, const std::string& skinStream);
+    void watchJoints(Watcher who, recording::StreamSink* sink, const std::string& name,
+                     const std::string& skinStream);
 
 private:
     using Tap = std::shared_ptr<core::StreamTap>;
@@ -91,9 +94,8 @@ private:
     std::unique_ptr<core::ArmSource> m_arm;
     std::shared_ptr<const arm_model::SerialChain> m_chain;
     core::LatestCopy<Tap> m_tap;
-    core::LatestCopy<Tap> m_watched;
-    Tap m_tapInUse;     ///< of the pipeline's thread
-    Tap m_watchedInUse; ///< of the same
+    std::array<core::LatestCopy<Tap>, kWatchers> m_watched;
+    std::array<Tap, 1 + kWatchers> m_tapsInUse; ///< the recorder's first; of the pipeline's thread
     std::vector<core::JointSample> m_taken;
     core::BoundedQueue<core::JointSample> m_samples;
     std::atomic<std::uint64_t> m_samplesProcessed{0};

@@ -67,8 +67,9 @@ void TouchChannel::setTaxelGain(std::vector<float> gain) {
 
 std::size_t TouchChannel::process(const std::function<void(const TouchSnapshot&)>& onFrame) {
     const bool changed = takeCommands();
-    const std::shared_ptr<const TouchTaps> taps = m_taps.get();
-    const std::shared_ptr<const TouchTaps> watched = m_watched.get();
+    std::array<std::shared_ptr<const TouchTaps>, 1 + kWatchers> taps{m_taps.get()};
+    std::ranges::transform(m_watched, taps.begin() + 1, [](const auto& watched) { return watched.get(); });
+    const bool isTapped = std::ranges::any_of(taps, [](const auto& each) { return each != nullptr; });
     const std::shared_ptr<core::StreamTap> collector = m_collector.get();
     std::size_t frames = 0;
     // What comes meanwhile waits for the next time: a source that is as fast as its reader would never let
@@ -86,15 +87,14 @@ std::size_t TouchChannel::process(const std::function<void(const TouchSnapshot&)
         m_recordedFeatures.clear();
         for (std::size_t index = 0; index < m_block.frames(); ++index) {
             processFrame(m_block, index);
-            if (taps || watched)
+            if (isTapped)
                 std::ranges::copy(featureValues(m_current.features), std::back_inserter(m_recordedFeatures));
             if (onFrame)
                 onFrame(m_current);
         }
-        if (taps)
-            tap(*taps);
-        if (watched)
-            tap(*watched);
+        for (const auto& each : taps)
+            if (each)
+                tap(*each);
         if (collector)
             collector->append(std::span<const std::int64_t>(m_block.time_ns),
                               std::span<const double>(m_block.sourceTime_s),
@@ -125,8 +125,9 @@ void TouchChannel::record(const std::shared_ptr<recording::Recorder>& recorder, 
     m_taps.set(tapsInto(*recorder, name, inUse));
 }
 
-void TouchChannel::watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) {
-    m_watched.set(sink ? tapsInto(*sink, name, settings()) : nullptr);
+void TouchChannel::watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
+                         const std::string& name) {
+    m_watched[static_cast<std::size_t>(who)].set(sink ? tapsInto(*sink, name, settings()) : nullptr);
 }
 
 std::shared_ptr<const TouchTaps> TouchChannel::tapsInto(recording::StreamSink& sink, const std::string& name,

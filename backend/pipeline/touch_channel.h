@@ -12,6 +12,7 @@
 #include "backend/pipeline/touch/touch_snapshot.h"
 #include "backend/servo/servo_link.h"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -82,7 +83,8 @@ public:
 
     /// Streams NAME-frames and NAME-features.
     void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
-    void watch(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) override;
+    void watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
+               const std::string& name) override;
     [[nodiscard]] std::optional<recording::RecordingEvent> takeSettingsEvent() override;
     /// Who gets a copy of the raw frames besides, to calibrate the array; null: nobody. Any thread.
     void collect(std::shared_ptr<core::StreamTap> frames) { m_collector.set(std::move(frames)); }
@@ -136,7 +138,7 @@ private:
     core::Mailbox<std::vector<float>> m_gainChanges;
     core::Mailbox<TareRequest> m_tareRequests;
     core::LatestCopy<std::shared_ptr<const TouchTaps>> m_taps;
-    core::LatestCopy<std::shared_ptr<const TouchTaps>> m_watched;
+    std::array<core::LatestCopy<std::shared_ptr<const TouchTaps>>, kWatchers> m_watched;
     core::LatestCopy<std::shared_ptr<core::StreamTap>> m_collector;
     std::vector<double> m_recordedFeatures; ///< of the block at hand
 

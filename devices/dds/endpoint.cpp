@@ -16,7 +16,7 @@ namespace teleta::dds {
 
 namespace {
 
-struct EndpointText {
+struct DdsEndpoint {
     Q_DECLARE_TR_FUNCTIONS(DdsEndpoint)
 };
 
@@ -43,8 +43,8 @@ Qos qosOf(const ros::QosProfile& profile, bool reads) {
 }
 
 core::Unexpected notPermitted(const QString& ddsTopic, bool reads) {
-    return core::refused((reads ? EndpointText::tr("the permissions do not allow reading topic %1")
-                                : EndpointText::tr("the permissions do not allow writing topic %1"))
+    return core::refused((reads ? DdsEndpoint::tr("the permissions do not allow reading topic %1")
+                                : DdsEndpoint::tr("the permissions do not allow writing topic %1"))
                              .arg(ddsTopic));
 }
 
@@ -58,7 +58,7 @@ core::Expected<std::int32_t> openEnd(const Participant& participant, const std::
     if (topic == DDS_RETCODE_NOT_ALLOWED_BY_SECURITY)
         return notPermitted(name, reads);
     if (topic < 0)
-        return ddsFailure(EndpointText::tr("topic %1 cannot be opened").arg(name), topic);
+        return ddsFailure(DdsEndpoint::tr("topic %1 cannot be opened").arg(name), topic);
     const Qos qos = qosOf(profile, reads);
     const dds_entity_t entity = reads ? dds_create_reader(participant.entity(), topic, qos.get(), nullptr)
                                       : dds_create_writer(participant.entity(), topic, qos.get(), nullptr);
@@ -67,8 +67,8 @@ core::Expected<std::int32_t> openEnd(const Participant& participant, const std::
     if (entity == DDS_RETCODE_NOT_ALLOWED_BY_SECURITY)
         return notPermitted(name, reads);
     if (entity < 0)
-        return ddsFailure((reads ? EndpointText::tr("topic %1 cannot be read")
-                                 : EndpointText::tr("topic %1 cannot be written"))
+        return ddsFailure((reads ? DdsEndpoint::tr("topic %1 cannot be read")
+                                 : DdsEndpoint::tr("topic %1 cannot be written"))
                               .arg(name),
                           entity);
     if (reads)

@@ -9,8 +9,8 @@ namespace teleta::site_link {
 
 namespace {
 
-struct DomainText {
-    Q_DECLARE_TR_FUNCTIONS(OperatorDomain)
+struct OperatorDomainText {
+    Q_DECLARE_TR_FUNCTIONS(OperatorDomainText)
 };
 
 } // namespace
@@ -27,8 +27,9 @@ OperatorDomain readOperatorDomain(core::TomlTable& root, const std::string& file
     else if (!dds::isLoopback(found.domain.interface))
         table.fail(
             "security",
-            DomainText::tr("without certificates anybody on this network could move the arm").toStdString(),
-            DomainText::tr("security = \"certificates\", or interface = \"lo\"").toStdString());
+            OperatorDomainText::tr("without certificates anybody on this network could move the arm")
+                .toStdString(),
+            OperatorDomainText::tr("security = \"certificates\", or interface = \"lo\"").toStdString());
     table.finish();
     return found;
 }

@@ -9,8 +9,8 @@ namespace teleta::site_link {
 
 namespace {
 
-struct FileText {
-    Q_DECLARE_TR_FUNCTIONS(RemoteSiteFile)
+struct RemoteSiteFileText {
+    Q_DECLARE_TR_FUNCTIONS(RemoteSiteFileText)
 };
 
 core::Expected<RemoteSiteFile> read(const core::TomlDocument& document, const std::string& path) {
@@ -33,9 +33,11 @@ core::Expected<RemoteSiteFile> read(const core::TomlDocument& document, const st
 std::string readSiteName(core::TomlTable& table, std::string_view key) {
     std::string name = table.text(key);
     if (!name.empty() && !isSiteName(name))
-        table.fail(key,
-                   FileText::tr("\"%1\" cannot be a name").arg(QString::fromStdString(name)).toStdString(),
-                   FileText::tr("a small letter, then at most 30 small letters, digits and _").toStdString());
+        table.fail(
+            key,
+            RemoteSiteFileText::tr("\"%1\" cannot be a name").arg(QString::fromStdString(name)).toStdString(),
+            RemoteSiteFileText::tr("a small letter, then at most 30 small letters, digits and _")
+                .toStdString());
     return name;
 }
 

@@ -9,15 +9,15 @@ namespace teleta::site_link {
 
 namespace {
 
-struct RemoteText {
-    Q_DECLARE_TR_FUNCTIONS(RemoteDevice)
+struct RemoteDeviceText {
+    Q_DECLARE_TR_FUNCTIONS(RemoteDeviceText)
 };
 
 } // namespace
 
 std::string silenceText(const SiteClient& site) {
-    return (site.view().reached ? RemoteText::tr("%1 sends nothing of this device")
-                                : RemoteText::tr("%1 does not answer"))
+    return (site.view().reached ? RemoteDeviceText::tr("%1 sends nothing of this device")
+                                : RemoteDeviceText::tr("%1 does not answer"))
         .arg(QString::fromStdString(site.file().name))
         .toStdString();
 }

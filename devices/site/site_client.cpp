@@ -20,8 +20,8 @@ namespace teleta::site_link {
 
 namespace {
 
-struct ClientText {
-    Q_DECLARE_TR_FUNCTIONS(SiteClient)
+struct SiteClientText {
+    Q_DECLARE_TR_FUNCTIONS(SiteClientText)
 };
 
 using site::Mode;
@@ -79,7 +79,7 @@ findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteT
     for (const std::int64_t end_ns = core::steadyNow_ns() + SiteClient::kLongestOpen_ns;
          core::steadyNow_ns() < end_ns;) {
         if (cancelled && cancelled())
-            return core::failed(core::ErrorKind::cancelled, ClientText::tr("interrupted"));
+            return core::failed(core::ErrorKind::cancelled, SiteClientText::tr("interrupted"));
         (void)info.take([&](const ros::SiteInfo& message, const dds::SampleInfo&) {
             protocol = message.protocol;
             expected = ros::view(message.streams).size();
@@ -88,7 +88,7 @@ findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteT
             [&text](const ros::String& message, const dds::SampleInfo&) { text = textOf(message.data); });
         if (protocol && *protocol != kProtocol)
             return core::refused(
-                ClientText::tr("%1 speaks version %2 of the protocol of sites, this program version %3")
+                SiteClientText::tr("%1 speaks version %2 of the protocol of sites, this program version %3")
                     .arg(QString::fromStdString(file.name))
                     .arg(*protocol)
                     .arg(kProtocol));
@@ -101,11 +101,11 @@ findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteT
         waitSet.wait(kOpenLook_ns);
     }
     return core::failed(core::ErrorKind::unavailable,
-                        ClientText::tr("the site %1 was not found in domain %2 within %3 s")
+                        SiteClientText::tr("the site %1 was not found in domain %2 within %3 s")
                             .arg(QString::fromStdString(file.name))
                             .arg(file.meeting.domain.domain)
                             .arg(SiteClient::kLongestOpen_ns / 1'000'000'000),
-                        ClientText::tr("teleta-site running there, and its address under peers"));
+                        SiteClientText::tr("teleta-site running there, and its address under peers"));
 }
 
 } // namespace
@@ -113,21 +113,21 @@ findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteT
 std::string hindranceOf(const SiteView& view, const std::string& console, const std::string& arm) {
     const auto text = [](const QString& sentence) { return sentence.toStdString(); };
     if (!view.reached)
-        return text(ClientText::tr("the site does not answer"));
+        return text(SiteClientText::tr("the site does not answer"));
     if (view.mode == Mode::stopped)
-        return text(ClientText::tr("STOP is held by %1").arg(joined(view.stopHolders)));
+        return text(SiteClientText::tr("STOP is held by %1").arg(joined(view.stopHolders)));
     if (view.controller.empty())
-        return text(ClientText::tr("nobody controls the site; request control first"));
+        return text(SiteClientText::tr("nobody controls the site; request control first"));
     if (view.controller != console)
-        return text(ClientText::tr("%1 controls the site").arg(QString::fromStdString(view.controller)));
+        return text(SiteClientText::tr("%1 controls the site").arg(QString::fromStdString(view.controller)));
     if (view.mode == Mode::offered)
         return text(
-            ClientText::tr("control is being handed to %1").arg(QString::fromStdString(view.offeredTo)));
+            SiteClientText::tr("control is being handed to %1").arg(QString::fromStdString(view.offeredTo)));
     const auto found = std::ranges::find(view.arms, arm, &RemoteArmState::name);
     if (found == view.arms.end())
-        return text(ClientText::tr("the site has no such arm any more"));
+        return text(SiteClientText::tr("the site has no such arm any more"));
     if (view.mode == Mode::fault && found->message.empty())
-        return text(ClientText::tr("an arm had a fault; clear it first"));
+        return text(SiteClientText::tr("an arm had a fault; clear it first"));
     return found->message;
 }
 

@@ -15,8 +15,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct StreamText {
-    Q_DECLARE_TR_FUNCTIONS(SiteStreams)
+struct SiteStreamText {
+    Q_DECLARE_TR_FUNCTIONS(SiteStreamText)
 };
 
 constexpr double kFastest_Hz = 1e6;
@@ -57,7 +57,7 @@ core::Expected<std::vector<recording::StreamInfo>> readStreams(const std::string
         const auto kind = recording::streamKindOf(reader.text(one, "kind", {}));
         const auto type = recording::valueTypeOf(reader.text(one, "type", {}));
         if (!kind || !type)
-            reader.fail(kindMember, StreamText::tr("this kind of stream is not known"), {});
+            reader.fail(kindMember, SiteStreamText::tr("this kind of stream is not known"), {});
         stream.kind = kind.value_or(stream.kind);
         stream.type = type.value_or(stream.type);
         stream.source = reader.text(one, "source", {});

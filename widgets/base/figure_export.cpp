@@ -134,6 +134,11 @@ void FigureExport::addActions(QMenu& menu) {
     menu.addAction(tr("Save da&ta…"), this, [this] { askAndSave(false); });
 }
 
+void FigureExport::addPictureActions(QMenu& menu) {
+    menu.addAction(tr("&Copy picture"), this, [this] { copyPicture(m_make()); });
+    menu.addAction(tr("&Save picture…"), this, [this] { askAndSave(true); });
+}
+
 void FigureExport::setContextMenu() {
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QWidget::customContextMenuRequested, this, [this](const QPoint& position) {

@@ -47,6 +47,8 @@ public:
     void addActions(QMenu& menu);
     /// Makes these actions the view's context menu.
     void setContextMenu();
+    /// Only Copy Picture and Save Picture, for data of any size.
+    void addPictureActions(QMenu& menu);
     /// Only Copy Data and Save Data, for tables.
     void addDataActions(QMenu& menu);
 

@@ -60,6 +60,14 @@ Drawing drawingOf(Icon icon) {
         d.strokes.cubicTo(8.0, 14.0, 12.0, 16.5, 20.5, 17.0);
         d.fills.addEllipse(QPointF(10.0, 13.2), 2.2, 2.2);
         break;
+    case Icon::plot: // two signals on axes, and a cursor
+        addLine(d.strokes, {{3.5, 3.0}, {3.5, 20.5}, {21.0, 20.5}});
+        d.strokes.moveTo(6.0, 13.0);
+        d.strokes.cubicTo(9.0, 1.0, 12.0, 1.0, 14.0, 9.0);
+        d.strokes.cubicTo(15.5, 15.0, 18.0, 15.0, 20.5, 7.0);
+        addLine(d.strokes, {{6.0, 17.0}, {20.5, 17.0}});
+        d.fills.addEllipse(QPointF(14.0, 9.0), 2.2, 2.2);
+        break;
     case Icon::play:
         playTriangle(d.fills, 7.0, 19.0);
         break;

@@ -18,6 +18,7 @@ enum class Icon {
     study,
     calibrate,
     cost,
+    plot,
     play,
     pause,
     stepBack,

@@ -5,6 +5,7 @@
 #include <QPalette>
 #include <QPicture>
 
+class QCPAxis;
 class QCustomPlot;
 
 namespace teleta::plot {
@@ -12,6 +13,9 @@ namespace teleta::plot {
 /// Applies the colours of a palette to the background, axes and grid of a plot, and a font to its texts.
 /// Thread: GUI.
 void stylePlot(QCustomPlot& plot, const QPalette& colours, const QFont& font);
+
+/// The same for one axis, for those beside the usual two.
+void styleAxis(QCPAxis& axis, const QPalette& colours, const QFont& font);
 
 /// Pen of the grid lines. Thread: any (pure).
 [[nodiscard]] QColor gridColour(const QPalette& colours);

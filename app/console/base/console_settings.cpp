@@ -12,6 +12,9 @@ namespace teleta::console {
 
 namespace {
 
+constexpr char kDockLayouts[] = "layout/named";
+constexpr char kPlotLayouts[] = "plot/layouts";
+
 /// Group of a recording: its path, hashed because QSettings keys cannot hold slashes.
 QString recordingGroup(const QString& path) {
     const QByteArray hash =
@@ -183,26 +186,42 @@ bool ConsoleSettings::flag(const QString& key, bool fallback) const {
 }
 
 QMap<QString, QByteArray> ConsoleSettings::namedLayouts() const {
+    return named(QLatin1String(kDockLayouts));
+}
+
+void ConsoleSettings::setNamedLayout(const QString& name, const QByteArray& layout) {
+    setNamed(QLatin1String(kDockLayouts), name, layout);
+}
+
+QMap<QString, QByteArray> ConsoleSettings::plotLayouts() const {
+    return named(QLatin1String(kPlotLayouts));
+}
+
+void ConsoleSettings::setPlotLayout(const QString& name, const QByteArray& layout) {
+    setNamed(QLatin1String(kPlotLayouts), name, layout);
+}
+
+QMap<QString, QByteArray> ConsoleSettings::named(const QString& key) const {
     QMap<QString, QByteArray> layouts;
     if (!m_settings)
         return layouts;
-    const QVariantMap stored = m_settings->value(QStringLiteral("layout/named")).toMap();
+    const QVariantMap stored = m_settings->value(key).toMap();
     for (auto layout = stored.begin(); layout != stored.end(); ++layout)
         layouts.insert(layout.key(), layout.value().toByteArray());
     return layouts;
 }
 
-void ConsoleSettings::setNamedLayout(const QString& name, const QByteArray& layout) {
+void ConsoleSettings::setNamed(const QString& key, const QString& name, const QByteArray& layout) {
     if (!m_settings)
         return;
     // Another console may have saved one.
     m_settings->sync();
-    QVariantMap stored = m_settings->value(QStringLiteral("layout/named")).toMap();
+    QVariantMap stored = m_settings->value(key).toMap();
     if (layout.isEmpty())
         stored.remove(name);
     else
         stored.insert(name, layout);
-    set(QStringLiteral("layout/named"), stored);
+    set(key, stored);
     m_settings->sync();
 }
 

@@ -63,6 +63,9 @@ public:
     [[nodiscard]] QMap<QString, QByteArray> namedLayouts() const;
     /// An empty layout takes the name away.
     void setNamedLayout(const QString& name, const QByteArray& layout);
+    /// Layouts of the Plot page, as JSON, by name. An empty layout takes the name away.
+    [[nodiscard]] QMap<QString, QByteArray> plotLayouts() const;
+    void setPlotLayout(const QString& name, const QByteArray& layout);
 
     /// What was open when the console was closed, see last_session.
     [[nodiscard]] QStringList lastSession() const { return list(QStringLiteral("session/open")); }
@@ -123,6 +126,8 @@ private:
     [[nodiscard]] QByteArray bytes(const QString& key) const;
     [[nodiscard]] bool flag(const QString& key, bool fallback) const;
     void set(const QString& key, const QVariant& value);
+    [[nodiscard]] QMap<QString, QByteArray> named(const QString& key) const;
+    void setNamed(const QString& key, const QString& name, const QByteArray& layout);
     [[nodiscard]] QStringList list(const QString& key) const;
     void addToList(const QString& key, const QString& path);
 

@@ -53,7 +53,7 @@ void LiveViewService::stop() {
         return;
     for (SourceManager::Item& item : m_sources.items()) {
         if (item.channel)
-            item.channel->watch(nullptr, {});
+            item.channel->watch(pipeline::Watcher::liveView, nullptr, {});
     }
     if (const auto session = m_braceletSession.lock())
         session->watch(nullptr);
@@ -70,7 +70,7 @@ foxglove::LiveViewStatus LiveViewService::status() const {
 
 void LiveViewService::watch(SourceManager::Item& item) {
     if (item.channel)
-        item.channel->watch(m_view, item.name.toStdString());
+        item.channel->watch(pipeline::Watcher::liveView, m_view, item.name.toStdString());
 }
 
 void LiveViewService::watchBracelet() {

@@ -11,8 +11,8 @@
 
 #include <memory>
 
+using teleta::app::CsvRequest;
 using teleta::console::ConsoleSettings;
-using teleta::console::CsvRequest;
 
 namespace {
 
@@ -69,7 +69,7 @@ private slots:
     }
 
     void remembersHowARecordingWasOpened() {
-        app::CsvRequest request;
+        CsvRequest request;
         request.path = "/somewhere/run.csv";
         request.layout = {64, 27, 0.025};
         request.inverted = true;

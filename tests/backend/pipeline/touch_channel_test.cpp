@@ -220,7 +220,9 @@ TEST(TouchChannel, givesItsStreamsToWhoWatchesWhetherItIsRecordedOrNot) {
     };
     const auto sink = std::make_shared<Sink>();
     Channel channel;
-    channel->watch(sink, "skin");
+    channel->watch(teleta::pipeline::Watcher::plot, sink, "skin");
+    const auto other = std::make_shared<Sink>();
+    channel->watch(teleta::pipeline::Watcher::liveView, other, "other");
     EXPECT_EQ(sink->names, (std::vector<std::string>{"skin-frames", "skin-features"}));
     channel.source->push({1, 2, 3, 4, 5, 6}, 0.005);
     channel->process();
@@ -229,8 +231,10 @@ TEST(TouchChannel, givesItsStreamsToWhoWatchesWhetherItIsRecordedOrNot) {
     EXPECT_EQ(teleta::recording::valuesOf<float>(frames, 0, 6)[5], 6.0F);
     ASSERT_TRUE(sink->taps[1]->pop(frames));
     EXPECT_EQ(teleta::recording::valuesOf<double>(frames, 0, 12)[1], 21.0) << "force_n";
-    channel->watch(nullptr, {});
+    EXPECT_TRUE(other->taps[0]->pop(frames)) << "both watch at once";
+    channel->watch(teleta::pipeline::Watcher::plot, nullptr, {});
     EXPECT_EQ(sink->taps[0].use_count(), 1) << "it lets go of the taps";
+    EXPECT_EQ(other->taps[0].use_count(), 2) << "the other one goes on";
     channel.source->push({1, 2, 3, 4, 5, 6}, 0.010);
     channel->process();
     EXPECT_FALSE(sink->taps[0]->pop(frames));

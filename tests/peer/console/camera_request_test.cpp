@@ -18,7 +18,7 @@
 #include <vector>
 
 using namespace teleta;
-using console::CameraRequest;
+using app::CameraRequest;
 using console::SourceManager;
 using core::DeviceState;
 using pipeline::CameraChannel;

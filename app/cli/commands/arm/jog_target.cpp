@@ -25,8 +25,8 @@ namespace teleta::cli {
 
 namespace {
 
-struct TargetText {
-    Q_DECLARE_TR_FUNCTIONS(JogTarget)
+struct JogTargetText {
+    Q_DECLARE_TR_FUNCTIONS(JogTargetText)
 };
 
 std::vector<JogTarget::Joint> jointsOf(const arm_model::SerialChain& chain) {
@@ -122,11 +122,12 @@ core::Expected<std::unique_ptr<JogTarget>> openAtSite(const std::string& path, c
         return core::failed(
             core::ErrorKind::badInput,
             device.empty()
-                ? TargetText::tr("%1 has no arm, or several").arg(QString::fromStdString(file.name))
-                : TargetText::tr("%1 has no arm \"%2\"")
+                ? JogTargetText::tr("%1 has no arm, or several").arg(QString::fromStdString(file.name))
+                : JogTargetText::tr("%1 has no arm \"%2\"")
                       .arg(QString::fromStdString(file.name), QString::fromStdString(device)),
-            names.isEmpty() ? QString()
-                            : TargetText::tr("--arm with one of %1").arg(names.join(QStringLiteral(", "))));
+            names.isEmpty()
+                ? QString()
+                : JogTargetText::tr("--arm with one of %1").arg(names.join(QStringLiteral(", "))));
     const std::string name = site_link::deviceOf(*chosen);
     TELETA_TRY(pipeline::RecordedArm described, pipeline::recordedArm(*chosen, file.name));
     TELETA_TRY(auto arm, site_link::RemoteArm::open(site, name, described.description));

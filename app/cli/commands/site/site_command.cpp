@@ -20,8 +20,8 @@ namespace teleta::cli {
 
 namespace {
 
-struct SiteText {
-    Q_DECLARE_TR_FUNCTIONS(SiteCommand)
+struct SiteCommandText {
+    Q_DECLARE_TR_FUNCTIONS(SiteCommandText)
 };
 
 /// When the certificate or the permissions end, in UTC; empty if that cannot be read.
@@ -60,35 +60,39 @@ public:
         app.require_subcommand(1);
         CLI::App& keys = addPart(
             app, "keys",
-            SiteText::tr(
+            SiteCommandText::tr(
                 "Check the certificates and permissions of a site, or print the commands that create them"),
             [this] { return checkOrTell(); });
         addOption(
             keys, "folder", m_plan.folder,
-            SiteText::tr(
+            SiteCommandText::tr(
                 "Folder with identity_ca.pem, permissions_ca.pem, governance.p7s and one folder for each "
                 "site, console and viewer"),
             "DIR")
             ->required();
         addOption(keys, "--make", m_plan.site,
-                  SiteText::tr("Instead of checking, print the openssl commands that create the folder for a "
-                               "site of this name"),
+                  SiteCommandText::tr(
+                      "Instead of checking, print the openssl commands that create the folder for a "
+                      "site of this name"),
                   "SITE");
-        addOption(keys, "--console", m_plan.consoles, SiteText::tr("Consoles that may take control"), "NAME")
+        addOption(keys, "--console", m_plan.consoles, SiteCommandText::tr("Consoles that may take control"),
+                  "NAME")
             ->needs("--make");
-        addOption(keys, "--viewer", m_plan.viewers, SiteText::tr("Consoles that only watch"), "NAME")
+        addOption(keys, "--viewer", m_plan.viewers, SiteCommandText::tr("Consoles that only watch"), "NAME")
             ->needs("--make");
         declareJson(keys, m_json);
-        declareView(app, "list", SiteText::tr("List the sites that are there and who controls them"),
+        declareView(app, "list", SiteCommandText::tr("List the sites that are there and who controls them"),
                     listSites);
         declareTime(
-            declareView(app, "watch", SiteText::tr("Print each change of a site's state"), watchSite));
-        declareTime(declareView(
-            app, "clock", SiteText::tr("Print the offset of a site's clock, and its bound"), watchClock));
+            declareView(app, "watch", SiteCommandText::tr("Print each change of a site's state"), watchSite));
+        declareTime(declareView(app, "clock",
+                                SiteCommandText::tr("Print the offset of a site's clock, and its bound"),
+                                watchClock));
         CLI::App& record = declareView(
-            app, "record", SiteText::tr("Record all that a site sends, without a screen"), recordSite);
+            app, "record", SiteCommandText::tr("Record all that a site sends, without a screen"), recordSite);
         declareTime(record);
-        addOption(record, "-o,--out", m_options.out, SiteText::tr("File of the recording"), "FILE.teleta")
+        addOption(record, "-o,--out", m_options.out, SiteCommandText::tr("File of the recording"),
+                  "FILE.teleta")
             ->required();
     }
 
@@ -100,15 +104,16 @@ private:
             return unlessCut(work(m_options));
         });
         addOption(part, "site", m_options.path,
-                  SiteText::tr("File with which the site is reached (kind = \"remote_site\")"), "SITE.toml")
+                  SiteCommandText::tr("File with which the site is reached (kind = \"remote_site\")"),
+                  "SITE.toml")
             ->required();
         if (work != recordSite)
             declareJson(part, m_json);
         return part;
     }
     void declareTime(CLI::App& part) {
-        addOption(part, "--seconds", m_options.time_s, SiteText::tr("End after that time; default: Ctrl-C"),
-                  "S")
+        addOption(part, "--seconds", m_options.time_s,
+                  SiteCommandText::tr("End after that time; default: Ctrl-C"), "S")
             ->check(positive());
     }
 
@@ -125,7 +130,7 @@ private:
                    site_keys::checkKeys(m_plan.folder, QDateTime::currentSecsSinceEpoch()));
         TELETA_CHECK(m_json ? printJson(report) : printLines(report));
         if (!report.usable())
-            return core::refused(SiteText::tr("These keys are not safe to use."));
+            return core::refused(SiteCommandText::tr("These keys are not safe to use."));
         return {};
     }
 
@@ -149,14 +154,14 @@ private:
     [[nodiscard]] static core::Expected<void> printLines(const site_keys::KeyReport& report) {
         std::string text;
         for (const site_keys::KeyMember& one : report.members)
-            text += SiteText::tr("%1 (%2): %3, until %4")
+            text += SiteCommandText::tr("%1 (%2): %3, until %4")
                         .arg(orDash(one.name), orDash(roleOf(one)), orDash(one.subject), orDash(timeOf(one)))
                         .toStdString() +
                     '\n';
         for (const site_keys::KeyFinding& one : report.findings) {
             const QString message = one.file.empty() ? QString::fromStdString(one.message)
                                                      : QString::fromStdString(one.file + ": " + one.message);
-            text += (one.refused ? SiteText::tr("Refused: %1") : SiteText::tr("Warning: %1"))
+            text += (one.refused ? SiteCommandText::tr("Refused: %1") : SiteCommandText::tr("Warning: %1"))
                         .arg(message)
                         .toStdString() +
                     '\n';
@@ -173,7 +178,7 @@ private:
 
 Command siteCommand() {
     return makeCommand<SiteCommand>(
-        "site", SiteText::tr("Sites at which robots are, and their keys"),
+        "site", SiteCommandText::tr("Sites at which robots are, and their keys"),
         "teleta site keys keys --make lab --console console1 --viewer viewer1 > make_keys.sh\n"
         "  sh make_keys.sh\n"
         "  teleta site keys keys");

@@ -39,8 +39,8 @@ namespace {
 
 using site_link::SiteView;
 
-struct ViewText {
-    Q_DECLARE_TR_FUNCTIONS(SiteViews)
+struct CliSiteText {
+    Q_DECLARE_TR_FUNCTIONS(CliSiteText)
 };
 
 constexpr std::chrono::milliseconds kLook{20};
@@ -149,8 +149,9 @@ core::Expected<void> listSites(const SiteOptions& options) {
     }
     TELETA_CHECK(rows.finish());
     if (sites.empty())
-        return core::failed(core::ErrorKind::unavailable,
-                            ViewText::tr("no site was found in domain %1").arg(file.meeting.domain.domain));
+        return core::failed(
+            core::ErrorKind::unavailable,
+            CliSiteText::tr("no site was found in domain %1").arg(file.meeting.domain.domain));
     return {};
 }
 
@@ -256,10 +257,11 @@ core::Expected<void> recordSite(const SiteOptions& options) {
         channel->record(nullptr, name);
     TELETA_CHECK(recorder->stop());
     const recording::RecorderStatus status = recorder->status();
-    return printFields({{ViewText::tr("Recording"), QString::fromStdString(recorder->path())},
-                        {ViewText::tr("Duration"), ViewText::tr("%1 s").arg(forPeople(status.duration_s))},
-                        {ViewText::tr("Frames"), QString::number(status.frames)},
-                        {ViewText::tr("Dropped here"), QString::number(status.dropped)}});
+    return printFields(
+        {{CliSiteText::tr("Recording"), QString::fromStdString(recorder->path())},
+         {CliSiteText::tr("Duration"), CliSiteText::tr("%1 s").arg(forPeople(status.duration_s))},
+         {CliSiteText::tr("Frames"), QString::number(status.frames)},
+         {CliSiteText::tr("Dropped here"), QString::number(status.dropped)}});
 }
 
 } // namespace teleta::cli

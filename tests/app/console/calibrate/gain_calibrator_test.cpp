@@ -61,7 +61,7 @@ class GainCalibratorTest : public QObject {
     }
 
     void openRecording(const std::string& gainsPath = {}) {
-        console::CsvRequest request;
+        app::CsvRequest request;
         request.path = path("run.csv").toStdString();
         request.layout = kLayout;
         request.tarePath = path("empty.csv").toStdString();
@@ -179,7 +179,7 @@ private slots:
         const pipeline::ChannelKey key = m_sources->active()->key;
         m_calibrator->openPresses({path("press.csv")});
         QTRY_VERIFY(view().calibration().gains != nullptr);
-        m_sources->open(console::SceneRequest{":/scenes/tactile-even-load.toml", 1});
+        m_sources->open(app::SceneRequest{":/scenes/tactile-even-load.toml", 1});
         QTRY_VERIFY(test::textOf(view(), "state").contains(QLatin1String("SIMULATED")));
         QVERIFY(view().calibration().gains == nullptr);
         QVERIFY(view().isSaved());
@@ -241,7 +241,7 @@ private slots:
     }
 
     void theDemoIsAnEvenLoadThatCanBeCalibrated() {
-        m_sources->open(console::SceneRequest{":/scenes/tactile-even-load.toml", 1});
+        m_sources->open(app::SceneRequest{":/scenes/tactile-even-load.toml", 1});
         QTRY_VERIFY(m_sources->active() != nullptr && m_sources->active()->channel != nullptr);
         QTRY_VERIFY(test::textOf(view(), "state").contains(QLatin1String("SIMULATED")));
         QTRY_COMPARE(channel()->snapshot().load_N.size(), std::size_t(84));

@@ -164,7 +164,7 @@ class CostPageTest : public QObject {
         scene.close();
         m_sources = std::make_unique<SourceManager>(m_stop);
         QSignalSpy failed(m_sources.get(), &SourceManager::failed);
-        m_sources->open(console::SceneRequest{scene.fileName().toStdString(), 1});
+        m_sources->open(app::SceneRequest{scene.fileName().toStdString(), 1});
         QTRY_VERIFY_WITH_TIMEOUT(part<QComboBox>("rung").isVisible() || !failed.isEmpty(), kPatience_ms);
         QVERIFY(failed.isEmpty());
     }

@@ -265,12 +265,12 @@ std::function<void(core::Keys&)> effectsOn(scene::ActsOn what) {
     };
 }
 
-std::function<void(core::Keys&)> sourceOf(console::SourceKind kind) {
+std::function<void(core::Keys&)> sourceOf(app::SourceKind kind) {
     return [kind](core::Keys& keys) {
         std::vector<int> tables;
         keys.tables("source", tables, 1, {}, [kind](core::Keys& table, std::vector<int>&, std::size_t) {
-            std::vector<console::SourceRequest> requests;
-            console::describeSource(table, kind, {}, requests);
+            std::vector<app::SourceRequest> requests;
+            app::describeSource(table, kind, {}, requests);
         });
     };
 }
@@ -303,12 +303,12 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, arrayDevice, describeFile<cli::ArrayFile>);
     page.part(3, cameraDevice, describeFile<cli::CameraFile>);
     page.head(2, sources);
-    page.part(3, sceneSource, sourceOf(console::SourceKind::scene));
-    page.part(3, recordingSource, sourceOf(console::SourceKind::recording));
-    page.part(3, playbackSource, sourceOf(console::SourceKind::playback));
-    page.part(3, arraySource, sourceOf(console::SourceKind::wts));
-    page.part(3, cameraSource, sourceOf(console::SourceKind::camera));
-    page.part(3, armSource, sourceOf(console::SourceKind::arm));
+    page.part(3, sceneSource, sourceOf(app::SourceKind::scene));
+    page.part(3, recordingSource, sourceOf(app::SourceKind::recording));
+    page.part(3, playbackSource, sourceOf(app::SourceKind::playback));
+    page.part(3, arraySource, sourceOf(app::SourceKind::wts));
+    page.part(3, cameraSource, sourceOf(app::SourceKind::camera));
+    page.part(3, armSource, sourceOf(app::SourceKind::arm));
     return page.text();
 }
 

@@ -57,7 +57,7 @@ private slots:
         core::StopSwitch stop;
         SourceManager sources(stop);
         QSignalSpy failed(&sources, &SourceManager::failed);
-        const auto key = sources.open(console::CameraRequest{path("tube.avi"), path("camera.json"), false});
+        const auto key = sources.open(app::CameraRequest{path("tube.avi"), path("camera.json"), false});
         QCOMPARE(sources.find(key)->name, QStringLiteral("tube"));
         QVERIFY(!sources.find(key)->isOpen());
         poll(sources, [&] { return sources.find(key) == nullptr || sources.find(key)->isOpen(); });
@@ -83,13 +83,13 @@ private slots:
         connect(&sources, &SourceManager::failed, this, [&failed](const QString&, const core::Error& error) {
             failed.push_back(core::describe(error));
         });
-        sources.open(console::CameraRequest{path("tube.avi"), path("missing.json"), false});
+        sources.open(app::CameraRequest{path("tube.avi"), path("missing.json"), false});
         poll(sources, [&] { return failed.size() == 1; });
-        sources.open(console::CameraRequest{path("missing.avi"), path("camera.json"), false});
+        sources.open(app::CameraRequest{path("missing.avi"), path("camera.json"), false});
         poll(sources, [&] { return failed.size() == 2; });
-        sources.open(console::CameraRequest{path("camera.json"), path("camera.json"), false});
+        sources.open(app::CameraRequest{path("camera.json"), path("camera.json"), false});
         poll(sources, [&] { return failed.size() == 3; });
-        sources.open(console::CameraRequest{"9876", path("camera.json"), false});
+        sources.open(app::CameraRequest{"9876", path("camera.json"), false});
         poll(sources, [&] { return failed.size() == 4; });
         const std::array<const char*, 4> told{"missing.json", "missing.avi", "camera.json", "9876"};
         for (std::size_t i = 0; i < told.size(); ++i)

@@ -25,12 +25,12 @@
 #include <vector>
 
 using namespace teleta;
+using app::CameraRequest;
+using app::SceneRequest;
 using console::CameraDialog;
-using console::CameraRequest;
 using console::CameraSourceField;
 using console::OperateDocks;
 using console::OperatePage;
-using console::SceneRequest;
 using console::SourceManager;
 
 namespace {
@@ -124,7 +124,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(kScene);
         file.close();
-        m_sources->open(app::SceneRequest{file.fileName().toStdString(), 1});
+        m_sources->open(SceneRequest{file.fileName().toStdString(), 1});
         QSignalSpy failed(m_sources.get(), &SourceManager::failed);
         QVERIFY(comes([&] { return m_sources->active() != nullptr || !failed.isEmpty(); }));
         if (!failed.isEmpty())
@@ -195,7 +195,7 @@ private slots:
     void aCameraThatIsLookedAtAgainListsTheEventsThatItListed() {
         QVERIFY(comes([&] { return lists("BUMP"); }));
         const pipeline::ChannelKey first = m_sources->active()->key;
-        m_sources->open(app::SceneRequest{m_folder.filePath("poke.toml").toStdString(), 2});
+        m_sources->open(SceneRequest{m_folder.filePath("poke.toml").toStdString(), 2});
         QVERIFY(comes([&] { return m_sources->items().size() == 2 && m_sources->items()[1].isOpen(); }));
         const pipeline::ChannelKey second = m_sources->items()[1].key;
         m_sources->activate(first);

@@ -89,8 +89,7 @@ class RecordingTest : public QObject {
     }
     bool shows(const std::string& stream) const {
         auto* item = m_window->sources().active();
-        const auto* playback =
-            item != nullptr ? std::get_if<console::RecordingRequest>(&item->request) : nullptr;
+        const auto* playback = item != nullptr ? std::get_if<app::RecordingRequest>(&item->request) : nullptr;
         return playback != nullptr && playback->stream == stream;
     }
     RecordingService& station() const { return m_window->recorder(); }
@@ -154,7 +153,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(charts->marks(), std::size_t(2), kPatience_ms);
 
         // A source that opens meanwhile joins.
-        m_window->sources().open(console::SceneRequest{"tactile-two-contacts", 1});
+        m_window->sources().open(app::SceneRequest{"tactile-two-contacts", 1});
         QTRY_VERIFY_WITH_TIMEOUT(m_window->sources().items().back().isOpen(), kPatience_ms);
         waitForFrames(station().status().frames + 1000);
         end();
@@ -526,7 +525,7 @@ private slots:
 
     void theSourcesOfARecordingBeginTogetherWhenAllAreOpen() {
         openScene("tactile-indenter");
-        m_window->sources().open(console::SceneRequest{"tactile-two-contacts", 1});
+        m_window->sources().open(app::SceneRequest{"tactile-two-contacts", 1});
         QTRY_VERIFY_WITH_TIMEOUT(m_window->sources().items().back().isOpen(), kPatience_ms);
         const QString path = m_folder.filePath("together.teleta");
         station().start(path);
@@ -556,8 +555,8 @@ private slots:
         }
 
         // One that is not opened after all holds up no other.
-        const auto request = std::get<console::RecordingRequest>(sources.items().front().request);
-        const auto other = std::get<console::RecordingRequest>(sources.items().back().request);
+        const auto request = std::get<app::RecordingRequest>(sources.items().front().request);
+        const auto other = std::get<app::RecordingRequest>(sources.items().back().request);
         sources.closeAll();
         sources.open(request);
         sources.close(sources.open(other));

@@ -9,15 +9,15 @@
 #include <QSpinBox>
 #include <QTest>
 
-using teleta::console::CsvRequest;
+using teleta::app::CsvRequest;
 using teleta::console::RecordingDialog;
 
 /// How a recording is to be read.
 class RecordingDialogTest : public QObject {
     Q_OBJECT
 
-    static app::CsvRequest guess() {
-        app::CsvRequest request;
+    static CsvRequest guess() {
+        CsvRequest request;
         request.path = "/somewhere/run.csv";
         request.layout = {12, 6, 0.05};
         request.tarePath = "/somewhere/empty.csv";
@@ -39,7 +39,7 @@ private slots:
     void givesBackTheGuessWhenNothingIsChanged() {
         const RecordingDialog dialog(guess());
         QCOMPARE(teleta::test::labelsWithBareMnemonic(dialog), QStringList());
-        const app::CsvRequest request = dialog.request();
+        const CsvRequest request = dialog.request();
         QCOMPARE(request.path, guess().path);
         QCOMPARE(request.layout.rows, 12);
         QCOMPARE(request.layout.columns, 6);

@@ -6,15 +6,15 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-using teleta::console::ArmRequest;
-using teleta::console::CameraRequest;
-using teleta::console::CsvRequest;
-using teleta::console::guessCsv;
-using teleta::console::isArmFile;
-using teleta::console::isSourceList;
-using teleta::console::readSourceList;
-using teleta::console::SceneRequest;
-using teleta::console::WtsRequest;
+using teleta::app::ArmRequest;
+using teleta::app::CameraRequest;
+using teleta::app::CsvRequest;
+using teleta::app::guessCsv;
+using teleta::app::isArmFile;
+using teleta::app::isSourceList;
+using teleta::app::readSourceList;
+using teleta::app::SceneRequest;
+using teleta::app::WtsRequest;
 
 /// Source lists, and what a recording's file tells of itself.
 class SourceListTest : public QObject {
@@ -40,60 +40,59 @@ class SourceListTest : public QObject {
 private slots:
     void guessesKnownArraysAndTheUnloadedRecordingBesideThem() {
         const QString empty = writeRecording("bed_empty1.csv", 72);
-        const auto guess = app::guessCsv(writeRecording("bed_left1.csv", 72).toStdString());
+        const auto guess = guessCsv(writeRecording("bed_left1.csv", 72).toStdString());
         QVERIFY(guess.has_value());
         QCOMPARE(guess->layout.rows, 12);
         QCOMPARE(guess->layout.columns, 6);
         QCOMPARE(QString::fromStdString(guess->tarePath), empty);
-        const auto unloaded = app::guessCsv(empty.toStdString());
+        const auto unloaded = guessCsv(empty.toStdString());
         QVERIFY(unloaded.has_value());
         QVERIFY(unloaded->tarePath.empty());
     }
 
     void takesTheMostSquareShapeForAnUnknownArray() {
-        const auto guess = app::guessCsv(writeRecording("unknown.csv", 35).toStdString());
+        const auto guess = guessCsv(writeRecording("unknown.csv", 35).toStdString());
         QVERIFY(guess.has_value());
         QCOMPARE(guess->layout.rows, 5);
         QCOMPARE(guess->layout.columns, 7);
-        const auto prime = app::guessCsv(writeRecording("prime.csv", 13).toStdString());
+        const auto prime = guessCsv(writeRecording("prime.csv", 13).toStdString());
         QVERIFY(prime.has_value());
         QCOMPARE(prime->layout.rows, 1);
         QCOMPARE(prime->layout.columns, 13);
     }
 
     void readsCamerasAndVideosWithTheirCalibration() {
-        const auto list = app::readSourceList(write("cameras.toml", "[[source]]\n"
-                                                                    "camera = \"0\"\n"
-                                                                    "camera_model = \"tube.json\"\n"
-                                                                    "[[source]]\n"
-                                                                    "camera = \"run.avi\"\n"
-                                                                    "camera_model = \"tube.json\"\n"
-                                                                    "loop = false\n")
-                                                  .toStdString());
+        const auto list = readSourceList(write("cameras.toml", "[[source]]\n"
+                                                               "camera = \"0\"\n"
+                                                               "camera_model = \"tube.json\"\n"
+                                                               "[[source]]\n"
+                                                               "camera = \"run.avi\"\n"
+                                                               "camera_model = \"tube.json\"\n"
+                                                               "loop = false\n")
+                                             .toStdString());
         QVERIFY(list.has_value());
         QCOMPARE(list->size(), std::size_t(2));
-        const auto& connected = std::get<app::CameraRequest>((*list)[0]);
+        const auto& connected = std::get<CameraRequest>((*list)[0]);
         QCOMPARE(connected.source, std::string("0"));
         QCOMPARE(QString::fromStdString(connected.modelPath), m_folder.filePath("tube.json"));
-        const auto& video = std::get<app::CameraRequest>((*list)[1]);
+        const auto& video = std::get<CameraRequest>((*list)[1]);
         QCOMPARE(QString::fromStdString(video.source), m_folder.filePath("run.avi"));
         QVERIFY(!video.loop);
-        const auto without =
-            app::readSourceList(write("bad.toml", "[[source]]\ncamera = \"0\"\n").toStdString());
+        const auto without = readSourceList(write("bad.toml", "[[source]]\ncamera = \"0\"\n").toStdString());
         QVERIFY(!without.has_value());
         QVERIFY(without.error().where.line > 0);
     }
 
     void readsArmsAndKnowsTheFileOfOne() {
         const auto list =
-            app::readSourceList(write("arms.toml", "[[source]]\narm = \"robot.toml\"\n").toStdString());
+            readSourceList(write("arms.toml", "[[source]]\narm = \"robot.toml\"\n").toStdString());
         QVERIFY(list.has_value());
-        QCOMPARE(QString::fromStdString(std::get<app::ArmRequest>(list->front()).path),
+        QCOMPARE(QString::fromStdString(std::get<ArmRequest>(list->front()).path),
                  m_folder.filePath("robot.toml"));
-        QVERIFY(app::isArmFile(write("robot.toml", "kind = \"ros_arm\"\nwrong = 1\n").toStdString()));
-        QVERIFY(!app::isArmFile(write("scene.toml", "kind = \"arm\"\n").toStdString()));
-        QVERIFY(!app::isArmFile(write("number.toml", "kind = 3\n").toStdString()));
-        QVERIFY(!app::isArmFile(m_folder.filePath("missing.toml").toStdString()));
+        QVERIFY(isArmFile(write("robot.toml", "kind = \"ros_arm\"\nwrong = 1\n").toStdString()));
+        QVERIFY(!isArmFile(write("scene.toml", "kind = \"arm\"\n").toStdString()));
+        QVERIFY(!isArmFile(write("number.toml", "kind = 3\n").toStdString()));
+        QVERIFY(!isArmFile(m_folder.filePath("missing.toml").toStdString()));
     }
 
     void readsRecordingsAndScenesInTheirOrderWithPathsBesideTheList() {
@@ -102,17 +101,17 @@ private slots:
             write("list.toml",
                   "[[source]]\nrecording = \"a.csv\"\nrate_Hz = 200\nthreshold = 0.5\n"
                   "inverted = true\ngains = \"gains.csv\"\n[[source]]\nscene = \"demo.toml\"\nseed = 7\n");
-        const auto requests = app::readSourceList(list.toStdString());
+        const auto requests = readSourceList(list.toStdString());
         QVERIFY2(requests.has_value(), requests ? "" : describe(requests.error()).c_str());
         QCOMPARE(requests->size(), std::size_t(2));
-        const auto& recording = std::get<app::CsvRequest>((*requests)[0]);
+        const auto& recording = std::get<CsvRequest>((*requests)[0]);
         QCOMPARE(QString::fromStdString(recording.path), m_folder.filePath("a.csv"));
         QCOMPARE(recording.layout.rows, 6);
         QCOMPARE(QString::fromStdString(recording.gainsPath), m_folder.filePath("gains.csv"));
         QCOMPARE(recording.rate_Hz, 200.0);
         QCOMPARE(recording.threshold_N, 0.5);
         QVERIFY(recording.inverted);
-        const auto& scene = std::get<app::SceneRequest>((*requests)[1]);
+        const auto& scene = std::get<SceneRequest>((*requests)[1]);
         QCOMPARE(QString::fromStdString(scene.path), m_folder.filePath("demo.toml"));
         QCOMPARE(scene.seed, std::uint64_t(7));
     }
@@ -123,10 +122,10 @@ private slots:
                               "run_length = true\ntare = true\nthreshold = 30\n"
                               "[[source]]\nwts = \"tcp://hand:1000\"\ngain = 0.01\nunit = \"N\"\n"
                               "gains = \"/hand/gains.csv\"\n");
-        const auto requests = app::readSourceList(list.toStdString());
+        const auto requests = readSourceList(list.toStdString());
         QVERIFY2(requests.has_value(), requests ? "" : describe(requests.error()).c_str());
         QCOMPARE(requests->size(), std::size_t(2));
-        const auto& serial = std::get<app::WtsRequest>((*requests)[0]);
+        const auto& serial = std::get<WtsRequest>((*requests)[0]);
         QVERIFY(serial.config.address ==
                 teleta::wts::WtsAddress(teleta::wts::SerialAddress{"/dev/ttyUSB0", 921600}));
         QCOMPARE(serial.config.delay_ms, std::uint16_t(5));
@@ -135,7 +134,7 @@ private slots:
         QCOMPARE(serial.threshold.value_or(0.0), 30.0);
         QCOMPARE(QString::fromStdString(serial.loadUnit), QStringLiteral("counts"));
         QCOMPARE(displayName((*requests)[0]), QStringLiteral("ttyUSB0"));
-        const auto& tcp = std::get<app::WtsRequest>((*requests)[1]);
+        const auto& tcp = std::get<WtsRequest>((*requests)[1]);
         QVERIFY(tcp.config.address == teleta::wts::WtsAddress(teleta::wts::TcpAddress{"hand", 1000}));
         QVERIFY(!tcp.config.tare);
         QVERIFY(!tcp.threshold.has_value());
@@ -161,8 +160,7 @@ private slots:
         QFETCH(QByteArray, lines);
         QFETCH(int, line);
         QFETCH(int, column);
-        const auto requests =
-            app::readSourceList(write("bad.toml", "[[source]]\n" + lines + "\n").toStdString());
+        const auto requests = readSourceList(write("bad.toml", "[[source]]\n" + lines + "\n").toStdString());
         QVERIFY(!requests.has_value());
         QCOMPARE(int(requests.error().where.line), line);
         QCOMPARE(int(requests.error().where.column), column);
@@ -182,20 +180,20 @@ private slots:
     void aListIsKnownByItsContentWhateverIsWrongWithIt() {
         QFETCH(QByteArray, content);
         QFETCH(bool, isList);
-        QCOMPARE(app::isSourceList(write("some.toml", content).toStdString()), isList);
-        QVERIFY(!app::isSourceList(m_folder.filePath("nowhere.toml").toStdString()));
+        QCOMPARE(isSourceList(write("some.toml", content).toStdString()), isList);
+        QVERIFY(!isSourceList(m_folder.filePath("nowhere.toml").toStdString()));
     }
 
     void namesThePlaceOfWhatIsWrong() {
         writeRecording("b.csv", 84);
         const QString list = write("wrong.toml", "[[source]]\nrecording = \"b.csv\"\nspeeed = 2\n");
-        const auto requests = app::readSourceList(list.toStdString());
+        const auto requests = readSourceList(list.toStdString());
         QVERIFY(!requests.has_value());
         QCOMPARE(requests.error().where.line, 3LL);
         QCOMPARE(requests.error().where.column, 1LL);
         QVERIFY(requests.error().message.find("speeed") != std::string::npos);
 
-        const auto missing = app::readSourceList(m_folder.filePath("nowhere.toml").toStdString());
+        const auto missing = readSourceList(m_folder.filePath("nowhere.toml").toStdString());
         QVERIFY(!missing.has_value());
         QCOMPARE(missing.error().kind, teleta::core::ErrorKind::notFound);
     }

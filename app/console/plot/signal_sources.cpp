@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/plot/signal_sources.h"
+
+#include "backend/core/steady_time.h"
+#include "widgets/base/background.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace teleta::console {
+
+SignalSources::SignalSources(SourceManager& sources, QObject* parent)
+    : QObject(parent)
+    , m_sources(sources)
+    , m_origin_ns(core::steadyNow_ns()) {
+    connect(&m_sources, &SourceManager::opened, this, &SignalSources::watch);
+    connect(&m_sources, &SourceManager::closed, this, [this](pipeline::ChannelKey key) {
+        if (std::erase_if(m_live, [key](const Live& live) { return live.key == key; }) > 0)
+            emit changed();
+    });
+}
+
+SignalSources::~SignalSources() {
+    for (const auto& reading : m_readings)
+        reading->cancelled = true;
+}
+
+void SignalSources::watch(pipeline::ChannelKey key) {
+    const SourceManager::Item* item = m_sources.find(key);
+    if (item == nullptr || !item->channel)
+        return;
+    const std::string wanted = item->name.toStdString();
+    std::string name = wanted;
+    for (int number = 2;
+         std::ranges::any_of(m_live, [&](const Live& live) { return live.source->name() == name; }); ++number)
+        name = wanted + " " + std::to_string(number);
+    auto source = std::make_shared<signal::LiveSource>(name, m_origin_ns);
+    item->channel->watch(pipeline::Watcher::plot, source, name);
+    m_live.push_back({key, std::move(source)});
+    if (const auto* recording = std::get_if<app::RecordingRequest>(&item->request))
+        addRecording(QString::fromStdString(recording->path));
+}
+
+std::optional<SignalSources::Signal> SignalSources::find(const signal::SignalId& id) const {
+    const auto signalOf = [&](const recording::StreamInfo& info) -> std::optional<Signal> {
+        const auto columns = signal::columnsOf(info);
+        const auto column = std::ranges::find(columns, id.column, &recording::Column::name);
+        if (column == columns.end())
+            return std::nullopt;
+        const bool events = signal::isOfEvents(info);
+        return Signal{nullptr, std::nullopt, column->unit, events ? 0.0 : info.nominalRate_Hz, events, true};
+    };
+    for (const Live& live : m_live) {
+        if (live.source->name() != id.source)
+            continue;
+        for (const signal::LiveSource::Stream& stream : live.source->streams()) {
+            const auto place = std::ranges::find(stream.columns, id.column,
+                                                 [](const auto& each) { return each.column.name; });
+            if (stream.name != id.stream || place == stream.columns.end())
+                continue;
+            auto found = signalOf(stream.info);
+            found->series = place->series;
+            found->newest = place->newest;
+            found->isRecorded = false;
+            return found;
+        }
+    }
+    for (const Recorded& recorded : m_recordings) {
+        const auto stream = std::ranges::find(recorded.streams, id.stream, &recording::StreamInfo::name);
+        if (recorded.name == id.source && stream != recorded.streams.end())
+            return signalOf(*stream);
+    }
+    return std::nullopt;
+}
+
+std::vector<signal::SourceEntry> SignalSources::entries() const {
+    std::vector<signal::SourceEntry> entries;
+    for (const Live& live : m_live) {
+        signal::SourceEntry entry{live.source->name(), {}, {}};
+        for (const signal::LiveSource::Stream& stream : live.source->streams())
+            entry.streams.push_back({stream.name, signal::columnsOf(stream.info)});
+        entries.push_back(std::move(entry));
+    }
+    for (const Recorded& recorded : m_recordings) {
+        signal::SourceEntry entry{recorded.name, tr("whole recording"), {}};
+        for (const recording::StreamInfo& stream : recorded.streams)
+            entry.streams.push_back({stream.name, signal::columnsOf(stream)});
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
+std::uint64_t SignalSources::lost() const {
+    return std::accumulate(m_live.begin(), m_live.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, const Live& live) { return sum + live.source->lost(); });
+}
+
+void SignalSources::addRecording(const QString& path) {
+    const std::string file = path.toStdString();
+    if (std::ranges::find(m_recordings, file, &Recorded::path) != m_recordings.end() ||
+        std::ranges::find(m_adding, file) != m_adding.end())
+        return;
+    m_adding.push_back(file);
+    base::runInBackground(
+        this, [file] { return signal::signalStreamsOf(file); },
+        [this, file, path](core::Expected<std::vector<recording::StreamInfo>> streams) {
+            std::erase(m_adding, file);
+            const QString shown = QFileInfo(path).fileName();
+            if (!streams) {
+                emit failed(shown, QString::fromStdString(core::describe(streams.error())));
+                return;
+            }
+            const std::string wanted = shown.toStdString();
+            std::string name = wanted;
+            for (int number = 2; std::ranges::find(m_recordings, name, &Recorded::name) != m_recordings.end();
+                 ++number)
+                name = wanted + " " + std::to_string(number);
+            m_recordings.push_back({name, file, std::move(*streams)});
+            emit changed();
+        });
+}
+
+void SignalSources::read(const std::vector<signal::SignalId>& signalIds) {
+    if (signalIds.empty())
+        return;
+    const auto recorded = std::ranges::find(m_recordings, signalIds.front().source, &Recorded::name);
+    if (recorded == m_recordings.end())
+        return;
+    std::vector<std::string> columns;
+    for (const signal::SignalId& id : signalIds)
+        columns.push_back(id.column);
+    auto reading = std::make_shared<Reading>();
+    m_readings.push_back(reading);
+    base::runInBackground(
+        this,
+        [reading, columns, path = recorded->path, stream = signalIds.front().stream] {
+            return signal::readSignals(path, stream, columns, [&reading](double share) {
+                reading->share = share;
+                return !reading->cancelled;
+            });
+        },
+        [this, reading, signalIds](core::Expected<signal::RecordedSignals> read) {
+            std::erase(m_readings, reading);
+            for (std::size_t i = 0; i < signalIds.size(); ++i) {
+                if (!read)
+                    emit readFailed(signalIds[i], QString::fromStdString(core::describe(read.error())));
+                else
+                    emit readDone(signalIds[i],
+                                  std::make_shared<const signal::Series>(std::move(read->series[i])));
+            }
+            if (read && read->damagedBlocks > 0)
+                emit damaged(QString::fromStdString(signalIds.front().source),
+                             static_cast<int>(read->damagedBlocks));
+        });
+}
+
+std::optional<double> SignalSources::progress() const {
+    if (m_readings.empty())
+        return std::nullopt;
+    return std::accumulate(m_readings.begin(), m_readings.end(), 0.0,
+                           [](double sum, const auto& reading) { return sum + reading->share; }) /
+           static_cast<double>(m_readings.size());
+}
+
+void SignalSources::keep(const std::vector<signal::SignalId>& signalIds, std::size_t samples) {
+    for (const Live& live : m_live)
+        live.source->keep(
+            [&](const std::string& stream, const std::string& column) {
+                const signal::SignalId id{live.source->name(), stream, column};
+                return std::ranges::find(signalIds, id) != signalIds.end();
+            },
+            samples);
+}
+
+void SignalSources::tick() {
+    bool isNew = false;
+    for (const Live& live : m_live)
+        isNew = live.source->take() || isNew;
+    if (isNew)
+        emit changed();
+}
+
+} // namespace teleta::console

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/plot/plot_page.h"
+#include "app/console/sources/source_manager.h"
+#include "backend/core/data/csv_reader.h"
+#include "backend/recording/recorder.h"
+#include "backend/recording/stream_columns.h"
+#include "widgets/base/theme.h"
+#include "widgets/signal/signal_plot.h"
+#include "widgets/signal/signal_table.h"
+#include "widgets/signal/signals_mime.h"
+
+#include <QCheckBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+
+#include <cmath>
+#include <numbers>
+
+using namespace teleta;
+using console::PlotPage;
+using console::SourceManager;
+
+namespace {
+
+constexpr std::int64_t kStart_ns = 50'000'000'000;
+constexpr int kFrames = 2000;
+
+/// One joint whose angle is a sine of 0.3 rad at 10 Hz, 2 s at 1 kHz.
+void recordSine(const QString& path) {
+    recording::RecordingHead head;
+    head.start_ns = kStart_ns;
+    auto recorder = recording::Recorder::start(path.toStdString(), head, {.simulatedTime = true}).value();
+    const auto tap = recorder->addStream(recording::jointStream(1000.0, 1));
+    for (int i = 0; i < kFrames; ++i) {
+        const std::vector<double> values{0.3 * std::sin(2.0 * std::numbers::pi * 0.01 * i), 0.0, 0.0};
+        tap->append(kStart_ns + 1'000'000LL * i, 0.001 * i, std::span<const double>(values));
+    }
+    QVERIFY(recorder->stop());
+}
+
+} // namespace
+
+class PlotPageTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    core::StopSwitch m_stop;
+    std::unique_ptr<console::ConsoleSettings> m_settings;
+    std::unique_ptr<SourceManager> m_sources;
+    std::unique_ptr<PlotPage> m_page;
+    const signal::SignalId m_angle{"sine.teleta", "joints", "q1"};
+
+    void tick() {
+        m_sources->poll();
+        m_page->tick();
+        QCoreApplication::processEvents();
+    }
+    [[nodiscard]] bool ticks(const std::function<bool()>& until) {
+        return QTest::qWaitFor([&] {
+            tick();
+            return until();
+        });
+    }
+    void openRecording() {
+        m_page->plotSignals().sources().addRecording(m_folder.filePath("sine.teleta"));
+        QVERIFY(ticks([this] { return !m_page->plotSignals().sources().entries().empty(); }));
+    }
+    void plotAngle() {
+        openRecording();
+        m_page->plotSignals().add({m_angle});
+        QVERIFY(ticks([this] { return m_page->plotSignals().shown().front().raw != nullptr; }));
+    }
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        base::applyTheme(base::ThemeChoice::light);
+        recordSine(m_folder.filePath("sine.teleta"));
+    }
+    void init() {
+        m_settings = std::make_unique<console::ConsoleSettings>(false);
+        for (const QString& name : m_settings->plotLayouts().keys())
+            m_settings->setPlotLayout(name, {});
+        m_sources = std::make_unique<SourceManager>(m_stop);
+        m_page = std::make_unique<PlotPage>(*m_sources, *m_settings);
+        m_page->resize(1000, 700);
+        m_page->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_page.get()));
+    }
+    void cleanup() {
+        m_page.reset();
+        m_sources.reset();
+    }
+
+    void anEmptyPageSaysWhatToDo() {
+        auto* demo = m_page->findChild<QPushButton*>("plotDemo");
+        QVERIFY(demo != nullptr && demo->isVisible());
+        QSignalSpy asked(m_page.get(), &PlotPage::demoRequested);
+        QTest::mouseClick(demo, Qt::LeftButton);
+        QCOMPARE(asked.count(), 1);
+    }
+
+    void aDroppedSignalOfARunningSceneIsDrawn() {
+        m_sources->open(app::SceneRequest{":/scenes/tactile-indenter.toml", 1});
+        QVERIFY(ticks([this] {
+            return !m_page->plotSignals().sources().entries().empty() &&
+                   !m_page->plotSignals().sources().entries().front().streams.empty();
+        }));
+        const auto entry = m_page->plotSignals().sources().entries().front();
+        std::vector<std::string> streams;
+        for (const auto& stream : entry.streams)
+            streams.push_back(stream.name);
+        QVERIFY(std::ranges::find(streams, "features") != streams.end());
+        const auto mime = signal::mimeOf({{entry.name, "features", "force_n"}});
+        auto* area = m_page->findChild<QWidget*>("dropArea");
+        QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, mime.get(), Qt::LeftButton, {});
+        QApplication::sendEvent(area, &enter);
+        QDropEvent drop(QPointF(50, 50), Qt::CopyAction, mime.get(), Qt::LeftButton, {});
+        QApplication::sendEvent(area, &drop);
+        QCOMPARE(m_page->plotSignals().shown().size(), std::size_t{1});
+        QVERIFY(m_page->plot().isVisible());
+        QVERIFY(m_page->plot().isFollowing());
+        QVERIFY(ticks(
+            [this] { return m_page->plot().to_s() > m_page->plotSignals().shown().front().raw->time_s(0); }));
+        QVERIFY(ticks([this] { return m_page->plotSignals().shown().front().raw->size() > 50; }));
+        const auto series = m_page->plotSignals().shown().front().raw;
+        const auto size = series->size();
+        QVERIFY2(ticks([&] { return series->size() > size + 20; }), "it goes on");
+        m_sources->closeAll();
+        QVERIFY(ticks([this] { return m_page->plotSignals().sources().entries().empty(); }));
+        QVERIFY2(m_page->plotSignals().shown().front().raw != nullptr, "what was drawn stays");
+    }
+
+    void aRecordingIsReadAsAWhole() {
+        plotAngle();
+        const auto& shown = m_page->plotSignals().shown().front();
+        QCOMPARE(shown.raw->size(), std::size_t{kFrames});
+        QCOMPARE(shown.note, QString());
+        QVERIFY(ticks([this] { return m_page->plot().to_s() > 1.9; }));
+        QVERIFY(std::abs(m_page->plot().from_s()) < 1e-6);
+        QCOMPARE(m_page->plot().isFollowing(), false);
+        QCOMPARE(m_page->table().view().topLevelItem(0)->text(4), QString("rad"));
+    }
+
+    void aSignalWhoseSourceIsNotOpenWaitsForIt() {
+        m_page->plotSignals().add({m_angle});
+        QVERIFY(!m_page->plotSignals().shown().front().note.isEmpty());
+        openRecording();
+        QVERIFY(ticks([this] { return m_page->plotSignals().shown().front().raw != nullptr; }));
+        QVERIFY(m_page->plotSignals().shown().front().note.isEmpty());
+    }
+
+    void derivativeAndSpectrumAreThoseOfTheSine() {
+        plotAngle();
+        QTreeWidget& table = m_page->table().view();
+        table.setFocus();
+        table.setCurrentItem(table.topLevelItem(0));
+        QTest::keyClick(&table, Qt::Key_D);
+        QCOMPARE(table.topLevelItemCount(), 2);
+        QVERIFY(table.topLevelItem(1)->text(0).contains("d/dt"));
+        QCOMPARE(table.topLevelItem(1)->text(4), QString("rad/s"));
+        QVERIFY(ticks([this] {
+            const auto slope = m_page->plotSignals().shown()[1].series();
+            return slope->size() == kFrames - 2;
+        }));
+        const double speed = 0.3 * 2.0 * std::numbers::pi * 10.0;
+        const auto range = m_page->plotSignals().shown()[1].series()->range(0, kFrames);
+        QVERIFY(std::abs(range->high - speed) < 0.01 * speed);
+
+        QTest::keyClick(&table, Qt::Key_S);
+        QVERIFY(ticks([this] { return m_page->plotSignals().shown()[0].spectrum != nullptr; }));
+        const signal::Spectrum& spectrum = *m_page->plotSignals().shown()[0].spectrum;
+        const auto peak = std::ranges::max_element(spectrum.amplitude);
+        QVERIFY(std::abs(spectrum.frequency_Hz[static_cast<std::size_t>(peak - spectrum.amplitude.begin())] -
+                         10.0) < 4.0);
+        QVERIFY(m_page->findChild<QCheckBox*>("density")->isVisible());
+    }
+
+    void tooFewSamplesInViewAreNoSpectrum() {
+        plotAngle();
+        m_page->plot().setRange(0.5, 0.52);
+        m_page->plotSignals().setSpectrum(0, true);
+        QVERIFY(ticks([this] { return !m_page->plotSignals().shown().front().spectrumNote.isEmpty(); }));
+        QVERIFY(m_page->table().view().topLevelItem(0)->text(0).contains("64"));
+    }
+
+    void cursorsShowDifferences() {
+        plotAngle();
+        m_page->plot().moveCursor(0, 0.0);
+        m_page->plot().moveCursor(1, 0.025);
+        QTreeWidget& table = m_page->table().view();
+        QVERIFY(ticks([&] { return table.topLevelItem(0)->text(3).startsWith("0.3"); }));
+        QVERIFY(m_page->table().times().contains("25"));
+        QVERIFY(m_page->findChild<QCheckBox*>("cursors")->isChecked());
+    }
+
+    void deleteRemovesAndUndoBringsBack() {
+        plotAngle();
+        QTreeWidget& table = m_page->table().view();
+        table.setFocus();
+        table.setCurrentItem(table.topLevelItem(0));
+        QTest::keyClick(&table, Qt::Key_Delete);
+        QVERIFY(m_page->plotSignals().shown().empty());
+        QVERIFY(m_page->findChild<QPushButton*>("plotDemo")->isVisible());
+        QTest::keyClick(m_page.get(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_page->plotSignals().shown().size(), std::size_t{1});
+        QVERIFY(m_page->plotSignals().shown().front().raw != nullptr);
+    }
+
+    void whatIsInViewIsSavedWithUnits() {
+        plotAngle();
+        m_page->plot().setRange(0.1, 0.1095);
+        const QString path = m_folder.filePath("view.csv");
+        m_page->saveData(path);
+        QVERIFY(ticks([&] { return QFile::exists(path); }));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = file.readAll().split('\n');
+        QCOMPARE(lines.first(), QByteArray("time_s,q1_rad"));
+        QCOMPARE(lines.size(), 1 + 10 + 1);
+        QVERIFY(ticks([this] { return m_page->messages().count() == 1; }));
+    }
+
+    void layoutsAreKeptUnderANameAndRestored() {
+        plotAngle();
+        m_page->plotSignals().addDerivative(0);
+        m_page->plotSignals().setSpectrum(0, true);
+        m_page->plot().setRange(0.5, 1.5);
+        m_page->layouts().save("  angle ");
+        QCOMPARE(m_settings->plotLayouts().keys(), QStringList{"angle"});
+        m_page->plotSignals().remove({0, 1});
+        m_page->plot().setRange(0.0, 30.0);
+        m_page->layouts().choose("angle");
+        const auto& shown = m_page->plotSignals().shown();
+        QCOMPARE(shown.size(), std::size_t{2});
+        QVERIFY(shown[0].what.spectrum && shown[1].what.derivative);
+        QCOMPARE(m_page->plot().span_s(), 1.0);
+        m_settings->setPlotLayout("newer", R"({"version": 99})");
+        m_page->layouts().choose("newer");
+        QCOMPARE(m_page->messages().count(), 1);
+        QCOMPARE(m_page->plotSignals().shown().size(), std::size_t{2});
+    }
+
+    void aFileThatIsNoRecordingIsReported() {
+        QFile file(m_folder.filePath("broken.teleta"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("no database");
+        file.close();
+        m_page->plotSignals().sources().addRecording(file.fileName());
+        QVERIFY(ticks([this] { return m_page->messages().count() == 1; }));
+        QVERIFY(m_page->plotSignals().sources().entries().empty());
+    }
+};
+
+QTEST_MAIN(PlotPageTest)
+#include "plot_page_test.moc"

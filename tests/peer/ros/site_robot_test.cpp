@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// teleta-site with a robot of Fast DDS and MuJoCo, and consoles at it. The robot's log says where the arm was
+// and when; its clock is the steady one of this computer.
+#include "robot_fixture.h"
+#include "tests/peer/site/site_process.h"
+
+#include <csignal>
+#include <string>
+#include <vector>
+
+namespace teleta {
+namespace {
+
+using namespace std::chrono_literals;
+using site::Mode;
+using site::RequestAnswer;
+using site::RequestKind;
+using test::SiteProcess;
+using test::TestConsole;
+
+constexpr double kBraking_s = kRate_radPerS / kDeceleration_radPerS2;
+/// Cycles of site and arm, and this machine.
+constexpr double kSlack_s = 0.06;
+
+class SiteRobot : public RosArmPeer {
+protected:
+    /// The robot in a domain, the site and its consoles in the next one.
+    void begin(int domain, const QStringList& more = {}) {
+        start(domain, more);
+        writeFile("", "announce = false\n");
+        m_site = std::make_unique<SiteProcess>(domain + 1, "[[device]]\nfile = \"" + path() + "\"\n");
+        m_site->start();
+    }
+    [[nodiscard]] test::RunningProgram jog(double seconds) const {
+        return test::RunningProgram({"arm", "jog", m_site->fileOf("a"), "--joint", "joint_3", "--rate", "0.3",
+                                     "--seconds", std::to_string(seconds), "--yes", "--json"});
+    }
+    bool runsAtFullSpeed() {
+        return eventually([this] {
+            const std::vector<json> states = logOf("state");
+            return !states.empty() && states.back()["velocity"][kJoint].get<double>() > 0.9 * kRate_radPerS;
+        });
+    }
+    void expectRest() {
+        std::this_thread::sleep_for(700ms);
+        EXPECT_NEAR(logOf("state").back()["velocity"][kJoint].get<double>(), 0.0, 1e-3);
+    }
+
+    std::unique_ptr<SiteProcess> m_site;
+};
+
+TEST_F(SiteRobot, aJogThroughTheSiteMovesAsFarAsItSays) {
+    begin(100);
+    auto program = jog(1.0);
+    const ProgramResult result = program.wait();
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const json told = json::parse(result.out);
+    EXPECT_NEAR(told["way"].get<double>(), 0.3, 0.04) << result.out;
+    EXPECT_NEAR(logOf("state").back()["position"][kJoint].get<double>(), told["way"].get<double>(), 2e-3);
+    for (const json& trajectory : logOf("trajectory"))
+        EXPECT_EQ(trajectory["accepted"], true) << trajectory["reason"];
+}
+
+TEST_F(SiteRobot, theArmRestsWhenTheConsoleIsKilled) {
+    begin(102);
+    auto program = jog(2.0);
+    ASSERT_TRUE(runsAtFullSpeed());
+    program.send(SIGKILL);
+    const double killed_s = 1e-9 * static_cast<double>(core::steadyNow_ns());
+    EXPECT_EQ(program.wait().exitCode, -SIGKILL);
+    expectRest();
+    EXPECT_LE(lastAway_s(1e-3) - killed_s, kLease_s + kFirstPoint_s + kBraking_s + kSlack_s);
+}
+
+TEST_F(SiteRobot, theArmRestsByItselfWhenTheSiteIsKilled) {
+    begin(104);
+    auto program = jog(2.0);
+    ASSERT_TRUE(runsAtFullSpeed());
+    m_site->kill();
+    expectRest();
+    // Nobody brakes but the controller, at the end of the points that it has.
+    const double last_s = steady_s(logOf("trajectory").back());
+    EXPECT_LE(lastAway_s(1e-3) - last_s, kFirstPoint_s + kBraking_s + 0.03);
+    EXPECT_EQ(program.wait().exitCode, 1);
+}
+
+TEST_F(SiteRobot, stopOfAViewerBrakesAndAFaultIsClearedByWhoControls) {
+    begin(106);
+    TestConsole console(*m_site, "a");
+    TestConsole viewer(*m_site, "v", true);
+    ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); })) << console.hindrance();
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+    viewer.stop().engage();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::stopped; }));
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.rests(200ms, 2e-3); }));
+    viewer.stop().release();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::held; }));
+    EXPECT_TRUE(console.rests(300ms, 2e-3));
+    console.letGo();
+    console.press(-kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+
+    ASSERT_TRUE(m_robot.command("fault nan"));
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::fault; }));
+    EXPECT_EQ(console.ask(RequestKind::clearFault), RequestAnswer::busy) << "its cause is still there";
+    ASSERT_TRUE(m_robot.command("fault none"));
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.rests(300ms, 2e-3); }));
+    console.letGo();
+    ASSERT_TRUE(
+        TestConsole::eventually([&] { return console.ask(RequestKind::clearFault) == RequestAnswer::done; }));
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::held; }));
+    console.press(kRate_radPerS);
+    EXPECT_TRUE(console.moves());
+}
+
+} // namespace
+} // namespace teleta
