@@ -15,8 +15,9 @@ fail() {
 "$root/packaging/make_deb.sh"
 package=$(compgen -G "$root/build/package/teleta-console_*.deb")
 module=$(compgen -G "$root/build/package/python3-teleta_*.deb")
+site=$(compgen -G "$root/build/package/teleta-site_*.deb")
 
-for each in "$package" "$module"; do
+for each in "$package" "$module" "$site"; do
     lintian --allow-root --fail-on error --suppress-tags bogus-mail-host,no-changelog,embedded-library "$each" || fail "lintian refuses $each"
 done
 
@@ -25,6 +26,7 @@ enter_tree "$tree"
 
 cp "$package" "$tree/tmp/teleta-console.deb"
 cp "$module" "$tree/tmp/python3-teleta.deb"
+cp "$site" "$tree/tmp/teleta-site.deb"
 inside apt-get -q update
 
 printf '\n== the Python module alone in the clean tree\n'
@@ -36,6 +38,24 @@ for example in features_of_csv recording_to_arrays; do
 done
 inside apt-get -q remove -y python3-teleta >/dev/null
 [[ ! -e $tree/usr/lib/python3/dist-packages/teleta ]] || fail "the module leaves files behind"
+
+printf '\n== the robot'\''s end of a link alone, with a simulated arm\n'
+inside apt-get -q install -y --no-install-recommends /tmp/teleta-site.deb
+[[ ! -e $tree/usr/bin/teleta ]] || fail "teleta-site brings the other programs"
+inside teleta-site --version
+for file in bin/teleta-site lib/systemd/system/teleta-site.service lib/sysusers.d/teleta-site.conf share/man/man8/teleta-site.8.gz \
+    share/bash-completion/completions/teleta-site share/doc/teleta-site/copyright share/doc/teleta-site/examples/site.toml; do
+    inside dpkg -L teleta-site | grep -qxF "/usr/$file" || fail "teleta-site does not hold /usr/$file"
+done
+[[ ! -e $tree/etc/systemd/system/multi-user.target.wants/teleta-site.service ]] || fail "the service is enabled"
+printf '%s\n' 'kind = "site"' 'name = "lab"' 'record = true' '[operator]' 'interface = "lo"' 'security = "none"' '[[device]]' \
+    'id = "practice"' 'scene = "teleoperation"' >"$tree/tmp/site.toml"
+inside teleta-site /tmp/site.toml --check
+inside mkdir -p /tmp/site-recordings
+inside timeout --preserve-status --signal TERM 4 teleta-site /tmp/site.toml --recordings /tmp/site-recordings
+compgen -G "$tree/tmp/site-recordings/lab-*.teleta" >/dev/null || fail "teleta-site left no recording"
+inside apt-get -q remove -y teleta-site >/dev/null
+[[ ! -e $tree/usr/bin/teleta-site ]] || fail "teleta-site leaves its program behind"
 
 inside apt-get -q install -y --no-install-recommends /tmp/teleta-console.deb
 inside apt-get -q install -y --no-install-recommends xvfb xauth fonts-dejavu-core
@@ -55,7 +75,7 @@ inside teleta study analyze /tmp/study --out /tmp/results >/dev/null
 for file in man/man1/teleta.1.gz man/man1/teleta-console.1.gz man/man1/teleta-stiffness.1.gz \
     applications/org.teleta.Console.desktop metainfo/org.teleta.Console.metainfo.xml \
     icons/hicolor/scalable/apps/teleta-console.svg bash-completion/completions/teleta doc/teleta-console/copyright \
-    teleta-console/teleta_msgs/msg/Touch.msg \
+    teleta-console/teleta_msgs/msg/Touch.msg teleta-console/sites/lab.toml \
     doc/teleta-console/changelog.gz doc/teleta-console/CITATION.cff mime/packages/org.teleta.Console.xml; do
     [[ -s $tree/usr/share/$file || $file == doc/* || $file == man/* ]] || fail "/usr/share/$file is missing"
     inside dpkg -L teleta-console | grep -qxF "/usr/share/$file" || fail "the package does not hold /usr/share/$file"
