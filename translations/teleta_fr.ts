@@ -423,8 +423,8 @@
         <translation>Bouger sans demander</translation>
     </message>
     <message>
-        <source>Show the description of a robot arm (URDF), or jog an arm over ROS 2</source>
-        <translation>Bras robotisés&#xa0;: descriptions (URDF), et une articulation qui est bougée par ROS 2</translation>
+        <source>Show the description of a robot arm (URDF), or jog an arm</source>
+        <translation>Bras robotisés&#xa0;: descriptions (URDF), et une articulation qui est bougée</translation>
     </message>
     <message>
         <source>Move a joint of an arm for a short time</source>

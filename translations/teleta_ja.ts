@@ -422,8 +422,8 @@
         <translation>確認せずに動かす</translation>
     </message>
     <message>
-        <source>Show the description of a robot arm (URDF), or jog an arm over ROS 2</source>
-        <translation>ロボットアーム: 記述 (URDF)、およびROS 2での関節の動作</translation>
+        <source>Show the description of a robot arm (URDF), or jog an arm</source>
+        <translation>ロボットアーム: 記述 (URDF)、および関節の動作</translation>
     </message>
     <message>
         <source>Move a joint of an arm for a short time</source>

@@ -422,8 +422,8 @@
         <translation>不经询问直接移动</translation>
     </message>
     <message>
-        <source>Show the description of a robot arm (URDF), or jog an arm over ROS 2</source>
-        <translation>机械臂：描述 (URDF)，以及通过 ROS 2 移动关节</translation>
+        <source>Show the description of a robot arm (URDF), or jog an arm</source>
+        <translation>机械臂：描述 (URDF)，以及移动关节</translation>
     </message>
     <message>
         <source>Move a joint of an arm for a short time</source>

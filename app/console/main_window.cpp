@@ -340,10 +340,6 @@ void MainWindow::openArm() {
     askForFile(tr("Open arm"), tr("Arms over ROS 2 (*.toml)"), &FileOpener::openArm);
 }
 
-void MainWindow::openSite() {
-    askForFile(tr("Connect to a site"), tr("Sites (*.toml)"), &FileOpener::openSite);
-}
-
 void MainWindow::openDemo() {
     m_opener->openScene(QStringLiteral(":/scenes/teleta-touch.toml"));
 }

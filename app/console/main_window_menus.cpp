@@ -111,6 +111,10 @@ void MainWindow::buildArmMenu() {
     })->setToolTip(tr("What is touched from now on is another object"));
 }
 
+void MainWindow::openSite() {
+    askForFile(tr("Connect to a site"), tr("Sites (*.toml)"), &FileOpener::openSite);
+}
+
 void MainWindow::addRecentMenu(QMenu& file) {
     QMenu* menu = file.addMenu(tr("Open &recent"));
     menu->setObjectName(QStringLiteral("recent"));

@@ -36,10 +36,9 @@ constexpr std::int64_t kTell_ns = 250'000'000;
 
 enum ExitCode { kDone = 0, kWorkFailed = 1, kWrongUsage = 2, kBadInput = 3 };
 
-int failedWith(const core::Error& error) {
+int failedWith(const core::Error& error, bool badInput) {
     std::cerr << "teleta-site: " << core::describe(error) << '\n';
-    return error.kind == core::ErrorKind::badInput || error.kind == core::ErrorKind::notFound ? kBadInput
-                                                                                              : kWorkFailed;
+    return badInput ? kBadInput : kWorkFailed;
 }
 
 struct Options {
@@ -111,7 +110,7 @@ int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const EndSignal
 int run(const Options& options, const EndSignals& ending) {
     const core::Expected<SiteFile> file = readSite(options.path);
     if (!file)
-        return failedWith(file.error());
+        return failedWith(file.error(), file.error().kind != core::ErrorKind::ioFailed);
     SiteLog log(options.json && !options.check);
     const auto cancelled = [&ending] { return ending.wait(0); };
     core::Expected<std::unique_ptr<RunningSite>> site =
@@ -119,7 +118,10 @@ int run(const Options& options, const EndSignals& ending) {
                       : RunningSite::open(*file, options.recordings, log, cancelled);
     if (!site) {
         log.flush();
-        return site.error().kind == core::ErrorKind::cancelled ? kWorkFailed : failedWith(site.error());
+        if (site.error().kind == core::ErrorKind::cancelled)
+            return kWorkFailed;
+        // A device that is not there may come; a file that is wrong stays wrong.
+        return failedWith(site.error(), site.error().kind == core::ErrorKind::badInput);
     }
     const int code = options.check ? check(**site, options, ending) : serve(**site, *file, log, ending);
     site->reset();

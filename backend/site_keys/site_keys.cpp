@@ -13,6 +13,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <openssl/crypto.h>
 #include <openssl/x509v3.h>
 #include <utility>
 
@@ -238,6 +239,9 @@ core::Expected<KeyReport> checkKeys(const std::string& folder, std::int64_t now_
 }
 
 core::Expected<KeyReport> checkMember(const std::string& folder, std::int64_t now_unixS) {
+    // Who takes part in a secured domain has threads that decrypt until the very end of the program: the
+    // library must not clear itself away in exit(). It decides so when it is used first.
+    (void)OPENSSL_init_crypto(OPENSSL_INIT_NO_ATEXIT, nullptr);
     TELETA_TRY(const QDir member, readableFolder(folder));
     // Not only "keys/console1", but also "keys/console1/" and ".".
     const QDir named(QDir::cleanPath(member.absolutePath()));

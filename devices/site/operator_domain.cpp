@@ -21,10 +21,10 @@ std::vector<std::string> OperatorDomain::keyWarnings() const {
     std::vector<std::string> warnings;
     if (!security)
         return warnings;
-    if (const auto report =
-            site_keys::checkMember(security->folder, QDateTime::currentSecsSinceEpoch())) {
+    if (const auto report = site_keys::checkMember(security->folder, QDateTime::currentSecsSinceEpoch())) {
         for (const site_keys::KeyFinding& finding : report->findings)
-            warnings.push_back(finding.file.empty() ? finding.message : finding.file + ": " + finding.message);
+            warnings.push_back(finding.file.empty() ? finding.message
+                                                    : finding.file + ": " + finding.message);
     }
     return warnings;
 }

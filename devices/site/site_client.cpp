@@ -38,7 +38,7 @@ constexpr std::int64_t kAskAgain_ns = 200'000'000;
 constexpr std::int64_t kLongestAsk_ns = 15'000'000'000;
 constexpr std::int64_t kOpenLook_ns = 50'000'000;
 constexpr std::int64_t kConsolesLook_ns = 500'000'000;
-/// Numbers of a message are looked at in steps of ms.
+/// Times of messages are in ms.
 constexpr double kPerMs = 1e-3;
 
 std::vector<std::string> textsOf(const dds_sequence_string& sequence) {
@@ -57,6 +57,13 @@ bool moves(const core::JointVector& rate) {
     return std::ranges::any_of(rate, [](double value) { return value != 0.0; });
 }
 
+std::uint64_t firstRequestOf(const site::BootName& boot) {
+    std::uint64_t number = 0;
+    for (std::size_t i = 0; i < 6; ++i)
+        number = number << 8U | boot[i];
+    return number;
+}
+
 QString joined(const std::vector<std::string>& names) {
     QStringList list;
     for (const std::string& name : names)
@@ -64,10 +71,12 @@ QString joined(const std::vector<std::string>& names) {
     return list.join(QStringLiteral(", "));
 }
 
+} // namespace
+
 /// Waits for what the site says of itself.
-core::Expected<std::vector<recording::StreamInfo>>
-findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteTopics& topics,
-         const RemoteSiteFile& file, const std::function<bool()>& cancelled) {
+core::Expected<SiteClient::Told>
+SiteClient::findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteTopics& topics,
+                     const RemoteSiteFile& file, const std::function<bool()>& cancelled) {
     TELETA_TRY(auto info, dds::Reader<ros::SiteInfo>::open(participant, topics.info(), kLatched));
     TELETA_TRY(auto descriptions, dds::Reader<ros::String>::open(participant, topics.streams(), kLatched));
     dds::WaitSet waitSet(participant);
@@ -76,6 +85,7 @@ findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteT
     std::optional<std::uint32_t> protocol;
     std::optional<std::string> text;
     std::size_t expected = 0;
+    double lease_s = 0.0;
     for (const std::int64_t end_ns = core::steadyNow_ns() + SiteClient::kLongestOpen_ns;
          core::steadyNow_ns() < end_ns;) {
         if (cancelled && cancelled())
@@ -83,6 +93,7 @@ findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteT
         (void)info.take([&](const ros::SiteInfo& message, const dds::SampleInfo&) {
             protocol = message.protocol;
             expected = ros::view(message.streams).size();
+            lease_s = message.control_lease_ms * kPerMs;
         });
         (void)descriptions.take(
             [&text](const ros::String& message, const dds::SampleInfo&) { text = textOf(message.data); });
@@ -96,7 +107,7 @@ findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteT
             TELETA_TRY(auto streams, readStreams(*text, file.name));
             // The descriptions of the program before may come first.
             if (streams.size() == expected)
-                return streams;
+                return Told{std::move(streams), lease_s};
         }
         waitSet.wait(kOpenLook_ns);
     }
@@ -110,8 +121,6 @@ findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteT
                             .arg(SiteClient::kLongestOpen_ns / 1'000'000'000),
                         SiteClientText::tr("teleta-site running there, and its address under peers"));
 }
-
-} // namespace
 
 std::string hindranceOf(const SiteView& view, const std::string& console, const std::string& arm) {
     const auto text = [](const QString& sentence) { return sentence.toStdString(); };
@@ -140,22 +149,28 @@ core::Expected<std::shared_ptr<SiteClient>> SiteClient::open(const RemoteSiteFil
                                                              const std::function<bool()>& cancelled) {
     TELETA_TRY(const auto participant, file.meeting.join());
     const SiteTopics topics(file.name);
-    TELETA_TRY(auto streams, findSite(participant, topics, file, cancelled));
+    TELETA_TRY(Told told, findSite(participant, topics, file, cancelled));
     TELETA_TRY(auto state, dds::Reader<ros::SiteState>::open(participant, topics.state(), kState));
     TELETA_TRY(auto event, dds::Reader<ros::SiteEvent>::open(participant, topics.event(), kEvents));
     TELETA_TRY(auto answer,
                dds::Reader<ros::ClockAnswer>::open(participant, topics.clockAnswer(file.console), kNewest));
     TELETA_TRY(auto presence, dds::Writer<ros::ConsolePresence>::open(
                                   participant, topics.presence(file.console), kPresenceProfile));
-    TELETA_TRY(auto request,
-               dds::Writer<ros::ControlRequest>::open(participant, topics.request(file.console), kRequests));
-    TELETA_TRY(auto command,
-               dds::Writer<ros::SiteArmCommand>::open(participant, topics.command(file.console), kNewest));
+    std::optional<dds::Writer<ros::ControlRequest>> request;
+    std::optional<dds::Writer<ros::SiteArmCommand>> command;
+    if (!file.viewer) {
+        TELETA_TRY(auto asks, dds::Writer<ros::ControlRequest>::open(
+                                  participant, topics.request(file.console), kRequests));
+        TELETA_TRY(auto moves, dds::Writer<ros::SiteArmCommand>::open(participant,
+                                                                      topics.command(file.console), kNewest));
+        request.emplace(std::move(asks));
+        command.emplace(std::move(moves));
+    }
     TELETA_TRY(auto probe,
                dds::Writer<ros::ClockProbe>::open(participant, topics.clockProbe(file.console), kNewest));
     TELETA_TRY(auto discovery, dds::Discovery::open(participant));
     std::shared_ptr<SiteClient> client(
-        new SiteClient(file, version, participant, std::move(streams),
+        new SiteClient(file, version, participant, std::move(told),
                        {std::move(state), std::move(event), std::move(answer), std::move(presence),
                         std::move(request), std::move(command), std::move(probe), std::move(discovery)},
                        stop));
@@ -164,18 +179,20 @@ core::Expected<std::shared_ptr<SiteClient>> SiteClient::open(const RemoteSiteFil
 }
 
 SiteClient::SiteClient(RemoteSiteFile file, std::string version,
-                       std::shared_ptr<const dds::Participant> participant,
-                       std::vector<recording::StreamInfo> streams, Ends ends, const core::StopSwitch& stop)
+                       std::shared_ptr<const dds::Participant> participant, Told told, Ends ends,
+                       const core::StopSwitch& stop)
     : m_file(std::move(file))
     , m_version(std::move(version))
     , m_participant(std::move(participant))
     , m_topics(m_file.name)
-    , m_streams(std::move(streams))
+    , m_streams(std::move(told.streams))
+    , m_controlLease_s(told.controlLease_s)
     , m_keyWarnings(m_file.meeting.keyWarnings())
     , m_ends(std::move(ends))
     , m_stop(stop)
     , m_waitSet(m_participant)
-    , m_boot(newBootName()) {
+    , m_boot(newBootName())
+    , m_lastRequest(firstRequestOf(m_boot)) {
     m_waitSet.attach(m_ends.state);
     m_waitSet.attach(m_ends.event);
     m_waitSet.attach(m_ends.answer);
@@ -196,17 +213,19 @@ std::vector<RemoteEvent> SiteClient::takeEvents() {
     return events;
 }
 
-void SiteClient::request(RequestKind kind, const std::string& target) {
+std::uint64_t SiteClient::request(RequestKind kind, const std::string& target) {
+    std::uint64_t number = 0;
     {
         const std::scoped_lock lock(m_mutex);
         Pending pending;
-        pending.outcome.id = ++m_lastRequest;
+        number = pending.outcome.id = ++m_lastRequest;
         pending.outcome.kind = kind;
         pending.target = target;
         pending.until_ns = core::steadyNow_ns() + kLongestAsk_ns;
         m_pending = std::move(pending);
     }
     m_waitSet.wake();
+    return number;
 }
 
 void SiteClient::post(const std::string& arm, const core::ArmCommand& command) {
@@ -348,6 +367,11 @@ void SiteClient::ask(std::int64_t now_ns) {
     if (!m_pending || now_ns < m_pending->next_ns)
         return;
     m_now.request = m_pending->outcome;
+    if (!m_ends.request) {
+        m_now.request->answer = site::RequestAnswer::notPermitted;
+        m_pending.reset();
+        return;
+    }
     if (now_ns > m_pending->until_ns) {
         m_now.request->answer = site::RequestAnswer::expired;
         m_pending.reset();
@@ -361,7 +385,7 @@ void SiteClient::ask(std::int64_t now_ns) {
     request.kind = static_cast<std::uint8_t>(m_pending->outcome.kind);
     request.target = texts(m_pending->target);
     request.epoch = m_now.epoch;
-    (void)m_ends.request.write(request);
+    (void)m_ends.request->write(request);
 }
 
 void SiteClient::findConsoles(std::int64_t now_ns) {
@@ -391,7 +415,7 @@ void SiteClient::command(std::int64_t now_ns) {
     if (now_ns < m_nextCommand_ns)
         return;
     const site::OperatorHand::Send send = m_hand.step(now_ns);
-    if (m_newest.arm.empty() || send == site::OperatorHand::Send::nothing)
+    if (m_newest.arm.empty() || send == site::OperatorHand::Send::nothing || !m_ends.command)
         return;
     m_nextCommand_ns = now_ns + site::OperatorHand::kPeriod_ns;
     LentTexts texts;
@@ -409,7 +433,7 @@ void SiteClient::command(std::int64_t now_ns) {
     message.echo_site_ns = m_echoSite_ns;
     if (!hold)
         ros::lend(message.values, std::span(rate.data(), rate.size()));
-    (void)m_ends.command.write(message);
+    (void)m_ends.command->write(message);
 }
 
 void SiteClient::publish(std::int64_t now_ns) {

@@ -113,6 +113,8 @@ public:
     [[nodiscard]] const SiteTopics& topics() const { return m_topics; }
     /// What the site sends, as it was when the client was opened.
     [[nodiscard]] const std::vector<recording::StreamInfo>& streams() const { return m_streams; }
+    /// How long control stays with a console that is silent.
+    [[nodiscard]] double controlLease_s() const { return m_controlLease_s; }
     /// OperatorDomain::keyWarnings() then.
     [[nodiscard]] const std::vector<std::string>& keyWarnings() const { return m_keyWarnings; }
 
@@ -120,9 +122,10 @@ public:
     /// Events since the last call, in order; at most kMostEvents are kept.
     [[nodiscard]] std::vector<RemoteEvent> takeEvents();
 
-    /// Asks the site; the answer is in SiteView::request. target: the console that it is about.
-    void request(site::RequestKind kind, const std::string& target = {});
-    /// The operator's command to an arm; a rate of zero: the switch is let go.
+    /// Asks the site; the answer is in SiteView::request, under the number that this returns. A viewer is
+    /// not permitted anything. target: the console that it is about.
+    std::uint64_t request(site::RequestKind kind, const std::string& target = {});
+    /// The operator's command to an arm; a rate of zero: the switch is let go. Ignored from a viewer.
     void post(const std::string& arm, const core::ArmCommand& command);
 
     /// The program ends, and with it this console's part: the switch counts as let go, control is given up,
@@ -143,8 +146,9 @@ private:
         dds::Reader<ros::SiteEvent> event;
         dds::Reader<ros::ClockAnswer> answer;
         dds::Writer<ros::ConsolePresence> presence;
-        dds::Writer<ros::ControlRequest> request;
-        dds::Writer<ros::SiteArmCommand> command;
+        // Permissions of a viewer do not allow these two.
+        std::optional<dds::Writer<ros::ControlRequest>> request;
+        std::optional<dds::Writer<ros::SiteArmCommand>> command;
         dds::Writer<ros::ClockProbe> probe;
         dds::Discovery discovery;
     };
@@ -159,8 +163,16 @@ private:
         std::int64_t next_ns = 0;
     };
 
+    struct Told {
+        std::vector<recording::StreamInfo> streams;
+        double controlLease_s = 0.0;
+    };
+
     SiteClient(RemoteSiteFile file, std::string version, std::shared_ptr<const dds::Participant> participant,
-               std::vector<recording::StreamInfo> streams, Ends ends, const core::StopSwitch& stop);
+               Told told, Ends ends, const core::StopSwitch& stop);
+    [[nodiscard]] static core::Expected<Told>
+    findSite(const std::shared_ptr<const dds::Participant>& participant, const SiteTopics& topics,
+             const RemoteSiteFile& file, const std::function<bool()>& cancelled);
 
     void run(const std::stop_token& stop);
     void listen();
@@ -181,6 +193,7 @@ private:
     std::shared_ptr<const dds::Participant> m_participant;
     SiteTopics m_topics;
     std::vector<recording::StreamInfo> m_streams;
+    double m_controlLease_s;
     std::vector<std::string> m_keyWarnings;
     Ends m_ends;
     const core::StopSwitch& m_stop;
@@ -194,7 +207,7 @@ private:
     std::deque<RemoteEvent> m_events; ///< guarded by m_mutex, as the next two
     std::deque<Posted> m_posted;
     std::optional<Pending> m_pending;
-    std::uint64_t m_lastRequest = 0;
+    std::uint64_t m_lastRequest; ///< begins anywhere: answers to a program before are not this one's
 
     // The thread's own.
     SiteView m_now;

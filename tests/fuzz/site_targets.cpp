@@ -53,8 +53,7 @@ bool siteFile(Bytes bytes) {
 }
 
 bool remoteSiteFile(Bytes bytes) {
-    const core::Expected<site_link::RemoteSiteFile> file =
-        site_link::parseRemoteSite(textOf(bytes), kInput);
+    const core::Expected<site_link::RemoteSiteFile> file = site_link::parseRemoteSite(textOf(bytes), kInput);
     if (!file) {
         requireExplained(file.error());
         return false;

@@ -19,9 +19,6 @@ using site::RequestAnswer;
 using site::RequestKind;
 using site_view::SiteBarState;
 
-/// Of the control lease, for the bar: sites may have another one.
-constexpr double kLease_s = 2.0;
-
 QString text(const std::string& from) {
     return QString::fromStdString(from);
 }
@@ -50,7 +47,7 @@ SiteBarState stateOf(const site_link::SiteClient& site, const QString& lastRefus
     state.offeredTo = text(view.offeredTo);
     state.offeredHere = view.offeredTo == own;
     state.offerLeft_s = std::ceil(view.offerLeft_s);
-    state.leaseShare = std::round(20.0 * view.controlLeft_s / kLease_s) / 20.0;
+    state.leaseShare = std::round(20.0 * view.controlLeft_s / std::max(1e-3, site.controlLease_s())) / 20.0;
     state.stopHolders = texts(view.stopHolders);
     state.stopsItself = state.stopHolders.contains(text(own));
     for (const std::string& console : view.consoles) {

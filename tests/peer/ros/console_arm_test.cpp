@@ -179,7 +179,8 @@ private slots:
         chart = m_window->findChild<charts::JointChartView*>();
         QTRY_VERIFY_WITH_TIMEOUT(chart->history().size() > 50, kPatience_ms);
         QVERIFY(std::abs(chart->history().value(13, 0) - 0.7) < 0.02);
-        QVERIFY2(!m_window->findChild<view3d::Scene3dView*>()->armBox_m().isEmpty(), "its links were recorded");
+        QVERIFY2(!m_window->findChild<view3d::Scene3dView*>()->armBox_m().isEmpty(),
+                 "its links were recorded");
         m_jog = m_window->findChild<touch::JogPanel*>();
         QVERIFY(m_jog->refusal().contains("recording"));
     }

@@ -134,8 +134,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: nobody controls"), kPatience_ms);
         m_site->kill();
         QTRY_VERIFY_WITH_TIMEOUT(m_bar->headline().startsWith("lab does not answer"), kPatience_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(panelSays("the site does not answer") ||
-                                     !m_jog->refusal().isEmpty(),
+        QTRY_VERIFY_WITH_TIMEOUT(panelSays("the site does not answer") || !m_jog->refusal().isEmpty(),
                                  kPatience_ms);
         m_site->start();
         QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: nobody controls"), kPatience_ms);

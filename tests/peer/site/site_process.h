@@ -112,8 +112,7 @@ public:
     }
 
     std::uint64_t request(site::RequestKind kind, const std::string& target = {}) {
-        m_client->request(kind, target);
-        return ++m_asked;
+        return m_client->request(kind, target);
     }
     /// The same, and waits for the answer.
     site::RequestAnswer ask(site::RequestKind kind, const std::string& target = {}) {
@@ -200,7 +199,6 @@ private:
     std::unique_ptr<site_link::RemoteArm> m_arm;
     core::JointSample m_newest;
     std::vector<core::JointSample> m_track;
-    std::uint64_t m_asked = 0;
     std::jthread m_hand;
 };
 

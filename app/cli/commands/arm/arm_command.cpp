@@ -285,10 +285,10 @@ private:
 } // namespace
 
 Command armCommand() {
-    return makeCommand<ArmCommand>(
-        "arm", ArmText::tr("Show the description of a robot arm (URDF), or jog an arm over ROS 2"),
-        "teleta arm show seven-joints\n"
-        "  teleta arm show four-joints --json");
+    return makeCommand<ArmCommand>("arm",
+                                   ArmText::tr("Show the description of a robot arm (URDF), or jog an arm"),
+                                   "teleta arm show seven-joints\n"
+                                   "  teleta arm show four-joints --json");
 }
 
 } // namespace teleta::cli
