@@ -5,13 +5,13 @@ namespace teleta::site {
 
 void OperatorHand::post(bool moves, std::int64_t given_ns) {
     if (moves) {
-        if (!m_held || given_ns - m_given_ns > kLifetime_ns)
-            ++m_press;
+        m_press += m_letGo ? 1 : 0;
         m_given_ns = given_ns;
     } else if (m_held) {
         m_holdsLeft = kHolds;
     }
     m_held = moves;
+    m_letGo = !moves;
 }
 
 OperatorHand::Send OperatorHand::step(std::int64_t now_ns) {

@@ -29,11 +29,13 @@ public:
     /// What to send now, every kPeriod_ns.
     [[nodiscard]] Send step(std::int64_t now_ns);
 
-    /// How often the switch was pressed. A press that was silent for longer than kLifetime_ns is another one.
+    /// How often the switch was pressed. Only one that was let go can be pressed again: a view that goes on
+    /// after it has hung, with the switch still held, makes no new press, and the site does not move by it.
     [[nodiscard]] std::uint32_t press() const { return m_press; }
 
 private:
-    bool m_held = false;
+    bool m_held = false; ///< and not silent for too long
+    bool m_letGo = true; ///< the next command that moves is another press
     std::int64_t m_given_ns = std::numeric_limits<std::int64_t>::min();
     std::uint32_t m_press = 0;
     int m_holdsLeft = 0;

@@ -153,7 +153,5 @@ private slots:
     }
 };
 
-Q_DECLARE_METATYPE(teleta::site_view::SiteBarState)
-
 QTEST_MAIN(SiteBarTest)
 #include "site_bar_test.moc"
