@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+using namespace teleta;
 using namespace teleta::console;
 using last_session::Entry;
 using last_session::OpenSource;
