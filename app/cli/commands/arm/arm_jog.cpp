@@ -236,6 +236,7 @@ core::Expected<void> print(const JogResult& result, const ArmJogOptions& options
 } // namespace
 
 core::Expected<void> jogArm(const ArmJogOptions& options) {
+    TELETA_CHECK(checkJogFile(options.path));
     if (!options.yes && isatty(STDIN_FILENO) == 0)
         refuse("--yes", ArmJogText::tr("there is no terminal to ask on; add --yes to move the arm"));
     const core::StopSwitch stop;

@@ -136,6 +136,14 @@ core::Expected<std::unique_ptr<JogTarget>> openAtSite(const std::string& path, c
 
 } // namespace
 
+core::Expected<void> checkJogFile(const std::string& path) {
+    if (app::isSiteFile(path))
+        TELETA_CHECK(site_link::readRemoteSite(path));
+    else
+        TELETA_CHECK(ros_arm::readRosArm(path));
+    return {};
+}
+
 core::Expected<std::unique_ptr<JogTarget>> openJogTarget(const std::string& path, const std::string& device,
                                                          const core::StopSwitch& stop) {
     if (app::isSiteFile(path))

@@ -37,6 +37,9 @@ public:
     virtual void leave() {}
 };
 
+/// Whether such a file can be read, before a person is asked. Error: that of the file.
+[[nodiscard]] core::Expected<void> checkJogFile(const std::string& path);
+
 /// Opens the arm of a file (kind = "ros_arm"), or an arm of the site of a file (kind = "remote_site"), of
 /// which control is then asked for. device: the arm's name at the site; empty: the only one. stop outlives
 /// the target. Error: that of the file and of opening; badInput, the site has no such arm.
