@@ -133,25 +133,34 @@ TEST(StudyKill, aStudyOfThresholdsKilledTwiceEndsLikeAnUndisturbedOne) {
     const std::vector<Row> expected = rowsOf(whole);
     ASSERT_EQ(expected.size(), 12U + 240U);
 
-    const std::string killed = folder.path("killed");
-    std::size_t before = 0;
-    for (int kill = 0; kill < 2; ++kill) {
-        RunningProgram program(kill == 0 ? into(killed)
-                                         : std::vector<std::string>{"study", "resume", killed});
-        // Until it has come some trials further.
-        std::size_t now = before;
-        while (now < before + 40) {
-            poll(nullptr, 0, 5);
-            now = rowsOf(killed).size();
+    // On a busy machine the program may be at its end before the kill comes: then there is another try.
+    constexpr int kTries = 20;
+    std::string killed;
+    int kills = 0;
+    for (int attempt = 0; kills < 2 && attempt < kTries; ++attempt) {
+        killed = folder.path("killed" + std::to_string(attempt));
+        std::size_t before = 0;
+        for (kills = 0; kills < 2; ++kills) {
+            RunningProgram program(kills == 0 ? into(killed)
+                                              : std::vector<std::string>{"study", "resume", killed});
+            // Until it has come some trials further.
+            std::size_t now = before;
+            while (now < before + 40) {
+                poll(nullptr, 0, 5);
+                now = rowsOf(killed).size();
+            }
+            program.send(SIGKILL);
+            (void)program.wait();
+            const std::vector<Row> rows = rowsOf(killed);
+            ASSERT_GE(rows.size(), now);
+            ASSERT_LE(rows.size(), expected.size());
+            ASSERT_TRUE(std::equal(rows.begin(), rows.end(), expected.begin()));
+            if (rows.size() == expected.size())
+                break;
+            before = rows.size();
         }
-        program.send(SIGKILL);
-        (void)program.wait();
-        const std::vector<Row> rows = rowsOf(killed);
-        ASSERT_GE(rows.size(), now);
-        ASSERT_LT(rows.size(), expected.size()) << "it was killed at work";
-        ASSERT_TRUE(std::equal(rows.begin(), rows.end(), expected.begin()));
-        before = rows.size();
     }
+    ASSERT_EQ(kills, 2) << "it was not killed at work";
     const ProgramResult resumed = run({"study", "resume", killed});
     EXPECT_EQ(resumed.exitCode, 0) << resumed.err;
     EXPECT_EQ(rowsOf(killed), expected);
