@@ -191,8 +191,9 @@ TEST_F(SiteLink, aCutLinkHoldsTheArmAndABurstMovesNothing) {
         setBoth({.delay_s = kDelay_s, .cut = !burst, .holds = burst});
         const auto held = watched->waitFor(",held,");
         ASSERT_TRUE(held);
-        // What was on the way, the lease of 100 ms, and the looks of the programs.
-        EXPECT_LT(core::elapsed_s(cut_ns, core::steadyNow_ns()), kDelay_s + 0.1 + 0.2);
+        // What was on the way, the lease of 100 ms, the looks of the programs, and a busy machine. Control
+        // lasts for 2 s.
+        EXPECT_LT(core::elapsed_s(cut_ns, core::steadyNow_ns()), 1.5);
         const std::string accepted = fieldsOf(*held).at(6);
         // Longer than the control lease: the commands that come then are of nobody.
         ASSERT_TRUE(watched->waitFor(",free,"));

@@ -128,6 +128,7 @@ public:
     /// Holds the switch and asks for this rate of the second joint until letGo().
     void press(double rate_radPerS) {
         letGo();
+        m_rate_radPerS = rate_radPerS;
         m_hand = std::jthread([this, rate_radPerS](const std::stop_token& stop) {
             core::ArmCommand command;
             command.rate_radPerS = core::JointVector::zeros(m_arm->description().joints());
@@ -168,10 +169,21 @@ public:
         }
         return true;
     }
-    /// Whether it moves by this within 10 s.
+    /// Whether it moves by this. On a busy machine a command may come so late that the arm is held; then the
+    /// switch has to be pressed anew.
     [[nodiscard]] bool moves(double by_rad = 0.02) {
+        using Clock = std::chrono::steady_clock;
+        constexpr int kPresses = 10;
         const double from = angle();
-        return eventually([&] { return std::abs(angle() - from) > by_rad; });
+        for (int presses = 0; presses < kPresses; ++presses) {
+            for (const auto end = Clock::now() + std::chrono::seconds(2); Clock::now() < end;) {
+                if (std::abs(angle() - from) > by_rad)
+                    return true;
+            }
+            if (m_hand.joinable())
+                press(m_rate_radPerS);
+        }
+        return false;
     }
     /// When the joint was last farther than this from where it is now, by the clock here.
     [[nodiscard]] std::int64_t lastAway_ns(double tolerance_rad) {
@@ -199,6 +211,7 @@ private:
     std::unique_ptr<site_link::RemoteArm> m_arm;
     core::JointSample m_newest;
     std::vector<core::JointSample> m_track;
+    double m_rate_radPerS = 0.0; ///< that the hand asks for
     std::jthread m_hand;
 };
 
