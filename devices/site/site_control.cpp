@@ -251,7 +251,8 @@ void SiteControl::listen(std::int64_t now_ns) {
             std::ranges::copy(m_boot, std::begin(answer.site_boot));
             answer.number = probe.number;
             answer.t1_console_ns = probe.t1_console_ns;
-            answer.t2_site_ns = now_ns;
+            // Not before it came, however long this cycle takes: the bound of the offset rests on that.
+            answer.t2_site_ns = core::steadyNow_ns();
             answer.t3_site_ns = core::steadyNow_ns();
             (void)console->answer.write(answer);
         });
