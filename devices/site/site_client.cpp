@@ -254,8 +254,8 @@ void SiteClient::run(const std::stop_token& stop) {
         const std::int64_t now_ns = core::steadyNow_ns();
         next_ns = now_ns + kCycle_ns;
         listen();
-        if (leaves() && !std::exchange(m_released, true) && m_now.controls(m_file.console))
-            request(RequestKind::release);
+        if (leaves())
+            giveUp();
         tellPresence(now_ns);
         probeClock(now_ns);
         ask(now_ns);
@@ -263,6 +263,15 @@ void SiteClient::run(const std::stop_token& stop) {
         command(now_ns);
         publish(now_ns);
     }
+    giveUp();
+}
+
+/// Once: a reliable message that the site gets even if the program ends meanwhile.
+void SiteClient::giveUp() {
+    if (std::exchange(m_released, true) || !m_now.controls(m_file.console))
+        return;
+    const std::scoped_lock lock(m_mutex);
+    writeRequest(++m_lastRequest, RequestKind::release, {});
 }
 
 void SiteClient::listen() {
@@ -378,12 +387,18 @@ void SiteClient::ask(std::int64_t now_ns) {
         return;
     }
     m_pending->next_ns = now_ns + kAskAgain_ns;
+    writeRequest(m_pending->outcome.id, m_pending->outcome.kind, m_pending->target);
+}
+
+void SiteClient::writeRequest(std::uint64_t number, RequestKind kind, const std::string& target) {
+    if (!m_ends.request)
+        return;
     LentTexts texts;
     ros::ControlRequest request{};
     std::ranges::copy(m_boot, std::begin(request.console_boot));
-    request.request = m_pending->outcome.id;
-    request.kind = static_cast<std::uint8_t>(m_pending->outcome.kind);
-    request.target = texts(m_pending->target);
+    request.request = number;
+    request.kind = static_cast<std::uint8_t>(kind);
+    request.target = texts(target);
     request.epoch = m_now.epoch;
     (void)m_ends.request->write(request);
 }

@@ -104,6 +104,7 @@ public:
     [[nodiscard]] static core::Expected<std::shared_ptr<SiteClient>>
     open(const RemoteSiteFile& file, const std::string& version, const core::StopSwitch& stop,
          const std::function<bool()>& cancelled = {});
+    /// Gives control up.
     ~SiteClient();
     SiteClient(const SiteClient&) = delete;
     SiteClient& operator=(const SiteClient&) = delete;
@@ -181,6 +182,8 @@ private:
     void tellPresence(std::int64_t now_ns);
     void probeClock(std::int64_t now_ns);
     void ask(std::int64_t now_ns);
+    void writeRequest(std::uint64_t number, site::RequestKind kind, const std::string& target);
+    void giveUp();
     void findConsoles(std::int64_t now_ns);
     void command(std::int64_t now_ns);
     void publish(std::int64_t now_ns);

@@ -258,7 +258,6 @@ core::Expected<void> jogArm(const ArmJogOptions& options) {
         TELETA_CHECK(waitUntilReady(jog, target));
     }
     const JogResult result = move(jog, target, options.rate, options.time_s);
-    target.leave();
     target.arm().stop();
     TELETA_CHECK(unlessCut(print(result, options, unit)));
     if (!result.problem.empty())

@@ -6,7 +6,6 @@
 #include "app/sources/source_list.h"
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/failure.h"
-#include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "devices/ros/ros_arm.h"
 #include "devices/ros/ros_arm_file.h"
@@ -86,15 +85,6 @@ public:
         const site_link::SiteView view = m_site->view();
         const auto found = std::ranges::find(view.arms, m_device, &site_link::RemoteArmState::name);
         return found == view.arms.end() ? 0 : found->flags;
-    }
-    void leave() override {
-        // Without an answer the lease ends by itself.
-        m_site->request(site::RequestKind::release);
-        constexpr std::int64_t kWait_ns = 500'000'000;
-        core::Wakeup pause;
-        for (const std::int64_t end_ns = core::steadyNow_ns() + kWait_ns;
-             ready() && core::steadyNow_ns() < end_ns;)
-            (void)pause.waitFor(std::chrono::milliseconds(10));
     }
 
 private:

@@ -16,7 +16,8 @@
 
 namespace teleta::cli {
 
-/// An arm that a command moves: over ROS 2 in its own network, or at a site. Thread: one.
+/// An arm that a command moves: over ROS 2 in its own network, or at a site, of which control is given up at
+/// the end. Thread: one.
 class JogTarget : public core::Interface {
 public:
     struct Joint {
@@ -33,8 +34,6 @@ public:
     [[nodiscard]] virtual std::string problem() const = 0;
     /// Limits that act, arm_model::MotionFlag.
     [[nodiscard]] virtual std::uint32_t flags() const = 0;
-    /// Gives up what was asked for in order to move.
-    virtual void leave() {}
 };
 
 /// Whether such a file can be read, before a person is asked. Error: that of the file.
