@@ -48,18 +48,28 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
     return arm;
 }
 
-QString stateText(core::DeviceState state) {
-    switch (state) {
-    case core::DeviceState::live:
+/// Why nothing comes of it; empty: it is live.
+std::string troubleOf(const core::DeviceStatus& status) {
+    if (status.state == core::DeviceState::live)
         return {};
+    if (!status.message.empty())
+        return status.message;
+    switch (status.state) {
     case core::DeviceState::connecting:
-        return RunningSiteText::tr("nothing was read yet");
+        return RunningSiteText::tr("nothing was read yet").toStdString();
     case core::DeviceState::stale:
-        return RunningSiteText::tr("it sends nothing any more");
+        return RunningSiteText::tr("it sends nothing any more").toStdString();
     default:
         break;
     }
-    return RunningSiteText::tr("it is not connected");
+    return RunningSiteText::tr("it is not connected").toStdString();
+}
+
+/// The same of a source: an arm is its joints, too.
+std::string troubleOf(pipeline::Channel& channel) {
+    const std::string trouble = troubleOf(channel.status());
+    const auto* joints = dynamic_cast<pipeline::JointChannel*>(&channel);
+    return trouble.empty() && joints != nullptr ? troubleOf(joints->jointStatus()) : trouble;
 }
 
 } // namespace
@@ -89,10 +99,11 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
         TELETA_CHECK(site->startRecording(file, recordings));
     site_link::SiteSettings settings{file.name, app::version().text().toStdString(), file.supervisors,
                                      file.times};
+    TELETA_TRY(const auto streams, site->m_streams->streams());
     TELETA_TRY(site->m_control,
                site_link::SiteControl::open(
-                   participant, std::move(settings), std::move(arms), site->m_streams->streams(), boot,
-                   site->m_stop, [raw = site.get()](const site_link::SiteNews& news) { raw->tell(news); }));
+                   participant, std::move(settings), std::move(arms), streams, boot, site->m_stop,
+                   [raw = site.get()](const site_link::SiteNews& news) { raw->tell(news); }));
     return site;
 }
 
@@ -121,7 +132,7 @@ core::Expected<void> RunningSite::openDevices(const SiteFile& file, const std::f
     std::vector<pipeline::ChannelKey> keys;
     for (const SiteDevice& device : file.devices) {
         keys.push_back(m_pipeline.open(app::makeSourceFactory(device.request, m_stop, cancelled)));
-        m_devices.push_back({device.id, nullptr, {}});
+        m_devices.push_back({device.id, nullptr, {}, {}});
     }
     for (std::size_t known = 0; known < keys.size();) {
         if (cancelled())
@@ -165,11 +176,17 @@ void RunningSite::tell(const site_link::SiteNews& news) {
 }
 
 void RunningSite::poll() {
-    for (const Device& device : m_devices) {
+    for (Device& device : m_devices) {
         if (!device.channel)
             continue;
         // Nobody looks at what a console would show.
         device.channel->drain();
+        std::string trouble = troubleOf(*device.channel);
+        if (trouble != device.trouble) {
+            device.trouble = std::move(trouble);
+            tell({device.trouble.empty() ? Severity::note : Severity::warning, device.id, "device",
+                  device.trouble.empty() ? "live" : device.trouble});
+        }
         if (m_recorder) {
             if (const auto changed = device.channel->takeSettingsEvent())
                 m_recorder->add(*changed);
@@ -186,15 +203,10 @@ void RunningSite::poll() {
 std::vector<std::string> RunningSite::problems() const {
     std::vector<std::string> found;
     for (const Device& device : m_devices) {
-        if (!device.channel) {
-            found.push_back(device.id + ": " + core::describe(device.error));
-            continue;
-        }
-        const core::DeviceStatus status = device.channel->status();
-        std::string reason = status.message.empty() ? stateText(status.state).toStdString() : status.message;
-        if (const auto* joints = dynamic_cast<const pipeline::JointChannel*>(device.channel.get());
+        std::string reason = device.channel ? troubleOf(*device.channel) : core::describe(device.error);
+        if (auto* joints = dynamic_cast<pipeline::JointChannel*>(device.channel.get());
             joints != nullptr && reason.empty())
-            reason = const_cast<pipeline::JointChannel*>(joints)->device().hindrance();
+            reason = joints->device().hindrance();
         if (!reason.empty())
             found.push_back(device.id + ": " + reason);
     }

@@ -50,6 +50,7 @@ private:
         std::string id;
         std::shared_ptr<pipeline::Channel> channel; ///< null: it could not be opened
         core::Error error;                          ///< of such a one
+        std::string trouble;                        ///< as the log has it
     };
 
     explicit RunningSite(SiteLog& log)

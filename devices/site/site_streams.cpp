@@ -87,38 +87,41 @@ SiteStreams::~SiteStreams() {
 std::shared_ptr<core::StreamTap> SiteStreams::addStream(recording::StreamInfo info) {
     auto tap = std::make_shared<core::StreamTap>(kTapBlocks);
     const std::string device = deviceOf(info);
-    const bool isArm = info.kind == recording::StreamKind::joints;
-    auto writer = device.empty() ? core::Expected<dds::AnyWriter>(core::Unexpected(core::Error{}))
-                  : isArm        ? dds::AnyWriter::open(m_participant, m_topics.joints(device),
-                                                        ros::descriptorOf<ros::JointBlock>(), kStreamed)
-                                 : dds::AnyWriter::open(m_participant, m_topics.tactile(device),
-                                                        ros::descriptorOf<ros::TactileBlock>(), kStreamed);
-    if (!writer) {
+    if (device.empty()) {
         tap->close();
         return tap;
     }
+    auto writer = info.kind == recording::StreamKind::joints
+                      ? dds::AnyWriter::open(m_participant, m_topics.joints(device),
+                                             ros::descriptorOf<ros::JointBlock>(), kStreamed)
+                      : dds::AnyWriter::open(m_participant, m_topics.tactile(device),
+                                             ros::descriptorOf<ros::TactileBlock>(), kStreamed);
     const std::scoped_lock lock(m_mutex);
+    if (!writer) {
+        m_failure = writer.error();
+        tap->close();
+        return tap;
+    }
     m_streams.push_back(std::make_unique<Stream>(Stream{std::move(info), tap, std::move(*writer)}));
-    tellStreams();
+    std::string text = describeStreams(infos());
+    ros::String message{};
+    message.data = text.data();
+    (void)m_descriptions.write(message);
     return tap;
 }
 
-std::vector<recording::StreamInfo> SiteStreams::streams() const {
+core::Expected<std::vector<recording::StreamInfo>> SiteStreams::streams() const {
     const std::scoped_lock lock(m_mutex);
+    if (m_failure)
+        return core::Unexpected(*m_failure);
+    return infos();
+}
+
+std::vector<recording::StreamInfo> SiteStreams::infos() const {
     std::vector<recording::StreamInfo> all;
     for (const auto& stream : m_streams)
         all.push_back(stream->info);
     return all;
-}
-
-void SiteStreams::tellStreams() {
-    std::vector<recording::StreamInfo> all;
-    for (const auto& stream : m_streams)
-        all.push_back(stream->info);
-    std::string text = describeStreams(all);
-    ros::String message{};
-    message.data = text.data();
-    (void)m_descriptions.write(message);
 }
 
 void SiteStreams::run() {

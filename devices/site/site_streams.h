@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -41,8 +42,8 @@ public:
     [[nodiscard]] std::shared_ptr<core::StreamTap> addStream(recording::StreamInfo info) override;
     void add(recording::RecordingEvent) override {}
 
-    /// What is sent, in the order in which it was added.
-    [[nodiscard]] std::vector<recording::StreamInfo> streams() const;
+    /// What is sent, in the order in which it was added. Error: a stream's topic could not be opened.
+    [[nodiscard]] core::Expected<std::vector<recording::StreamInfo>> streams() const;
 
 private:
     struct Stream {
@@ -57,7 +58,8 @@ private:
                 const site::BootName& boot, dds::Writer<ros::String> descriptions);
 
     void run();
-    void tellStreams();
+    /// Of m_streams, which is locked.
+    [[nodiscard]] std::vector<recording::StreamInfo> infos() const;
     void send(Stream& stream);
     void sendJoints(Stream& stream, core::TappedFrames& block);
     void sendFrames(Stream& stream, core::TappedFrames& block);
@@ -67,7 +69,8 @@ private:
     site::BootName m_boot;
     dds::Writer<ros::String> m_descriptions;
     mutable std::mutex m_mutex;
-    std::vector<std::unique_ptr<Stream>> m_streams; ///< grows only; guarded by m_mutex
+    std::vector<std::unique_ptr<Stream>> m_streams; ///< grows only; guarded by m_mutex, as the next one
+    std::optional<core::Error> m_failure;
     std::atomic<bool> m_stopping{false};
     std::thread m_thread;
 };
