@@ -30,8 +30,8 @@ QStringList texts(const std::vector<std::string>& from) {
     return list;
 }
 
-SiteBarState stateOf(const site_link::SiteClient& site, const QString& lastRefusal) {
-    const site_link::SiteView view = site.view();
+SiteBarState stateOf(const site_link::SiteClient& site, const site_link::SiteView& view,
+                     const QString& lastRefusal) {
     const std::string& own = site.file().console;
     SiteBarState state;
     state.site = text(site.file().name);
@@ -100,7 +100,7 @@ void SiteViews::setSite(std::shared_ptr<site_link::SiteClient> site) {
     const site_link::SiteView view = m_site->view();
     m_answered = view.request ? view.request->id : 0;
     m_boots = view.boots;
-    m_bar->setState(stateOf(*m_site, {}));
+    m_bar->setState(stateOf(*m_site, view, refusalText(view.lastRefusal)));
     if (m_warned.lock() == m_site)
         return;
     m_warned = m_site;
@@ -113,7 +113,7 @@ void SiteViews::tick() {
         return;
     const site_link::SiteView view = m_site->view();
     const SiteBarState before = m_bar->state();
-    const SiteBarState now = stateOf(*m_site, refusalText(view.lastRefusal));
+    const SiteBarState now = stateOf(*m_site, view, refusalText(view.lastRefusal));
     m_bar->setState(now);
     tellChanges(before, now);
     tellAnswer(view);
