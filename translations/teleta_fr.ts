@@ -17175,6 +17175,10 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::console::MainWindow</name>
     <message>
+        <source>Looking for the site of %1…</source>
+        <translation>Recherche du site de %1…</translation>
+    </message>
+    <message>
         <source>TeleTA Console</source>
         <translation>TeleTA Console</translation>
     </message>

@@ -17127,6 +17127,10 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::console::MainWindow</name>
     <message>
+        <source>Looking for the site of %1…</source>
+        <translation>正在查找 %1 的站点…</translation>
+    </message>
+    <message>
         <source>TeleTA Console</source>
         <translation>TeleTA Console</translation>
     </message>

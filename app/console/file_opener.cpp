@@ -125,19 +125,23 @@ void FileOpener::openSite(const QString& path) {
         m_sources.activate(item.key);
         return;
     }
-    read(
-        [path, &stop = m_stop, cancelled = m_cancelled] {
-            return app::siteRequestsOf(path.toStdString(), stop, [cancelled] { return cancelled->load(); });
-        },
-        [this, path](const core::Expected<std::vector<app::SiteRequest>>& devices) {
-            if (!devices) {
-                emit failed(QFileInfo(path).fileName(), devices.error());
-                return;
-            }
-            emit siteOpened(path);
-            for (const app::SiteRequest& device : *devices)
-                m_sources.open(device);
-        });
+    if (m_awaitedSites.contains(path))
+        return;
+    m_awaitedSites.append(path);
+    emit siteAwaited(QFileInfo(path).fileName());
+    const auto connectTo = [path, &stop = m_stop, cancelled = m_cancelled] {
+        return app::siteRequestsOf(path.toStdString(), stop, [cancelled] { return cancelled->load(); });
+    };
+    read(connectTo, [this, path](const core::Expected<std::vector<app::SiteRequest>>& devices) {
+        m_awaitedSites.removeOne(path);
+        if (!devices) {
+            emit failed(QFileInfo(path).fileName(), devices.error());
+            return;
+        }
+        emit siteOpened(path);
+        for (const app::SiteRequest& device : *devices)
+            m_sources.open(device);
+    });
 }
 
 void FileOpener::openScene(const QString& path) {

@@ -63,6 +63,8 @@ signals:
     /// A scene in a file was opened as a source.
     void sceneOpened(const QString& path);
     void armOpened(const QString& path);
+    /// It may take some seconds until the site answers.
+    void siteAwaited(const QString& name);
     void siteOpened(const QString& path);
     /// A source list was read.
     void listOpened(const QString& path);
@@ -84,6 +86,7 @@ private:
     std::shared_ptr<std::atomic<bool>> m_cancelled = std::make_shared<std::atomic<bool>>(false);
     int m_reading = 0;
     QStringList m_awaited;                        ///< recordings that are being read
+    QStringList m_awaitedSites;                   ///< of which an answer is awaited
     QHash<pipeline::ChannelKey, QString> m_lists; ///< by what was opened from them
 };
 

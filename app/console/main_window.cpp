@@ -171,10 +171,15 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_recordings, &RecordingFiles::opened, this, &MainWindow::addRecent);
     connect(m_recordings, &RecordingFiles::imported, this, &MainWindow::onImported);
     connect(m_opener, &FileOpener::failed, this, &MainWindow::onFailed);
-    connect(m_opener, &FileOpener::listOpened, this, &MainWindow::addRecent);
-    connect(m_opener, &FileOpener::sceneOpened, this, &MainWindow::addRecent);
-    connect(m_opener, &FileOpener::armOpened, this, &MainWindow::addRecent);
-    connect(m_opener, &FileOpener::siteOpened, this, &MainWindow::addRecent);
+    for (const auto opened :
+         {&FileOpener::listOpened, &FileOpener::sceneOpened, &FileOpener::armOpened, &FileOpener::siteOpened})
+        connect(m_opener, opened, this, &MainWindow::addRecent);
+    connect(m_opener, &FileOpener::siteAwaited, this, [this](const QString& name) {
+        m_operate->messages().post({chrome::Message::Severity::information,
+                                    tr("Looking for the site of %1\u2026").arg(name),
+                                    {},
+                                    {}});
+    });
     connect(&m_operate->recent(), &chrome::RecentList::fileRequested, m_opener, &FileOpener::openFile);
     connect(&m_operate->recent(), &chrome::RecentList::sessionRequested, this, &MainWindow::openLastSession);
     connect(m_layouts, &LayoutsMenu::notRestored, this, [this](const QString& name) {
@@ -334,10 +339,6 @@ void MainWindow::beginRecording() {
         std::any_of(items.begin(), items.end(), [](const auto& item) { return !item.isOpen(); });
     if (!m_record.isEmpty() && !isWaiting)
         m_recorder.start(std::exchange(m_record, {}));
-}
-
-void MainWindow::openArm() {
-    askForFile(tr("Open arm"), tr("Arms over ROS 2 (*.toml)"), &FileOpener::openArm);
 }
 
 void MainWindow::openDemo() {

@@ -111,6 +111,10 @@ void MainWindow::buildArmMenu() {
     })->setToolTip(tr("What is touched from now on is another object"));
 }
 
+void MainWindow::openArm() {
+    askForFile(tr("Open arm"), tr("Arms over ROS 2 (*.toml)"), &FileOpener::openArm);
+}
+
 void MainWindow::openSite() {
     askForFile(tr("Connect to a site"), tr("Sites (*.toml)"), &FileOpener::openSite);
 }
