@@ -12,6 +12,19 @@
 
 namespace teleta::console {
 
+namespace {
+
+/// The wanted name, or with a number that makes it another one than all that are there.
+template <typename Named, typename NameOf>
+std::string freeName(const std::string& wanted, const std::vector<Named>& there, NameOf nameOf) {
+    std::string name = wanted;
+    for (int number = 2; std::ranges::find(there, name, nameOf) != there.end(); ++number)
+        name = wanted + " " + std::to_string(number);
+    return name;
+}
+
+} // namespace
+
 SignalSources::SignalSources(SourceManager& sources, QObject* parent)
     : QObject(parent)
     , m_sources(sources)
@@ -32,11 +45,8 @@ void SignalSources::watch(pipeline::ChannelKey key) {
     const SourceManager::Item* item = m_sources.find(key);
     if (item == nullptr || !item->channel)
         return;
-    const std::string wanted = item->name.toStdString();
-    std::string name = wanted;
-    for (int number = 2;
-         std::ranges::any_of(m_live, [&](const Live& live) { return live.source->name() == name; }); ++number)
-        name = wanted + " " + std::to_string(number);
+    const std::string name =
+        freeName(item->name.toStdString(), m_live, [](const Live& live) { return live.source->name(); });
     auto source = std::make_shared<signal::LiveSource>(name, m_origin_ns);
     item->channel->watch(pipeline::Watcher::plot, source, name);
     m_live.push_back({key, std::move(source)});
@@ -113,12 +123,8 @@ void SignalSources::addRecording(const QString& path) {
                 emit failed(shown, QString::fromStdString(core::describe(streams.error())));
                 return;
             }
-            const std::string wanted = shown.toStdString();
-            std::string name = wanted;
-            for (int number = 2; std::ranges::find(m_recordings, name, &Recorded::name) != m_recordings.end();
-                 ++number)
-                name = wanted + " " + std::to_string(number);
-            m_recordings.push_back({name, file, std::move(*streams)});
+            std::string name = freeName(shown.toStdString(), m_recordings, &Recorded::name);
+            m_recordings.push_back({std::move(name), file, std::move(*streams)});
             emit changed();
         });
 }
