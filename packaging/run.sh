@@ -9,7 +9,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
 "$root/packaging/install_dependencies.sh"
 configure run
-cmake --build "$root/build/run" --target teleta-console teleta
+cmake --build "$root/build/run" --target teleta-console teleta teleta-site
 
 arguments=("$@")
 has_source=false
@@ -18,7 +18,7 @@ previous=''
 for argument in "$@"; do
     case "$argument" in
         --scene | --scene=* | --replay | --replay=* | --sources | --sources=*) has_source=true ;;
-        --camera | --camera=* | --arm | --arm=* | --study | --study=* | --rehearse) has_source=true ;;
+        --camera | --camera=* | --arm | --arm=* | --site | --site=* | --study | --study=* | --rehearse) has_source=true ;;
         -h | --help* | -v | --version) has_source=true ;;
         --screenshot | --screenshot=*) has_screenshot=true ;;
         -*) ;;
