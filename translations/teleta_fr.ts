@@ -9367,6 +9367,14 @@ Lancez teleta-site --help pour en savoir plus.
         <source>the site %1 has no device to show</source>
         <translation>le site %1 n’a aucun appareil à montrer</translation>
     </message>
+    <message>
+        <source>the connection to %1 has ended</source>
+        <translation>la connexion à %1 est terminée</translation>
+    </message>
+    <message>
+        <source>the site to be connected again</source>
+        <translation>que le site soit connecté de nouveau</translation>
+    </message>
 </context>
 <context>
     <name>SiteStreamText</name>

@@ -9344,6 +9344,14 @@ Run teleta-site --help for more.
         <source>the site %1 has no device to show</source>
         <translation>サイト %1 に表示できる装置はありません</translation>
     </message>
+    <message>
+        <source>the connection to %1 has ended</source>
+        <translation>%1 との接続は終わりました</translation>
+    </message>
+    <message>
+        <source>the site to be connected again</source>
+        <translation>サイトに接続し直すこと</translation>
+    </message>
 </context>
 <context>
     <name>SiteStreamText</name>

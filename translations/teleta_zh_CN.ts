@@ -9344,6 +9344,14 @@ Run teleta-site --help for more.
         <source>the site %1 has no device to show</source>
         <translation>站点 %1 没有可显示的设备</translation>
     </message>
+    <message>
+        <source>the connection to %1 has ended</source>
+        <translation>与 %1 的连接已结束</translation>
+    </message>
+    <message>
+        <source>the site to be connected again</source>
+        <translation>重新连接站点</translation>
+    </message>
 </context>
 <context>
     <name>SiteStreamText</name>

@@ -130,16 +130,16 @@ void FileOpener::openSite(const QString& path) {
     m_awaitedSites.append(path);
     emit siteAwaited(QFileInfo(path).fileName());
     const auto connectTo = [path, &stop = m_stop, cancelled = m_cancelled] {
-        return app::siteRequestsOf(path.toStdString(), stop, [cancelled] { return cancelled->load(); });
+        return app::siteDevicesOf(path.toStdString(), stop, [cancelled] { return cancelled->load(); });
     };
-    read(connectTo, [this, path](const core::Expected<std::vector<app::SiteRequest>>& devices) {
+    read(connectTo, [this, path](const core::Expected<app::SiteDevices>& found) {
         m_awaitedSites.removeOne(path);
-        if (!devices) {
-            emit failed(QFileInfo(path).fileName(), devices.error());
+        if (!found) {
+            emit failed(QFileInfo(path).fileName(), found.error());
             return;
         }
         emit siteOpened(path);
-        for (const app::SiteRequest& device : *devices)
+        for (const app::SiteRequest& device : found->devices)
             m_sources.open(device);
     });
 }

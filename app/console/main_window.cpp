@@ -530,7 +530,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     // Whatever moves is stopped before the window that can stop it is gone. A site goes on without it.
     for (const SourceManager::Item& item : m_sources.items())
         if (const auto* remote = std::get_if<app::SiteRequest>(&item.request))
-            remote->site->leave();
+            if (const auto site = remote->site.lock())
+                site->leave();
     m_stop.engage();
     m_clock.stop();
     saveState();

@@ -35,45 +35,54 @@ const StreamInfo* findStream(const site_link::SiteClient& site, const std::strin
     return found == site.streams().end() ? nullptr : &*found;
 }
 
-core::Expected<std::shared_ptr<pipeline::TouchChannel>> openSkin(const SiteRequest& request,
-                                                                 const StreamInfo& stream) {
-    TELETA_TRY(pipeline::RecordedArray array, pipeline::recordedArray(stream, request.site->file().name));
+core::Expected<std::shared_ptr<pipeline::TouchChannel>>
+openSkin(const std::shared_ptr<site_link::SiteClient>& site, const std::string& device,
+         const StreamInfo& stream) {
+    TELETA_TRY(pipeline::RecordedArray array, pipeline::recordedArray(stream, site->file().name));
     array.description.recorded = false;
-    TELETA_TRY(auto source, site_link::RemoteArray::open(request.site, request.device, array.description));
+    TELETA_TRY(auto source, site_link::RemoteArray::open(site, device, array.description));
     return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(array.settings));
 }
 
 } // namespace
 
-core::Expected<std::vector<SiteRequest>> siteRequestsOf(const std::string& path, const core::StopSwitch& stop,
-                                                        const std::function<bool()>& cancelled) {
+core::Expected<SiteDevices> siteDevicesOf(const std::string& path, const core::StopSwitch& stop,
+                                          const std::function<bool()>& cancelled) {
     TELETA_TRY(const auto file, site_link::readRemoteSite(path));
-    TELETA_TRY(const auto site,
+    SiteDevices found;
+    TELETA_TRY(found.site,
                site_link::SiteClient::open(file, app::version().text().toStdString(), stop, cancelled));
-    std::vector<SiteRequest> requests;
-    for (const StreamInfo& stream : site->streams()) {
+    for (const StreamInfo& stream : found.site->streams()) {
         const std::string device = site_link::deviceOf(stream);
-        if (!device.empty() && std::ranges::find(requests, device, &SiteRequest::device) == requests.end())
-            requests.push_back({path, device, site});
+        if (!device.empty() &&
+            std::ranges::find(found.devices, device, &SiteRequest::device) == found.devices.end())
+            found.devices.push_back({path, file.name, device, found.site});
     }
-    if (requests.empty())
+    if (found.devices.empty())
         return core::refused(
             SiteRequestText::tr("the site %1 has no device to show").arg(QString::fromStdString(file.name)));
-    return requests;
+    return found;
 }
 
-core::Expected<std::shared_ptr<pipeline::Channel>> openRemote(const SiteRequest& request) {
-    const StreamInfo* joints = findStream(*request.site, request.device, StreamKind::joints);
-    const StreamInfo* frames = findStream(*request.site, request.device, StreamKind::array);
+core::Expected<std::shared_ptr<pipeline::Channel>>
+openRemote(const std::shared_ptr<site_link::SiteClient>& site, const SiteRequest& request) {
+    if (site == nullptr)
+        return core::failed(
+            core::ErrorKind::unavailable,
+            SiteRequestText::tr("the connection to %1 has ended").arg(QString::fromStdString(request.name)),
+            SiteRequestText::tr("the site to be connected again"));
+    const std::string& device = request.device;
+    const StreamInfo* joints = findStream(*site, device, StreamKind::joints);
+    const StreamInfo* frames = findStream(*site, device, StreamKind::array);
     std::shared_ptr<pipeline::TouchChannel> skin;
     if (frames != nullptr) {
-        TELETA_TRY(skin, openSkin(request, *frames));
+        TELETA_TRY(skin, openSkin(site, device, *frames));
     }
     if (joints == nullptr)
         return skin;
-    TELETA_TRY(pipeline::RecordedArm arm, pipeline::recordedArm(*joints, request.site->file().name));
+    TELETA_TRY(pipeline::RecordedArm arm, pipeline::recordedArm(*joints, site->file().name));
     arm.description.recorded = false;
-    TELETA_TRY(auto source, site_link::RemoteArm::open(request.site, request.device, arm.description));
+    TELETA_TRY(auto source, site_link::RemoteArm::open(site, device, arm.description));
     if (skin != nullptr)
         return std::make_shared<pipeline::ArmChannel>(std::move(source), std::move(skin));
     return std::make_shared<pipeline::JointChannel>(std::move(source), std::move(arm.chain));

@@ -198,7 +198,7 @@ QString displayName(const SourceRequest& request) {
             QString::fromStdString(recording->source));
     if (const auto* remote = std::get_if<SiteRequest>(&request))
         return QStringLiteral("%1 (%2)").arg(QString::fromStdString(remote->device),
-                                             QString::fromStdString(remote->site->file().name));
+                                             QString::fromStdString(remote->name));
     const QString link = linkOf(request);
     return link.isEmpty() ? QFileInfo(pathOf(request)).completeBaseName() : link;
 }
@@ -210,22 +210,25 @@ QString fileName(const SourceRequest& request) {
 
 pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop,
                                           std::function<bool()> cancelled) {
-    return
-        [request = std::move(request), &stop, cancelled = std::move(cancelled)]() -> core::Expected<Opened> {
-            if (const auto* csv = std::get_if<CsvRequest>(&request))
-                return openCsv(*csv);
-            if (const auto* connected = std::get_if<WtsRequest>(&request))
-                return openWts(*connected);
-            if (const auto* camera = std::get_if<CameraRequest>(&request))
-                return openCamera(*camera, stop);
-            if (const auto* recording = std::get_if<RecordingRequest>(&request))
-                return openRecording(*recording, stop);
-            if (const auto* arm = std::get_if<ArmRequest>(&request))
-                return openRosArm(*arm, stop, cancelled);
-            if (const auto* remote = std::get_if<SiteRequest>(&request))
-                return openRemote(*remote);
-            return openScene(std::get<SceneRequest>(request), stop);
-        };
+    std::shared_ptr<site_link::SiteClient> site;
+    if (const auto* remote = std::get_if<SiteRequest>(&request))
+        site = remote->site.lock();
+    return [request = std::move(request), &stop, cancelled = std::move(cancelled),
+            site = std::move(site)]() -> core::Expected<Opened> {
+        if (const auto* csv = std::get_if<CsvRequest>(&request))
+            return openCsv(*csv);
+        if (const auto* connected = std::get_if<WtsRequest>(&request))
+            return openWts(*connected);
+        if (const auto* camera = std::get_if<CameraRequest>(&request))
+            return openCamera(*camera, stop);
+        if (const auto* recording = std::get_if<RecordingRequest>(&request))
+            return openRecording(*recording, stop);
+        if (const auto* arm = std::get_if<ArmRequest>(&request))
+            return openRosArm(*arm, stop, cancelled);
+        if (const auto* remote = std::get_if<SiteRequest>(&request))
+            return openRemote(site, *remote);
+        return openScene(std::get<SceneRequest>(request), stop);
+    };
 }
 
 core::Expected<CsvRequest> guessCsv(const std::string& path) {

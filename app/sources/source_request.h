@@ -71,7 +71,8 @@ using SourceRequest = std::variant<CsvRequest, SceneRequest, WtsRequest, CameraR
 [[nodiscard]] QString fileName(const SourceRequest& request);
 
 /// What opens the source on the pipeline's control thread. stop outlives the source. cancelled: asked while
-/// it waits for a device that may never answer; the factory then fails as cancelled.
+/// it waits for a device that may never answer; the factory then fails as cancelled. The factory of a site's
+/// device keeps the connection.
 [[nodiscard]] pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::StopSwitch& stop,
                                                         std::function<bool()> cancelled = {});
 

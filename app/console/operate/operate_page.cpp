@@ -174,7 +174,7 @@ void OperatePage::tick() {
     m_marks->tick();
     const SourceManager::Item* shown = m_sources.active();
     const auto* remote = shown != nullptr ? std::get_if<app::SiteRequest>(&shown->request) : nullptr;
-    m_site->setSite(remote != nullptr ? remote->site : nullptr);
+    m_site->setSite(remote != nullptr ? remote->site.lock() : nullptr);
     m_site->tick();
     m_charts->refresh();
     m_bracelet.tick();

@@ -86,34 +86,35 @@ SiteViews::SiteViews(chrome::MessageBar& messages, QWidget* parent)
 
 bool SiteViews::mayRequest() const {
     const SiteBarState& state = m_bar->state();
-    return m_site && state.reached && !state.viewer && state.controller.isEmpty();
+    return !m_site.expired() && state.reached && !state.viewer && state.controller.isEmpty();
 }
 
-void SiteViews::setSite(std::shared_ptr<site_link::SiteClient> site) {
-    if (site == m_site)
+void SiteViews::setSite(const std::shared_ptr<site_link::SiteClient>& site) {
+    if (site && site == m_site.lock())
         return;
-    m_site = std::move(site);
-    m_bar->setVisible(m_site != nullptr);
+    m_site = site;
+    m_bar->setVisible(site != nullptr);
     m_bar->setState({});
-    if (!m_site)
+    if (!site)
         return;
-    const site_link::SiteView view = m_site->view();
+    const site_link::SiteView view = site->view();
     m_answered = view.request ? view.request->id : 0;
     m_boots = view.boots;
-    m_bar->setState(stateOf(*m_site, view, refusalText(view.lastRefusal)));
-    if (m_warned.lock() == m_site)
+    m_bar->setState(stateOf(*site, view, refusalText(view.lastRefusal)));
+    if (m_warned.lock() == site)
         return;
-    m_warned = m_site;
-    for (const std::string& warning : m_site->keyWarnings())
+    m_warned = site;
+    for (const std::string& warning : site->keyWarnings())
         m_messages.post({Message::Severity::warning, text(warning), tr("Ask for new keys in time."), {}});
 }
 
 void SiteViews::tick() {
-    if (!m_site)
+    const auto site = m_site.lock();
+    if (!site)
         return;
-    const site_link::SiteView view = m_site->view();
+    const site_link::SiteView view = site->view();
     const SiteBarState before = m_bar->state();
-    const SiteBarState now = stateOf(*m_site, view, refusalText(view.lastRefusal));
+    const SiteBarState now = stateOf(*site, view, refusalText(view.lastRefusal));
     m_bar->setState(now);
     tellChanges(before, now);
     tellAnswer(view);
@@ -125,8 +126,8 @@ void SiteViews::tick() {
 }
 
 void SiteViews::ask(RequestKind kind, const QString& target) {
-    if (m_site)
-        m_site->request(kind, target.toStdString());
+    if (const auto site = m_site.lock())
+        site->request(kind, target.toStdString());
 }
 
 void SiteViews::tellChanges(const SiteBarState& before, const SiteBarState& now) {

@@ -23,7 +23,7 @@ public:
 
     [[nodiscard]] site_view::SiteBar& bar() { return *m_bar; }
     /// Null: the shown source is of no site; the bar is hidden then.
-    void setSite(std::shared_ptr<site_link::SiteClient> site);
+    void setSite(const std::shared_ptr<site_link::SiteClient>& site);
     /// Shows what came since the last tick.
     void tick();
 
@@ -45,8 +45,8 @@ private:
 
     chrome::MessageBar& m_messages;
     site_view::SiteBar* m_bar;
-    std::shared_ptr<site_link::SiteClient> m_site;
-    std::uint64_t m_answered = 0; ///< the last request whose answer was told
+    std::weak_ptr<site_link::SiteClient> m_site; ///< its devices keep it, see app::SiteRequest
+    std::uint64_t m_answered = 0;                ///< the last request whose answer was told
     std::uint64_t m_boots = 0;
     std::weak_ptr<site_link::SiteClient> m_warned; ///< whose keys were spoken of
 };

@@ -218,13 +218,13 @@ core::Expected<void> watchClock(const SiteOptions& options) {
 
 core::Expected<void> recordSite(const SiteOptions& options) {
     const core::StopSwitch stop;
-    auto requests = app::siteRequestsOf(options.path, stop, interrupted);
-    if (!requests)
-        return core::Unexpected(interruptedInstead(requests.error()));
+    const auto found = app::siteDevicesOf(options.path, stop, interrupted);
+    if (!found)
+        return core::Unexpected(interruptedInstead(found.error()));
     std::vector<std::pair<std::string, std::shared_ptr<pipeline::Channel>>> channels;
     pipeline::TouchPipeline running;
     std::map<pipeline::ChannelKey, std::string> names;
-    for (const app::SiteRequest& request : *requests)
+    for (const app::SiteRequest& request : found->devices)
         names.emplace(running.open(app::makeSourceFactory(request, stop)), request.device);
     while (channels.size() < names.size() && !interrupted()) {
         for (const pipeline::ChannelEvent& event : running.takeEvents()) {
@@ -250,7 +250,7 @@ core::Expected<void> recordSite(const SiteOptions& options) {
     for (const Watch watch(options.time_s); watch.goesOn() && recorder->status().state == State::recording;) {
         for (const auto& [name, channel] : channels)
             channel->drain();
-        for (const site_link::RemoteEvent& event : requests->front().site->takeEvents())
+        for (const site_link::RemoteEvent& event : found->site->takeEvents())
             recorder->add({core::steadyNow_ns(), "site", event.message, 0.0});
     }
     for (const auto& [name, channel] : channels)
