@@ -12,6 +12,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -62,6 +63,14 @@ std::uint64_t firstRequestOf(const site::BootName& boot) {
     for (std::size_t i = 0; i < 6; ++i)
         number = number << 8U | boot[i];
     return number;
+}
+
+/// The answer made this console the controller.
+bool grants(const RequestOutcome& outcome) {
+    constexpr std::array kWays{site::RequestKind::request, site::RequestKind::takeOver,
+                               site::RequestKind::accept};
+    return outcome.answer == site::RequestAnswer::done &&
+           std::ranges::find(kWays, outcome.kind) != kWays.end();
 }
 
 QString joined(const std::vector<std::string>& names) {
@@ -132,6 +141,8 @@ std::string hindranceOf(const SiteView& view, const std::string& console, const 
         return text(SiteClientText::tr("nobody controls the site; request control first"));
     if (view.controller != console)
         return text(SiteClientText::tr("%1 controls the site").arg(QString::fromStdString(view.controller)));
+    if (!view.granted)
+        return text(SiteClientText::tr("an earlier program of this console still controls the site"));
     if (view.mode == Mode::offered)
         return text(
             SiteClientText::tr("control is being handed to %1").arg(QString::fromStdString(view.offeredTo)));
@@ -295,6 +306,7 @@ void SiteClient::take(const ros::SiteState& state, std::int64_t now_ns) {
         // Everything that was known of the other program is dropped, control included.
         m_clock.reset();
         m_now.boots += m_siteBoot ? 1 : 0;
+        m_now.granted = false;
         m_siteBoot = boot;
         m_stateNumber = state.number - 1;
     }
@@ -325,6 +337,7 @@ void SiteClient::take(const ros::SiteState& state, std::int64_t now_ns) {
             continue;
         m_pending->outcome.answer = atMost(result.result, site::RequestAnswer::expired);
         m_now.request = m_pending->outcome;
+        m_now.granted = m_now.granted || grants(m_pending->outcome);
         if (m_pending->outcome.answer != site::RequestAnswer::waits)
             m_pending.reset();
     }

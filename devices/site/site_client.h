@@ -77,10 +77,11 @@ struct SiteView {
     std::optional<double> loop_s; ///< age of the whole loop of the last probe: there and back
     std::uint64_t clockJumps = 0;
     std::optional<RequestOutcome> request;
+    bool granted = false; ///< this program was given control; else a controller of its name is an earlier one
     std::uint64_t boots = 0; ///< how often the site was started while this console looked
 
     [[nodiscard]] bool controls(const std::string& console) const {
-        return reached && controller == console && mode != site::Mode::free;
+        return reached && granted && controller == console && mode != site::Mode::free;
     }
 };
 

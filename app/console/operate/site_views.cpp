@@ -43,7 +43,7 @@ SiteBarState stateOf(const site_link::SiteClient& site, const site_link::SiteVie
                          : std::floor(10.0 * core::elapsed_s(view.lastState_ns, core::steadyNow_ns())) / 10.0;
     state.mode = static_cast<SiteBarState::Mode>(view.mode);
     state.controller = text(view.controller);
-    state.controls = view.controller == own;
+    state.controls = view.granted && view.controller == own;
     state.offeredTo = text(view.offeredTo);
     state.offeredHere = view.offeredTo == own;
     state.offerLeft_s = std::ceil(view.offerLeft_s);
