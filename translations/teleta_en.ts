@@ -195,6 +195,16 @@
     </message>
 </context>
 <context>
+    <name>SiteProgramText</name>
+    <message numerus="yes">
+        <source>All %n device(s) are ready.</source>
+        <translation>
+            <numerusform>The %n device is ready.</numerusform>
+            <numerusform>All %n devices are ready.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StimulusText</name>
     <message numerus="yes">
         <source>%n object(s) of the stimulus have %1</source>
@@ -492,6 +502,16 @@
     </message>
 </context>
 <context>
+    <name>teleta::site_view::SiteBar</name>
+    <message numerus="yes">
+        <source>%n state(s) of the site were lost on the way</source>
+        <translation>
+            <numerusform>%n state of the site was lost on the way</numerusform>
+            <numerusform>%n states of the site were lost on the way</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::study::ParticipantPicker</name>
     <message numerus="yes">
         <source>%n participant(s)</source>
@@ -538,26 +558,6 @@
         <translation>
             <numerusform>%n touch</numerusform>
             <numerusform>%n touches</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>SiteProgramText</name>
-    <message numerus="yes">
-        <source>All %n device(s) are ready.</source>
-        <translation>
-            <numerusform>The %n device is ready.</numerusform>
-            <numerusform>All %n devices are ready.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>teleta::site_view::SiteBar</name>
-    <message numerus="yes">
-        <source>%n state(s) of the site were lost on the way</source>
-        <translation>
-            <numerusform>%n state of the site was lost on the way</numerusform>
-            <numerusform>%n states of the site were lost on the way</numerusform>
         </translation>
     </message>
 </context>

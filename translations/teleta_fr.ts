@@ -442,10 +442,6 @@
 <context>
     <name>ArmJogText</name>
     <message>
-        <source>the arm has no joint &quot;%1&quot;; it has %2</source>
-        <translation>le bras n’a pas d’articulation «&#xa0;%1&#xa0;»&#xa0;; il a&#xa0;%2</translation>
-    </message>
-    <message>
         <source>joint speed</source>
         <translation>vitesse de l’articulation</translation>
     </message>
@@ -512,6 +508,21 @@
     <message>
         <source>the motion was cut short: %1</source>
         <translation>le mouvement a été interrompu&#xa0;:&#xa0;%1</translation>
+    </message>
+</context>
+<context>
+    <name>ArmWatch</name>
+    <message>
+        <source>no position of this joint came within 5 s</source>
+        <translation>aucune position de cette articulation n’est arrivée en 5 s</translation>
+    </message>
+    <message>
+        <source>with certificates, a console of its own watches the arm</source>
+        <translation>avec des certificats, une console à part surveille le bras</translation>
+    </message>
+    <message>
+        <source>--viewer with the file of a viewer</source>
+        <translation>--viewer avec le fichier d’un observateur</translation>
     </message>
 </context>
 <context>
@@ -1235,10 +1246,6 @@
 <context>
     <name>CertificateText</name>
     <message>
-        <source>The program is ended by SIGKILL. Only the driver&apos;s watchdog is left.</source>
-        <translation>SIGKILL met fin au programme. Il ne reste que le chien de garde du pilote.</translation>
-    </message>
-    <message>
         <source>SIGTERM, as when a session ends.</source>
         <translation>SIGTERM, comme à la fin d’une session.</translation>
     </message>
@@ -1402,10 +1409,6 @@
         <translation>Charge de la dernière minute</translation>
     </message>
     <message>
-        <source>Longest gap between two readings of the motors</source>
-        <translation>Plus long temps entre deux observations des moteurs</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -1486,6 +1489,42 @@
         <source>Certificate of faults</source>
         <translation>Certificat d’injection de défauts</translation>
     </message>
+    <message>
+        <source>The program is ended by SIGKILL. Only what watches over the device is left.</source>
+        <translation>Le programme est terminé par SIGKILL. Seul ce qui veille sur l’appareil reste.</translation>
+    </message>
+    <message>
+        <source>Passed: after each of %1 faults the arm was at rest within %2 ms. It never moved again by itself. With 95 % confidence, at most %3 % of such faults take longer.</source>
+        <translation>Réussi&#xa0;: après chacune des %1 pannes, le bras était au repos en moins de %2 ms. Il n’a jamais bougé de nouveau de lui-même. Avec une confiance de 95&#xa0;%, au plus %3&#xa0;% de telles pannes durent plus longtemps.</translation>
+    </message>
+    <message>
+        <source>Not passed: of %1 faults, %2 left the arm moving for more than %3 ms. After %4 of them it moved again by itself.</source>
+        <translation>Échoué&#xa0;: sur %1 pannes, %2 ont laissé le bras en mouvement pendant plus de %3 ms. Après %4 d’entre elles, il a bougé de nouveau de lui-même.</translation>
+    </message>
+    <message>
+        <source>Time from the fault until the arm was at rest, in ms</source>
+        <translation>Temps de la panne jusqu’au repos du bras, en ms</translation>
+    </message>
+    <message>
+        <source>Times until the arm was at rest, by kind of fault</source>
+        <translation>Temps jusqu’au repos du bras, par sorte de panne</translation>
+    </message>
+    <message>
+        <source>Time until rest (ms)</source>
+        <translation>Temps jusqu’au repos (ms)</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Bras</translation>
+    </message>
+    <message>
+        <source>Longest gap between two readings</source>
+        <translation>Plus long intervalle entre deux lectures</translation>
+    </message>
+    <message>
+        <source>SIMULATED: the arm is a program.</source>
+        <translation>SIMULÉ&#xa0;: le bras est un programme.</translation>
+    </message>
 </context>
 <context>
     <name>CertifyCommand</name>
@@ -1494,20 +1533,8 @@
         <translation>Fichier d’un pilote de moteurs Modbus sur TCP&#xa0;; par défaut&#xa0;: un pilote simulé. Personne ne doit porter ses moteurs, qui tournent tout le temps</translation>
     </message>
     <message>
-        <source>With --bracelet: nobody wears the motors</source>
-        <translation>Avec --bracelet&#xa0;: personne ne porte les moteurs</translation>
-    </message>
-    <message>
         <source>Number of faults</source>
         <translation>Nombre de défauts</translation>
-    </message>
-    <message>
-        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer</source>
-        <translation>Types de défauts, séparés par des virgules&#xa0;:&#xa0;%1. Par défaut&#xa0;: tous sauf clock_step, qui règle l’horloge de cet ordinateur</translation>
-    </message>
-    <message>
-        <source>Longest time until the motors must be at zero</source>
-        <translation>Temps dans lequel les moteurs doivent être à zéro</translation>
     </message>
     <message>
         <source>Seed for the order and timing of the faults</source>
@@ -1542,16 +1569,8 @@
         <translation>Le programme testé suit une matrice simulée par des consignes en direct, commande les moteurs dans leurs limites et enregistre.</translation>
     </message>
     <message>
-        <source>Interrupted: %1 of %2 faults were injected.</source>
-        <translation>Interrompu&#xa0;:&#xa0;%1 défauts sur&#xa0;%2 ont été injectés.</translation>
-    </message>
-    <message>
         <source>The driver of the motors is SIMULATED: a Modbus server with a watchdog of 100 ms.</source>
         <translation>Le pilote des moteurs est SIMULÉ&#xa0;: un serveur Modbus avec un chien de garde de 100 ms.</translation>
-    </message>
-    <message>
-        <source>Not covered: arms, and bracelets that are not Modbus drivers over TCP.</source>
-        <translation>Non couverts&#xa0;: les bras, et les bracelets qui ne sont pas des pilotes Modbus sur TCP.</translation>
     </message>
     <message>
         <source>A damaged recording was kept: %1</source>
@@ -1582,8 +1601,72 @@
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>Inject faults into the program that drives the motors, and report how soon the motors stop</source>
-        <translation>Injecter des défauts dans ce qui commande les moteurs, et rapporter en combien de temps ceux-ci sont arrêtés</translation>
+        <source>File of an arm over ROS 2, which is certified instead. One of its joints moves to and fro the whole time; nobody may be within its reach</source>
+        <translation>Fichier d’un bras sur ROS 2, certifié à la place. Une de ses articulations va et vient tout le temps&#xa0;; personne ne doit être à sa portée</translation>
+    </message>
+    <message>
+        <source>The same with an arm at a site: the file of a console that may move it</source>
+        <translation>De même avec un bras d’un site&#xa0;: le fichier d’une console qui peut le déplacer</translation>
+    </message>
+    <message>
+        <source>With --site: file of a viewer, which watches the arm. Default without certificates: the same file</source>
+        <translation>Avec --site&#xa0;: fichier d’un observateur, qui surveille le bras. Par défaut, sans certificats&#xa0;: le même fichier</translation>
+    </message>
+    <message>
+        <source>With --site: the arm&apos;s name there; default: the only one</source>
+        <translation>Avec --site&#xa0;: le nom du bras sur le site&#xa0;; par défaut, le seul</translation>
+    </message>
+    <message>
+        <source>With --arm and --site: joint that moves</source>
+        <translation>Avec --arm et --site&#xa0;: articulation qui bouge</translation>
+    </message>
+    <message>
+        <source>With --arm and --site: its speed in rad/s, prismatic m/s. It turns back after half a second&apos;s way to each side</source>
+        <translation>Avec --arm et --site&#xa0;: sa vitesse en rad/s, prismatique en m/s. Elle fait demi-tour après une demi-seconde de chemin de chaque côté</translation>
+    </message>
+    <message>
+        <source>Nobody wears the motors of --bracelet, or is within reach of the arm</source>
+        <translation>Personne ne porte les moteurs de --bracelet, ni n’est à portée du bras</translation>
+    </message>
+    <message>
+        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer; with an arm without those of a line or a recording</source>
+        <translation>Sortes de pannes, séparées par des virgules&#xa0;: %1. Par défaut&#xa0;: toutes sauf clock_step, qui règle l’horloge de cet ordinateur&#xa0;; avec un bras, sans celles d’une ligne ou d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>Longest time until the motors must be at zero or the arm at rest; default: %1, with an arm %2</source>
+        <translation>Plus long temps jusqu’à ce que les moteurs soient à zéro ou le bras au repos&#xa0;; par défaut&#xa0;: %1, avec un bras %2</translation>
+    </message>
+    <message>
+        <source>--joint is needed, the joint that moves to and fro</source>
+        <translation>--joint est nécessaire&#xa0;: l’articulation qui va et vient</translation>
+    </message>
+    <message>
+        <source>%1 is no fault of an arm&apos;s chain</source>
+        <translation>%1 n’est pas une panne de la chaîne d’un bras</translation>
+    </message>
+    <message>
+        <source>the arm will move the whole time; make sure that nobody is within its reach, then add --yes</source>
+        <translation>le bras bougera tout le temps&#xa0;; assurez-vous que personne n’est à sa portée, puis ajoutez --yes</translation>
+    </message>
+    <message>
+        <source>The program under test moves %1 to and fro at %2 (rad/s, prismatic m/s). It has its own connection; the arm is watched over another one.</source>
+        <translation>Le programme testé fait aller et venir %1 à %2 (rad/s, prismatique m/s). Il a sa propre connexion&#xa0;; le bras est surveillé par une autre.</translation>
+    </message>
+    <message>
+        <source>Ended early: %1 of %2 faults were injected.</source>
+        <translation>Terminé avant la fin&#xa0;: %1 pannes sur %2 ont été injectées.</translation>
+    </message>
+    <message>
+        <source>Not covered: faults of the network, of the site and of the arm&apos;s controller.</source>
+        <translation>Non couvert&#xa0;: les pannes du réseau, du site et du contrôleur du bras.</translation>
+    </message>
+    <message>
+        <source>Not covered: bracelets that are not Modbus drivers over TCP.</source>
+        <translation>Non couvert&#xa0;: les bracelets qui ne sont pas des pilotes Modbus sur TCP.</translation>
+    </message>
+    <message>
+        <source>Inject faults into the program that drives motors or an arm, and report how soon those stop</source>
+        <translation>Injecter des pannes dans le programme qui commande des moteurs ou un bras, et indiquer en combien de temps ils s’arrêtent</translation>
     </message>
 </context>
 <context>
@@ -3579,20 +3662,20 @@ Exemples&#xa0;:
 <context>
     <name>FaultInjector</name>
     <message>
-        <source>the program that drives the motors ended by itself</source>
-        <translation>le programme qui commande les moteurs s’est terminé de lui-même</translation>
-    </message>
-    <message>
-        <source>the motors did not start within 30 s</source>
-        <translation>les moteurs n’ont pas tourné en 30 s</translation>
-    </message>
-    <message>
-        <source>the driver of the motors does not answer any more</source>
-        <translation>le pilote des moteurs ne répond plus</translation>
-    </message>
-    <message>
         <source>the recording did not fail on a full disk</source>
         <translation>l’enregistrement n’a pas échoué sur un disque plein</translation>
+    </message>
+    <message>
+        <source>the program under test ended by itself</source>
+        <translation>le programme testé s’est terminé de lui-même</translation>
+    </message>
+    <message>
+        <source>nothing moved within 30 s</source>
+        <translation>rien n’a bougé en 30 s</translation>
+    </message>
+    <message>
+        <source>the device does not answer any more</source>
+        <translation>l’appareil ne répond plus</translation>
     </message>
 </context>
 <context>
@@ -4659,6 +4742,10 @@ Exemples&#xa0;:
     <message>
         <source>--arm with one of %1</source>
         <translation>--arm avec l’un de %1</translation>
+    </message>
+    <message>
+        <source>the arm has no joint &quot;%1&quot;; it has %2</source>
+        <translation>le bras n’a pas d’articulation «&#xa0;%1&#xa0;»&#xa0;; il a&#xa0;%2</translation>
     </message>
 </context>
 <context>
@@ -9036,6 +9123,10 @@ Run %2 --help for more.
     <message>
         <source>an arm had a fault; clear it first</source>
         <translation>un bras a eu un défaut ; effacez-le d’abord</translation>
+    </message>
+    <message>
+        <source>an earlier program of this console still controls the site</source>
+        <translation>un programme précédent de cette console commande encore le site</translation>
     </message>
 </context>
 <context>

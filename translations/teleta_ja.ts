@@ -441,10 +441,6 @@
 <context>
     <name>ArmJogText</name>
     <message>
-        <source>the arm has no joint &quot;%1&quot;; it has %2</source>
-        <translation>アームに関節「%1」がありません。アームにある関節: %2</translation>
-    </message>
-    <message>
         <source>joint speed</source>
         <translation>関節の速度</translation>
     </message>
@@ -511,6 +507,21 @@
     <message>
         <source>the motion was cut short: %1</source>
         <translation>動作は途中で中断されました: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ArmWatch</name>
+    <message>
+        <source>no position of this joint came within 5 s</source>
+        <translation>5 秒以内にこの関節の位置が届きませんでした</translation>
+    </message>
+    <message>
+        <source>with certificates, a console of its own watches the arm</source>
+        <translation>証明書を使う場合、アームは別のコンソールが監視します</translation>
+    </message>
+    <message>
+        <source>--viewer with the file of a viewer</source>
+        <translation>--viewer に閲覧者のファイル</translation>
     </message>
 </context>
 <context>
@@ -1233,10 +1244,6 @@
 <context>
     <name>CertificateText</name>
     <message>
-        <source>The program is ended by SIGKILL. Only the driver&apos;s watchdog is left.</source>
-        <translation>プログラムをSIGKILLで終了させます。残るのはドライバーのウォッチドッグだけです。</translation>
-    </message>
-    <message>
         <source>SIGTERM, as when a session ends.</source>
         <translation>セッションの終了時と同じSIGTERM。</translation>
     </message>
@@ -1399,10 +1406,6 @@
         <translation>直近1分間の負荷</translation>
     </message>
     <message>
-        <source>Longest gap between two readings of the motors</source>
-        <translation>モーターを確認する間隔の最大値</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -1483,6 +1486,42 @@
         <source>Certificate of faults</source>
         <translation>障害試験の証明書</translation>
     </message>
+    <message>
+        <source>The program is ended by SIGKILL. Only what watches over the device is left.</source>
+        <translation>プログラムを SIGKILL で終了します。装置を見守るものだけが残ります。</translation>
+    </message>
+    <message>
+        <source>Passed: after each of %1 faults the arm was at rest within %2 ms. It never moved again by itself. With 95 % confidence, at most %3 % of such faults take longer.</source>
+        <translation>合格: %1 回の故障のそれぞれの後、アームは %2 ms 以内に静止しました。自分から再び動くことはありませんでした。95 % の信頼度で、これより長くかかる故障は多くとも %3 % です。</translation>
+    </message>
+    <message>
+        <source>Not passed: of %1 faults, %2 left the arm moving for more than %3 ms. After %4 of them it moved again by itself.</source>
+        <translation>不合格: %1 回の故障のうち %2 回で、アームは %3 ms より長く動き続けました。%4 回の後、自分から再び動きました。</translation>
+    </message>
+    <message>
+        <source>Time from the fault until the arm was at rest, in ms</source>
+        <translation>故障からアームが静止するまでの時間 (ms)</translation>
+    </message>
+    <message>
+        <source>Times until the arm was at rest, by kind of fault</source>
+        <translation>故障の種類ごとの、アームが静止するまでの時間</translation>
+    </message>
+    <message>
+        <source>Time until rest (ms)</source>
+        <translation>静止までの時間 (ms)</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>アーム</translation>
+    </message>
+    <message>
+        <source>Longest gap between two readings</source>
+        <translation>読み取りと読み取りの最長の間隔</translation>
+    </message>
+    <message>
+        <source>SIMULATED: the arm is a program.</source>
+        <translation>シミュレーション: アームはプログラムです。</translation>
+    </message>
 </context>
 <context>
     <name>CertifyCommand</name>
@@ -1491,20 +1530,8 @@
         <translation>TCPで接続するModbusモータードライバーのファイル。既定値: シミュレーションのドライバー。モーターは終始回り続けるため、誰も装着してはいけません</translation>
     </message>
     <message>
-        <source>With --bracelet: nobody wears the motors</source>
-        <translation>--bracelet使用時: モーターを誰も装着していません</translation>
-    </message>
-    <message>
         <source>Number of faults</source>
         <translation>障害の件数</translation>
-    </message>
-    <message>
-        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer</source>
-        <translation>障害の種類、コンマ区切り: %1。既定値: このコンピューターの時計を変更するclock_stepを除くすべて</translation>
-    </message>
-    <message>
-        <source>Longest time until the motors must be at zero</source>
-        <translation>モーターがゼロにならなければならない時間</translation>
     </message>
     <message>
         <source>Seed for the order and timing of the faults</source>
@@ -1539,16 +1566,8 @@
         <translation>試験対象のプログラムは、ライブ設定値によってシミュレーションアレイに追従し、上限の範囲内でモーターを駆動し、記録します。</translation>
     </message>
     <message>
-        <source>Interrupted: %1 of %2 faults were injected.</source>
-        <translation>中断: %2件の障害のうち%1件が注入されました。</translation>
-    </message>
-    <message>
         <source>The driver of the motors is SIMULATED: a Modbus server with a watchdog of 100 ms.</source>
         <translation>モータードライバーはシミュレーションです: 100 msのウォッチドッグを持つModbusサーバー。</translation>
-    </message>
-    <message>
-        <source>Not covered: arms, and bracelets that are not Modbus drivers over TCP.</source>
-        <translation>対象外: アーム、およびTCPで接続するModbusドライバーではないブレスレット。</translation>
     </message>
     <message>
         <source>A damaged recording was kept: %1</source>
@@ -1579,8 +1598,72 @@
         <translation>レポート</translation>
     </message>
     <message>
-        <source>Inject faults into the program that drives the motors, and report how soon the motors stop</source>
-        <translation>モーターを駆動する側に障害を注入し、モーターがどれだけ早く停止するかを報告します</translation>
+        <source>File of an arm over ROS 2, which is certified instead. One of its joints moves to and fro the whole time; nobody may be within its reach</source>
+        <translation>代わりに試験する ROS 2 のアームのファイル。関節の 1 つが試験の間ずっと往復します。届く範囲に人がいてはいけません</translation>
+    </message>
+    <message>
+        <source>The same with an arm at a site: the file of a console that may move it</source>
+        <translation>同じことをサイトのアームで行います。動かすことのできるコンソールのファイル</translation>
+    </message>
+    <message>
+        <source>With --site: file of a viewer, which watches the arm. Default without certificates: the same file</source>
+        <translation>--site と共に: アームを監視する閲覧者のファイル。既定値 (証明書なし): 同じファイル</translation>
+    </message>
+    <message>
+        <source>With --site: the arm&apos;s name there; default: the only one</source>
+        <translation>--site と共に: サイトでのアームの名前。既定値: ただ 1 つのアーム</translation>
+    </message>
+    <message>
+        <source>With --arm and --site: joint that moves</source>
+        <translation>--arm、--site と共に: 動く関節</translation>
+    </message>
+    <message>
+        <source>With --arm and --site: its speed in rad/s, prismatic m/s. It turns back after half a second&apos;s way to each side</source>
+        <translation>--arm、--site と共に: 関節の速さ (rad/s、直動は m/s)。両側へ 0.5 秒ぶん進むと折り返します</translation>
+    </message>
+    <message>
+        <source>Nobody wears the motors of --bracelet, or is within reach of the arm</source>
+        <translation>--bracelet のモーターを誰も着けておらず、アームの届く範囲にも誰もいません</translation>
+    </message>
+    <message>
+        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer; with an arm without those of a line or a recording</source>
+        <translation>コンマで区切った故障の種類: %1。既定値: このコンピューターの時計を変える clock_step 以外のすべて。アームでは回線と記録の故障を除きます</translation>
+    </message>
+    <message>
+        <source>Longest time until the motors must be at zero or the arm at rest; default: %1, with an arm %2</source>
+        <translation>モーターがゼロに、またはアームが静止しなければならない最長の時間。既定値: %1、アームでは %2</translation>
+    </message>
+    <message>
+        <source>--joint is needed, the joint that moves to and fro</source>
+        <translation>--joint が必要です。往復する関節です</translation>
+    </message>
+    <message>
+        <source>%1 is no fault of an arm&apos;s chain</source>
+        <translation>%1 はアームの系の故障ではありません</translation>
+    </message>
+    <message>
+        <source>the arm will move the whole time; make sure that nobody is within its reach, then add --yes</source>
+        <translation>アームは試験の間ずっと動きます。届く範囲に誰もいないことを確かめてから --yes を付けてください</translation>
+    </message>
+    <message>
+        <source>The program under test moves %1 to and fro at %2 (rad/s, prismatic m/s). It has its own connection; the arm is watched over another one.</source>
+        <translation>試験するプログラムは %1 を %2 (rad/s、直動は m/s) で往復させます。プログラムは自分の接続を持ち、アームは別の接続で監視されます。</translation>
+    </message>
+    <message>
+        <source>Ended early: %1 of %2 faults were injected.</source>
+        <translation>途中で終わりました。%2 回のうち %1 回の故障を与えました。</translation>
+    </message>
+    <message>
+        <source>Not covered: faults of the network, of the site and of the arm&apos;s controller.</source>
+        <translation>対象外: ネットワーク、サイト、アームのコントローラーの故障。</translation>
+    </message>
+    <message>
+        <source>Not covered: bracelets that are not Modbus drivers over TCP.</source>
+        <translation>対象外: TCP 経由の Modbus ドライバーではないブレスレット。</translation>
+    </message>
+    <message>
+        <source>Inject faults into the program that drives motors or an arm, and report how soon those stop</source>
+        <translation>モーターやアームを動かすプログラムに故障を与え、止まるまでの時間を報告します</translation>
     </message>
 </context>
 <context>
@@ -3569,20 +3652,20 @@ Examples:
 <context>
     <name>FaultInjector</name>
     <message>
-        <source>the program that drives the motors ended by itself</source>
-        <translation>モーターを駆動するプログラムがひとりでに終了しました</translation>
-    </message>
-    <message>
-        <source>the motors did not start within 30 s</source>
-        <translation>30 s以内にモーターが回りませんでした</translation>
-    </message>
-    <message>
-        <source>the driver of the motors does not answer any more</source>
-        <translation>モータードライバーが応答しなくなりました</translation>
-    </message>
-    <message>
         <source>the recording did not fail on a full disk</source>
         <translation>ディスクが満杯でも記録が失敗しませんでした</translation>
+    </message>
+    <message>
+        <source>the program under test ended by itself</source>
+        <translation>試験するプログラムが自分から終了しました</translation>
+    </message>
+    <message>
+        <source>nothing moved within 30 s</source>
+        <translation>30 秒以内に何も動きませんでした</translation>
+    </message>
+    <message>
+        <source>the device does not answer any more</source>
+        <translation>装置が応答しなくなりました</translation>
     </message>
 </context>
 <context>
@@ -4644,6 +4727,10 @@ Examples:
     <message>
         <source>--arm with one of %1</source>
         <translation>--arm に %1 のいずれか</translation>
+    </message>
+    <message>
+        <source>the arm has no joint &quot;%1&quot;; it has %2</source>
+        <translation>アームに関節「%1」がありません。アームにある関節: %2</translation>
     </message>
 </context>
 <context>
@@ -9014,6 +9101,10 @@ Run %2 --help for more.
     <message>
         <source>an arm had a fault; clear it first</source>
         <translation>アームに異常がありました。先に解除してください</translation>
+    </message>
+    <message>
+        <source>an earlier program of this console still controls the site</source>
+        <translation>このコンソールの以前のプログラムがまだサイトを操作しています</translation>
     </message>
 </context>
 <context>

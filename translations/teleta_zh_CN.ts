@@ -441,10 +441,6 @@
 <context>
     <name>ArmJogText</name>
     <message>
-        <source>the arm has no joint &quot;%1&quot;; it has %2</source>
-        <translation>机械臂没有关节“%1”；它有 %2</translation>
-    </message>
-    <message>
         <source>joint speed</source>
         <translation>关节速度</translation>
     </message>
@@ -511,6 +507,21 @@
     <message>
         <source>the motion was cut short: %1</source>
         <translation>运动被中断：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ArmWatch</name>
+    <message>
+        <source>no position of this joint came within 5 s</source>
+        <translation>5 秒内没有收到该关节的位置</translation>
+    </message>
+    <message>
+        <source>with certificates, a console of its own watches the arm</source>
+        <translation>使用证书时，由单独的控制台监视机械臂</translation>
+    </message>
+    <message>
+        <source>--viewer with the file of a viewer</source>
+        <translation>--viewer 加上观察者的文件</translation>
     </message>
 </context>
 <context>
@@ -1233,10 +1244,6 @@
 <context>
     <name>CertificateText</name>
     <message>
-        <source>The program is ended by SIGKILL. Only the driver&apos;s watchdog is left.</source>
-        <translation>程序被 SIGKILL 终止。只剩下驱动器的看门狗。</translation>
-    </message>
-    <message>
         <source>SIGTERM, as when a session ends.</source>
         <translation>SIGTERM，如同会话结束时。</translation>
     </message>
@@ -1399,10 +1406,6 @@
         <translation>最近一分钟的负载</translation>
     </message>
     <message>
-        <source>Longest gap between two readings of the motors</source>
-        <translation>两次查看电机之间的最长时间</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -1483,6 +1486,42 @@
         <source>Certificate of faults</source>
         <translation>故障测试证书</translation>
     </message>
+    <message>
+        <source>The program is ended by SIGKILL. Only what watches over the device is left.</source>
+        <translation>程序被 SIGKILL 终止。只剩下看护设备的机制。</translation>
+    </message>
+    <message>
+        <source>Passed: after each of %1 faults the arm was at rest within %2 ms. It never moved again by itself. With 95 % confidence, at most %3 % of such faults take longer.</source>
+        <translation>通过：%1 次故障中每次之后机械臂都在 %2 ms 内静止，从未自行再次运动。以 95 % 的置信度，此类故障中最多有 %3 % 需要更长时间。</translation>
+    </message>
+    <message>
+        <source>Not passed: of %1 faults, %2 left the arm moving for more than %3 ms. After %4 of them it moved again by itself.</source>
+        <translation>未通过：%1 次故障中有 %2 次机械臂运动超过 %3 ms。其中 %4 次之后它自行再次运动。</translation>
+    </message>
+    <message>
+        <source>Time from the fault until the arm was at rest, in ms</source>
+        <translation>从故障到机械臂静止的时间（ms）</translation>
+    </message>
+    <message>
+        <source>Times until the arm was at rest, by kind of fault</source>
+        <translation>各类故障下机械臂静止所需的时间</translation>
+    </message>
+    <message>
+        <source>Time until rest (ms)</source>
+        <translation>到静止的时间（ms）</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Longest gap between two readings</source>
+        <translation>两次读数之间的最长间隔</translation>
+    </message>
+    <message>
+        <source>SIMULATED: the arm is a program.</source>
+        <translation>模拟：机械臂是一个程序。</translation>
+    </message>
 </context>
 <context>
     <name>CertifyCommand</name>
@@ -1491,20 +1530,8 @@
         <translation>TCP 上 Modbus 电机驱动器的文件；默认：模拟的驱动器。任何人都不得佩戴其电机，电机会一直转动</translation>
     </message>
     <message>
-        <source>With --bracelet: nobody wears the motors</source>
-        <translation>与 --bracelet 一起使用：没有人佩戴电机</translation>
-    </message>
-    <message>
         <source>Number of faults</source>
         <translation>故障次数</translation>
-    </message>
-    <message>
-        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer</source>
-        <translation>故障类型，以逗号分隔：%1。默认：除 clock_step 以外的全部类型，因为它会拨动本计算机的时钟</translation>
-    </message>
-    <message>
-        <source>Longest time until the motors must be at zero</source>
-        <translation>电机必须在此时间内归零</translation>
     </message>
     <message>
         <source>Seed for the order and timing of the faults</source>
@@ -1539,16 +1566,8 @@
         <translation>被测程序以实时设定值跟随模拟阵列，在限制范围内驱动电机，并进行记录。</translation>
     </message>
     <message>
-        <source>Interrupted: %1 of %2 faults were injected.</source>
-        <translation>已中断：%2 次故障中已注入 %1 次。</translation>
-    </message>
-    <message>
         <source>The driver of the motors is SIMULATED: a Modbus server with a watchdog of 100 ms.</source>
         <translation>电机驱动器为模拟：一个看门狗为 100 ms 的 Modbus 服务器。</translation>
-    </message>
-    <message>
-        <source>Not covered: arms, and bracelets that are not Modbus drivers over TCP.</source>
-        <translation>未涵盖：机械臂，以及不是 TCP 上 Modbus 驱动器的手环。</translation>
     </message>
     <message>
         <source>A damaged recording was kept: %1</source>
@@ -1579,8 +1598,72 @@
         <translation>报告</translation>
     </message>
     <message>
-        <source>Inject faults into the program that drives the motors, and report how soon the motors stop</source>
-        <translation>向驱动电机的程序和线路注入故障，并报告电机多快关闭</translation>
+        <source>File of an arm over ROS 2, which is certified instead. One of its joints moves to and fro the whole time; nobody may be within its reach</source>
+        <translation>改为认证的 ROS 2 机械臂的文件。它的一个关节一直来回运动；其可及范围内不得有人</translation>
+    </message>
+    <message>
+        <source>The same with an arm at a site: the file of a console that may move it</source>
+        <translation>同样，但用站点的机械臂：可以移动它的控制台的文件</translation>
+    </message>
+    <message>
+        <source>With --site: file of a viewer, which watches the arm. Default without certificates: the same file</source>
+        <translation>与 --site 一起：监视机械臂的观察者的文件。默认（无证书时）：同一文件</translation>
+    </message>
+    <message>
+        <source>With --site: the arm&apos;s name there; default: the only one</source>
+        <translation>与 --site 一起：机械臂在站点上的名称；默认：唯一的一个</translation>
+    </message>
+    <message>
+        <source>With --arm and --site: joint that moves</source>
+        <translation>与 --arm 和 --site 一起：运动的关节</translation>
+    </message>
+    <message>
+        <source>With --arm and --site: its speed in rad/s, prismatic m/s. It turns back after half a second&apos;s way to each side</source>
+        <translation>与 --arm 和 --site 一起：其速度，rad/s，移动关节为 m/s。向每一侧运动半秒的路程后折返</translation>
+    </message>
+    <message>
+        <source>Nobody wears the motors of --bracelet, or is within reach of the arm</source>
+        <translation>没有人佩戴 --bracelet 的电机，也没有人在机械臂的可及范围内</translation>
+    </message>
+    <message>
+        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer; with an arm without those of a line or a recording</source>
+        <translation>以逗号分隔的故障种类：%1。默认：除会设置本机时钟的 clock_step 外的全部；对机械臂则不含线路和记录的故障</translation>
+    </message>
+    <message>
+        <source>Longest time until the motors must be at zero or the arm at rest; default: %1, with an arm %2</source>
+        <translation>电机归零或机械臂静止所允许的最长时间；默认：%1，对机械臂为 %2</translation>
+    </message>
+    <message>
+        <source>--joint is needed, the joint that moves to and fro</source>
+        <translation>需要 --joint，即来回运动的关节</translation>
+    </message>
+    <message>
+        <source>%1 is no fault of an arm&apos;s chain</source>
+        <translation>%1 不是机械臂链路的故障</translation>
+    </message>
+    <message>
+        <source>the arm will move the whole time; make sure that nobody is within its reach, then add --yes</source>
+        <translation>机械臂会一直运动；请确认其可及范围内没有人，然后加上 --yes</translation>
+    </message>
+    <message>
+        <source>The program under test moves %1 to and fro at %2 (rad/s, prismatic m/s). It has its own connection; the arm is watched over another one.</source>
+        <translation>被测程序以 %2（rad/s，移动关节为 m/s）来回移动 %1。它有自己的连接；机械臂通过另一连接被监视。</translation>
+    </message>
+    <message>
+        <source>Ended early: %1 of %2 faults were injected.</source>
+        <translation>提前结束：%2 次故障中注入了 %1 次。</translation>
+    </message>
+    <message>
+        <source>Not covered: faults of the network, of the site and of the arm&apos;s controller.</source>
+        <translation>未涵盖：网络、站点和机械臂控制器的故障。</translation>
+    </message>
+    <message>
+        <source>Not covered: bracelets that are not Modbus drivers over TCP.</source>
+        <translation>未涵盖：不是 TCP 上的 Modbus 驱动器的手环。</translation>
+    </message>
+    <message>
+        <source>Inject faults into the program that drives motors or an arm, and report how soon those stop</source>
+        <translation>向驱动电机或机械臂的程序注入故障，并报告它们多快停下</translation>
     </message>
 </context>
 <context>
@@ -3569,20 +3652,20 @@ Examples:
 <context>
     <name>FaultInjector</name>
     <message>
-        <source>the program that drives the motors ended by itself</source>
-        <translation>驱动电机的程序自行结束</translation>
-    </message>
-    <message>
-        <source>the motors did not start within 30 s</source>
-        <translation>电机在 30 s 内未转动</translation>
-    </message>
-    <message>
-        <source>the driver of the motors does not answer any more</source>
-        <translation>电机驱动器不再应答</translation>
-    </message>
-    <message>
         <source>the recording did not fail on a full disk</source>
         <translation>磁盘已满时记录没有失败</translation>
+    </message>
+    <message>
+        <source>the program under test ended by itself</source>
+        <translation>被测程序自行结束了</translation>
+    </message>
+    <message>
+        <source>nothing moved within 30 s</source>
+        <translation>30 秒内没有任何运动</translation>
+    </message>
+    <message>
+        <source>the device does not answer any more</source>
+        <translation>设备不再应答</translation>
     </message>
 </context>
 <context>
@@ -4644,6 +4727,10 @@ Examples:
     <message>
         <source>--arm with one of %1</source>
         <translation>--arm 取 %1 之一</translation>
+    </message>
+    <message>
+        <source>the arm has no joint &quot;%1&quot;; it has %2</source>
+        <translation>机械臂没有关节“%1”；它有 %2</translation>
     </message>
 </context>
 <context>
@@ -9014,6 +9101,10 @@ Run %2 --help for more.
     <message>
         <source>an arm had a fault; clear it first</source>
         <translation>某个机械臂发生过故障；请先清除</translation>
+    </message>
+    <message>
+        <source>an earlier program of this console still controls the site</source>
+        <translation>此控制台的先前程序仍在控制站点</translation>
     </message>
 </context>
 <context>

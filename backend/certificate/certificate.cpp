@@ -57,9 +57,12 @@ nlohmann::ordered_json toJson(const FaultTally& tally) {
 }
 
 nlohmann::ordered_json toJson(const CertifiedSystem& system) {
-    return {{"version", system.version}, {"driver", system.driver}, {"simulated", system.simulated},
-            {"started", system.started}, {"kernel", system.kernel}, {"processor", system.processor},
-            {"cores", system.cores},     {"load", system.load},     {"resolution_s", system.resolution_s}};
+    return {
+        {"version", system.version},     {"actuator", system.actuator == Actuator::arm ? "arm" : "motors"},
+        {"driver", system.driver},       {"simulated", system.simulated},
+        {"started", system.started},     {"kernel", system.kernel},
+        {"processor", system.processor}, {"cores", system.cores},
+        {"load", system.load},           {"resolution_s", system.resolution_s}};
 }
 
 } // namespace

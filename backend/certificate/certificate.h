@@ -13,13 +13,19 @@
 
 namespace teleta::certificate {
 
+/// What moves.
+enum class Actuator {
+    motors, ///< of a bracelet; at zero when they are off
+    arm,    ///< at zero when it is at rest
+};
+
 /// What one fault did.
 struct FaultOutcome {
     FaultKind kind = FaultKind::stop;
-    /// From the fault, or from the STOP that followed it, until the motors were seen at zero and stayed
-    /// there; empty: they were still on when the watching ended.
+    /// From the fault, or from the STOP that followed it, until the actuator was seen at zero and stayed
+    /// there; empty: it was not when the watching ended.
     std::optional<double> zero_s{};
-    /// They turned again although nobody had asked.
+    /// It moved again although nobody had asked.
     bool restarted = false;
     /// Frames that the program had said were safe and that are not in the recording.
     std::uint64_t framesLost = 0;
@@ -29,22 +35,23 @@ struct FaultOutcome {
 
 /// The program and the computer that were looked at.
 struct CertifiedSystem {
-    std::string version;       ///< of the program, with the commit
-    std::string driver;        ///< name of the driver of the motors
+    std::string version; ///< of the program, with the commit
+    Actuator actuator = Actuator::motors;
+    std::string driver;        ///< name of the driver of the motors, or of the arm
     bool simulated = true;     ///< the driver is a simulated one
     std::string started;       ///< UTC, ISO 8601
     std::string kernel;        ///< name and release
     std::string processor;     ///< its name; empty: not known
     int cores = 0;             ///< that the program may use
     double load = 0.0;         ///< processes that wanted to run, mean of the last minute, at the end
-    double resolution_s = 0.0; ///< longest time between two looks at the motors that were used
+    double resolution_s = 0.0; ///< longest time between two looks that were used
 };
 
 /// Of the faults of one kind.
 struct FaultTally {
     FaultKind kind = FaultKind::stop;
     std::size_t faults = 0;
-    std::size_t notZero = 0;   ///< motors still on when the watching ended
+    std::size_t notZero = 0;   ///< still on when the watching ended
     std::size_t overBound = 0; ///< later than the bound, with notZero
     std::size_t restarted = 0;
     std::uint64_t framesLost = 0;
@@ -57,7 +64,7 @@ struct FaultTally {
 /// Faults of a system and what they did. A pure value; thread: any.
 struct Certificate {
     CertifiedSystem system;
-    double bound_s = 0.15; ///< motors are to be at zero after this
+    double bound_s = 0.15; ///< the actuator is to be at zero after this
     std::uint64_t seed = 0;
     std::vector<FaultOutcome> outcomes;
     std::vector<std::string> remarks; ///< what was not done, and why; for people

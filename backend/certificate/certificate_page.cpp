@@ -37,7 +37,8 @@ QString heading(const QString& text) {
 QString meaningOf(FaultKind kind) {
     switch (kind) {
     case FaultKind::kill:
-        return CertificateText::tr("The program is ended by SIGKILL. Only the driver's watchdog is left.");
+        return CertificateText::tr(
+            "The program is ended by SIGKILL. Only what watches over the device is left.");
     case FaultKind::terminate:
         return CertificateText::tr("SIGTERM, as when a session ends.");
     case FaultKind::interrupt:
@@ -68,11 +69,35 @@ QString meaningOf(FaultKind kind) {
     return {};
 }
 
+bool isOfArm(const Certificate& certificate) {
+    return certificate.system.actuator == Actuator::arm;
+}
+
+QString verdictOnArm(const Certificate& certificate, const FaultTally& all) {
+    if (certificate.passes())
+        return paragraph(
+            CertificateText::tr("Passed: after each of %1 faults the arm was at rest within %2 ms. It never "
+                                "moved again by itself. With 95 % confidence, at most %3 % of such faults "
+                                "take longer.")
+                .arg(all.faults)
+                .arg(ms(certificate.bound_s))
+                .arg(100.0 * shareOverBoundAtMost(all), 0, 'f', 2));
+    return paragraph(CertificateText::tr("Not passed: of %1 faults, %2 left the arm moving for more than %3 "
+                                         "ms. After %4 of them it moved again by itself.")
+                         .arg(all.faults)
+                         .arg(all.overBound)
+                         .arg(ms(certificate.bound_s))
+                         .arg(all.restarted),
+                     QStringLiteral(" class=\"warning\""));
+}
+
 QString verdict(const Certificate& certificate) {
     const FaultTally all = certificate.total();
     const QString bound = ms(certificate.bound_s);
     if (all.faults == 0)
         return paragraph(CertificateText::tr("No fault was injected."), QStringLiteral(" class=\"warning\""));
+    if (isOfArm(certificate))
+        return verdictOnArm(certificate, all);
     if (certificate.passes())
         return paragraph(
             CertificateText::tr("Passed: after each of %1 faults the motors were at zero within %2 ms. They "
@@ -103,7 +128,9 @@ void addRow(figure::HtmlTable& table, const QString& name, const FaultTally& tal
 
 QString kindTable(const Certificate& certificate) {
     figure::HtmlTable table(
-        CertificateText::tr("Time from the fault until the motors were at zero, in ms"),
+        isOfArm(certificate)
+            ? CertificateText::tr("Time from the fault until the arm was at rest, in ms")
+            : CertificateText::tr("Time from the fault until the motors were at zero, in ms"),
         {CertificateText::tr("Fault"), CertificateText::tr("Number"), CertificateText::tr("Median"),
          CertificateText::tr("99 %"), CertificateText::tr("Longest"), CertificateText::tr("Over the bound"),
          CertificateText::tr("Share, upper limit (%)"), CertificateText::tr("Restarted by itself"),
@@ -127,15 +154,19 @@ QString timePicture(const Certificate& certificate) {
         end_s = std::max(end_s, outcome.zero_s.value_or(0.0));
     end_s *= 1.05;
     const double bottom = kTop + kRow * static_cast<double>(tallies.size());
-    figure::SvgCanvas canvas(kRight + 30.0, bottom + 50.0,
-                             CertificateText::tr("Times until the motors were at zero, by kind of fault"));
+    figure::SvgCanvas canvas(
+        kRight + 30.0, bottom + 50.0,
+        isOfArm(certificate) ? CertificateText::tr("Times until the arm was at rest, by kind of fault")
+                             : CertificateText::tr("Times until the motors were at zero, by kind of fault"));
     const auto at = [&](double time_s) { return kLeft + (kRight - kLeft) * time_s / end_s; };
     for (int k = 0; k * kStep_s <= end_s; ++k) {
         canvas.line(at(k * kStep_s), kTop, at(k * kStep_s), bottom, QStringLiteral("soft"));
         canvas.text(at(k * kStep_s), bottom + 18.0, QString::number(std::lround(1e3 * k * kStep_s)),
                     QStringLiteral("soft small middle"));
     }
-    canvas.text(0.5 * (kLeft + kRight), bottom + 40.0, CertificateText::tr("Time until zero (ms)"),
+    canvas.text(0.5 * (kLeft + kRight), bottom + 40.0,
+                isOfArm(certificate) ? CertificateText::tr("Time until rest (ms)")
+                                     : CertificateText::tr("Time until zero (ms)"),
                 QStringLiteral("ink middle"));
     canvas.path({{at(certificate.bound_s), kTop}, {at(certificate.bound_s), bottom}},
                 QStringLiteral("class=\"hollow series1\""));
@@ -158,16 +189,16 @@ QString systemTable(const Certificate& certificate) {
     const CertifiedSystem& system = certificate.system;
     figure::HtmlTable table(CertificateText::tr("System under test"), {CertificateText::tr("Part"), {}});
     table.row({CertificateText::tr("Program"), QString::fromStdString(system.version)});
-    table.row({CertificateText::tr("Driver of the motors"),
-               system.simulated
-                   ? CertificateText::tr("%1 (SIMULATED)").arg(QString::fromStdString(system.driver))
-                   : QString::fromStdString(system.driver)});
+    table.row(
+        {isOfArm(certificate) ? CertificateText::tr("Arm") : CertificateText::tr("Driver of the motors"),
+         system.simulated ? CertificateText::tr("%1 (SIMULATED)").arg(QString::fromStdString(system.driver))
+                          : QString::fromStdString(system.driver)});
     table.row({CertificateText::tr("Started"), QString::fromStdString(system.started)});
     table.row({CertificateText::tr("System"), QString::fromStdString(system.kernel)});
     table.row({CertificateText::tr("Processor"), CertificateText::tr("%1, %n core(s)", nullptr, system.cores)
                                                      .arg(QString::fromStdString(system.processor))});
     table.row({CertificateText::tr("Load average (1 min)"), QString::number(system.load, 'f', 2)});
-    table.row({CertificateText::tr("Longest gap between two readings of the motors"),
+    table.row({CertificateText::tr("Longest gap between two readings"),
                CertificateText::tr("%1 ms").arg(ms(system.resolution_s))});
     table.row({CertificateText::tr("Seed"), QString::number(certificate.seed)});
     return table.html();
@@ -210,7 +241,9 @@ QString nameOf(FaultKind kind) {
 QString certificatePage(const Certificate& certificate) {
     QString body;
     if (certificate.system.simulated)
-        body += paragraph(CertificateText::tr("SIMULATED: the driver of the motors is a program."),
+        body += paragraph(isOfArm(certificate)
+                              ? CertificateText::tr("SIMULATED: the arm is a program.")
+                              : CertificateText::tr("SIMULATED: the driver of the motors is a program."),
                           QStringLiteral(" class=\"mode\""));
     body += verdict(certificate);
     if (!certificate.outcomes.empty())

@@ -42,6 +42,11 @@ std::optional<FaultKind> faultKindOf(std::string_view word) {
     return found == kFaultKinds.end() ? std::nullopt : std::optional(*found);
 }
 
+bool isOfLine(FaultKind kind) {
+    return kind == FaultKind::unplug || kind == FaultKind::lateAnswers || kind == FaultKind::lostRequests ||
+           kind == FaultKind::lies;
+}
+
 bool endsProgram(FaultKind kind) {
     switch (kind) {
     case FaultKind::kill:

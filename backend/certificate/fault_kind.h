@@ -7,7 +7,7 @@
 
 namespace teleta::certificate {
 
-/// What is done to a program that drives motors, or to its line.
+/// What is done to a program that drives motors or an arm, or to its line.
 enum class FaultKind {
     kill,          ///< SIGKILL
     terminate,     ///< SIGTERM: a service is stopped, a session ends
@@ -35,6 +35,8 @@ inline constexpr std::array kFaultKinds{
 /// The inverse; empty for any other word.
 [[nodiscard]] std::optional<FaultKind> faultKindOf(std::string_view word);
 
+/// It is done to the line between the program and the driver.
+[[nodiscard]] bool isOfLine(FaultKind kind);
 /// The program is not there any more afterwards, or cannot be used.
 [[nodiscard]] bool endsProgram(FaultKind kind);
 /// The program goes on driving; what is measured is whether STOP still works.

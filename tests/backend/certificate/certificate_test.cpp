@@ -129,3 +129,18 @@ TEST(CertificatePage, isWellFormedAndTellsTheVerdict) {
         EXPECT_TRUE(page.contains(QStringLiteral("&lt;motors &amp; more&gt; (SIMULATED)")));
     }
 }
+
+TEST(CertificatePage, speaksOfAnArmWhereOneIsCertified) {
+    Certificate certificate = certificateOf({after(0.01), after(0.02, FaultKind::sleep)});
+    certificate.system.actuator = Actuator::arm;
+    for (const bool passes : {true, false}) {
+        if (!passes)
+            certificate.outcomes.push_back({.kind = FaultKind::stop});
+        const QString page = certificatePage(certificate);
+        EXPECT_FALSE(page.contains(QStringLiteral("motors"))) << page.toStdString();
+        EXPECT_EQ(page.contains(QStringLiteral("Passed: after each of 2 faults the arm was at rest")),
+                  passes);
+        EXPECT_EQ(page.contains(QStringLiteral("Not passed: of 3 faults, 1 left the arm moving")), !passes);
+    }
+    EXPECT_EQ(toJson(certificate)["system"]["actuator"], "arm");
+}

@@ -48,6 +48,34 @@ TEST_F(RosArmPeer, anEchoReadsWhatTheOtherMiddlewareSends) {
     EXPECT_EQ(json::parse(wrench.out)[0]["header"]["frame_id"], "tool0");
 }
 
+TEST_F(RosArmPeer, aCertificateWatchesTheArmOnItsOwnTopic) {
+    start(110);
+    const std::vector<std::string> certify{"certify", "--arm",
+                                           path(),    "--joint",
+                                           "joint_3", "--yes",
+                                           "--kinds", "kill,sleep,stop",
+                                           "--out",   m_folder.filePath("report").toStdString(),
+                                           "--json"};
+    const auto run = [&certify](std::vector<std::string> more) {
+        more.insert(more.begin(), certify.begin(), certify.end());
+        return test::run(more);
+    };
+    const ProgramResult passed = run({"--faults", "3", "--bound", "1"});
+    EXPECT_EQ(passed.exitCode, 0) << passed.err << passed.out;
+    const json report = json::parse(passed.out, nullptr, false);
+    ASSERT_TRUE(report.is_object()) << passed.out;
+    EXPECT_EQ(report["system"]["actuator"], "arm");
+    EXPECT_EQ(report["system"]["driver"], "Robot");
+    EXPECT_EQ(report["system"]["simulated"], false);
+    EXPECT_EQ(report["total"]["faults"], 3);
+    EXPECT_EQ(report["total"]["restarted"], 0);
+    EXPECT_NEAR(logOf("state").back()["velocity"][kJoint].get<double>(), 0.0, 1e-3);
+    // T1 alone, in which the arm goes on at full speed, is longer than that.
+    const ProgramResult late = run({"--faults", "1", "--bound", "0.02"});
+    EXPECT_EQ(late.exitCode, 1) << late.out;
+    EXPECT_EQ(json::parse(late.out, nullptr, false)["total"]["over_bound"], 1);
+}
+
 TEST_F(RosArmPeer, whoMovesAnArmIsANodeOfItsOwn) {
     start(80);
     const auto nodesDuringAJog = [this] {

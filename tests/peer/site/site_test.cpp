@@ -235,6 +235,51 @@ TEST(Site, theCommandLineSeesItAndRecordsIt) {
     EXPECT_GT(nlohmann::json::parse(replay.out).size(), 300U);
 }
 
+TEST(Site, aProgramThatIsStartedAnewAfterAKillGetsControlOfItsOwn) {
+    SiteProcess site(108, kPractice);
+    site.start();
+    TestConsole viewer(site, "v", true);
+    const auto jog = [&site] {
+        return test::RunningProgram({"arm", "jog", site.fileOf("a"), "--joint", "joint_3", "--rate", "0.1",
+                                     "--seconds", "1.5", "--yes", "--json"});
+    };
+    auto killed = jog();
+    ASSERT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::moving; }));
+    killed.send(SIGKILL);
+    EXPECT_EQ(killed.wait().exitCode, -SIGKILL);
+    // The name still controls the site: that is the program before.
+    EXPECT_EQ(viewer.view().controller, "a");
+    auto anew = jog();
+    const test::ProgramResult result = anew.wait();
+    EXPECT_EQ(result.exitCode, 0) << result.err << result.out;
+    EXPECT_GT(nlohmann::json::parse(result.out)["way"].get<double>(), 0.05);
+}
+
+TEST(Site, aCertificateOfItsArmPasses) {
+    SiteProcess site(109, kPractice);
+    site.start();
+    TestConsole viewer(site, "v", true);
+    const std::string name = site.folder().filePath("report").toStdString();
+    // The bound is long: how punctual this machine is stands in the report, not in a test.
+    const auto result = test::run({"certify", "--site", site.fileOf("a"), "--joint", "joint_3", "--yes",
+                                   "--faults", "7", "--bound", "1", "--out", name, "--json"});
+    EXPECT_EQ(result.exitCode, 0) << result.err << result.out;
+    const auto report = nlohmann::json::parse(result.out, nullptr, false);
+    ASSERT_TRUE(report.is_object()) << result.out;
+    EXPECT_EQ(report["passes"], true);
+    EXPECT_EQ(report["system"]["actuator"], "arm");
+    EXPECT_EQ(report["system"]["driver"], "practice (lab)");
+    EXPECT_EQ(report["system"]["simulated"], true);
+    EXPECT_EQ(report["total"]["restarted"], 0);
+    ASSERT_EQ(report["kinds"].size(), 7U) << "one of each kind";
+    for (const auto& fault : report["faults"])
+        EXPECT_GT(fault["zero_s"], 0.0) << fault;
+    // It leaves nothing behind.
+    EXPECT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::free; }));
+    EXPECT_TRUE(viewer.view().stopHolders.empty());
+    EXPECT_TRUE(viewer.rests(300ms));
+}
+
 TEST(Site, aCheckMovesNothingAndSaysWhatIsMissing) {
     SiteProcess site(88, std::string(kPractice) +
                              "[[device]]\nid = \"pad\"\nwts = \"/dev/there-is-no-such-line\"\n");

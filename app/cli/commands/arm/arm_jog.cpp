@@ -129,17 +129,6 @@ struct JogResult {
     std::string problem; ///< what held the arm before the time was over
 };
 
-std::size_t jointOf(const std::vector<JogTarget::Joint>& joints, const std::string& name) {
-    QStringList names;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (joints[i].name == name)
-            return i;
-        names << QString::fromStdString(joints[i].name);
-    }
-    refuse("--joint", ArmJogText::tr("the arm has no joint \"%1\"; it has %2")
-                          .arg(QString::fromStdString(name), names.join(QStringLiteral(", "))));
-}
-
 /// Waits for a line from the terminal; false: not agreed, or interrupted.
 bool agreed(const QString& question) {
     std::cerr << question.toStdString() << std::flush;

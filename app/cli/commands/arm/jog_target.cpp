@@ -2,6 +2,7 @@
 #include "app/cli/commands/arm/jog_target.h"
 
 #include "app/cli/base/interruption.h"
+#include "app/cli/base/options.h"
 #include "app/common/version.h"
 #include "app/sources/source_list.h"
 #include "backend/arm_model/serial_chain.h"
@@ -9,9 +10,6 @@
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "devices/ros/ros_arm.h"
 #include "devices/ros/ros_arm_file.h"
-#include "devices/site/remote_arm.h"
-#include "devices/site/remote_site_file.h"
-#include "devices/site/site_client.h"
 #include "devices/site/site_streams.h"
 
 #include <QCoreApplication>
@@ -57,46 +55,33 @@ private:
 
 class SiteTarget : public JogTarget {
 public:
-    SiteTarget(std::shared_ptr<site_link::SiteClient> site, std::string device,
-               std::unique_ptr<site_link::RemoteArm> arm, std::shared_ptr<const arm_model::SerialChain> chain)
-        : m_site(std::move(site))
-        , m_device(std::move(device))
-        , m_arm(std::move(arm))
-        , m_chain(std::move(chain)) {
-        m_site->request(site::RequestKind::request);
+    explicit SiteTarget(SiteArm arm)
+        : m_at(std::move(arm)) {
+        m_at.site->request(site::RequestKind::request);
     }
 
-    core::ArmSource& arm() override { return *m_arm; }
+    core::ArmSource& arm() override { return *m_at.arm; }
     QString name() const override {
-        return QStringLiteral("%1 (%2)").arg(QString::fromStdString(m_device),
-                                             QString::fromStdString(m_site->file().name));
+        return QStringLiteral("%1 (%2)").arg(QString::fromStdString(m_at.device),
+                                             QString::fromStdString(m_at.site->file().name));
     }
-    std::vector<Joint> joints() const override {
-        if (m_chain)
-            return jointsOf(*m_chain);
-        std::vector<Joint> joints;
-        for (std::size_t i = 1; i <= m_arm->description().joints(); ++i)
-            joints.push_back({"joint_" + std::to_string(i)});
-        return joints;
-    }
-    bool ready() const override { return m_site->view().controls(m_site->file().console); }
-    std::string problem() const override { return m_arm->hindrance(); }
+    std::vector<Joint> joints() const override { return m_at.joints; }
+    bool ready() const override { return m_at.site->view().controls(m_at.site->file().console); }
+    std::string problem() const override { return m_at.arm->hindrance(); }
     std::uint32_t flags() const override {
-        const site_link::SiteView view = m_site->view();
-        const auto found = std::ranges::find(view.arms, m_device, &site_link::RemoteArmState::name);
+        const site_link::SiteView view = m_at.site->view();
+        const auto found = std::ranges::find(view.arms, m_at.device, &site_link::RemoteArmState::name);
         return found == view.arms.end() ? 0 : found->flags;
     }
 
 private:
-    std::shared_ptr<site_link::SiteClient> m_site;
-    std::string m_device;
-    std::unique_ptr<site_link::RemoteArm> m_arm;
-    std::shared_ptr<const arm_model::SerialChain> m_chain;
+    SiteArm m_at;
 };
 
-core::Expected<std::unique_ptr<JogTarget>> openAtSite(const std::string& path, const std::string& device,
-                                                      const core::StopSwitch& stop) {
-    TELETA_TRY(const auto file, site_link::readRemoteSite(path));
+} // namespace
+
+core::Expected<SiteArm> openSiteArm(const site_link::RemoteSiteFile& file, const std::string& device,
+                                    const core::StopSwitch& stop) {
     TELETA_TRY(auto site,
                site_link::SiteClient::open(file, app::version().text().toStdString(), stop, interrupted));
     QStringList names;
@@ -119,12 +104,28 @@ core::Expected<std::unique_ptr<JogTarget>> openAtSite(const std::string& path, c
                 ? QString()
                 : JogTargetText::tr("--arm with one of %1").arg(names.join(QStringLiteral(", "))));
     const std::string name = site_link::deviceOf(*chosen);
-    TELETA_TRY(pipeline::RecordedArm described, pipeline::recordedArm(*chosen, file.name));
+    TELETA_TRY(const pipeline::RecordedArm described, pipeline::recordedArm(*chosen, file.name));
     TELETA_TRY(auto arm, site_link::RemoteArm::open(site, name, described.description));
-    return std::make_unique<SiteTarget>(std::move(site), name, std::move(arm), std::move(described.chain));
+    std::vector<JogTarget::Joint> joints;
+    if (described.chain) {
+        joints = jointsOf(*described.chain);
+    } else {
+        for (std::size_t i = 1; i <= described.description.joints(); ++i)
+            joints.push_back({"joint_" + std::to_string(i)});
+    }
+    return SiteArm{std::move(site), name, std::move(arm), std::move(joints)};
 }
 
-} // namespace
+std::size_t jointOf(const std::vector<JogTarget::Joint>& joints, const std::string& name) {
+    QStringList names;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (joints[i].name == name)
+            return i;
+        names << QString::fromStdString(joints[i].name);
+    }
+    refuse("--joint", JogTargetText::tr("the arm has no joint \"%1\"; it has %2")
+                          .arg(QString::fromStdString(name), names.join(QStringLiteral(", "))));
+}
 
 core::Expected<void> checkJogFile(const std::string& path) {
     if (app::isSiteFile(path))
@@ -136,8 +137,11 @@ core::Expected<void> checkJogFile(const std::string& path) {
 
 core::Expected<std::unique_ptr<JogTarget>> openJogTarget(const std::string& path, const std::string& device,
                                                          const core::StopSwitch& stop) {
-    if (app::isSiteFile(path))
-        return openAtSite(path, device, stop);
+    if (app::isSiteFile(path)) {
+        TELETA_TRY(const auto file, site_link::readRemoteSite(path));
+        TELETA_TRY(SiteArm arm, openSiteArm(file, device, stop));
+        return std::make_unique<SiteTarget>(std::move(arm));
+    }
     TELETA_TRY(const ros_arm::RosArmFile file, ros_arm::readRosArm(path));
     TELETA_TRY(auto arm, ros_arm::RosArm::open(file, stop, interrupted));
     return std::make_unique<RosTarget>(std::move(arm));

@@ -5,6 +5,9 @@
 #include "backend/core/error.h"
 #include "backend/core/interface.h"
 #include "backend/core/threads/stop_switch.h"
+#include "devices/site/remote_arm.h"
+#include "devices/site/remote_site_file.h"
+#include "devices/site/site_client.h"
 
 #include <QString>
 
@@ -38,6 +41,22 @@ public:
 
 /// Whether such a file can be read, before a person is asked. Error: that of the file.
 [[nodiscard]] core::Expected<void> checkJogFile(const std::string& path);
+
+/// An arm at a site, whoever controls it.
+struct SiteArm {
+    std::shared_ptr<site_link::SiteClient> site;
+    std::string device;
+    std::unique_ptr<site_link::RemoteArm> arm;
+    std::vector<JogTarget::Joint> joints;
+};
+
+/// device: as for openJogTarget(). Error: that of site_link::SiteClient::open(); badInput, the site has no
+/// such arm.
+[[nodiscard]] core::Expected<SiteArm> openSiteArm(const site_link::RemoteSiteFile& file,
+                                                  const std::string& device, const core::StopSwitch& stop);
+
+/// The place of a joint in the list. Throws CLI::ValidationError for --joint.
+[[nodiscard]] std::size_t jointOf(const std::vector<JogTarget::Joint>& joints, const std::string& name);
 
 /// Opens the arm of a file (kind = "ros_arm"), or an arm of the site of a file (kind = "remote_site"), of
 /// which control is then asked for. device: the arm's name at the site; empty: the only one. stop outlives

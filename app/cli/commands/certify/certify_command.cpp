@@ -3,9 +3,13 @@
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
+#include "app/cli/commands/arm/jog_target.h"
+#include "app/cli/commands/certify/arm_chain.h"
+#include "app/cli/commands/certify/arm_watch.h"
 #include "app/cli/commands/certify/certify_commands.h"
 #include "app/cli/commands/certify/chain.h"
 #include "app/cli/commands/certify/fault_injector.h"
+#include "app/cli/commands/certify/motor_watch.h"
 #include "app/common/version.h"
 #include "backend/certificate/certificate_page.h"
 #include "backend/core/data/output_file.h"
@@ -24,6 +28,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <random>
 #include <stdlib.h>
 #include <string>
@@ -44,6 +49,11 @@ struct CertifyText {
 };
 
 constexpr const char* kSimulatedDriver = ":/devices/motor-driver.toml";
+constexpr double kMotorBound_s = 0.15;
+/// What commands an arm is held by leases, and brakes.
+constexpr double kArmBound_s = 0.4;
+/// Longer than the silence after which a site wants a new press.
+constexpr double kArmSleep_s = 0.6;
 
 std::string processorName() {
     std::ifstream file("/proc/cpuinfo");
@@ -63,6 +73,17 @@ std::vector<FaultKind> planned(const std::vector<FaultKind>& kinds, long long fa
     return plan;
 }
 
+/// Kinds that are injected into the chain of an arm: it has no line that can be made to fail, and does not
+/// record.
+bool isOfArm(FaultKind kind) {
+    return !isOfLine(kind) && kind != FaultKind::diskFull;
+}
+
+/// Reads back as the same number.
+std::string number(double value) {
+    return QString::number(value, 'g', 17).toStdString();
+}
+
 QString msText(const std::optional<double>& time_s) {
     return time_s ? forPeople(1e3 * *time_s, 3) : QStringLiteral("NA");
 }
@@ -70,11 +91,38 @@ QString msText(const std::optional<double>& time_s) {
 class CertifyCommand {
 public:
     void declare(CLI::App& app) {
-        addOption(app, "--bracelet", m_driver,
-                  CertifyText::tr("File of a Modbus motor driver over TCP; default: a simulated one. Nobody "
-                                  "may wear its motors: they run the whole time"),
-                  "FILE");
-        addFlag(app, "--yes", m_yes, CertifyText::tr("With --bracelet: nobody wears the motors"));
+        CLI::Option* driver = addOption(
+            app, "--bracelet", m_driver,
+            CertifyText::tr("File of a Modbus motor driver over TCP; default: a simulated one. Nobody "
+                            "may wear its motors: they run the whole time"),
+            "FILE");
+        CLI::Option* arm = addOption(
+            app, "--arm", m_arm.path,
+            CertifyText::tr("File of an arm over ROS 2, which is certified instead. One of its joints moves "
+                            "to and fro the whole time; nobody may be within its reach"),
+            "FILE");
+        CLI::Option* site = addOption(
+            app, "--site", m_site,
+            CertifyText::tr("The same with an arm at a site: the file of a console that may move it"),
+            "FILE");
+        addOption(app, "--viewer", m_viewer,
+                  CertifyText::tr("With --site: file of a viewer, which watches the arm. Default without "
+                                  "certificates: the same file"),
+                  "FILE")
+            ->needs(site);
+        addOption(app, "--device", m_arm.device,
+                  CertifyText::tr("With --site: the arm's name there; default: the only one"), "NAME")
+            ->needs(site);
+        addOption(app, "--joint", m_arm.joint, CertifyText::tr("With --arm and --site: joint that moves"),
+                  "NAME");
+        addOption(app, "--rate", m_arm.rate,
+                  CertifyText::tr("With --arm and --site: its speed in rad/s, prismatic m/s. It turns back "
+                                  "after half a second's way to each side"),
+                  between(0.02, 0.5), "R");
+        driver->excludes(arm)->excludes(site);
+        arm->excludes(site);
+        addFlag(app, "--yes", m_yes,
+                CertifyText::tr("Nobody wears the motors of --bracelet, or is within reach of the arm"));
         addOption(app, "--faults", m_faults, CertifyText::tr("Number of faults"),
                   CLI::Range(1LL, 1'000'000LL).description(""), "N");
         std::vector<std::string> words;
@@ -82,13 +130,20 @@ public:
             words.emplace_back(toString(kind));
         addOption(app, "--kinds", m_kinds,
                   CertifyText::tr("Kinds of faults, separated by commas: %1. Default: all but clock_step, "
-                                  "which sets the clock of this computer")
+                                  "which sets the clock of this computer; with an arm without those of a "
+                                  "line or a recording")
                       .arg(QString::fromStdString(CLI::detail::join(words, ", "))),
                   "KINDS")
             ->delimiter(',')
             ->check(CLI::IsMember(words).description(""));
-        addOption(app, "--bound", m_bound_s, CertifyText::tr("Longest time until the motors must be at zero"),
-                  positive(), "S");
+        addOption(
+            app, "--bound", m_bound_s,
+            CertifyText::tr("Longest time until the motors must be at zero or the arm at rest; default: "
+                            "%1, with an arm %2")
+                .arg(kMotorBound_s)
+                .arg(kArmBound_s),
+            "S")
+            ->check(positive());
         addOption(app, "--seed", m_seed, CertifyText::tr("Seed for the order and timing of the faults"),
                   seed(), "N");
         addOption(app, "--out", m_out,
@@ -98,11 +153,25 @@ public:
         // How this program starts itself.
         app.add_option("--chain", m_recording)->group("");
         app.add_option("--port", m_port)->group("");
+        app.add_option("--centre", m_centre)->group("");
     }
 
     [[nodiscard]] core::Expected<void> run() {
         if (!m_recording.empty())
             return runChain({m_driver, m_port, m_recording});
+        if (!m_site.empty())
+            m_arm.path = m_site;
+        if (m_arm.path.empty())
+            return certifyMotors();
+        if (m_centre) {
+            m_arm.centre = *m_centre;
+            return runArmChain(m_arm);
+        }
+        return certifyArm();
+    }
+
+private:
+    [[nodiscard]] core::Expected<void> certifyMotors() {
         const bool simulated = m_driver.empty();
         if (!simulated && !m_yes)
             refuse(
@@ -129,12 +198,48 @@ public:
         const QTemporaryDir folder;
         if (!folder.isValid())
             return core::failed(core::ErrorKind::ioFailed, folder.errorString());
+        const auto chain = [&file, &relay](const std::string& recording) {
+            return std::vector<std::string>{"--chain", recording, "--bracelet",
+                                            file,      "--port",  std::to_string(relay->port())};
+        };
+        FaultInjector injector(
+            {chain, folder.path().toStdString(), m_out + "-damaged-", bound_s(), m_seed, 0.0}, relay.get(),
+            *watch);
+        return certify(injector, begun(certificate::Actuator::motors, map.name, simulated));
+    }
 
-        Certificate certificate = begun(map.name, simulated);
-        FaultInjector injector({file, folder.path().toStdString(), m_out + "-damaged-", m_bound_s, m_seed},
-                               *relay, *watch);
+    [[nodiscard]] core::Expected<void> certifyArm() {
+        const char* option = m_site.empty() ? "--arm" : "--site";
+        if (m_arm.joint.empty())
+            refuse(option, CertifyText::tr("--joint is needed, the joint that moves to and fro"));
+        for (const FaultKind kind : kinds())
+            if (!isOfArm(kind))
+                refuse("--kinds", CertifyText::tr("%1 is no fault of an arm's chain")
+                                      .arg(QString::fromLatin1(toString(kind))));
+        TELETA_CHECK(checkJogFile(m_arm.path));
+        if (!m_yes)
+            refuse(option,
+                   CertifyText::tr("the arm will move the whole time; make sure that nobody is within its "
+                                   "reach, then add --yes"));
+        TELETA_TRY(auto view, m_site.empty() ? viewRosJoint(m_arm.path, m_arm.joint)
+                                             : viewSiteJoint(m_viewer.empty() ? m_site : m_viewer,
+                                                             m_arm.device, m_arm.joint));
+        TELETA_TRY(const auto watch, ArmWatch::start(std::move(view), m_arm.rate));
+        std::vector<std::string> words{option,   m_arm.path,         "--joint",  m_arm.joint,
+                                       "--rate", number(m_arm.rate), "--centre", number(*watch->position())};
+        if (!m_arm.device.empty())
+            words.insert(words.end(), {"--device", m_arm.device});
+        FaultInjector injector(
+            {[&words](const std::string&) { return words; }, "", "", bound_s(), m_seed, kArmSleep_s}, nullptr,
+            *watch);
+        return certify(injector,
+                       begun(certificate::Actuator::arm, watch->view().name(), watch->view().simulated()));
+    }
+
+    [[nodiscard]] core::Expected<void> certify(FaultInjector& injector, Certificate certificate) const {
         const core::Expected<void> injected = injectAll(injector, certificate);
-        if (!injected && injected.error().kind != core::ErrorKind::cancelled)
+        injector.finish();
+        if (!injected && certificate.outcomes.empty())
             return injected;
         complete(certificate, injector);
         TELETA_CHECK(write(certificate));
@@ -146,12 +251,16 @@ public:
         return {};
     }
 
-private:
-    [[nodiscard]] Certificate begun(const std::string& driver, bool simulated) const {
+    [[nodiscard]] bool ofArm() const { return !m_arm.path.empty(); }
+    [[nodiscard]] double bound_s() const { return m_bound_s.value_or(ofArm() ? kArmBound_s : kMotorBound_s); }
+
+    [[nodiscard]] Certificate begun(certificate::Actuator actuator, const std::string& driver,
+                                    bool simulated) const {
         Certificate certificate;
-        certificate.bound_s = m_bound_s;
+        certificate.bound_s = bound_s();
         certificate.seed = m_seed;
         certificate.system.version = app::version().text().toStdString();
+        certificate.system.actuator = actuator;
         certificate.system.driver = driver;
         certificate.system.simulated = simulated;
         certificate.system.started = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
@@ -167,8 +276,9 @@ private:
         for (const std::string& word : m_kinds)
             kinds.push_back(*certificate::faultKindOf(word));
         if (kinds.empty())
-            std::ranges::copy_if(certificate::kFaultKinds, std::back_inserter(kinds),
-                                 [](FaultKind kind) { return kind != FaultKind::clockStep; });
+            std::ranges::copy_if(certificate::kFaultKinds, std::back_inserter(kinds), [this](FaultKind kind) {
+                return kind != FaultKind::clockStep && (!ofArm() || isOfArm(kind));
+            });
         return kinds;
     }
 
@@ -190,17 +300,25 @@ private:
         const auto remark = [&certificate](const QString& text) {
             certificate.remarks.push_back(text.toStdString());
         };
-        remark(CertifyText::tr("The program under test follows a simulated array by live setpoints, drives "
-                               "the motors within their limits, and records."));
+        if (ofArm())
+            remark(CertifyText::tr("The program under test moves %1 to and fro at %2 (rad/s, prismatic m/s). "
+                                   "It has its own connection; the arm is watched over another one.")
+                       .arg(QString::fromStdString(m_arm.joint))
+                       .arg(m_arm.rate));
+        else
+            remark(CertifyText::tr("The program under test follows a simulated array by live setpoints, "
+                                   "drives the motors within their limits, and records."));
         if (static_cast<long long>(certificate.outcomes.size()) < m_faults)
-            remark(CertifyText::tr("Interrupted: %1 of %2 faults were injected.")
+            remark(CertifyText::tr("Ended early: %1 of %2 faults were injected.")
                        .arg(certificate.outcomes.size())
                        .arg(m_faults));
-        if (certificate.system.simulated)
+        if (certificate.system.simulated && !ofArm())
             remark(
                 CertifyText::tr("The driver of the motors is SIMULATED: a Modbus server with a watchdog of "
                                 "100 ms."));
-        remark(CertifyText::tr("Not covered: arms, and bracelets that are not Modbus drivers over TCP."));
+        remark(ofArm() ? CertifyText::tr("Not covered: faults of the network, of the site and of the arm's "
+                                         "controller.")
+                       : CertifyText::tr("Not covered: bracelets that are not Modbus drivers over TCP."));
         for (const std::string& file : injector.kept())
             remark(CertifyText::tr("A damaged recording was kept: %1").arg(QString::fromStdString(file)));
     }
@@ -226,8 +344,10 @@ private:
         const FaultTally all = certificate.total();
         add(CertifyText::tr("All"), all);
         fields.emplace_back(CertifyText::tr("Restarted by itself"), QString::number(all.restarted));
-        fields.emplace_back(CertifyText::tr("Frames lost"), QString::number(all.framesLost));
-        fields.emplace_back(CertifyText::tr("Files damaged"), QString::number(all.filesDamaged));
+        if (!ofArm()) {
+            fields.emplace_back(CertifyText::tr("Frames lost"), QString::number(all.framesLost));
+            fields.emplace_back(CertifyText::tr("Files damaged"), QString::number(all.filesDamaged));
+        }
         fields.emplace_back(CertifyText::tr("Report"), QString::fromStdString(m_out + ".html"));
         return printFields(fields);
     }
@@ -236,12 +356,16 @@ private:
     bool m_yes = false;
     long long m_faults = 1000;
     std::vector<std::string> m_kinds;
-    double m_bound_s = 0.15;
+    std::optional<double> m_bound_s;
     std::uint64_t m_seed = 1;
     std::string m_out = "certificate";
     bool m_json = false;
     std::string m_recording;
     std::uint16_t m_port = 0;
+    ArmChainOptions m_arm{.path = {}, .device = {}, .joint = {}, .rate = 0.1};
+    std::string m_site;
+    std::string m_viewer;
+    std::optional<double> m_centre; ///< given: this program is the chain of an arm
 };
 
 } // namespace
@@ -250,7 +374,7 @@ Command certifyCommand() {
     return makeCommand<CertifyCommand>(
         "certify",
         CertifyText::tr(
-            "Inject faults into the program that drives the motors, and report how soon the motors stop"),
+            "Inject faults into the program that drives motors or an arm, and report how soon those stop"),
         "teleta certify --faults 4 --kinds kill,stop --bound 1 --out certificate");
 }
 

@@ -2,6 +2,7 @@
 #include "app/cli/commands/certify/chain.h"
 
 #include "app/cli/base/interruption.h"
+#include "app/cli/commands/certify/chain_lines.h"
 #include "app/common/version.h"
 #include "backend/core/steady_time.h"
 #include "backend/core/threads/stop_switch.h"
@@ -16,15 +17,12 @@
 #include "devices/simulated/simulated_array_device.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <fcntl.h>
 #include <memory>
 #include <optional>
 #include <string_view>
-#include <unistd.h>
 
 namespace teleta::cli {
 
@@ -63,39 +61,6 @@ sd_N = 0.015
 constexpr double kFullForce_N = 20.0;
 constexpr double kLeast = 0.3; ///< so that a light touch counts as "on", too
 constexpr auto kLook = std::chrono::milliseconds(20);
-
-/// A line at once, whatever is buffered elsewhere. A reader who is gone is not this program's concern.
-void say(const std::string& line) {
-    const std::string text = line + '\n';
-    (void)!write(STDOUT_FILENO, text.data(), text.size());
-}
-
-/// Commands from standard input, without waiting.
-class CommandReader {
-public:
-    CommandReader() { fcntl(STDIN_FILENO, F_SETFL, fcntl(STDIN_FILENO, F_GETFL) | O_NONBLOCK); }
-
-    [[nodiscard]] std::optional<std::string> next() {
-        std::array<char, 256> piece{};
-        const ssize_t length = read(STDIN_FILENO, piece.data(), piece.size());
-        m_closed = m_closed || length == 0;
-        if (length > 0)
-            m_text.append(piece.data(), static_cast<std::size_t>(length));
-        const std::size_t end = m_text.find('\n');
-        if (end == std::string::npos)
-            return std::nullopt;
-        std::string line = m_text.substr(0, end);
-        m_text.erase(0, end + 1);
-        return line;
-    }
-
-    /// Whoever gave commands is gone.
-    [[nodiscard]] bool closed() const { return m_closed; }
-
-private:
-    std::string m_text;
-    bool m_closed = false;
-};
 
 /// Tells what changes.
 class Reporter {

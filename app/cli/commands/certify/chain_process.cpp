@@ -77,24 +77,25 @@ struct Pipe {
 
 } // namespace
 
-core::Expected<std::unique_ptr<ChainProcess>> ChainProcess::start(const ChainOptions& options) {
+core::Expected<std::unique_ptr<ChainProcess>> ChainProcess::start(const std::vector<std::string>& arguments,
+                                                                  const std::string& recording) {
     TELETA_TRY(Pipe commands, Pipe::open());
     TELETA_TRY(Pipe answers, Pipe::open());
-    std::vector<std::string> words{"teleta",     "certify",      "--chain", options.recording,
-                                   "--bracelet", options.driver, "--port",  std::to_string(options.port)};
-    std::vector<char*> arguments;
+    std::vector<std::string> words{"teleta", "certify"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> ends;
     for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
+        ends.push_back(word.data());
+    ends.push_back(nullptr);
     const SpawnSettings settings(commands.reading.get(), answers.writing.get());
     pid_t process = -1;
     const int error = posix_spawn(&process, "/proc/self/exe", settings.files(), settings.attributes(),
-                                  arguments.data(), environ);
+                                  ends.data(), environ);
     if (error != 0)
         return notStarted(error);
     fcntl(answers.reading.get(), F_SETFL, O_NONBLOCK);
-    return std::unique_ptr<ChainProcess>(new ChainProcess(process, std::move(commands.writing),
-                                                          std::move(answers.reading), options.recording));
+    return std::unique_ptr<ChainProcess>(
+        new ChainProcess(process, std::move(commands.writing), std::move(answers.reading), recording));
 }
 
 ChainProcess::ChainProcess(pid_t process, core::FileDescriptor commands, core::FileDescriptor answers,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli/commands/certify/chain.h"
 #include "backend/core/error.h"
 #include "backend/core/file_descriptor.h"
 
@@ -9,7 +8,9 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <sys/types.h>
+#include <vector>
 
 namespace teleta::cli {
 
@@ -23,8 +24,10 @@ public:
         bool recordingFailed = false;
     };
 
-    /// Starts this program once more. Error: ioFailed.
-    [[nodiscard]] static core::Expected<std::unique_ptr<ChainProcess>> start(const ChainOptions& options);
+    /// Starts this program once more. arguments: after `teleta certify`. recording: the file that it makes;
+    /// empty: none. Error: ioFailed.
+    [[nodiscard]] static core::Expected<std::unique_ptr<ChainProcess>>
+    start(const std::vector<std::string>& arguments, const std::string& recording);
     ~ChainProcess();
     ChainProcess(const ChainProcess&) = delete;
     ChainProcess& operator=(const ChainProcess&) = delete;

@@ -34,14 +34,17 @@ struct InjectorText {
 };
 
 constexpr std::int64_t kLongestStart_ns = 30'000'000'000;
+constexpr std::int64_t kLongestStill_ns = 500'000'000;
 constexpr auto kAskAgain = 100ms;
 /// From a fault that the program outlives to STOP.
 constexpr auto kUntilStop = 100ms;
-/// How long the motors are watched beyond the bound.
+/// How long the watching goes on beyond the bound.
 constexpr double kBeyond_s = 0.1;
-/// How long they are watched once the fault is over.
+/// And once the fault is over.
 constexpr auto kAfter = 150ms;
 constexpr auto kEnd = 10s;
+/// For STOP to be withdrawn everywhere.
+constexpr auto kRelease = 200ms;
 constexpr std::int64_t kClockStep_s = 3600;
 
 void limit(pid_t process, __rlimit_resource resource, rlim_t most) {
@@ -84,7 +87,7 @@ std::optional<std::uint64_t> framesIn(const recording::Recording& recording) {
 
 } // namespace
 
-FaultInjector::FaultInjector(Setup setup, LineRelay& relay, const MotorWatch& watch)
+FaultInjector::FaultInjector(Setup setup, LineRelay* relay, const ActuatorWatch& watch)
     : m_setup(std::move(setup))
     , m_relay(relay)
     , m_watch(watch)
@@ -95,39 +98,47 @@ core::Expected<void> FaultInjector::driveAgain() {
     if (m_chain && m_chain->ended())
         m_chain.reset();
     if (!m_chain) {
-        TELETA_TRY(m_chain,
-                   ChainProcess::start({m_setup.driver, m_relay.port(),
-                                        m_setup.folder + "/" + std::to_string(++m_chains) + ".teleta"}));
+        ++m_chains;
+        const std::string recording =
+            m_setup.folder.empty() ? "" : m_setup.folder + "/" + std::to_string(m_chains) + ".teleta";
+        TELETA_TRY(m_chain, ChainProcess::start(m_setup.chain(recording), recording));
     }
     const std::int64_t begin_ns = core::steadyNow_ns();
+    std::int64_t idle_ns = begin_ns;
     m_chain->say("release");
     for (;;) {
         const ChainProcess::State& state = m_chain->look();
         if (state.driving && m_watch.newest().on)
             return {};
+        if (!state.driving) {
+            idle_ns = core::steadyNow_ns();
+        } else if (core::steadyNow_ns() - idle_ns > kLongestStill_ns) {
+            // What holds an arm wants the switch to be let go first.
+            m_chain->say("pause");
+            idle_ns = core::steadyNow_ns();
+        }
         if (interrupted())
             return core::Unexpected(interruption());
         if (m_chain->ended())
             return core::failed(core::ErrorKind::unavailable,
-                                InjectorText::tr("the program that drives the motors ended by itself"));
+                                InjectorText::tr("the program under test ended by itself"));
         if (core::steadyNow_ns() - begin_ns > kLongestStart_ns)
-            return core::failed(core::ErrorKind::unavailable,
-                                InjectorText::tr("the motors did not start within 30 s"));
+            return core::failed(core::ErrorKind::unavailable, InjectorText::tr("nothing moved within 30 s"));
         if (m_watch.failed())
             return core::failed(core::ErrorKind::unavailable,
-                                InjectorText::tr("the driver of the motors does not answer any more"));
+                                InjectorText::tr("the device does not answer any more"));
         if (!state.driving)
             m_chain->say("go");
         std::this_thread::sleep_for(state.driving ? 2ms : kAskAgain);
     }
 }
 
-core::Expected<void> FaultInjector::waitForMotors() {
+core::Expected<void> FaultInjector::waitForMotion() {
     std::uniform_int_distribution<int> phase_us(0, 100'000);
     do {
         TELETA_CHECK(driveAgain());
         std::this_thread::sleep_for(std::chrono::microseconds(phase_us(m_random)));
-        // Between two touches they are off for a moment.
+        // Between two touches motors are off for a moment; an arm is at rest for one where it turns back.
     } while (!m_watch.newest().on || !m_chain->look().driving);
     return {};
 }
@@ -161,13 +172,13 @@ void FaultInjector::begin(FaultKind kind) {
     case FaultKind::sleep:
         return m_chain->signal(SIGSTOP);
     case FaultKind::unplug:
-        return m_relay.set(LineFault::cut);
+        return m_relay->set(LineFault::cut);
     case FaultKind::lateAnswers:
-        return m_relay.set(LineFault::late);
+        return m_relay->set(LineFault::late);
     case FaultKind::lostRequests:
-        return m_relay.set(LineFault::lost);
+        return m_relay->set(LineFault::lost);
     case FaultKind::lies:
-        return m_relay.set(anyLie());
+        return m_relay->set(anyLie());
     case FaultKind::stop:
         return;
     case FaultKind::diskFull:
@@ -181,7 +192,8 @@ void FaultInjector::begin(FaultKind kind) {
 }
 
 void FaultInjector::end(FaultKind kind) {
-    m_relay.set(LineFault::none);
+    if (m_relay != nullptr)
+        m_relay->set(LineFault::none);
     if (kind == FaultKind::sleep)
         m_chain->signal(SIGCONT);
     if (m_clockStep_s != 0)
@@ -189,7 +201,7 @@ void FaultInjector::end(FaultKind kind) {
 }
 
 core::Expected<FaultOutcome> FaultInjector::inject(FaultKind kind) {
-    TELETA_CHECK(waitForMotors());
+    TELETA_CHECK(waitForMotion());
     FaultOutcome outcome{.kind = kind};
     std::int64_t fault_ns = core::steadyNow_ns();
     begin(kind);
@@ -201,7 +213,9 @@ core::Expected<FaultOutcome> FaultInjector::inject(FaultKind kind) {
     }
     if (isFollowedByStop(kind) || kind == FaultKind::stop)
         m_chain->say("stop");
-    std::this_thread::sleep_for(std::chrono::duration<double>(m_setup.bound_s + kBeyond_s));
+    const double watching_s =
+        std::max(m_setup.bound_s + kBeyond_s, kind == FaultKind::sleep ? m_setup.leastSleep_s : 0.0);
+    std::this_thread::sleep_for(std::chrono::duration<double>(watching_s));
     const std::int64_t watched_ns = core::steadyNow_ns();
     if (const auto off = m_watch.offSince(fault_ns))
         outcome.zero_s = static_cast<double>(off->answered_ns - fault_ns) * 1e-9;
@@ -216,14 +230,33 @@ core::Expected<FaultOutcome> FaultInjector::inject(FaultKind kind) {
     return outcome;
 }
 
+void FaultInjector::releaseStop() {
+    // A site keeps the STOP of a program that is killed, until a person withdraws it.
+    limit(m_chain->process(), RLIMIT_AS, RLIM_INFINITY);
+    m_chain->say("release");
+    std::this_thread::sleep_for(kRelease);
+}
+
+void FaultInjector::finish() {
+    if (!m_chain || m_chain->ended())
+        return;
+    m_chain->say("pause");
+    releaseStop();
+    m_chain->signal(SIGTERM);
+    (void)m_chain->waitForEnd(kEnd);
+}
+
 void FaultInjector::endChain(FaultKind kind, FaultOutcome& outcome) {
+    if (isFollowedByStop(kind))
+        releaseStop();
     if (kind == FaultKind::diskFull)
         m_chain->signal(SIGTERM);
     if (kind == FaultKind::memoryRefused || !m_chain->waitForEnd(kEnd)) {
         m_chain->signal(SIGKILL);
         (void)m_chain->waitForEnd(kEnd);
     }
-    lookAtRecording(kind, outcome);
+    if (!m_chain->recording().empty())
+        lookAtRecording(kind, outcome);
     m_chain.reset();
 }
 

@@ -32,12 +32,12 @@ MotorWatch::MotorWatch(modbus::RegisterMap map, std::unique_ptr<modbus::Register
     , m_thread([this](const std::stop_token& stop) { run(stop); }) {
 }
 
-MotorWatch::Look MotorWatch::newest() const {
+ActuatorWatch::Look MotorWatch::newest() const {
     const std::lock_guard lock(m_mutex);
     return m_looks.empty() ? Look{} : m_looks.back();
 }
 
-std::optional<MotorWatch::Look> MotorWatch::offSince(std::int64_t from_ns) const {
+std::optional<ActuatorWatch::Look> MotorWatch::offSince(std::int64_t from_ns) const {
     const std::lock_guard lock(m_mutex);
     std::optional<Look> first;
     for (auto look = m_looks.rbegin(); look != m_looks.rend() && look->asked_ns > from_ns && !look->on;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cli/commands/certify/actuator_watch.h"
 #include "backend/core/error.h"
 #include "devices/modbus/input_reader.h"
 #include "devices/modbus/register_link.h"
@@ -18,30 +19,17 @@ namespace teleta::cli {
 /// Reads back, over a connection of its own, whether the motors of a Modbus driver are on: a register differs
 /// from `off`, and the driver does not tell that it has turned them off. Thread: any; it has a thread of its
 /// own.
-class MotorWatch {
+class MotorWatch : public ActuatorWatch {
 public:
-    /// One look. The state held at some time between the two.
-    struct Look {
-        std::int64_t asked_ns = 0;
-        std::int64_t answered_ns = 0;
-        bool on = false;
-    };
-
     /// Error: unavailable, as openLibmodbusLink().
     [[nodiscard]] static core::Expected<std::unique_ptr<MotorWatch>> start(const modbus::RegisterMap& map);
     MotorWatch(modbus::RegisterMap map, std::unique_ptr<modbus::RegisterLink> link);
 
-    /// The newest one.
-    [[nodiscard]] Look newest() const;
-    /// Of the looks that were asked for after from_ns until now: the first one from which the motors stayed
-    /// off. Empty: they are on, or there was no look.
-    [[nodiscard]] std::optional<Look> offSince(std::int64_t from_ns) const;
-    /// Whether a look that was asked for after from_ns saw the motors on.
-    [[nodiscard]] bool wasOnAfter(std::int64_t from_ns) const;
-    /// Longest time between the answers to two looks that were asked for after from_ns.
-    [[nodiscard]] std::int64_t longestGap_ns(std::int64_t from_ns) const;
-    /// The driver has stopped answering.
-    [[nodiscard]] bool failed() const;
+    [[nodiscard]] Look newest() const override;
+    [[nodiscard]] std::optional<Look> offSince(std::int64_t from_ns) const override;
+    [[nodiscard]] bool wasOnAfter(std::int64_t from_ns) const override;
+    [[nodiscard]] std::int64_t longestGap_ns(std::int64_t from_ns) const override;
+    [[nodiscard]] bool failed() const override;
 
 private:
     void run(const std::stop_token& stop);

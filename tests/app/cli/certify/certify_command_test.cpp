@@ -83,7 +83,7 @@ TEST(CertifyCommand, interruptedItReportsWhatItHasDone) {
     const json report = reportOf(name);
     ASSERT_TRUE(report.is_object()) << result.err;
     EXPECT_LT(report["total"]["faults"], 1000000);
-    EXPECT_NE(report["remarks"].dump().find("Interrupted"), std::string::npos) << report["remarks"];
+    EXPECT_NE(report["remarks"].dump().find("Ended early"), std::string::npos) << report["remarks"];
 }
 
 TEST(CertifyCommand, motorsOfOthersNeedAWord) {
@@ -110,4 +110,25 @@ TEST(CertifyCommand, tellsWhichDriversItCanCertify) {
     EXPECT_NE(line.err.find("over TCP"), std::string::npos) << line.err;
     EXPECT_EQ(run({"certify", "--kinds", "flood"}).exitCode, 2);
     EXPECT_EQ(run({"certify", "--faults", "0"}).exitCode, 2);
+}
+
+TEST(CertifyCommand, anArmNeedsAJointAndAWord) {
+    TemporaryFolder folder;
+    const std::string arm =
+        folder.write("arm.toml", "kind = 'ros_arm'\nname = 'Robot'\nbase_frame = 'base'\ntip_frame = 'tip'\n"
+                                 "controller = '/c'\n[ros]\ndomain = 0\ninterface = 'lo'\n");
+    const ProgramResult joint = run({"certify", "--arm", arm, "--yes"});
+    EXPECT_EQ(joint.exitCode, 2);
+    EXPECT_NE(joint.err.find("--joint is needed"), std::string::npos) << joint.err;
+    const ProgramResult word = run({"certify", "--arm", arm, "--joint", "j"});
+    EXPECT_EQ(word.exitCode, 2) << word.err;
+    EXPECT_NE(word.err.find("add --yes"), std::string::npos) << word.err;
+    const ProgramResult kind = run({"certify", "--arm", arm, "--joint", "j", "--yes", "--kinds", "unplug"});
+    EXPECT_EQ(kind.exitCode, 2);
+    EXPECT_NE(kind.err.find("unplug is no fault of an arm's chain"), std::string::npos) << kind.err;
+    EXPECT_EQ(run({"certify", "--arm", arm, "--site", arm, "--joint", "j", "--yes"}).exitCode, 2);
+    EXPECT_EQ(run({"certify", "--device", "a"}).exitCode, 2);
+    EXPECT_EQ(run({"certify", "--arm", arm, "--joint", "j", "--rate", "9", "--yes"}).exitCode, 2);
+    const std::string broken = folder.write("broken.toml", "kind = 'ros_arm'\n");
+    EXPECT_EQ(run({"certify", "--arm", broken, "--joint", "j", "--yes"}).exitCode, 3);
 }
