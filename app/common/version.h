@@ -7,13 +7,13 @@ namespace teleta::app {
 
 /// Which source this program was built from.
 struct Version {
-    QString number; ///< "0.1.0"
+    QString number; ///< "0.2.0"
     QString
         commit; ///< first twelve digits of the commit; empty: not known, as for a source without its history
     bool modified = false; ///< the source had changes that no commit has
 
     /// What recordings and exports carry, a version with build metadata as in Semantic Versioning:
-    /// "0.1.0+2bbb4fc8ab12", "0.1.0+2bbb4fc8ab12.modified", "0.1.0".
+    /// "0.2.0+2bbb4fc8ab12", "0.2.0+2bbb4fc8ab12.modified", "0.2.0".
     [[nodiscard]] QString text() const;
 };
 

@@ -13,7 +13,7 @@ output is compared where it is CSV or JSON. Left out, because it differs from ru
     ablation                the columns own_time_s, run_s and run_with_all_s
     recordings, studies     SQLite pages: each table is dumped row by row, without the version of the program, comments
                             and descriptions of the scene or protocol; frames of a recording without their cut into blocks
-    the commit              behind each version; the sum of a recording in recording.json
+    the program's version   with the commit behind it; the sum of a recording in recording.json
     times of the clock      in recordings; in studies they count from its beginning; dates of PDF and HJIF
 Not run, because their files are times: tradeoff, pattern play. Not run, because they need a device or server: devices,
 study --store. Libraries are kept from choosing faster code on newer processors, so that sums hold on every x86-64.
@@ -244,7 +244,6 @@ def write_all(program, folder, whole):
 # --- what differs from run to run is taken out
 
 LEFT_OUT_COLUMNS = {"app_version", "created_utc", "utc"}
-COMMIT = re.compile(rb"(?<=\d\.\d\.\d)\+[0-9a-f]{12}(?:\.modified)?")
 CLOCK = re.compile(rb"20\d\d-\d\d-\d\dT\d\d:\d\d:\d\d(?:\.\d+)?(?=Z)|20\d{6}T\d{6}(?!\d)")
 
 
@@ -335,8 +334,16 @@ def normalised(path, content):
     return content
 
 
-def normalise(folder):
+def version_in_files(program):
+    """The program's version, with the commit where there is one, as it stands in files."""
+    told = subprocess.run([program, "--version", "--json"], check=True, capture_output=True)
+    version = json.loads(told.stdout)["version"].encode()
+    return re.compile(rb"(?<![\d.])" + re.escape(version) + rb"(?:\+[0-9a-f]{12}(?:\.modified)?)?(?!\.?\d)")
+
+
+def normalise(folder, program):
     """Leaves each file as it is compared, under a name without times."""
+    version = version_in_files(program)
     origin_s = study_origin_s(folder)
     for path in sorted(folder.rglob("*"), reverse=True):
         of_study = path.relative_to(folder).parts[0] in ("study", "analysis", "analysis.json")
@@ -344,7 +351,7 @@ def normalise(folder):
             content = path.read_bytes()
             changed = normalised(path, content).replace(str(folder).encode(), b"FOLDER")
             if path.suffix not in (".png", ".wav", ".zip"):
-                changed = COMMIT.sub(b"", changed)
+                changed = version.sub(b"VERSION", changed)
                 changed = since(origin_s if of_study else None, changed)
             if changed != content:
                 path.write_bytes(changed)
@@ -376,7 +383,7 @@ def compare(old, new, folder):
     for name, program in (("old", old), ("new", new)):
         (folder / name).mkdir(parents=True)
         write_all(program, folder / name, whole=True)
-        normalise(folder / name)
+        normalise(folder / name, program)
     read = [{str(path.relative_to(folder / name)): path.read_bytes()
              for path in (folder / name).rglob("*") if path.is_file()} for name in ("old", "new")]
     names = sorted(read[0].keys() | read[1].keys())
@@ -390,7 +397,7 @@ def compare(old, new, folder):
 def check(program, folder, update):
     (folder / "new").mkdir(parents=True)
     write_all(program, folder / "new", whole=False)
-    normalise(folder / "new")
+    normalise(folder / "new", program)
     sums = sums_of(folder / "new")
     if update:
         SUMS.write_text("".join(f"{value}  {name}\n" for name, value in sums.items()))
