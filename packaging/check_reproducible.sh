@@ -8,15 +8,16 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 folder=${1:-$root/build/reproducible}
 export CCACHE_DISABLE=1
 
+places=("$folder/first" "$folder/another/second")
 rm -rf --one-file-system -- "$folder"
-for place in first another/second; do
-    printf '== %s\n' "$folder/$place"
-    git clone -q "$root" "$folder/$place"
-    "$folder/$place/packaging/make_deb.sh"
+for place in "${places[@]}"; do git clone -q "$root" "$place"; done
+for place in "${places[@]}"; do
+    printf '== %s\n' "$place"
+    "$place/packaging/make_deb.sh"
 done
 differs=0
-for file in "$folder"/first/build/package/*.deb "$folder"/first/build/package/*.cdx.json; do
-    if cmp "$file" "$folder/another/second/build/package/${file##*/}"; then
+for file in "${places[0]}"/build/package/*.deb "${places[0]}"/build/package/*.cdx.json; do
+    if cmp "$file" "${places[1]}/build/package/${file##*/}"; then
         printf 'the same bytes: %s\n' "${file##*/}"
     else
         differs=1
