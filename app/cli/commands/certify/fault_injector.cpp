@@ -47,8 +47,11 @@ constexpr auto kEnd = 10s;
 constexpr auto kRelease = 200ms;
 constexpr std::int64_t kClockStep_s = 3600;
 
+/// The limit that only root may raise again stays as it is.
 void limit(pid_t process, __rlimit_resource resource, rlim_t most) {
-    const rlimit limits{most, most};
+    rlimit limits{};
+    prlimit(process, resource, nullptr, &limits);
+    limits.rlim_cur = std::min(most, limits.rlim_max);
     prlimit(process, resource, &limits, nullptr);
 }
 
