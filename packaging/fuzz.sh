@@ -3,10 +3,11 @@
 # Looks for inputs that break a parser: coverage-guided fuzzing by libFuzzer under the address and undefined-behaviour sanitizers.
 #   fuzz.sh [NAME...] [--seconds S]            default: every target of tests/fuzz, 60 s each
 #   fuzz.sh [NAME...] --regular MINUTES        for a timer: each target gets its share of that time
-# Not part of test.sh: it installs its own dependencies and builds with clang. What it learns stays in build/fuzz/corpus,
-# where the next run continues; with --regular it stays in $XDG_CACHE_HOME/teleta-fuzz (or --corpus FOLDER), which outlives the
-# build, and is thinned at the end. Inputs that break something are left in build/fuzz/crashes/NAME, and the exit code is 1. Fix
-# the parser and keep them in tests/fuzz/regressions/NAME, which every test run replays.
+# Each target first reads inputs with as many levels as there is room for (tests/fuzz/deep_inputs.py). Not part of test.sh: it
+# installs its own dependencies and builds with clang. What it learns stays in build/fuzz/corpus, where the next run continues; with
+# --regular it stays in $XDG_CACHE_HOME/teleta-fuzz (or --corpus FOLDER), which outlives the build, and is thinned at the end.
+# Inputs that break something are left in build/fuzz/crashes/NAME, and the exit code is 1. Fix the parser and keep them in
+# tests/fuzz/regressions/NAME, which every test run replays.
 set -uo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
 
@@ -68,9 +69,14 @@ for name in "${names[@]}"; do
     corpus="$corpora/$name"
     crashes="$build/crashes/$name"
     mkdir -p "$corpus" "$crashes"
-    awk -F '\t' -v name="$name" '$2 == name { print $3 }' "$build/tests/fuzz/inputs.txt" |
-        while read -r input; do cp -- "$input" "$corpus/"; done
+    mapfile -t inputs < <(awk -F '\t' -v name="$name" '$2 == name { print $3 }' "$build/tests/fuzz/inputs.txt")
+    ((${#inputs[@]} == 0)) || cp -- "${inputs[@]}" "$corpus/"
     printf '\n== %s, %d s\n' "$name" "$seconds"
+    # First as many levels as there is room for, which mutations seldom reach.
+    rm -rf -- "$build/deep/$name"
+    "$root/tests/fuzz/deep_inputs.py" --out "$build/deep/$name" "${inputs[@]}"
+    nice "$build/tests/fuzz/fuzz_$name" -runs=0 -timeout=20 -rss_limit_mb=4096 -max_len=200000 -artifact_prefix="$crashes/" \
+        "$build/deep/$name" >"$log" 2>&1 || grep -E '^(SUMMARY|==|    #[0-9] )' "$log"
     nice "$build/tests/fuzz/fuzz_$name" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 \
         -max_len=200000 -len_control=0 \
         -artifact_prefix="$crashes/" "$corpus" 2>&1 | tee "$log" | grep -vE '^#|^(INFO|stat::)|NEW_FUNC|NEW_PC'
