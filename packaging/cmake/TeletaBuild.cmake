@@ -88,8 +88,9 @@ target_compile_options(teleta_hardening INTERFACE ${hardening_compile})
 target_link_options(teleta_hardening INTERFACE ${hardening_link})
 if(TELETA_HARDENING)
     target_link_libraries(teleta_options INTERFACE teleta_hardening)
-    # What is packaged does not depend on the folder in which it was built.
-    set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+    # What is packaged does not depend on the folder in which it was built. The search path is cut out, but it takes room: it
+    # counts from programs, from the Python module and from the parts themselves.
+    set(CMAKE_BUILD_RPATH "$ORIGIN/../../parts" "$ORIGIN/../../../parts" "$ORIGIN")
     target_compile_options(teleta_options INTERFACE "-ffile-prefix-map=${CMAKE_BINARY_DIR}=build" "-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
 endif()
 if(TELETA_SANITIZE)
