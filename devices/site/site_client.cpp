@@ -65,12 +65,10 @@ std::uint64_t firstRequestOf(const site::BootName& boot) {
     return number;
 }
 
-/// The answer made this console the controller.
-bool grants(const RequestOutcome& outcome) {
-    constexpr std::array kWays{site::RequestKind::request, site::RequestKind::takeOver,
-                               site::RequestKind::accept};
-    return outcome.answer == site::RequestAnswer::done &&
-           std::ranges::find(kWays, outcome.kind) != kWays.end();
+/// A console that asks for it becomes the controller once it is done.
+bool mayGrant(RequestKind kind) {
+    constexpr std::array kWays{RequestKind::request, RequestKind::takeOver, RequestKind::accept};
+    return std::ranges::find(kWays, kind) != kWays.end();
 }
 
 QString joined(const std::vector<std::string>& names) {
@@ -234,6 +232,12 @@ std::uint64_t SiteClient::request(RequestKind kind, const std::string& target) {
         pending.target = target;
         pending.until_ns = core::steadyNow_ns() + kLongestAsk_ns;
         m_pending = std::move(pending);
+        if (mayGrant(kind)) {
+            constexpr std::size_t kMostAsked = 16;
+            if (m_askedControl.size() == kMostAsked)
+                m_askedControl.pop_front();
+            m_askedControl.push_back(number);
+        }
     }
     m_waitSet.wake();
     return number;
@@ -333,11 +337,16 @@ void SiteClient::take(const ros::SiteState& state, std::int64_t now_ns) {
             {textOf(arm.name), atMost(arm.drive, core::ArmDrive::jog), arm.flags, textOf(arm.message)});
     const std::scoped_lock lock(m_mutex);
     for (const ros::RequestResult& result : ros::view(state.results)) {
-        if (!m_pending || result.request != m_pending->outcome.id || textOf(result.console) != m_file.console)
+        if (textOf(result.console) != m_file.console)
             continue;
-        m_pending->outcome.answer = atMost(result.result, site::RequestAnswer::expired);
+        const auto answer = atMost(result.result, site::RequestAnswer::expired);
+        m_now.granted =
+            m_now.granted || (answer == site::RequestAnswer::done &&
+                              std::ranges::find(m_askedControl, result.request) != m_askedControl.end());
+        if (!m_pending || result.request != m_pending->outcome.id)
+            continue;
+        m_pending->outcome.answer = answer;
         m_now.request = m_pending->outcome;
-        m_now.granted = m_now.granted || grants(m_pending->outcome);
         if (m_pending->outcome.answer != site::RequestAnswer::waits)
             m_pending.reset();
     }

@@ -208,9 +208,10 @@ private:
     core::LatestCopy<SiteView> m_view;
     core::LatestCopy<std::optional<std::int64_t>> m_offset_ns;
     std::mutex m_mutex;
-    std::deque<RemoteEvent> m_events; ///< guarded by m_mutex, as the next two
+    std::deque<RemoteEvent> m_events; ///< guarded by m_mutex, as the next three
     std::deque<Posted> m_posted;
     std::optional<Pending> m_pending;
+    std::deque<std::uint64_t> m_askedControl; ///< requests that may give control, also after newer ones
     std::uint64_t m_lastRequest; ///< begins anywhere: answers to a program before are not this one's
 
     // The thread's own.

@@ -83,6 +83,8 @@ TEST(Site, controlIsHandedOverAndTakenOver) {
     // A supervisor takes over; b agrees.
     boss.request(RequestKind::takeOver);
     ASSERT_TRUE(TestConsole::eventually([&] { return second.view().offeredTo == "boss"; }));
+    // Who waits for control asks for something else: control is theirs none the less.
+    EXPECT_EQ(boss.ask(RequestKind::withdrawStop, "nobody"), RequestAnswer::noSuchConsole);
     EXPECT_EQ(second.ask(RequestKind::accept), RequestAnswer::done);
     EXPECT_TRUE(TestConsole::eventually([&] { return boss.controls(); }));
     EXPECT_EQ(boss.ask(RequestKind::release), RequestAnswer::done);
@@ -279,6 +281,30 @@ TEST(Site, aCertificateOfItsArmPasses) {
     EXPECT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::free; }));
     EXPECT_TRUE(viewer.view().stopHolders.empty());
     EXPECT_TRUE(viewer.rests(300ms));
+}
+
+TEST(Site, theProgramThatACertificateTestsSaysWhyItDoesNotMove) {
+    SiteProcess site(111, kPractice);
+    site.start();
+    TestConsole viewer(site, "v", true);
+    viewer.stop().engage();
+    ASSERT_TRUE(TestConsole::eventually([&] { return viewer.view().mode == Mode::stopped; }));
+    QProcess chain;
+    chain.start(QStringLiteral(TELETA_PROGRAM),
+                {"certify", "--site", QString::fromStdString(site.fileOf("a")), "--joint", "joint_3",
+                 "--rate", "0.1", "--centre", "0"});
+    ASSERT_TRUE(chain.waitForStarted());
+    EXPECT_TRUE(TestConsole::eventually([&] {
+        chain.write("go\n");
+        (void)chain.waitForReadyRead(100);
+        bool said = false;
+        while (chain.canReadLine())
+            said = chain.readLine().trimmed() == "problem STOP is held by v" || said;
+        return said;
+    }));
+    chain.closeWriteChannel();
+    EXPECT_TRUE(chain.waitForFinished(10'000));
+    EXPECT_EQ(chain.exitCode(), 0);
 }
 
 TEST(Site, aCheckMovesNothingAndSaysWhatIsMissing) {
