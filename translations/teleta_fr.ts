@@ -513,16 +513,20 @@
 <context>
     <name>ArmWatch</name>
     <message>
-        <source>no position of this joint came within 5 s</source>
-        <translation>aucune position de cette articulation n’est arrivée en 5 s</translation>
-    </message>
-    <message>
-        <source>with certificates, a console of its own watches the arm</source>
-        <translation>avec des certificats, une console à part surveille le bras</translation>
-    </message>
-    <message>
         <source>--viewer with the file of a viewer</source>
         <translation>--viewer avec le fichier d’un observateur</translation>
+    </message>
+    <message>
+        <source>this site has certificates, so a viewer with keys of its own has to watch the arm</source>
+        <translation>ce site a des certificats&#xa0;: un observateur avec ses propres clés doit surveiller le bras</translation>
+    </message>
+    <message>
+        <source>no position of this joint was received within 5 s</source>
+        <translation>aucune position de cette articulation n’a été reçue en 5 s</translation>
+    </message>
+    <message>
+        <source>--joint with a joint that the arm reports</source>
+        <translation>--joint avec une articulation que le bras annonce</translation>
     </message>
 </context>
 <context>
@@ -1621,16 +1625,8 @@
         <translation>Avec --arm et --site&#xa0;: articulation qui bouge</translation>
     </message>
     <message>
-        <source>With --arm and --site: its speed in rad/s, prismatic m/s. It turns back after half a second&apos;s way to each side</source>
-        <translation>Avec --arm et --site&#xa0;: sa vitesse en rad/s, prismatique en m/s. Elle fait demi-tour après une demi-seconde de chemin de chaque côté</translation>
-    </message>
-    <message>
         <source>Nobody wears the motors of --bracelet, or is within reach of the arm</source>
         <translation>Personne ne porte les moteurs de --bracelet, ni n’est à portée du bras</translation>
-    </message>
-    <message>
-        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer; with an arm without those of a line or a recording</source>
-        <translation>Sortes de pannes, séparées par des virgules&#xa0;: %1. Par défaut&#xa0;: toutes sauf clock_step, qui règle l’horloge de cet ordinateur&#xa0;; avec un bras, sans celles d’une ligne ou d’un enregistrement</translation>
     </message>
     <message>
         <source>Longest time until the motors must be at zero or the arm at rest; default: %1, with an arm %2</source>
@@ -1665,7 +1661,15 @@
         <translation>Non couvert&#xa0;: les bracelets qui ne sont pas des pilotes Modbus sur TCP.</translation>
     </message>
     <message>
-        <source>Inject faults into the program that drives motors or an arm, and report how soon those stop</source>
+        <source>With --arm and --site: its speed in rad/s, prismatic m/s. It turns back after half a second of motion to each side</source>
+        <translation>Avec --arm et --site&#xa0;: sa vitesse en rad/s, prismatique en m/s. Elle fait demi-tour après une demi-seconde de mouvement de chaque côté</translation>
+    </message>
+    <message>
+        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer; for an arm, also without faults of the line and of the recording</source>
+        <translation>Sortes de pannes, séparées par des virgules&#xa0;: %1. Par défaut&#xa0;: toutes sauf clock_step, qui règle l’horloge de cet ordinateur&#xa0;; pour un bras, sans celles de la ligne et de l’enregistrement non plus</translation>
+    </message>
+    <message>
+        <source>Inject faults into the program that drives motors or an arm, and report how soon they stop</source>
         <translation>Injecter des pannes dans le programme qui commande des moteurs ou un bras, et indiquer en combien de temps ils s’arrêtent</translation>
     </message>
 </context>
@@ -3677,6 +3681,10 @@ Exemples&#xa0;:
         <source>the device does not answer any more</source>
         <translation>l’appareil ne répond plus</translation>
     </message>
+    <message>
+        <source>nothing moved within 30 s: %1</source>
+        <translation>rien n’a bougé en 30 s&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>FeaturesCommand</name>
@@ -4740,12 +4748,12 @@ Exemples&#xa0;:
         <translation>%1 n’a pas de bras « %2 »</translation>
     </message>
     <message>
-        <source>--arm with one of %1</source>
-        <translation>--arm avec l’un de %1</translation>
-    </message>
-    <message>
         <source>the arm has no joint &quot;%1&quot;; it has %2</source>
         <translation>le bras n’a pas d’articulation «&#xa0;%1&#xa0;»&#xa0;; il a&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>%1 with one of %2</source>
+        <translation>%1 avec l’un de %2</translation>
     </message>
 </context>
 <context>

@@ -512,16 +512,20 @@
 <context>
     <name>ArmWatch</name>
     <message>
-        <source>no position of this joint came within 5 s</source>
-        <translation>5 秒以内にこの関節の位置が届きませんでした</translation>
-    </message>
-    <message>
-        <source>with certificates, a console of its own watches the arm</source>
-        <translation>証明書を使う場合、アームは別のコンソールが監視します</translation>
-    </message>
-    <message>
         <source>--viewer with the file of a viewer</source>
         <translation>--viewer に閲覧者のファイル</translation>
+    </message>
+    <message>
+        <source>this site has certificates, so a viewer with keys of its own has to watch the arm</source>
+        <translation>このサイトは証明書を使うので、自分の鍵を持つ閲覧者がアームを監視する必要があります</translation>
+    </message>
+    <message>
+        <source>no position of this joint was received within 5 s</source>
+        <translation>5 秒以内にこの関節の位置を受信しませんでした</translation>
+    </message>
+    <message>
+        <source>--joint with a joint that the arm reports</source>
+        <translation>--joint に、アームが知らせる関節</translation>
     </message>
 </context>
 <context>
@@ -1618,16 +1622,8 @@
         <translation>--arm、--site と共に: 動く関節</translation>
     </message>
     <message>
-        <source>With --arm and --site: its speed in rad/s, prismatic m/s. It turns back after half a second&apos;s way to each side</source>
-        <translation>--arm、--site と共に: 関節の速さ (rad/s、直動は m/s)。両側へ 0.5 秒ぶん進むと折り返します</translation>
-    </message>
-    <message>
         <source>Nobody wears the motors of --bracelet, or is within reach of the arm</source>
         <translation>--bracelet のモーターを誰も着けておらず、アームの届く範囲にも誰もいません</translation>
-    </message>
-    <message>
-        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer; with an arm without those of a line or a recording</source>
-        <translation>コンマで区切った故障の種類: %1。既定値: このコンピューターの時計を変える clock_step 以外のすべて。アームでは回線と記録の故障を除きます</translation>
     </message>
     <message>
         <source>Longest time until the motors must be at zero or the arm at rest; default: %1, with an arm %2</source>
@@ -1662,7 +1658,15 @@
         <translation>対象外: TCP 経由の Modbus ドライバーではないブレスレット。</translation>
     </message>
     <message>
-        <source>Inject faults into the program that drives motors or an arm, and report how soon those stop</source>
+        <source>With --arm and --site: its speed in rad/s, prismatic m/s. It turns back after half a second of motion to each side</source>
+        <translation>--arm、--site と共に: 関節の速さ (rad/s、直動は m/s)。両側へ 0.5 秒動くと折り返します</translation>
+    </message>
+    <message>
+        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer; for an arm, also without faults of the line and of the recording</source>
+        <translation>コンマで区切った故障の種類: %1。既定値: このコンピューターの時計を変える clock_step 以外のすべて。アームでは回線と記録の故障も除きます</translation>
+    </message>
+    <message>
+        <source>Inject faults into the program that drives motors or an arm, and report how soon they stop</source>
         <translation>モーターやアームを動かすプログラムに故障を与え、止まるまでの時間を報告します</translation>
     </message>
 </context>
@@ -3667,6 +3671,10 @@ Examples:
         <source>the device does not answer any more</source>
         <translation>装置が応答しなくなりました</translation>
     </message>
+    <message>
+        <source>nothing moved within 30 s: %1</source>
+        <translation>30 秒以内に何も動きませんでした: %1</translation>
+    </message>
 </context>
 <context>
     <name>FeaturesCommand</name>
@@ -4725,12 +4733,12 @@ Examples:
         <translation>%1 にアーム「%2」はありません</translation>
     </message>
     <message>
-        <source>--arm with one of %1</source>
-        <translation>--arm に %1 のいずれか</translation>
-    </message>
-    <message>
         <source>the arm has no joint &quot;%1&quot;; it has %2</source>
         <translation>アームに関節「%1」がありません。アームにある関節: %2</translation>
+    </message>
+    <message>
+        <source>%1 with one of %2</source>
+        <translation>%1 に %2 のいずれか</translation>
     </message>
 </context>
 <context>

@@ -512,16 +512,20 @@
 <context>
     <name>ArmWatch</name>
     <message>
-        <source>no position of this joint came within 5 s</source>
+        <source>--viewer with the file of a viewer</source>
+        <translation>--viewer 加上观察者的文件</translation>
+    </message>
+    <message>
+        <source>this site has certificates, so a viewer with keys of its own has to watch the arm</source>
+        <translation>此站点使用证书，因此须由拥有自己密钥的观察者监视机械臂</translation>
+    </message>
+    <message>
+        <source>no position of this joint was received within 5 s</source>
         <translation>5 秒内没有收到该关节的位置</translation>
     </message>
     <message>
-        <source>with certificates, a console of its own watches the arm</source>
-        <translation>使用证书时，由单独的控制台监视机械臂</translation>
-    </message>
-    <message>
-        <source>--viewer with the file of a viewer</source>
-        <translation>--viewer 加上观察者的文件</translation>
+        <source>--joint with a joint that the arm reports</source>
+        <translation>--joint 加上机械臂报告的关节</translation>
     </message>
 </context>
 <context>
@@ -1618,16 +1622,8 @@
         <translation>与 --arm 和 --site 一起：运动的关节</translation>
     </message>
     <message>
-        <source>With --arm and --site: its speed in rad/s, prismatic m/s. It turns back after half a second&apos;s way to each side</source>
-        <translation>与 --arm 和 --site 一起：其速度，rad/s，移动关节为 m/s。向每一侧运动半秒的路程后折返</translation>
-    </message>
-    <message>
         <source>Nobody wears the motors of --bracelet, or is within reach of the arm</source>
         <translation>没有人佩戴 --bracelet 的电机，也没有人在机械臂的可及范围内</translation>
-    </message>
-    <message>
-        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer; with an arm without those of a line or a recording</source>
-        <translation>以逗号分隔的故障种类：%1。默认：除会设置本机时钟的 clock_step 外的全部；对机械臂则不含线路和记录的故障</translation>
     </message>
     <message>
         <source>Longest time until the motors must be at zero or the arm at rest; default: %1, with an arm %2</source>
@@ -1662,7 +1658,15 @@
         <translation>未涵盖：不是 TCP 上的 Modbus 驱动器的手环。</translation>
     </message>
     <message>
-        <source>Inject faults into the program that drives motors or an arm, and report how soon those stop</source>
+        <source>With --arm and --site: its speed in rad/s, prismatic m/s. It turns back after half a second of motion to each side</source>
+        <translation>与 --arm 和 --site 一起：其速度，rad/s，移动关节为 m/s。向每一侧运动半秒后折返</translation>
+    </message>
+    <message>
+        <source>Kinds of faults, separated by commas: %1. Default: all but clock_step, which sets the clock of this computer; for an arm, also without faults of the line and of the recording</source>
+        <translation>以逗号分隔的故障种类：%1。默认：除会设置本机时钟的 clock_step 外的全部；对机械臂还不含线路和记录的故障</translation>
+    </message>
+    <message>
+        <source>Inject faults into the program that drives motors or an arm, and report how soon they stop</source>
         <translation>向驱动电机或机械臂的程序注入故障，并报告它们多快停下</translation>
     </message>
 </context>
@@ -3667,6 +3671,10 @@ Examples:
         <source>the device does not answer any more</source>
         <translation>设备不再应答</translation>
     </message>
+    <message>
+        <source>nothing moved within 30 s: %1</source>
+        <translation>30 秒内没有任何运动：%1</translation>
+    </message>
 </context>
 <context>
     <name>FeaturesCommand</name>
@@ -4725,12 +4733,12 @@ Examples:
         <translation>%1 没有机械臂“%2”</translation>
     </message>
     <message>
-        <source>--arm with one of %1</source>
-        <translation>--arm 取 %1 之一</translation>
-    </message>
-    <message>
         <source>the arm has no joint &quot;%1&quot;; it has %2</source>
         <translation>机械臂没有关节“%1”；它有 %2</translation>
+    </message>
+    <message>
+        <source>%1 with one of %2</source>
+        <translation>%1 取 %2 之一</translation>
     </message>
 </context>
 <context>

@@ -81,7 +81,7 @@ private:
 } // namespace
 
 core::Expected<SiteArm> openSiteArm(const site_link::RemoteSiteFile& file, const std::string& device,
-                                    const core::StopSwitch& stop) {
+                                    const char* option, const core::StopSwitch& stop) {
     TELETA_TRY(auto site,
                site_link::SiteClient::open(file, app::version().text().toStdString(), stop, interrupted));
     QStringList names;
@@ -100,9 +100,9 @@ core::Expected<SiteArm> openSiteArm(const site_link::RemoteSiteFile& file, const
                 ? JogTargetText::tr("%1 has no arm, or several").arg(QString::fromStdString(file.name))
                 : JogTargetText::tr("%1 has no arm \"%2\"")
                       .arg(QString::fromStdString(file.name), QString::fromStdString(device)),
-            names.isEmpty()
-                ? QString()
-                : JogTargetText::tr("--arm with one of %1").arg(names.join(QStringLiteral(", "))));
+            names.isEmpty() ? QString()
+                            : JogTargetText::tr("%1 with one of %2")
+                                  .arg(QLatin1String(option), names.join(QStringLiteral(", "))));
     const std::string name = site_link::deviceOf(*chosen);
     TELETA_TRY(const pipeline::RecordedArm described, pipeline::recordedArm(*chosen, file.name));
     TELETA_TRY(auto arm, site_link::RemoteArm::open(site, name, described.description));
@@ -139,7 +139,7 @@ core::Expected<std::unique_ptr<JogTarget>> openJogTarget(const std::string& path
                                                          const core::StopSwitch& stop) {
     if (app::isSiteFile(path)) {
         TELETA_TRY(const auto file, site_link::readRemoteSite(path));
-        TELETA_TRY(SiteArm arm, openSiteArm(file, device, stop));
+        TELETA_TRY(SiteArm arm, openSiteArm(file, device, "--arm", stop));
         return std::make_unique<SiteTarget>(std::move(arm));
     }
     TELETA_TRY(const ros_arm::RosArmFile file, ros_arm::readRosArm(path));

@@ -50,10 +50,11 @@ struct SiteArm {
     std::vector<JogTarget::Joint> joints;
 };
 
-/// device: as for openJogTarget(). Error: that of site_link::SiteClient::open(); badInput, the site has no
-/// such arm.
+/// device: as for openJogTarget(). option: with which it was chosen, for the error. Error: that of
+/// site_link::SiteClient::open(); badInput, the site has no such arm.
 [[nodiscard]] core::Expected<SiteArm> openSiteArm(const site_link::RemoteSiteFile& file,
-                                                  const std::string& device, const core::StopSwitch& stop);
+                                                  const std::string& device, const char* option,
+                                                  const core::StopSwitch& stop);
 
 /// The place of a joint in the list. Throws CLI::ValidationError for --joint.
 [[nodiscard]] std::size_t jointOf(const std::vector<JogTarget::Joint>& joints, const std::string& name);

@@ -28,9 +28,14 @@ public:
         , m_rate(options.rate)
         , m_centre(options.centre) {}
 
-    /// Presses the switch, where nothing is in the way.
+    /// Presses the switch, where nothing is in the way; else says what is.
     void press() {
-        if (m_held || !m_seen || !m_target.ready() || !m_target.problem().empty())
+        if (m_held)
+            return;
+        const std::string problem = m_target.problem();
+        if (!problem.empty())
+            say("problem " + problem);
+        if (!m_seen || !m_target.ready() || !problem.empty())
             return;
         m_held = true;
         say("driving");

@@ -8,8 +8,8 @@
 namespace teleta::cli {
 
 /// The program into which faults are injected, with an arm: an operator whose hand moves one joint to and
-/// fro. Its commands and answers are those of runChain(), without a recording, and "pause", which lets the
-/// switch go.
+/// fro. Its commands and answers are those of runChain(), without a recording, "pause", which lets the
+/// switch go, and "problem TEXT", what is in the way of a "go".
 struct ArmChainOptions {
     std::string path;    ///< of the arm's file, or of a site's
     std::string device;  ///< at a site: the arm's name there; empty: the only one

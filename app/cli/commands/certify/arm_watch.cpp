@@ -114,14 +114,16 @@ core::Expected<std::unique_ptr<JointView>> viewSiteJoint(const std::string& path
     TELETA_TRY(auto file, site_link::readRemoteSite(path));
     if (!file.viewer) {
         if (file.meeting.security)
-            return core::failed(core::ErrorKind::badInput,
-                                ArmWatchText::tr("with certificates, a console of its own watches the arm"),
-                                ArmWatchText::tr("--viewer with the file of a viewer"), {path});
+            return core::failed(
+                core::ErrorKind::badInput,
+                ArmWatchText::tr(
+                    "this site has certificates, so a viewer with keys of its own has to watch the arm"),
+                ArmWatchText::tr("--viewer with the file of a viewer"), {path});
         file.viewer = true;
         file.console += "_certify";
     }
     auto stop = std::make_unique<core::StopSwitch>();
-    TELETA_TRY(SiteArm arm, openSiteArm(file, device, *stop));
+    TELETA_TRY(SiteArm arm, openSiteArm(file, device, "--device", *stop));
     const std::size_t place = jointOf(arm.joints, joint);
     return std::make_unique<SiteJointView>(std::move(stop), std::move(arm), place);
 }
@@ -133,7 +135,8 @@ core::Expected<std::unique_ptr<ArmWatch>> ArmWatch::start(std::unique_ptr<JointV
             return core::Unexpected(interruption());
         if (core::steadyNow_ns() > end_ns)
             return core::failed(core::ErrorKind::unavailable,
-                                ArmWatchText::tr("no position of this joint came within 5 s"));
+                                ArmWatchText::tr("no position of this joint was received within 5 s"),
+                                ArmWatchText::tr("--joint with a joint that the arm reports"));
         std::this_thread::sleep_for(std::chrono::nanoseconds(kLook_ns));
     }
     return watch;

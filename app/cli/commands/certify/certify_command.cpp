@@ -117,7 +117,7 @@ public:
                   "NAME");
         addOption(app, "--rate", m_arm.rate,
                   CertifyText::tr("With --arm and --site: its speed in rad/s, prismatic m/s. It turns back "
-                                  "after half a second's way to each side"),
+                                  "after half a second of motion to each side"),
                   between(0.02, 0.5), "R");
         driver->excludes(arm)->excludes(site);
         arm->excludes(site);
@@ -130,8 +130,8 @@ public:
             words.emplace_back(toString(kind));
         addOption(app, "--kinds", m_kinds,
                   CertifyText::tr("Kinds of faults, separated by commas: %1. Default: all but clock_step, "
-                                  "which sets the clock of this computer; with an arm without those of a "
-                                  "line or a recording")
+                                  "which sets the clock of this computer; for an arm, also without faults "
+                                  "of the line and of the recording")
                       .arg(QString::fromStdString(CLI::detail::join(words, ", "))),
                   "KINDS")
             ->delimiter(',')
@@ -374,7 +374,7 @@ Command certifyCommand() {
     return makeCommand<CertifyCommand>(
         "certify",
         CertifyText::tr(
-            "Inject faults into the program that drives motors or an arm, and report how soon those stop"),
+            "Inject faults into the program that drives motors or an arm, and report how soon they stop"),
         "teleta certify --faults 4 --kinds kill,stop --bound 1 --out certificate");
 }
 

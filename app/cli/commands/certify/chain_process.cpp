@@ -136,14 +136,19 @@ const ChainProcess::State& ChainProcess::look() {
 
 void ChainProcess::take(std::string_view line) {
     constexpr std::string_view kSafe = "safe ";
-    if (line == "driving")
+    constexpr std::string_view kProblem = "problem ";
+    if (line == "driving") {
         m_state.driving = true;
-    else if (line == "idle")
+        m_state.problem.clear();
+    } else if (line.starts_with(kProblem)) {
+        m_state.problem = line.substr(kProblem.size());
+    } else if (line == "idle") {
         m_state.driving = false;
-    else if (line == "recording failed")
+    } else if (line == "recording failed") {
         m_state.recordingFailed = true;
-    else if (line.starts_with(kSafe))
+    } else if (line.starts_with(kSafe)) {
         std::from_chars(line.data() + kSafe.size(), line.data() + line.size(), m_state.safeFrames);
+    }
 }
 
 bool ChainProcess::ended() {

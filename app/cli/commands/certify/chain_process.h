@@ -22,6 +22,7 @@ public:
         bool driving = false;
         std::uint64_t safeFrames = 0;
         bool recordingFailed = false;
+        std::string problem; ///< why it did not drive when it was last asked; empty: it did not say
     };
 
     /// Starts this program once more. arguments: after `teleta certify`. recording: the file that it makes;

@@ -126,7 +126,10 @@ core::Expected<void> FaultInjector::driveAgain() {
             return core::failed(core::ErrorKind::unavailable,
                                 InjectorText::tr("the program under test ended by itself"));
         if (core::steadyNow_ns() - begin_ns > kLongestStart_ns)
-            return core::failed(core::ErrorKind::unavailable, InjectorText::tr("nothing moved within 30 s"));
+            return core::failed(core::ErrorKind::unavailable,
+                                state.problem.empty() ? InjectorText::tr("nothing moved within 30 s")
+                                                      : InjectorText::tr("nothing moved within 30 s: %1")
+                                                            .arg(QString::fromStdString(state.problem)));
         if (m_watch.failed())
             return core::failed(core::ErrorKind::unavailable,
                                 InjectorText::tr("the device does not answer any more"));
