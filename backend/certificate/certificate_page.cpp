@@ -6,6 +6,7 @@
 #include "backend/figure/svg_canvas.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -119,25 +120,39 @@ QString verdict(const Certificate& certificate) {
         QStringLiteral(" class=\"warning\""));
 }
 
-void addRow(figure::HtmlTable& table, const QString& name, const FaultTally& tally) {
-    table.row({name, QString::number(tally.faults), ms(tally.median_s), ms(tally.p99_s), ms(tally.longest_s),
-               QString::number(tally.overBound), QString::number(100.0 * shareOverBoundAtMost(tally), 'f', 2),
-               QString::number(tally.restarted), QString::number(tally.framesLost),
-               QString::number(tally.filesDamaged)});
-}
-
+/// What was recorded is shown where something records.
 QString kindTable(const Certificate& certificate) {
+    const bool records = !isOfArm(certificate);
+    QStringList head{CertificateText::tr("Fault"),
+                     CertificateText::tr("Number"),
+                     CertificateText::tr("Median"),
+                     CertificateText::tr("99 %"),
+                     CertificateText::tr("Longest"),
+                     CertificateText::tr("Over the bound"),
+                     CertificateText::tr("Share, upper limit (%)"),
+                     CertificateText::tr("Restarted by itself")};
+    if (records)
+        head << CertificateText::tr("Frames lost") << CertificateText::tr("Files damaged");
     figure::HtmlTable table(
-        isOfArm(certificate)
-            ? CertificateText::tr("Time from the fault until the arm was at rest, in ms")
-            : CertificateText::tr("Time from the fault until the motors were at zero, in ms"),
-        {CertificateText::tr("Fault"), CertificateText::tr("Number"), CertificateText::tr("Median"),
-         CertificateText::tr("99 %"), CertificateText::tr("Longest"), CertificateText::tr("Over the bound"),
-         CertificateText::tr("Share, upper limit (%)"), CertificateText::tr("Restarted by itself"),
-         CertificateText::tr("Frames lost"), CertificateText::tr("Files damaged")});
+        records ? CertificateText::tr("Time from the fault until the motors were at zero, in ms")
+                : CertificateText::tr("Time from the fault until the arm was at rest, in ms"),
+        head);
+    const auto addRow = [&](const QString& name, const FaultTally& tally) {
+        QStringList row{name,
+                        QString::number(tally.faults),
+                        ms(tally.median_s),
+                        ms(tally.p99_s),
+                        ms(tally.longest_s),
+                        QString::number(tally.overBound),
+                        QString::number(100.0 * shareOverBoundAtMost(tally), 'f', 2),
+                        QString::number(tally.restarted)};
+        if (records)
+            row << QString::number(tally.framesLost) << QString::number(tally.filesDamaged);
+        table.row(row);
+    };
     for (const FaultTally& tally : certificate.tallies())
-        addRow(table, nameOf(tally.kind), tally);
-    addRow(table, CertificateText::tr("All"), certificate.total());
+        addRow(nameOf(tally.kind), tally);
+    addRow(CertificateText::tr("All"), certificate.total());
     return table.html();
 }
 
@@ -180,7 +195,7 @@ QString timePicture(const Certificate& certificate) {
             if (outcome.kind == tallies[row].kind && outcome.zero_s)
                 // Spread over the row, so that equal times can be told apart.
                 canvas.circle(at(*outcome.zero_s), y + 3.0 * (k++ % 5 - 2), 1.8,
-                              QStringLiteral("class=\"series0 faint\""));
+                              QStringLiteral("class=\"series0\""));
     }
     return QStringLiteral("<figure>\n%1</figure>\n").arg(QString::fromStdString(canvas.embedded()));
 }
