@@ -65,6 +65,8 @@ test_packages+=(libmujoco-dev)
 test_packages+=(libfastrtps-dev fastddsgen libtinyxml2-dev)
 # Independent writers of HDF5 and MAT files.
 test_packages+=(python3-h5py python3-scipy)
+# A cluster of one node.
+test_packages+=(slurm-wlm munge)
 # The program that makes keys of sites.
 test_packages+=(openssl)
 # Independent readers and writers of MCAP, which npm installs.

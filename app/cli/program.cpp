@@ -12,6 +12,7 @@
 #include "app/cli/commands/ros/ros_commands.h"
 #include "app/cli/commands/scenes/scene_commands.h"
 #include "app/cli/commands/site/site_commands.h"
+#include "app/cli/commands/sweep/sweep_commands.h"
 #include "app/cli/commands/tactile/tactile_commands.h"
 #include "app/common/version.h"
 #include "backend/core/failure.h"
@@ -33,7 +34,8 @@ std::vector<Command> allCommands() {
     return {featuresCommand(),  contactsCommand(), gainsCommand(),   stiffnessCommand(), contourCommand(),
             calibrateCommand(), locateCommand(),   trackCommand(),   simulateCommand(),  replayCommand(),
             exportCommand(),    importCommand(),   patternCommand(), studyCommand(),     tradeoffCommand(),
-            armCommand(),       devicesCommand(),  rosCommand(),     certifyCommand(),   siteCommand()};
+            sweepCommand(),     armCommand(),      devicesCommand(), rosCommand(),       certifyCommand(),
+            siteCommand()};
 }
 
 struct ProgramText {

@@ -14,10 +14,10 @@ namespace teleta::app {
 
 namespace {
 
-/// The file of a scene, or the resource.
-std::string placeOf(const std::string& pathOrName) {
+/// The file of a scene or another kind, or the resource.
+std::string placeOf(const std::string& pathOrName, const QString& kind = QStringLiteral("scenes")) {
     const QString name = QString::fromStdString(pathOrName);
-    const QString resource = QStringLiteral(":/scenes/%1.toml").arg(name);
+    const QString resource = QStringLiteral(":/%1/%2.toml").arg(kind, name);
     const QFileInfo file(name);
     // The results of an earlier run may lie in a folder of that name.
     return (file.exists() && !file.isDir()) || !QFile::exists(resource) ? pathOrName : resource.toStdString();
@@ -37,8 +37,23 @@ core::Expected<AnyScene> readAnyScene(const std::string& pathOrName) {
     return scene::parseScene(text, place);
 }
 
+core::Expected<std::string> sceneText(const std::string& pathOrName) {
+    return core::readFile(placeOf(pathOrName), core::kMostTomlBytes);
+}
+
 std::string readSceneText(const std::string& pathOrName) {
-    return core::readFile(placeOf(pathOrName), core::kMostTomlBytes).value_or(std::string());
+    return sceneText(pathOrName).value_or(std::string());
+}
+
+std::string sweepPlace(const std::string& pathOrName) {
+    return placeOf(pathOrName, QStringLiteral("sweeps"));
+}
+
+QStringList sweepNames() {
+    QStringList names;
+    for (const QString& file : QDir(QStringLiteral(":/sweeps")).entryList(QDir::Files, QDir::Name))
+        names << QFileInfo(file).completeBaseName();
+    return names;
 }
 
 std::vector<std::string> sceneNames() {

@@ -5,6 +5,8 @@
 #include "backend/scene/scene.h"
 #include "backend/study/session/study_scene.h"
 
+#include <QStringList>
+
 #include <string>
 #include <variant>
 #include <vector>
@@ -20,10 +22,17 @@ using AnyScene = std::variant<scene::Scene, study::StudyScene>;
 /// The same for both kinds. Failure: also as study::parseStudyScene().
 [[nodiscard]] core::Expected<AnyScene> readAnyScene(const std::string& pathOrName);
 
-/// The text of such a scene, empty when it cannot be read.
+/// The text of such a scene. Failure: notFound, ioFailed.
+[[nodiscard]] core::Expected<std::string> sceneText(const std::string& pathOrName);
+/// The same, empty when it cannot be read.
 [[nodiscard]] std::string readSceneText(const std::string& pathOrName);
 
 /// Names of the scenes that come with the programs, in alphabetical order.
 [[nodiscard]] std::vector<std::string> sceneNames();
+
+/// Where a sweep is: the path itself, or the resource of one that comes with the programs.
+[[nodiscard]] std::string sweepPlace(const std::string& pathOrName);
+/// Names of the sweeps that come with the programs, in alphabetical order.
+[[nodiscard]] QStringList sweepNames();
 
 } // namespace teleta::app

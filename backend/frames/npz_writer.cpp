@@ -72,6 +72,12 @@ NpzArray::NpzArray(std::string name_, std::vector<std::uint64_t> shape, std::spa
     , values(std::as_bytes(values_)) {
 }
 
+NpzArray::NpzArray(std::string name_, std::vector<std::uint64_t> shape, std::span<const std::int64_t> values_)
+    : name(std::move(name_))
+    , head(npyHead("<i8", shape))
+    , values(std::as_bytes(values_)) {
+}
+
 core::Expected<void> writeNpz(const std::string& path, std::span<const NpzArray> arrays) {
     int code = 0;
     std::unique_ptr<zip_t, DiscardNpz> archive(zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));

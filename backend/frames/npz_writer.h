@@ -15,6 +15,7 @@ struct NpzArray {
     /// shape: its product is the number of values; empty for a single one.
     NpzArray(std::string name, std::vector<std::uint64_t> shape, std::span<const float> values);
     NpzArray(std::string name, std::vector<std::uint64_t> shape, std::span<const double> values);
+    NpzArray(std::string name, std::vector<std::uint64_t> shape, std::span<const std::int64_t> values);
 
     std::string name;
     std::string head; ///< of the npy file

@@ -2,6 +2,7 @@
 #include "backend/scene_run/effect_ablation.h"
 
 #include "backend/core/failure.h"
+#include "backend/scene_run/base/flat_measures.h"
 #include "backend/scene_run/paired_tests.h"
 #include "backend/scene_run/scene_run.h"
 #include "backend/scene_run/study/study_run.h"
@@ -18,8 +19,6 @@ namespace teleta::scene_run {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 /// A difference that rounding makes.
 constexpr double kRounding = 1e-12;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -31,31 +30,18 @@ struct AblationText {
 };
 
 /// Measures by name; what could not be determined is not there.
-struct FlatMeasures {
+struct NamedMeasures {
+    explicit NamedMeasures(const FlatMeasures& flat)
+        : numbers(flat.numbers.begin(), flat.numbers.end())
+        , texts(flat.texts.begin(), flat.texts.end()) {}
+
     std::map<std::string, double> numbers;
     std::map<std::string, std::string> texts;
 };
 
-void flatten(const ordered_json& value, const std::string& name, FlatMeasures& flat) {
-    if (value.is_number()) {
-        flat.numbers[name] = value.get<double>();
-    } else if (value.is_string()) {
-        flat.texts[name] = value.get<std::string>();
-    } else if (value.is_array()) {
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            const ordered_json& entry = value[i];
-            // ["align", 1.5] is a number with a name.
-            if (entry.is_array() && entry.size() == 2 && entry[0].is_string())
-                flatten(entry[1], name + "." + entry[0].get<std::string>(), flat);
-            else
-                flatten(entry, name + "[" + std::to_string(i) + "]", flat);
-        }
-    }
-}
-
 /// All seeds of a scene with the same effects.
 struct Runs {
-    std::vector<FlatMeasures> measures;
+    std::vector<NamedMeasures> measures;
     std::vector<double> wall_s;
     std::map<std::string, double> own_s; ///< mean of each effect
 };
@@ -86,10 +72,7 @@ core::Expected<Runs> runSeeds(const Run& runOne, const AblationOptions& options,
         if (summary.interrupted)
             return core::failed(core::ErrorKind::cancelled,
                                 AblationText::tr("interrupted before all runs were done"));
-        FlatMeasures flat;
-        for (const auto& [name, value] : summary.measures.items())
-            flatten(value, name, flat);
-        runs.measures.push_back(std::move(flat));
+        runs.measures.emplace_back(flatMeasures(summary.measures));
         runs.wall_s.push_back(summary.wall_s);
         for (const SceneSummary::EffectTime& effect : summary.effects)
             runs.own_s[effect.name] += effect.time_s / static_cast<double>(options.seeds);
@@ -100,10 +83,10 @@ core::Expected<Runs> runSeeds(const Run& runOne, const AblationOptions& options,
 /// Names of a kind of measures in any of the runs.
 template <typename Value>
 std::vector<std::string> namesOf(const Runs& with, const Runs& without,
-                                 std::map<std::string, Value> FlatMeasures::*kind) {
+                                 std::map<std::string, Value> NamedMeasures::*kind) {
     std::vector<std::string> names;
     for (const Runs* runs : {&with, &without})
-        for (const FlatMeasures& run : runs->measures)
+        for (const NamedMeasures& run : runs->measures)
             for (const auto& [name, value] : run.*kind)
                 names.push_back(name);
     std::ranges::sort(names);
@@ -203,9 +186,9 @@ core::Expected<Ablation> ablate(const std::vector<std::string>& effects,
         const auto own = with.own_s.find(effect.effect);
         effect.own_s = own == with.own_s.end() ? 0.0 : own->second;
         effect.run_s = quantile(without.wall_s, 0.5);
-        for (const std::string& name : namesOf(with, without, &FlatMeasures::numbers))
+        for (const std::string& name : namesOf(with, without, &NamedMeasures::numbers))
             effect.changes.push_back(numberChange(name, with, without));
-        for (const std::string& name : namesOf(with, without, &FlatMeasures::texts))
+        for (const std::string& name : namesOf(with, without, &NamedMeasures::texts))
             effect.changes.push_back(textChange(name, with, without));
         ablation.effects.push_back(std::move(effect));
     }

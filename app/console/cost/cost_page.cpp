@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/cost/cost_page.h"
 
+#include "app/common/scene_file.h"
+#include "app/console/cost/sweep_panel.h"
 #include "backend/cost/frontier.h"
 #include "backend/vision/finders/contact_ladder.h"
 #include "widgets/base/compose.h"
@@ -23,6 +25,7 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTableWidget>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -84,11 +87,18 @@ QLabel* wrapped(QWidget* parent) {
 
 } // namespace
 
-CostPage::CostPage(CostMeasuring::MakeLadders makeLadders, const QString& file,
+CostPage::CostPage(const CostMeasuring::MakeLadders& makeLadders, const QString& file,
                    const cost::MeasureSettings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_measuring(new CostMeasuring(std::move(makeLadders), file, settings, this))
-    , m_messages(new chrome::MessageBar(this)) {
+    , m_measuring(new CostMeasuring(makeLadders, file, settings, this))
+    , m_messages(new chrome::MessageBar(this))
+    , m_tabs(base::named<QTabWidget>("costTabs", this))
+    , m_sweeps(new SweepPanel(
+          [makeLadders] {
+              return sweep::SubjectSources{[](const std::string& name) { return app::sceneText(name); },
+                                           makeLadders()};
+          },
+          this)) {
     auto* split = new QSplitter(this);
     split->setChildrenCollapsible(false);
     split->addWidget(makeLadderColumn());
@@ -99,7 +109,10 @@ CostPage::CostPage(CostMeasuring::MakeLadders makeLadders, const QString& file,
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_messages);
-    layout->addWidget(split, 1);
+    m_tabs->setDocumentMode(true);
+    m_tabs->addTab(split, QString());
+    m_tabs->addTab(m_sweeps, QString());
+    layout->addWidget(m_tabs, 1);
 
     connect(m_measuring, &CostMeasuring::changed, this, [this] {
         showLadders();
@@ -107,6 +120,9 @@ CostPage::CostPage(CostMeasuring::MakeLadders makeLadders, const QString& file,
     });
     connect(m_measuring, &CostMeasuring::runningChanged, this, &CostPage::showRunning);
     connect(m_measuring, &CostMeasuring::failed, this, [this](const QString& what, const QString& details) {
+        m_messages->post({chrome::Message::Severity::error, what, details, QString()});
+    });
+    connect(m_sweeps, &SweepPanel::failed, this, [this](const QString& what, const QString& details) {
         m_messages->post({chrome::Message::Severity::error, what, details, QString()});
     });
     connect(m_list, &QListWidget::currentRowChanged, this, &CostPage::showCosts);
@@ -136,6 +152,7 @@ CostPage::CostPage(CostMeasuring::MakeLadders makeLadders, const QString& file,
     base::onChange(this,
                    [this] {
                        m_measuring->retranslate();
+                       m_sweeps->retranslate();
                        retranslate();
                    },
                    {QEvent::LanguageChange});
@@ -345,6 +362,7 @@ void CostPage::chooseRung(const QString& name) {
 }
 
 void CostPage::tick(const std::shared_ptr<pipeline::CameraChannel>& camera) {
+    m_sweeps->tick();
     if (m_measuring->isRunning() && !m_measuring->isCancelled()) {
         const cost::MeasureProgress progress = m_measuring->progress();
         m_progress->setValue(static_cast<int>(std::lround(1000.0 * progress.share)));
@@ -392,6 +410,8 @@ void CostPage::tick(const std::shared_ptr<pipeline::CameraChannel>& camera) {
 }
 
 void CostPage::retranslate() {
+    m_tabs->setTabText(0, tr("Ladders"));
+    m_tabs->setTabText(1, tr("Sweeps"));
     m_ladderHeading->setText(tr("Ladders"));
     m_list->setAccessibleName(tr("Ladders of rungs from cheap to exact"));
     m_measure->setText(tr("&Measure this ladder"));

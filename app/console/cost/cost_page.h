@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/cost/cost_measuring.h"
+#include "app/console/cost/sweep_running.h"
 #include "backend/pipeline/camera_channel.h"
 #include "widgets/chrome/message_bar.h"
 
@@ -17,6 +18,7 @@ class QListWidget;
 class QProgressBar;
 class QPushButton;
 class QStackedWidget;
+class QTabWidget;
 class QTableWidget;
 
 namespace teleta::camera {
@@ -31,17 +33,21 @@ class CostChart;
 
 namespace teleta::console {
 
-/// The Cost page: the ladders, what their rungs cost on this machine, and for the camera that is shown the
-/// rung in use, its live stage times, and a time budget that picks a rung. Thread: GUI.
+class SweepPanel;
+
+/// The Cost page: sweeps on a tab of their own; the ladders, what their rungs cost on this machine, and for
+/// the camera that is shown the rung in use, its live stage times, and a time budget that picks a rung.
+/// Thread: GUI.
 class CostPage : public QWidget {
     Q_OBJECT
 
 public:
     /// makeLadders, file: see CostMeasuring.
-    CostPage(CostMeasuring::MakeLadders makeLadders, const QString& file,
+    CostPage(const CostMeasuring::MakeLadders& makeLadders, const QString& file,
              const cost::MeasureSettings& settings = {}, QWidget* parent = nullptr);
 
     [[nodiscard]] CostMeasuring& measuring() { return *m_measuring; }
+    [[nodiscard]] SweepPanel& sweeps() { return *m_sweeps; }
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
     /// Shows the progress and what the camera does; null: there is none.
     void tick(const std::shared_ptr<pipeline::CameraChannel>& camera);
@@ -63,6 +69,8 @@ private:
 
     CostMeasuring* m_measuring;
     chrome::MessageBar* m_messages;
+    QTabWidget* m_tabs;
+    SweepPanel* m_sweeps;
     QLabel* m_ladderHeading;
     QListWidget* m_list;
     chrome::EmptyState* m_empty;

@@ -15,12 +15,12 @@ QString firstHeading(const QString& text) {
 } // namespace
 
 QStringList handbookPages() {
-    return {QStringLiteral("first-steps"),  QStringLiteral("operate"),    QStringLiteral("teleoperation"),
-            QStringLiteral("two-sites"),    QStringLiteral("recordings"), QStringLiteral("patterns"),
-            QStringLiteral("study"),        QStringLiteral("thresholds"), QStringLiteral("calibrate"),
-            QStringLiteral("intervals"),    QStringLiteral("cost"),       QStringLiteral("plot"),
-            QStringLiteral("devices"),      QStringLiteral("files"),      QStringLiteral("codebook"),
-            QStringLiteral("command-line"), QStringLiteral("python")};
+    return {QStringLiteral("first-steps"), QStringLiteral("operate"),      QStringLiteral("teleoperation"),
+            QStringLiteral("two-sites"),   QStringLiteral("recordings"),   QStringLiteral("patterns"),
+            QStringLiteral("study"),       QStringLiteral("thresholds"),   QStringLiteral("calibrate"),
+            QStringLiteral("intervals"),   QStringLiteral("cost"),         QStringLiteral("sweeps"),
+            QStringLiteral("plot"),        QStringLiteral("devices"),      QStringLiteral("files"),
+            QStringLiteral("codebook"),    QStringLiteral("command-line"), QStringLiteral("python")};
 }
 
 std::optional<HandbookPage> handbookPage(const QString& name, const QString& language) {

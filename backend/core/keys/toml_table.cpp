@@ -279,6 +279,36 @@ std::vector<std::string> TomlTable::textList(std::string_view key) {
     return texts;
 }
 
+std::vector<TomlValue> TomlTable::valueList(std::string_view key) {
+    const toml::node* node = m_data->find(key, true);
+    if (node == nullptr)
+        return {};
+    const toml::array* array = node->as_array();
+    if (array == nullptr || array->empty()) {
+        m_data->wrongType(key, *node, TomlReader::tr("a list of one or more values"));
+        return {};
+    }
+    std::vector<TomlValue> values;
+    for (const toml::node& entry : *array) {
+        if (const auto flag = entry.value_exact<bool>())
+            values.emplace_back(*flag);
+        else if (const auto whole = entry.value_exact<std::int64_t>())
+            values.emplace_back(static_cast<long long>(*whole));
+        else if (const auto number = entry.value_exact<double>())
+            values.emplace_back(*number);
+        else if (const auto text = entry.value_exact<std::string>())
+            values.emplace_back(*text);
+        else
+            m_data->wrongType(key, entry, TomlReader::tr("a number, a text in quotes, or true or false"));
+    }
+    return values;
+}
+
+bool TomlTable::isTable(std::string_view key) const {
+    const toml::node* node = m_data->at(key);
+    return node != nullptr && node->is_table();
+}
+
 bool TomlTable::boolean(std::string_view key, bool fallback) {
     const toml::node* node = m_data->find(key, false);
     if (node == nullptr)

@@ -3,6 +3,7 @@
 
 #include "backend/core/error.h"
 #include "backend/core/keys/keys.h"
+#include "backend/core/keys/toml_value.h"
 
 #include <cstddef>
 #include <memory>
@@ -66,7 +67,11 @@ public:
                                                               std::size_t rows, std::size_t perRow);
     /// A list of texts that are not empty, key = ["a", "b"]; empty when the key is missing.
     [[nodiscard]] std::vector<std::string> textList(std::string_view key);
+    /// A list of one or more single values, key = [1, 2.5, "a", true]. Must be there.
+    [[nodiscard]] std::vector<TomlValue> valueList(std::string_view key);
     [[nodiscard]] bool boolean(std::string_view key, bool fallback);
+    /// True when the key is there and is a table; does not count as asked for.
+    [[nodiscard]] bool isTable(std::string_view key) const;
 
     /// Index of the text among the allowed names; 0 when it is wrong.
     [[nodiscard]] std::size_t choice(std::string_view key, const std::vector<std::string_view>& names);

@@ -155,6 +155,7 @@ void reportContacts(const std::vector<ComparedTouch>& touches, ordered_json& mea
 void reportStiffnessCovered(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures) {
     int known = 0;
     int covered = 0;
+    std::vector<double> errors;
     for (const ComparedTouch& touch : touches) {
         if (touch.object.empty() || !touch.record.stiffness || !touch.record.stiffness->reliable ||
             !touch.record.stiffness->object.lower95_NPerM)
@@ -165,7 +166,10 @@ void reportStiffnessCovered(const std::vector<ComparedTouch>& touches, nlohmann:
                            (!object.upper95_NPerM || touch.trueStiffness_NPerM <= *object.upper95_NPerM)
                        ? 1
                        : 0;
+        if (object.value_NPerM)
+            errors.push_back(std::abs(*object.value_NPerM / touch.trueStiffness_NPerM - 1.0));
     }
+    measures["stiffness_error_mean"] = jsonNumber(mean(errors));
     measures["stiffness_covered"] = orNull(valueIf(known > 0, static_cast<double>(covered) / known));
 }
 

@@ -60,8 +60,9 @@ struct ComparedTouch {
 /// The measures of where the contacts were located, beside where they truly were, and of the first one.
 void reportContacts(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures);
 
-/// The measure stiffness_covered: share of the reliable touches with an interval, or a bound, that holds the
-/// truth; null when there is none.
+/// The measures stiffness_covered: share of the reliable touches with an interval, or a bound, that holds the
+/// truth; and stiffness_error_mean: mean of |estimate / truth - 1| over those with an estimate. Null when
+/// there is none.
 void reportStiffnessCovered(const std::vector<ComparedTouch>& touches, nlohmann::ordered_json& measures);
 
 /// Name of the shape that an outline is recognised as.

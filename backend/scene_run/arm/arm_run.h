@@ -17,8 +17,8 @@ namespace teleta::scene_run {
 /// Measures of all: contact_error_mean_m, contact_error_p95_m (contact points in space), first_contact_s,
 /// frames, frames_lost. Of a scene that touches objects: estimated_stiffness_n_per_m (null: only a bound is
 /// known), true_stiffness_n_per_m, material; one value, or a list with one entry a touch when there are
-/// several; stiffness_covered (reportStiffnessCovered). Of one that follows a contour: shape, true_shape,
-/// contour_rms_m (distance of the spline from the true outline). Error: as runScene.
+/// several; stiffness_error_mean, stiffness_covered (reportStiffnessCovered). Of one that follows a contour:
+/// shape, true_shape, contour_rms_m (distance of the spline from the true outline). Error: as runScene.
 [[nodiscard]] core::Expected<SceneSummary> runArmScene(const scene::Scene& scene, const RunOptions& options);
 
 /// Runs a scene with an operator at another place: link -> arm -> link -> touches -> objects -> patterns ->

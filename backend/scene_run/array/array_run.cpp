@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace teleta::scene_run {
@@ -47,6 +48,38 @@ std::optional<double> gainError(const scene::Scene& scene, const scene::GainSpre
     return std::sqrt(squares / good);
 }
 
+/// The contacts of the indenters that press, whatever the sensor feels of them.
+class IndenterLabels {
+public:
+    explicit IndenterLabels(std::size_t indenters)
+        : m_identities(indenters, 0) {}
+
+    std::span<const ContactLabel> of(const std::vector<simulation::IndenterTruth>& indenters) {
+        m_contacts.clear();
+        for (std::size_t i = 0; i < indenters.size(); ++i) {
+            const simulation::IndenterLoad& load = indenters[i].load;
+            if (!load.copX_m || !load.copY_m) {
+                m_identities[i] = 0;
+                continue;
+            }
+            if (m_identities[i] == 0)
+                m_identities[i] = ++m_last;
+            // The foundation has no friction: it carries what is along its own normal.
+            m_contacts.push_back({.object = static_cast<std::int32_t>(i),
+                                  .identity = m_identities[i],
+                                  .x_m = *load.copX_m,
+                                  .y_m = *load.copY_m,
+                                  .force_N = load.force_N});
+        }
+        return m_contacts;
+    }
+
+private:
+    std::vector<std::int32_t> m_identities; ///< of each indenter; 0: it does not press
+    std::vector<ContactLabel> m_contacts;
+    std::int32_t m_last = 0;
+};
+
 } // namespace
 
 core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunOptions& options) {
@@ -72,6 +105,7 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
     std::vector<bool> pressing(scene.array().indenters.size(), false);
     const auto* spread = scene.listed<scene::GainSpreadSpec>();
     std::vector<float> press;
+    IndenterLabels labels(scene.array().indenters.size());
     std::uint64_t frame = 0;
     for (; frame < frames && !log.failed(); ++frame) {
         summary.interrupted = options.endsAt(frame, kFramesBetweenReports, array->time_s(), duration_s);
@@ -80,6 +114,8 @@ core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunO
         array->next(values, false);
         log.row(array->time_s(), values);
         recording.addFrame(array->time_s(), values);
+        if (options.onFrame)
+            options.onFrame({array->time_s(), values, labels.of(array->truth().indenters)});
         if (spread != nullptr && frame < kMostGainFrames)
             press.insert(press.end(), values.begin(), values.end());
         conditioner.apply(values, load_N, dead);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/scene_run/base/labelled_frame.h"
+
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -17,6 +19,8 @@ struct RunOptions {
     std::string sceneText;            ///< the scene file, kept in the recording
     /// Called now and then with the simulated time; false ends the run early and completes its files.
     std::function<bool(double simulated_s, double duration_s)> goOn;
+    /// Called with every frame of the tactile array of an array's or a servo's scene.
+    std::function<void(const LabelledFrame& frame)> onFrame;
 
     /// Whether the run is to end early; asks goOn every so many steps.
     [[nodiscard]] bool endsAt(std::uint64_t step, std::uint64_t every, double simulated_s,

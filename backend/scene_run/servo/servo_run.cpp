@@ -14,6 +14,7 @@
 #include <bitset>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -57,6 +58,32 @@ core::Expected<void> writePoints(const std::string& outFolder, const std::vector
         csv.row(point_m);
     return csv.finish();
 }
+
+/// The one contact of a servo's array; its object has the number 0.
+class ServoLabels {
+public:
+    std::span<const ContactLabel> of(const simulation::SimulatedServoWorld& world) {
+        const simulation::ServoFrameTruth& truth = world.frameTruth();
+        const bool pressed = truth.loads.force_N > 0.0;
+        if (pressed != std::exchange(m_pressed, pressed) && pressed)
+            ++m_contact.identity;
+        if (!pressed)
+            return {};
+        m_contact.x_m = truth.loads.copX_m;
+        m_contact.y_m = truth.loads.copY_m;
+        m_contact.force_N = truth.loads.force_N;
+        const Eigen::Vector3d p_Base =
+            truth.X_Base_Sensor * Eigen::Vector3d(truth.loads.copX_m, truth.loads.copY_m, 0.0);
+        const Eigen::Vector3d normal_Sensor =
+            truth.X_Base_Sensor.linear().transpose() * world.objectNormal_Base(p_Base);
+        m_contact.normal = {normal_Sensor.x(), normal_Sensor.y(), normal_Sensor.z()};
+        return {&m_contact, 1};
+    }
+
+private:
+    ContactLabel m_contact;
+    bool m_pressed = false;
+};
 
 /// What happens in a run that is worth a line in its summary.
 class ServoEvents {
@@ -113,6 +140,7 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
     ServoMeasures measures(scene);
     simulation::ServoVerdict verdict(scene);
     ServoEvents events(summary.events);
+    ServoLabels labels;
     std::uint64_t frames = 0;
     for (std::uint64_t i = 0; i < cycles && !frameLog.failed() && !servoLog.failed(); ++i) {
         summary.interrupted = options.endsAt(i, kCyclesBetweenReports, loop.world().time_s(), duration_s);
@@ -126,6 +154,8 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
             ++frames;
             frameLog.row(loop.world().time_s(), loop.frame());
             recording.addFrame(loop.world().time_s(), loop.frame());
+            if (options.onFrame)
+                options.onFrame({loop.world().time_s(), loop.frame(), labels.of(loop.world())});
         }
         if (loop.servoed())
             addCycle(loop, measures, servoLog);

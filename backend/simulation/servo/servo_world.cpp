@@ -201,6 +201,13 @@ double SimulatedServoWorld::contourDistance_m(const Vector3d& p_Base) const {
         std::visit([&](const auto& shape) { return shape.at(p_Object).depth_m; }, m_arm.object().shape));
 }
 
+Vector3d SimulatedServoWorld::objectNormal_Base(const Vector3d& p_Base) const {
+    const Eigen::Isometry3d& X_Base_Object = m_arm.X_Base_Object();
+    const Vector3d p_Object = X_Base_Object.inverse(Eigen::Isometry) * p_Base;
+    return X_Base_Object.linear() *
+           std::visit([&](const auto& shape) { return shape.at(p_Object).normal; }, m_arm.object().shape);
+}
+
 std::vector<EffectTime> SimulatedServoWorld::effectTimes() const {
     std::vector<EffectTime> times;
     for (const std::string_view name : m_contactEffects)

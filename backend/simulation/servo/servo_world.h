@@ -84,6 +84,8 @@ public:
     [[nodiscard]] const ServoFrameTruth& frameTruth() const { return m_frameTruth; }
     /// Distance of a point of the base from the object's line of contact, or its surface when it has none.
     [[nodiscard]] double contourDistance_m(const Eigen::Vector3d& p_Base) const;
+    /// The object's outward normal in {base} at a point in it or near it.
+    [[nodiscard]] Eigen::Vector3d objectNormal_Base(const Eigen::Vector3d& p_Base) const;
     [[nodiscard]] std::vector<EffectTime> effectTimes() const;
 
 private:

@@ -33,6 +33,12 @@ double wilsonLow(double successes, double trials, double z) {
     return share * share / (a * largerRoot);
 }
 
+Interval wilsonOf(double successes, double failures, double confidence) {
+    const double z = -boost::math::quantile(boost::math::normal(), (1.0 - confidence) / 2.0);
+    const double trials = successes + failures;
+    return {wilsonLow(successes, trials, z), 1.0 - wilsonLow(failures, trials, z)};
+}
+
 bool allFinite(std::span<const double> values) {
     return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
 }
@@ -42,10 +48,14 @@ bool allFinite(std::span<const double> values) {
 std::optional<Interval> wilsonInterval(std::int64_t successes, std::int64_t trials, double confidence) {
     if (!isCount(successes, trials) || !isConfidence(confidence))
         return std::nullopt;
-    const double z = -boost::math::quantile(boost::math::normal(), (1.0 - confidence) / 2.0);
-    const auto n = static_cast<double>(trials);
-    return Interval{wilsonLow(static_cast<double>(successes), n, z),
-                    1.0 - wilsonLow(static_cast<double>(trials - successes), n, z)};
+    return wilsonOf(static_cast<double>(successes), static_cast<double>(trials - successes), confidence);
+}
+
+std::optional<Interval> wilsonShareInterval(double meanShare, std::int64_t runs, double confidence) {
+    if (!(meanShare >= 0.0 && meanShare <= 1.0) || runs < 1 || !isConfidence(confidence))
+        return std::nullopt;
+    const auto n = static_cast<double>(runs);
+    return wilsonOf(meanShare * n, (1.0 - meanShare) * n, confidence);
 }
 
 std::optional<Interval> clopperPearsonInterval(std::int64_t successes, std::int64_t trials,

@@ -20,6 +20,12 @@ struct Interval {
 [[nodiscard]] std::optional<Interval> wilsonInterval(std::int64_t successes, std::int64_t trials,
                                                      double confidence = 0.95);
 
+/// The same of a mean of shares, 0 .. 1, each of one of so many runs. A share of several trials varies no
+/// more between runs than one trial does, so the interval is rather too wide than too narrow. Empty out of
+/// the range.
+[[nodiscard]] std::optional<Interval> wilsonShareInterval(double meanShare, std::int64_t runs,
+                                                          double confidence = 0.95);
+
 /// Clopper's and Pearson's interval of a proportion: the quantiles a/2 of Beta(x, n-x+1) and 1-a/2 of
 /// Beta(x+1, n-x), a = 1 - confidence; 0 and 1 where x is 0 or n. Ranges and refusals as wilsonInterval.
 /// Thread: any. Source: Clopper and Pearson 1934, doi:10.1093/biomet/26.4.404.

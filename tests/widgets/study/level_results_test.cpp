@@ -188,7 +188,7 @@ private slots:
         view.findChild<QComboBox*>("resultTask")
             ->setCurrentIndex(view.findChild<QComboBox*>("resultTask")->findData("detect"));
         auto* choice = view.findChild<QComboBox*>("thresholdsChoice");
-        auto* picture = view.findChild<study::SvgView*>("thresholdsView");
+        auto* picture = view.findChild<base::SvgView*>("thresholdsView");
         QCOMPARE(choice->count(), 3);
         QCOMPARE(picture->picture()->file, QStringLiteral("thresholds_detect"));
         choice->setCurrentIndex(2);

@@ -15,7 +15,7 @@ namespace teleta::study {
 FigurePage::FigurePage(const QString& name, QWidget* parent)
     : QWidget(parent)
     , m_choice(new QComboBox(this))
-    , m_view(new SvgView(this))
+    , m_view(new base::SvgView(this))
     , m_table(new ResultTable(name, this))
     , m_note(new QLabel(this)) {
     m_choice->setObjectName(name + QStringLiteral("Choice"));
@@ -45,7 +45,7 @@ FigurePage::FigurePage(const QString& name, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(area);
     connect(m_choice, &QComboBox::currentIndexChanged, this, &FigurePage::show);
-    connect(m_view, &SvgView::exportFailed, this, &FigurePage::figureFailed);
+    connect(m_view, &base::SvgView::exportFailed, this, &FigurePage::figureFailed);
     connect(&m_table->exporter(), &base::FigureExport::failed, this, &FigurePage::figureFailed);
 }
 

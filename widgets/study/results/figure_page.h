@@ -19,7 +19,7 @@ namespace teleta::study {
 struct FigureItem {
     QString key;  ///< stays when results are computed anew
     QString name; ///< in the list
-    std::function<SvgView::Picture()> draw;
+    std::function<base::SvgView::Picture()> draw;
 };
 
 /// Pictures to choose from, and a table below them. Thread: GUI.
@@ -45,7 +45,7 @@ private:
 
     std::vector<FigureItem> m_items;
     QComboBox* m_choice;
-    SvgView* m_view;
+    base::SvgView* m_view;
     ResultTable* m_table;
     QLabel* m_note;
 };

@@ -252,15 +252,16 @@ std::vector<FigureItem> LevelContent::curves(const Shared& results, const QStrin
                                              const ConditionNames& names) {
     std::vector<FigureItem> items;
     items.push_back({QStringLiteral("*"), tr("All participants"), [results, task, mode, names] {
-                         return SvgView::Picture{
+                         return base::SvgView::Picture{
                              QStringLiteral("thresholds_") + task, tr("Thresholds of all participants"),
                              thresholdsFigure(results->thresholds, task.toStdString(), mode),
                              tableCsv(thresholdTable(*results, task, names))};
                      }});
     std::vector<FigureItem> each = itemsOf(results, task, names, [mode](const ThresholdLine& line) {
-        return SvgView::Picture{fileOf("curve", line.task, line.condition, line.track, line.participant),
-                                shownText(line.participant) + QStringLiteral(": ") + thresholdWords(line),
-                                curveFigure(line, mode), countsCsv(line)};
+        return base::SvgView::Picture{
+            fileOf("curve", line.task, line.condition, line.track, line.participant),
+            shownText(line.participant) + QStringLiteral(": ") + thresholdWords(line),
+            curveFigure(line, mode), countsCsv(line)};
     });
     items.insert(items.end(), each.begin(), each.end());
     return items;
@@ -269,9 +270,10 @@ std::vector<FigureItem> LevelContent::curves(const Shared& results, const QStrin
 std::vector<FigureItem> LevelContent::tracks(const Shared& results, const QString& task, Mode mode,
                                              const ConditionNames& names) {
     return itemsOf(results, task, names, [mode](const ThresholdLine& line) {
-        return SvgView::Picture{fileOf("track", line.task, line.condition, line.track, line.participant),
-                                tr("Levels of %1 over the trials").arg(shownText(line.participant)),
-                                trackFigure(line, mode), trialsCsv(line)};
+        return base::SvgView::Picture{
+            fileOf("track", line.task, line.condition, line.track, line.participant),
+            tr("Levels of %1 over the trials").arg(shownText(line.participant)), trackFigure(line, mode),
+            trialsCsv(line)};
     });
 }
 
@@ -284,10 +286,11 @@ std::vector<FigureItem> LevelContent::detection(const Shared& results, const QSt
         const QString place = placeName(group.condition, group.track, names);
         items.push_back(
             {keyOf({}, group.condition, group.track), place, [results, &group, place, task, mode, names] {
-                 return SvgView::Picture{fileOf("detection", group.task, group.condition, group.track, {}),
-                                         tr("d' and c of all participants, %1").arg(place),
-                                         detectionFigure(results->detection, group, mode),
-                                         tableCsv(detectionTable(*results, task, names))};
+                 return base::SvgView::Picture{
+                     fileOf("detection", group.task, group.condition, group.track, {}),
+                     tr("d' and c of all participants, %1").arg(place),
+                     detectionFigure(results->detection, group, mode),
+                     tableCsv(detectionTable(*results, task, names))};
              }});
     }
     return items;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/study/results/svg_view.h"
+#include "widgets/base/figure/svg_view.h"
 
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/theme.h"
@@ -10,7 +10,7 @@
 
 #include <utility>
 
-namespace teleta::study {
+namespace teleta::base {
 
 namespace {
 
@@ -20,10 +20,10 @@ figure::SvgColours svgColoursOf(const QPalette& palette) {
     figure::SvgColours colours;
     colours.paper = paper.name();
     colours.ink = ink.name();
-    colours.soft = base::mixed(ink, paper, 0.3).name();
-    colours.grid = base::mixed(ink, paper, 0.82).name();
+    colours.soft = mixed(ink, paper, 0.3).name();
+    colours.grid = mixed(ink, paper, 0.82).name();
     for (std::size_t i = 0; i < colours.series.size(); ++i)
-        colours.series[i] = base::identityColour(static_cast<int>(i) + 1, base::isDark(palette)).name();
+        colours.series[i] = identityColour(static_cast<int>(i) + 1, isDark(palette)).name();
     return colours;
 }
 
@@ -42,8 +42,8 @@ void SvgView::setPicture(std::optional<Picture> picture) {
     update();
 }
 
-base::Figure SvgView::figure() {
-    base::Figure figure;
+Figure SvgView::figure() {
+    Figure figure;
     if (!m_picture)
         return figure;
     figure.name = m_picture->file;
@@ -70,7 +70,7 @@ void SvgView::paintEvent(QPaintEvent*) {
         place.moveCenter(QRectF(rect()).center());
         m_renderer->render(&painter, place);
     }
-    base::paintFocusFrame(painter, *this);
+    paintFocusFrame(painter, *this);
 }
 
 void SvgView::changeEvent(QEvent* event) {
@@ -81,4 +81,4 @@ void SvgView::changeEvent(QEvent* event) {
     }
 }
 
-} // namespace teleta::study
+} // namespace teleta::base

@@ -11,11 +11,11 @@
 
 class QSvgRenderer;
 
-namespace teleta::study {
+namespace teleta::base {
 
 /// A picture that a result is drawn as, in the colours of the palette; on paper and in files it is the one
 /// that an analysis writes. It can be copied and saved. Thread: GUI.
-class SvgView : public base::FigureView {
+class SvgView : public FigureView {
     Q_OBJECT
 
 public:
@@ -32,7 +32,7 @@ public:
     /// Empty: nothing is shown.
     void setPicture(std::optional<Picture> picture);
     [[nodiscard]] const std::optional<Picture>& picture() const { return m_picture; }
-    [[nodiscard]] base::Figure figure() override;
+    [[nodiscard]] Figure figure() override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -43,4 +43,4 @@ private:
     std::unique_ptr<QSvgRenderer> m_renderer; ///< in the colours of the palette; null: to be made
 };
 
-} // namespace teleta::study
+} // namespace teleta::base

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/cost/sweep_panel.h"
+
+#include "app/common/scene_file.h"
+#include "backend/sweep/sweep_figure.h"
+#include "widgets/base/compose.h"
+#include "widgets/base/figure/svg_view.h"
+#include "widgets/base/file_dialog.h"
+#include "widgets/base/theme.h"
+#include "widgets/chrome/empty_state.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::console {
+
+namespace {
+
+/// Rows of the table; runs.csv and cells.csv have all.
+constexpr int kMostRows = 2000;
+
+QString numberText(const std::optional<double>& value) {
+    return value ? QLocale().toString(*value, 'g', 4) : QStringLiteral("\u2014");
+}
+
+/// "1 min 20 s" of a duration.
+QString leftText(double left_s) {
+    if (!std::isfinite(left_s))
+        return QStringLiteral("\u2014");
+    const auto seconds = static_cast<qint64>(std::ceil(left_s));
+    return seconds < 60 ? SweepPanel::tr("%1 s").arg(seconds)
+                        : SweepPanel::tr("%1 min %2 s").arg(seconds / 60).arg(seconds % 60);
+}
+
+} // namespace
+
+SweepPanel::SweepPanel(SweepRunning::MakeSources makeSources, QWidget* parent)
+    : QWidget(parent)
+    , m_running(new SweepRunning(std::move(makeSources), this)) {
+    auto* split = new QSplitter(this);
+    split->setChildrenCollapsible(false);
+    split->addWidget(makeListColumn());
+    split->addWidget(makeMiddle());
+    split->setStretchFactor(1, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(split);
+
+    connect(m_running, &SweepRunning::shownChanged, this, &SweepPanel::showSweep);
+    connect(m_running, &SweepRunning::runningChanged, this, &SweepPanel::showRunning);
+    connect(m_running, &SweepRunning::failed, this, &SweepPanel::failed);
+    connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+        if (item != nullptr)
+            m_running->open(item->data(Qt::UserRole).toString());
+    });
+    connect(m_open, &QPushButton::clicked, this, &SweepPanel::askToOpen);
+    connect(m_openResults, &QPushButton::clicked, this, [this] {
+        base::askForFolder(this, {.title = tr("Open the results of a sweep")},
+                           [this](const QString& folder) { m_running->open(folder); });
+    });
+    connect(m_start, &QPushButton::clicked, this, &SweepPanel::askToStart);
+    connect(m_startEmpty, &QPushButton::clicked, m_start, &QPushButton::click);
+    connect(m_cancel, &QPushButton::clicked, m_running, &SweepRunning::cancel);
+    connect(m_measure, &QComboBox::currentIndexChanged, this, &SweepPanel::showMeasure);
+    connect(m_picture, &base::SvgView::exportFailed, this,
+            [this](const QString& message) { emit failed(message, QString()); });
+    retranslate();
+    showRunning();
+}
+
+QWidget* SweepPanel::makeListColumn() {
+    auto* column = new QWidget(this);
+    m_heading = new QLabel(column);
+    m_heading->setFont(base::sized(m_heading->font(), base::kLargeText));
+    m_list = base::named<QListWidget>("sweeps", column);
+    m_list->setFrameShape(QFrame::NoFrame);
+    for (const QString& name : app::sweepNames()) {
+        auto* item = new QListWidgetItem(name, m_list);
+        item->setData(Qt::UserRole, name);
+    }
+    m_open = base::named<QPushButton>("openSweep", column);
+    m_openResults = base::named<QPushButton>("openResults", column);
+    m_start = base::named<QPushButton>("startSweep", column);
+    m_cancel = base::named<QPushButton>("cancelSweep", column);
+    m_progress = new QProgressBar(column);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progressText = new QLabel(column);
+    m_progressText->setWordWrap(true);
+    for (QWidget* widget : {static_cast<QWidget*>(m_cancel), static_cast<QWidget*>(m_progress)}) {
+        QSizePolicy policy = widget->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        widget->setSizePolicy(policy);
+    }
+    auto* layout = new QVBoxLayout(column);
+    const int margin = base::grid(column, 2);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(base::grid(column));
+    base::addWidgets(
+        layout, {m_heading, m_list, m_open, m_openResults, m_start, m_progressText, m_progress, m_cancel});
+    layout->setStretchFactor(m_list, 1);
+    column->setMinimumWidth(base::em(this, 18));
+    return column;
+}
+
+QWidget* SweepPanel::makeMiddle() {
+    auto* middle = new QWidget(this);
+    m_title = base::named<QLabel>("sweepTitle", middle);
+    m_title->setFont(base::sized(m_title->font(), base::kLargeText));
+    m_about = new QLabel(middle);
+    m_about->setWordWrap(true);
+    m_measureLabel = new QLabel(middle);
+    m_measure = base::named<QComboBox>("sweepMeasure", middle);
+    m_measureLabel->setBuddy(m_measure);
+    auto* choice = new QHBoxLayout;
+    choice->addWidget(m_measureLabel);
+    choice->addWidget(m_measure, 1);
+    m_picture = base::named<base::SvgView>("sweepPicture", middle);
+    m_table = base::named<QTableWidget>("sweepCells", middle);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setShowGrid(false);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    auto* parts = new QSplitter(Qt::Vertical, middle);
+    parts->setChildrenCollapsible(false);
+    parts->addWidget(m_picture);
+    parts->addWidget(m_table);
+    parts->setStretchFactor(0, 3);
+    parts->setStretchFactor(1, 1);
+    auto* results = new QWidget(middle);
+    auto* resultsLayout = new QVBoxLayout(results);
+    resultsLayout->setContentsMargins(0, 0, 0, 0);
+    resultsLayout->addLayout(choice);
+    resultsLayout->addWidget(parts, 1);
+    m_empty = new chrome::EmptyState(base::Icon::cost, middle);
+    m_startEmpty = m_empty->addAction(QString(), QString());
+    m_startEmpty->setObjectName(QStringLiteral("startSweepEmpty"));
+    m_pages = new QStackedWidget(middle);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(results);
+    auto* layout = new QVBoxLayout(middle);
+    const int margin = base::grid(middle, 2);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setSpacing(base::grid(middle));
+    base::addWidgets(layout, {m_title, m_about, m_pages});
+    layout->setStretchFactor(m_pages, 1);
+    return middle;
+}
+
+void SweepPanel::askToOpen() {
+    base::askToOpen(this, {.title = tr("Open a sweep"), .filters = {tr("Sweeps (*.toml)")}},
+                    [this](const QString& path) { m_running->open(path); });
+}
+
+void SweepPanel::askToStart() {
+    base::askForFolder(this,
+                       {.title = tr("Empty folder for the results, or one of this sweep to go on with")},
+                       [this](const QString& folder) { m_running->start(folder); });
+}
+
+void SweepPanel::showSweep() {
+    const ShownSweep* shown = m_running->shown();
+    const bool has = shown != nullptr && shown->results && !shown->results->measures.empty();
+    const QString before = m_measure->currentText();
+    const QSignalBlocker quiet(m_measure);
+    m_measure->clear();
+    if (shown != nullptr) {
+        m_title->setText(QString::fromStdString(shown->plan.subject));
+        QString about = tr("%1 cells, each with %2 seeds: %3 runs.")
+                            .arg(shown->plan.cells())
+                            .arg(shown->plan.seeds())
+                            .arg(shown->plan.runs());
+        if (shown->results)
+            about += QLatin1Char(' ') + tr("%1 done, %2 failed, in %3.")
+                                            .arg(shown->results->done)
+                                            .arg(shown->results->failed)
+                                            .arg(shown->folder);
+        m_about->setText(about);
+        if (has)
+            for (const std::string& measure : shown->results->measures)
+                m_measure->addItem(QString::fromStdString(measure));
+    }
+    m_measure->setCurrentIndex(std::max(0, m_measure->findText(before)));
+    m_pages->setCurrentIndex(has ? 1 : 0);
+    showMeasure();
+    showRunning();
+}
+
+void SweepPanel::showMeasure() {
+    const ShownSweep* shown = m_running->shown();
+    const int index = m_measure->currentIndex();
+    if (shown == nullptr || !shown->results || index < 0) {
+        m_picture->setPicture(std::nullopt);
+        m_table->setRowCount(0);
+        return;
+    }
+    const sweep::SweepPlan& plan = shown->plan;
+    const sweep::SweepResults& results = *shown->results;
+    const auto measure = static_cast<std::size_t>(index);
+    if (auto picture = sweep::sweepFigure(plan, results, measure))
+        m_picture->setPicture(base::SvgView::Picture{
+            m_measure->currentText(), tr("%1 over the cells of the sweep").arg(m_measure->currentText()),
+            std::move(*picture), QString()});
+    else
+        m_picture->setPicture(std::nullopt);
+    QStringList headers;
+    for (const std::string& key : plan.keys())
+        headers << QString::fromStdString(key.substr(key.rfind('.') + 1));
+    headers << tr("Runs") << tr("Failed") << tr("Mean") << tr("Spread") << tr("95 % from") << tr("95 % to");
+    m_table->setColumnCount(static_cast<int>(headers.size()));
+    m_table->setHorizontalHeaderLabels(headers);
+    m_table->setRowCount(std::min<int>(kMostRows, static_cast<int>(results.cells.size())));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const sweep::CellResult& cell = results.cells[static_cast<std::size_t>(row)];
+        const sweep::CellMeasure& value = cell.measures[measure];
+        int column = 0;
+        const auto set = [&](const QString& text) {
+            auto* item = new QTableWidgetItem(text);
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            m_table->setItem(row, column++, item);
+        };
+        for (const auto& [key, setting] : plan.settingsOf(cell.cell))
+            set(QString::fromStdString(core::plainText(setting)));
+        set(QString::number(cell.runs));
+        set(QString::number(cell.failed));
+        set(numberText(value.mean));
+        set(numberText(value.sd));
+        set(numberText(value.low95));
+        set(numberText(value.high95));
+    }
+}
+
+void SweepPanel::showRunning() {
+    const bool running = m_running->isRunning();
+    m_start->setEnabled(!running && m_running->shown() != nullptr);
+    m_startEmpty->setEnabled(m_start->isEnabled());
+    m_list->setEnabled(!running);
+    m_open->setEnabled(!running);
+    m_openResults->setEnabled(!running);
+    m_cancel->setVisible(running);
+    m_cancel->setEnabled(!m_running->isCancelled());
+    m_progress->setVisible(running);
+    if (!running) {
+        m_progress->setValue(0);
+        m_progressText->clear();
+    } else {
+        m_progressText->setText(m_running->isCancelled() ? tr("The runs that are under way end\u2026")
+                                                         : tr("Checking every cell\u2026"));
+    }
+    if (m_running->shown() == nullptr)
+        m_empty->setTexts(tr("No sweep is open"), tr("Choose one on the left, or open a file."));
+    else
+        m_empty->setTexts(tr("No results yet"),
+                          tr("A sweep runs a scene over a grid of settings and seeds, and keeps every run."));
+}
+
+void SweepPanel::tick() {
+    if (m_running->isCancelled())
+        return;
+    const auto progress = m_running->progress();
+    if (!progress || progress->all == 0)
+        return;
+    m_progress->setValue(static_cast<int>(1000 * progress->done / progress->all));
+    m_progressText->setText(tr("%1 of %2 runs, %3 failed, %4 left")
+                                .arg(progress->done)
+                                .arg(progress->all)
+                                .arg(progress->failed)
+                                .arg(leftText(progress->left_s)));
+}
+
+void SweepPanel::retranslate() {
+    m_heading->setText(tr("Sweeps"));
+    m_list->setAccessibleName(tr("Sweeps that come with the program"));
+    m_open->setText(tr("&Open a sweep\u2026"));
+    m_openResults->setText(tr("Open &results\u2026"));
+    m_start->setText(tr("&Start\u2026"));
+    m_startEmpty->setText(tr("Start the sweep\u2026"));
+    m_cancel->setText(tr("&Cancel"));
+    m_measureLabel->setText(tr("&Measure"));
+    m_picture->setAccessibleName(tr("Chart of a measure over the cells"));
+    m_table->setAccessibleName(tr("Cells with their settings and the measure"));
+    showSweep();
+}
+
+} // namespace teleta::console
