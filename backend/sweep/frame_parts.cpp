@@ -64,7 +64,7 @@ core::Expected<void> FrameParts::write(const std::string& path) {
                             NpzArray("run", {n}, whole(m_runs)),
                             NpzArray("cell", {n}, whole(m_cells)),
                             NpzArray("seed", {n}, whole(m_seeds)),
-                            NpzArray("time_s", {n}, real(m_time_s)),
+                            NpzArray("run_time_s", {n}, real(m_time_s)),
                             NpzArray("contact_begin", {n + 1}, whole(m_begin)),
                             NpzArray("contact_place_m", {m, 2}, real(m_place_m)),
                             NpzArray("contact_force_N", {m}, real(m_force_N)),

@@ -17,7 +17,7 @@ inline constexpr std::size_t kFramesOfPart = 50'000;
 
 /// Labelled tactile frames of runs, as an npz file. n frames of t taxels with m contacts in all:
 ///   frames (n, t) float32        values in N, row by row
-///   run, cell, seed (n) int64    time_s (n) float64
+///   run, cell, seed (n) int64    run_time_s (n) float64
 ///   contact_begin (n + 1) int64  the contacts of frame i are contact_begin[i] to contact_begin[i + 1] - 1
 ///   contact_place_m (m, 2) float64, contact_force_N (m) float64, contact_normal (m, 3) float64 in {array}
 ///   contact_object, contact_identity (m) int64

@@ -137,9 +137,10 @@ TEST_F(SweepCommand, countsFailedRunsAgainstWhatIsAllowed) {
 TEST_F(SweepCommand, keepsWhatItHasWhenTheDiskIsFull) {
     const std::string small = m_folder.path("small");
     std::filesystem::create_directory(small);
-    if (mount("tmpfs", small.c_str(), "tmpfs", 0, "size=40k") != 0)
+    if (mount("tmpfs", small.c_str(), "tmpfs", 0, "size=28k") != 0)
         GTEST_SKIP() << "no file system can be mounted here";
-    const std::string file = m_folder.write("sweep.toml", kLong);
+    const std::string text = std::string(kLong).replace(std::string(kLong).find("1:60"), 4, "1:15");
+    const std::string file = m_folder.write("sweep.toml", text);
     const ProgramResult full = run({"sweep", file, "--out", small + "/s"});
     EXPECT_EQ(full.exitCode, 1);
     EXPECT_NE(full.err.find(small), std::string::npos) << full.err;
@@ -147,7 +148,7 @@ TEST_F(SweepCommand, keepsWhatItHasWhenTheDiskIsFull) {
     EXPECT_EQ(mount("tmpfs", small.c_str(), "tmpfs", MS_REMOUNT, "size=8m"), 0);
     const ProgramResult rest = run({"sweep", file, "--out", small + "/s"});
     EXPECT_EQ(rest.exitCode, 0) << rest.err;
-    EXPECT_EQ(splitCsv(readAll(small + "/s/runs.csv")).size(), 121U);
+    EXPECT_EQ(splitCsv(readAll(small + "/s/runs.csv")).size(), 31U);
     umount(small.c_str());
 }
 
@@ -169,7 +170,7 @@ loaded = numpy.diff(b) > 0
 assert a["frames"][loaded].sum(1).max() > 2.0
 assert abs(numpy.median(a["frames"][~loaded])) < 0.2
 )");
-    EXPECT_EQ(std::system(("python3 " + check + " " + m_folder.path("out/frames/0000.npz")).c_str()), 0);
+    EXPECT_EQ(std::system(("/usr/bin/python3 " + check + " " + m_folder.path("out/frames/0000.npz")).c_str()), 0);
     EXPECT_EQ(run({"features", m_folder.path("out/frames/0000.npz"), "--rate", "200"}).exitCode, 0);
     EXPECT_EQ(run({"sweep", m_folder.write("arm.toml", "[sweep]\nscene = \"teleta-touch\"\n"), "--out",
                    m_folder.path("arm"), "--frames", "npz"})

@@ -56,6 +56,7 @@ SlurmctldHost=$host(127.0.0.1)
 SlurmctldPort=$port
 SlurmdPort=$((port + 1))
 AuthType=auth/munge
+AuthInfo=cred_expire=5
 SlurmUser=root
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none

@@ -85,7 +85,7 @@ protected:
     }
     std::string queue() const { return outputOf("squeue --noheader --array --me --format=%T"); }
 
-    static constexpr const char* kSweep = "[sweep]\nscene = \"tactile-two-contacts\"\nseeds = \"1:40\"\n"
+    static constexpr const char* kSweep = "[sweep]\nscene = \"tactile-two-contacts\"\nseeds = \"1:20\"\n"
                                           "[sweep.vary]\n\"effect.noise.sd_N\" = [0.005, 0.03, 0.06]\n";
     static inline TemporaryFolder* s_cluster = nullptr;
     static inline int s_started = 0;
@@ -108,13 +108,13 @@ TEST_F(Slurm, givesTheResultsOfOneMachine) {
 
 TEST_F(Slurm, saysWhichJobRunsAndMergesByItself) {
     const ProgramResult result =
-        sweep({"--out", m_folder.path("s"), "--slurm", "--runs-per-task", "40", "--json"});
+        sweep({"--out", m_folder.path("s"), "--slurm", "--runs-per-task", "20", "--json"});
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const json submitted = json::parse(result.out);
     EXPECT_EQ(submitted["tasks"], 3);
     EXPECT_NE(submitted["array"], submitted["merge"]);
     ASSERT_TRUE(within([&] { return std::filesystem::exists(m_folder.path("s/cells.csv")); }));
-    EXPECT_EQ(done("s"), 120U);
+    EXPECT_EQ(done("s"), 60U);
 }
 
 TEST_F(Slurm, losesNothingWhenTasksAreKilledAndRequeued) {
