@@ -4867,6 +4867,33 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>LadderSweep</name>
+    <message>
+        <source>there is no such rung</source>
+        <translation>cet échelon n’existe pas</translation>
+    </message>
+    <message>
+        <source>there is no ladder &quot;%1&quot;</source>
+        <translation>il n’y a pas d’échelle «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>l’un de&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>unknown key &quot;%1&quot;</source>
+        <translation>clé inconnue «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>rung</source>
+        <translation>rung</translation>
+    </message>
+    <message>
+        <source>there is no rung &quot;%1&quot;</source>
+        <translation>il n’y a pas d’échelon «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
     <name>LanguageMenu</name>
     <message>
         <source>Lan&amp;guage</source>
@@ -9483,6 +9510,25 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>Slurm</name>
+    <message>
+        <source>the program %1 of Slurm is not there</source>
+        <translation>le programme %1 de Slurm n’est pas là</translation>
+    </message>
+    <message>
+        <source>the package slurm-client, or a login node of the cluster</source>
+        <translation>le paquet slurm-client, ou un nœud de connexion de la grappe</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 ne répond pas</translation>
+    </message>
+    <message>
+        <source>%1 refuses: %2</source>
+        <translation>%1 refuse&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
@@ -12087,6 +12133,25 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>StudySweep</name>
+    <message>
+        <source>&quot;participants&quot; is out of range</source>
+        <translation>«&#xa0;participants&#xa0;» est hors de l’intervalle</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 1000</source>
+        <translation>un entier de 1 à 1000</translation>
+    </message>
+    <message>
+        <source>unknown key &quot;%1&quot;</source>
+        <translation>clé inconnue «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>participants, or a key behind &quot;truth.&quot; or &quot;protocol.&quot;</source>
+        <translation>participants, ou une clé après «&#xa0;truth.&#xa0;» ou «&#xa0;protocol.&#xa0;»</translation>
+    </message>
+</context>
+<context>
     <name>StudyTruth</name>
     <message>
         <source>cannot open the truth: %1</source>
@@ -12137,6 +12202,350 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Results of the study</source>
         <translation>Résultats de l’étude</translation>
+    </message>
+</context>
+<context>
+    <name>SweepCommand</name>
+    <message>
+        <source>Sweep file: what runs, with which settings and seeds</source>
+        <translation>Fichier de balayage&#xa0;: ce qui s’exécute, avec quels réglages et quelles graines</translation>
+    </message>
+    <message>
+        <source>Folder for runs.csv, cells.csv, figures and sweep.json; a sweep that was interrupted goes on in it</source>
+        <translation>Dossier pour runs.csv, cells.csv, figures et sweep.json&#xa0;; un balayage interrompu y reprend</translation>
+    </message>
+    <message>
+        <source>Runs at the same time; otherwise as many as the machine has cores</source>
+        <translation>Exécutions simultanées&#xa0;; sinon autant que la machine a de cœurs</translation>
+    </message>
+    <message>
+        <source>Throw away what the folder has of an earlier sweep</source>
+        <translation>Jeter ce que le dossier contient d’un balayage antérieur</translation>
+    </message>
+    <message>
+        <source>Share of the runs that may fail before this counts as an error</source>
+        <translation>Part des exécutions qui peuvent échouer avant que cela compte comme erreur</translation>
+    </message>
+    <message>
+        <source>Write the tactile frames with contacts, forces and objects to DIR/frames</source>
+        <translation>Écrire les images tactiles avec contacts, forces et objets dans DIR/frames</translation>
+    </message>
+    <message>
+        <source>Say how far the sweep in this folder has come</source>
+        <translation>Dire où en est le balayage de ce dossier</translation>
+    </message>
+    <message>
+        <source>Only merge the results that are there, as each run of this command does at its end</source>
+        <translation>Fusionner seulement les résultats présents, comme chaque exécution de cette commande le fait à la fin</translation>
+    </message>
+    <message>
+        <source>Run it as an array of jobs of Slurm on a cluster</source>
+        <translation>L’exécuter comme tableau de travaux Slurm sur une grappe de calcul</translation>
+    </message>
+    <message>
+        <source>Of Slurm: tasks of the array</source>
+        <translation>De Slurm&#xa0;: tâches du tableau</translation>
+    </message>
+    <message>
+        <source>Of Slurm: runs of one task</source>
+        <translation>De Slurm&#xa0;: exécutions d’une tâche</translation>
+    </message>
+    <message>
+        <source>Of Slurm: an option of sbatch, such as --partition=short; may come again</source>
+        <translation>De Slurm&#xa0;: une option de sbatch, comme --partition=short&#xa0;; peut être répétée</translation>
+    </message>
+    <message>
+        <source>Of Slurm: wait until all is done and merged</source>
+        <translation>De Slurm&#xa0;: attendre que tout soit fait et fusionné</translation>
+    </message>
+    <message>
+        <source>Do the share of this task of --tasks, from 0, as the jobs of Slurm do</source>
+        <translation>Faire la part de cette tâche parmi --tasks, à partir de 0, comme les travaux de Slurm</translation>
+    </message>
+    <message>
+        <source>is required</source>
+        <translation>est requis</translation>
+    </message>
+    <message>
+        <source>is not below the number of tasks, %1</source>
+        <translation>n’est pas inférieur au nombre de tâches, %1</translation>
+    </message>
+    <message>
+        <source>is for scenes of an array or a servo</source>
+        <translation>est pour les scènes d’une matrice ou d’un asservissement</translation>
+    </message>
+    <message>
+        <source>a sweep file, or one of: %1</source>
+        <translation>un fichier de balayage, ou l’un de&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are missing</source>
+        <translation>%1 exécutions sur %2 manquent</translation>
+    </message>
+    <message>
+        <source>the same command without --merge, which goes on with them</source>
+        <translation>la même commande sans --merge, qui les reprend</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs failed; runs.csv has the reasons</source>
+        <translation>%1 exécutions sur %2 ont échoué&#xa0;; runs.csv donne les raisons</translation>
+    </message>
+    <message>
+        <source>at most %1 (see --allow-failed)</source>
+        <translation>au plus %1 (voir --allow-failed)</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Travail</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tâches</translation>
+    </message>
+    <message>
+        <source>Merging job</source>
+        <translation>Travail de fusion</translation>
+    </message>
+    <message>
+        <source>How far it is</source>
+        <translation>Où il en est</translation>
+    </message>
+    <message>
+        <source>Run a scene over a grid of settings and seeds, here or on a cluster</source>
+        <translation>Exécuter une scène sur une grille de réglages et de graines, ici ou sur une grappe de calcul</translation>
+    </message>
+</context>
+<context>
+    <name>SweepFigure</name>
+    <message>
+        <source>Bars: Wilson&apos;s 95 % interval of the share.</source>
+        <translation>Barres&#xa0;: intervalle de Wilson à 95&#xa0;% de la part.</translation>
+    </message>
+    <message>
+        <source>Points: means with their 95 % interval. Dotted: 5 and 95 % of the runs.</source>
+        <translation>Points&#xa0;: moyennes avec leur intervalle à 95&#xa0;%. Pointillés&#xa0;: 5 et 95&#xa0;% des exécutions.</translation>
+    </message>
+    <message>
+        <source>Means. The first %1 of %2 maps.</source>
+        <translation>Moyennes. Les %1 premières de %2 cartes.</translation>
+    </message>
+    <message>
+        <source>Means. Crossed out: no run has it.</source>
+        <translation>Moyennes. Barré&#xa0;: aucune exécution ne l’a.</translation>
+    </message>
+</context>
+<context>
+    <name>SweepFolder</name>
+    <message>
+        <source>line %1 was &quot;%2&quot; and is &quot;%3&quot;</source>
+        <translation>la ligne %1 était «&#xa0;%2&#xa0;» et est «&#xa0;%3&#xa0;»</translation>
+    </message>
+    <message>
+        <source>only the spaces differ</source>
+        <translation>seuls les espaces diffèrent</translation>
+    </message>
+    <message>
+        <source>earlier results cannot be removed</source>
+        <translation>les résultats antérieurs ne peuvent pas être supprimés</translation>
+    </message>
+    <message>
+        <source>what it runs has changed, %1</source>
+        <translation>ce qu’il exécute a changé, %1</translation>
+    </message>
+    <message>
+        <source>they are of version %1, this is %2</source>
+        <translation>ils sont de la version %1, celle-ci est %2</translation>
+    </message>
+    <message>
+        <source>they have frames</source>
+        <translation>ils ont des images tactiles</translation>
+    </message>
+    <message>
+        <source>they have no frames</source>
+        <translation>ils n’ont pas d’images tactiles</translation>
+    </message>
+    <message>
+        <source>the folder holds other files</source>
+        <translation>le dossier contient d’autres fichiers</translation>
+    </message>
+    <message>
+        <source>a new or empty folder, or one of a sweep</source>
+        <translation>un dossier nouveau ou vide, ou celui d’un balayage</translation>
+    </message>
+    <message>
+        <source>this describes no sweep</source>
+        <translation>cela ne décrit aucun balayage</translation>
+    </message>
+    <message>
+        <source>a file that teleta sweep has written</source>
+        <translation>un fichier écrit par teleta sweep</translation>
+    </message>
+</context>
+<context>
+    <name>SweepFolderText</name>
+    <message>
+        <source>the folder holds results of another sweep: %1</source>
+        <translation>le dossier contient les résultats d’un autre balayage&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>another folder, or --restart, which throws these results away</source>
+        <translation>un autre dossier, ou --restart, qui jette ces résultats</translation>
+    </message>
+</context>
+<context>
+    <name>SweepParts</name>
+    <message>
+        <source>the file cannot be made: %1</source>
+        <translation>le fichier ne peut pas être créé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>this is no part of a sweep</source>
+        <translation>ce n’est pas une partie d’un balayage</translation>
+    </message>
+    <message>
+        <source>this is no row of a sweep</source>
+        <translation>ce n’est pas une ligne d’un balayage</translation>
+    </message>
+    <message>
+        <source>the number of a run and its times</source>
+        <translation>le numéro d’une exécution et ses temps</translation>
+    </message>
+    <message>
+        <source>this is no number</source>
+        <translation>ce n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a number or NA</source>
+        <translation>un nombre ou NA</translation>
+    </message>
+    <message>
+        <source>a part has the run %1</source>
+        <translation>une partie contient l’exécution %1</translation>
+    </message>
+    <message>
+        <source>runs from 0 to %1</source>
+        <translation>les exécutions de 0 à %1</translation>
+    </message>
+</context>
+<context>
+    <name>SweepPlan</name>
+    <message>
+        <source>a range with scale &quot;log10&quot; reaches 0 or below</source>
+        <translation>un intervalle d’échelle «&#xa0;log10&#xa0;» atteint 0 ou moins</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is varied twice</source>
+        <translation>la clé «&#xa0;%1&#xa0;» varie deux fois</translation>
+    </message>
+    <message>
+        <source>each key once</source>
+        <translation>chaque clé une fois</translation>
+    </message>
+    <message>
+        <source>keys that go together have unlike numbers of values: %1 and %2</source>
+        <translation>des clés qui vont ensemble ont des nombres de valeurs différents&#xa0;: %1 et %2</translation>
+    </message>
+    <message>
+        <source>%1 values, as the first key has</source>
+        <translation>%1 valeurs, comme la première clé</translation>
+    </message>
+    <message>
+        <source>a sweep runs one thing</source>
+        <translation>un balayage exécute une seule chose</translation>
+    </message>
+    <message>
+        <source>one of: scene, study, ladder</source>
+        <translation>l’un de&#xa0;: scene, study, ladder</translation>
+    </message>
+    <message>
+        <source>these are no seeds</source>
+        <translation>ce ne sont pas des graines</translation>
+    </message>
+    <message>
+        <source>&quot;FIRST:LAST&quot;, such as &quot;1:200&quot;</source>
+        <translation>«&#xa0;FIRST:LAST&#xa0;», comme «&#xa0;1:200&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the sweep has %1 runs</source>
+        <translation>le balayage a %1 exécutions</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+</context>
+<context>
+    <name>SweepReport</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs, %3 failed, %4 left</source>
+        <translation>%1 exécutions sur %2, %3 échouées, encore %4</translation>
+    </message>
+    <message>
+        <source>Worst cells so far:</source>
+        <translation>Pires cellules jusqu’ici&#xa0;:</translation>
+    </message>
+    <message>
+        <source>%1 of %2 failed; </source>
+        <translation>%1 sur %2 échouées&#xa0;; </translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Exécutions</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Échouées</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Cellules</translation>
+    </message>
+    <message>
+        <source>Processor time</source>
+        <translation>Temps de processeur</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (means of the cells)</source>
+        <translation>%1 à %2 (moyennes des cellules)</translation>
+    </message>
+</context>
+<context>
+    <name>SweepRunner</name>
+    <message>
+        <source>a run has no measure &quot;%1&quot;</source>
+        <translation>une exécution n’a pas de mesure «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>of: %1</source>
+        <translation>parmi&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>this has no frames of a tactile array</source>
+        <translation>ceci n’a pas d’images d’une matrice tactile</translation>
+    </message>
+    <message>
+        <source>a scene of an array or a servo</source>
+        <translation>une scène d’une matrice ou d’un asservissement</translation>
     </message>
 </context>
 <context>
@@ -12960,6 +13369,25 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>TomlEdit</name>
+    <message>
+        <source>there is no place for the key &quot;%1&quot;</source>
+        <translation>il n’y a pas de place pour la clé «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the entry&apos;s number or name, and a key in it</source>
+        <translation>le numéro ou le nom de l’entrée, et une clé dans celle-ci</translation>
+    </message>
+    <message>
+        <source>a number from 0 to %1</source>
+        <translation>un numéro de 0 à %1</translation>
+    </message>
+    <message>
+        <source>tables of the file, with dots between them</source>
+        <translation>des tables du fichier, séparées par des points</translation>
+    </message>
+</context>
+<context>
     <name>TomlReader</name>
     <message>
         <source>one of: %1</source>
@@ -13096,6 +13524,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>a list of texts in quotes</source>
         <translation>une liste de textes entre guillemets</translation>
+    </message>
+    <message>
+        <source>a list of one or more values</source>
+        <translation>une liste d’une ou plusieurs valeurs</translation>
+    </message>
+    <message>
+        <source>a number, a text in quotes, or true or false</source>
+        <translation>un nombre, un texte entre guillemets, ou true ou false</translation>
     </message>
 </context>
 <context>
@@ -16236,6 +16672,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Takes a few minutes; you can go on using the console</source>
         <translation>Dure quelques minutes&#xa0;; la console reste utilisable entre-temps</translation>
+    </message>
+    <message>
+        <source>Sweeps</source>
+        <translation>Balayages</translation>
     </message>
 </context>
 <context>
@@ -19769,6 +20209,148 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>a protocol that names a file for each pattern that is not built in</source>
         <translation>un protocole qui nomme un fichier pour chaque motif qui n’est pas fourni avec le programme</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SweepPanel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>Open the results of a sweep</source>
+        <translation>Ouvrir les résultats d’un balayage</translation>
+    </message>
+    <message>
+        <source>Open a sweep</source>
+        <translation>Ouvrir un balayage</translation>
+    </message>
+    <message>
+        <source>Sweeps (*.toml)</source>
+        <translation>Balayages (*.toml)</translation>
+    </message>
+    <message>
+        <source>Empty folder for the results, or one of this sweep to go on with</source>
+        <translation>Dossier vide pour les résultats, ou un dossier de ce balayage à reprendre</translation>
+    </message>
+    <message>
+        <source>%1 cells, each with %2 seeds: %3 runs.</source>
+        <translation>%1 cellules, chacune avec %2 graines&#xa0;: %3 exécutions.</translation>
+    </message>
+    <message>
+        <source>%1 done, %2 failed, in %3.</source>
+        <translation>%1 faites, %2 échouées, dans %3.</translation>
+    </message>
+    <message>
+        <source>%1 over the cells of the sweep</source>
+        <translation>%1 sur les cellules du balayage</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Exécutions</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Échouées</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Dispersion</translation>
+    </message>
+    <message>
+        <source>95 % from</source>
+        <translation>95&#xa0;% de</translation>
+    </message>
+    <message>
+        <source>95 % to</source>
+        <translation>95&#xa0;% à</translation>
+    </message>
+    <message>
+        <source>The runs that are under way end…</source>
+        <translation>Les exécutions en cours se terminent…</translation>
+    </message>
+    <message>
+        <source>Checking every cell…</source>
+        <translation>Vérification de chaque cellule…</translation>
+    </message>
+    <message>
+        <source>No sweep is open</source>
+        <translation>Aucun balayage n’est ouvert</translation>
+    </message>
+    <message>
+        <source>Choose one on the left, or open a file.</source>
+        <translation>Choisissez-en un à gauche, ou ouvrez un fichier.</translation>
+    </message>
+    <message>
+        <source>No results yet</source>
+        <translation>Pas encore de résultats</translation>
+    </message>
+    <message>
+        <source>A sweep runs a scene over a grid of settings and seeds, and keeps every run.</source>
+        <translation>Un balayage exécute une scène sur une grille de réglages et de graines, et garde chaque exécution.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs, %3 failed, %4 left</source>
+        <translation>%1 exécutions sur %2, %3 échouées, encore %4</translation>
+    </message>
+    <message>
+        <source>Sweeps</source>
+        <translation>Balayages</translation>
+    </message>
+    <message>
+        <source>Sweeps that come with the program</source>
+        <translation>Balayages fournis avec le programme</translation>
+    </message>
+    <message>
+        <source>&amp;Open a sweep…</source>
+        <translation>&amp;Ouvrir un balayage…</translation>
+    </message>
+    <message>
+        <source>Open &amp;results…</source>
+        <translation>Ouvrir des &amp;résultats…</translation>
+    </message>
+    <message>
+        <source>&amp;Start…</source>
+        <translation>&amp;Démarrer…</translation>
+    </message>
+    <message>
+        <source>Start the sweep…</source>
+        <translation>Démarrer le balayage…</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Mesure</translation>
+    </message>
+    <message>
+        <source>Chart of a measure over the cells</source>
+        <translation>Graphique d’une mesure sur les cellules</translation>
+    </message>
+    <message>
+        <source>Cells with their settings and the measure</source>
+        <translation>Cellules avec leurs réglages et la mesure</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SweepRunning</name>
+    <message>
+        <source>The sweep cannot be opened.</source>
+        <translation>Le balayage ne peut pas être ouvert.</translation>
+    </message>
+    <message>
+        <source>The sweep has failed.</source>
+        <translation>Le balayage a échoué.</translation>
     </message>
 </context>
 <context>

@@ -4852,6 +4852,33 @@ Examples:
     </message>
 </context>
 <context>
+    <name>LadderSweep</name>
+    <message>
+        <source>there is no such rung</source>
+        <translation>その段はありません</translation>
+    </message>
+    <message>
+        <source>there is no ladder &quot;%1&quot;</source>
+        <translation>はしご「%1」はありません</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>unknown key &quot;%1&quot;</source>
+        <translation>不明なキー「%1」</translation>
+    </message>
+    <message>
+        <source>rung</source>
+        <translation>rung</translation>
+    </message>
+    <message>
+        <source>there is no rung &quot;%1&quot;</source>
+        <translation>段「%1」はありません</translation>
+    </message>
+</context>
+<context>
     <name>LanguageMenu</name>
     <message>
         <source>Lan&amp;guage</source>
@@ -9460,6 +9487,25 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>Slurm</name>
+    <message>
+        <source>the program %1 of Slurm is not there</source>
+        <translation>Slurm のプログラム %1 がありません</translation>
+    </message>
+    <message>
+        <source>the package slurm-client, or a login node of the cluster</source>
+        <translation>パッケージ slurm-client、またはクラスターのログインノード</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 が応答しません</translation>
+    </message>
+    <message>
+        <source>%1 refuses: %2</source>
+        <translation>%1 が拒否しました: %2</translation>
+    </message>
+</context>
+<context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
@@ -12056,6 +12102,25 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>StudySweep</name>
+    <message>
+        <source>&quot;participants&quot; is out of range</source>
+        <translation>「participants」が範囲外です</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 1000</source>
+        <translation>1 から 1000 までの整数</translation>
+    </message>
+    <message>
+        <source>unknown key &quot;%1&quot;</source>
+        <translation>不明なキー「%1」</translation>
+    </message>
+    <message>
+        <source>participants, or a key behind &quot;truth.&quot; or &quot;protocol.&quot;</source>
+        <translation>participants、または「truth.」か「protocol.」に続くキー</translation>
+    </message>
+</context>
+<context>
     <name>StudyTruth</name>
     <message>
         <source>cannot open the truth: %1</source>
@@ -12106,6 +12171,350 @@ Run teleta-site --help for more.
     <message>
         <source>Results of the study</source>
         <translation>実験の結果</translation>
+    </message>
+</context>
+<context>
+    <name>SweepCommand</name>
+    <message>
+        <source>Sweep file: what runs, with which settings and seeds</source>
+        <translation>スイープのファイル: 何をどの設定とシードで実行するか</translation>
+    </message>
+    <message>
+        <source>Folder for runs.csv, cells.csv, figures and sweep.json; a sweep that was interrupted goes on in it</source>
+        <translation>runs.csv、cells.csv、figures、sweep.json のフォルダー。中断したスイープはここで続きます</translation>
+    </message>
+    <message>
+        <source>Runs at the same time; otherwise as many as the machine has cores</source>
+        <translation>同時に行う実行の数。なければマシンのコアの数</translation>
+    </message>
+    <message>
+        <source>Throw away what the folder has of an earlier sweep</source>
+        <translation>フォルダーにある以前のスイープの結果を捨てる</translation>
+    </message>
+    <message>
+        <source>Share of the runs that may fail before this counts as an error</source>
+        <translation>エラーとみなさずに失敗してよい実行の割合</translation>
+    </message>
+    <message>
+        <source>Write the tactile frames with contacts, forces and objects to DIR/frames</source>
+        <translation>触覚フレームを接触、力、物体とともに DIR/frames に書く</translation>
+    </message>
+    <message>
+        <source>Say how far the sweep in this folder has come</source>
+        <translation>このフォルダーのスイープの進み具合を示す</translation>
+    </message>
+    <message>
+        <source>Only merge the results that are there, as each run of this command does at its end</source>
+        <translation>今ある結果をまとめるだけにする。このコマンドは毎回最後にこれを行います</translation>
+    </message>
+    <message>
+        <source>Run it as an array of jobs of Slurm on a cluster</source>
+        <translation>クラスターの Slurm のジョブ配列として実行する</translation>
+    </message>
+    <message>
+        <source>Of Slurm: tasks of the array</source>
+        <translation>Slurm: 配列のタスク数</translation>
+    </message>
+    <message>
+        <source>Of Slurm: runs of one task</source>
+        <translation>Slurm: 1 つのタスクの実行数</translation>
+    </message>
+    <message>
+        <source>Of Slurm: an option of sbatch, such as --partition=short; may come again</source>
+        <translation>Slurm: --partition=short のような sbatch のオプション。繰り返し指定できます</translation>
+    </message>
+    <message>
+        <source>Of Slurm: wait until all is done and merged</source>
+        <translation>Slurm: すべてが終わり、まとめられるまで待つ</translation>
+    </message>
+    <message>
+        <source>Do the share of this task of --tasks, from 0, as the jobs of Slurm do</source>
+        <translation>--tasks のうちこのタスク (0 から) の分を行う。Slurm のジョブと同じです</translation>
+    </message>
+    <message>
+        <source>is required</source>
+        <translation>が必要です</translation>
+    </message>
+    <message>
+        <source>is not below the number of tasks, %1</source>
+        <translation>タスクの数 %1 より小さくありません</translation>
+    </message>
+    <message>
+        <source>is for scenes of an array or a servo</source>
+        <translation>アレイまたはサーボのシーン用です</translation>
+    </message>
+    <message>
+        <source>a sweep file, or one of: %1</source>
+        <translation>スイープのファイル、または次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are missing</source>
+        <translation>%2 回のうち %1 回の実行がありません</translation>
+    </message>
+    <message>
+        <source>the same command without --merge, which goes on with them</source>
+        <translation>--merge なしの同じコマンド。残りを続けます</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs failed; runs.csv has the reasons</source>
+        <translation>%2 回のうち %1 回の実行が失敗しました。理由は runs.csv にあります</translation>
+    </message>
+    <message>
+        <source>at most %1 (see --allow-failed)</source>
+        <translation>多くとも %1 (--allow-failed を参照)</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>ジョブ</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>タスク</translation>
+    </message>
+    <message>
+        <source>Merging job</source>
+        <translation>まとめるジョブ</translation>
+    </message>
+    <message>
+        <source>How far it is</source>
+        <translation>進み具合</translation>
+    </message>
+    <message>
+        <source>Run a scene over a grid of settings and seeds, here or on a cluster</source>
+        <translation>設定とシードの格子でシーンを実行する。このマシンまたはクラスターで</translation>
+    </message>
+</context>
+<context>
+    <name>SweepFigure</name>
+    <message>
+        <source>Bars: Wilson&apos;s 95 % interval of the share.</source>
+        <translation>棒: 割合のウィルソンの 95 % 区間。</translation>
+    </message>
+    <message>
+        <source>Points: means with their 95 % interval. Dotted: 5 and 95 % of the runs.</source>
+        <translation>点: 平均とその 95 % 区間。点線: 実行の 5 % と 95 %。</translation>
+    </message>
+    <message>
+        <source>Means. The first %1 of %2 maps.</source>
+        <translation>平均。%2 枚の地図のうち最初の %1 枚。</translation>
+    </message>
+    <message>
+        <source>Means. Crossed out: no run has it.</source>
+        <translation>平均。斜線: どの実行にもありません。</translation>
+    </message>
+</context>
+<context>
+    <name>SweepFolder</name>
+    <message>
+        <source>line %1 was &quot;%2&quot; and is &quot;%3&quot;</source>
+        <translation>%1 行目は「%2」でしたが「%3」になっています</translation>
+    </message>
+    <message>
+        <source>only the spaces differ</source>
+        <translation>空白だけが異なります</translation>
+    </message>
+    <message>
+        <source>earlier results cannot be removed</source>
+        <translation>以前の結果を削除できません</translation>
+    </message>
+    <message>
+        <source>what it runs has changed, %1</source>
+        <translation>実行するものが変わりました。%1</translation>
+    </message>
+    <message>
+        <source>they are of version %1, this is %2</source>
+        <translation>結果はバージョン %1、これは %2 です</translation>
+    </message>
+    <message>
+        <source>they have frames</source>
+        <translation>フレームがあります</translation>
+    </message>
+    <message>
+        <source>they have no frames</source>
+        <translation>フレームがありません</translation>
+    </message>
+    <message>
+        <source>the folder holds other files</source>
+        <translation>フォルダーに他のファイルがあります</translation>
+    </message>
+    <message>
+        <source>a new or empty folder, or one of a sweep</source>
+        <translation>新しいか空のフォルダー、またはスイープのフォルダー</translation>
+    </message>
+    <message>
+        <source>this describes no sweep</source>
+        <translation>これはスイープの記述ではありません</translation>
+    </message>
+    <message>
+        <source>a file that teleta sweep has written</source>
+        <translation>teleta sweep が書いたファイル</translation>
+    </message>
+</context>
+<context>
+    <name>SweepFolderText</name>
+    <message>
+        <source>the folder holds results of another sweep: %1</source>
+        <translation>フォルダーには別のスイープの結果があります: %1</translation>
+    </message>
+    <message>
+        <source>another folder, or --restart, which throws these results away</source>
+        <translation>別のフォルダー、またはこの結果を捨てる --restart</translation>
+    </message>
+</context>
+<context>
+    <name>SweepParts</name>
+    <message>
+        <source>the file cannot be made: %1</source>
+        <translation>ファイルを作れません: %1</translation>
+    </message>
+    <message>
+        <source>this is no part of a sweep</source>
+        <translation>これはスイープの部分ではありません</translation>
+    </message>
+    <message>
+        <source>this is no row of a sweep</source>
+        <translation>これはスイープの行ではありません</translation>
+    </message>
+    <message>
+        <source>the number of a run and its times</source>
+        <translation>実行の番号とその時間</translation>
+    </message>
+    <message>
+        <source>this is no number</source>
+        <translation>これは数ではありません</translation>
+    </message>
+    <message>
+        <source>a number or NA</source>
+        <translation>数または NA</translation>
+    </message>
+    <message>
+        <source>a part has the run %1</source>
+        <translation>部分に実行 %1 があります</translation>
+    </message>
+    <message>
+        <source>runs from 0 to %1</source>
+        <translation>0 から %1 までの実行</translation>
+    </message>
+</context>
+<context>
+    <name>SweepPlan</name>
+    <message>
+        <source>a range with scale &quot;log10&quot; reaches 0 or below</source>
+        <translation>scale が「log10」の範囲が 0 以下に達します</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is varied twice</source>
+        <translation>キー「%1」が 2 回変えられています</translation>
+    </message>
+    <message>
+        <source>each key once</source>
+        <translation>各キーは 1 回</translation>
+    </message>
+    <message>
+        <source>keys that go together have unlike numbers of values: %1 and %2</source>
+        <translation>一緒に変わるキーの値の数が異なります: %1 と %2</translation>
+    </message>
+    <message>
+        <source>%1 values, as the first key has</source>
+        <translation>最初のキーと同じ %1 個の値</translation>
+    </message>
+    <message>
+        <source>a sweep runs one thing</source>
+        <translation>スイープが実行するのは 1 つです</translation>
+    </message>
+    <message>
+        <source>one of: scene, study, ladder</source>
+        <translation>scene、study、ladder のいずれか</translation>
+    </message>
+    <message>
+        <source>these are no seeds</source>
+        <translation>これはシードではありません</translation>
+    </message>
+    <message>
+        <source>&quot;FIRST:LAST&quot;, such as &quot;1:200&quot;</source>
+        <translation>「FIRST:LAST」、例えば「1:200」</translation>
+    </message>
+    <message>
+        <source>the sweep has %1 runs</source>
+        <translation>スイープの実行は %1 回です</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>多くとも %1</translation>
+    </message>
+</context>
+<context>
+    <name>SweepReport</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 時間 %2 分</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs, %3 failed, %4 left</source>
+        <translation>%2 回中 %1 回、失敗 %3、残り %4</translation>
+    </message>
+    <message>
+        <source>Worst cells so far:</source>
+        <translation>これまでで最も悪いセル:</translation>
+    </message>
+    <message>
+        <source>%1 of %2 failed; </source>
+        <translation>%2 回中 %1 回失敗; </translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>実行</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>セル</translation>
+    </message>
+    <message>
+        <source>Processor time</source>
+        <translation>プロセッサー時間</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (means of the cells)</source>
+        <translation>%1 ～ %2 (セルの平均)</translation>
+    </message>
+</context>
+<context>
+    <name>SweepRunner</name>
+    <message>
+        <source>a run has no measure &quot;%1&quot;</source>
+        <translation>実行に測定値「%1」がありません</translation>
+    </message>
+    <message>
+        <source>of: %1</source>
+        <translation>次のうち: %1</translation>
+    </message>
+    <message>
+        <source>this has no frames of a tactile array</source>
+        <translation>これには触覚アレイのフレームがありません</translation>
+    </message>
+    <message>
+        <source>a scene of an array or a servo</source>
+        <translation>アレイまたはサーボのシーン</translation>
     </message>
 </context>
 <context>
@@ -12929,6 +13338,25 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>TomlEdit</name>
+    <message>
+        <source>there is no place for the key &quot;%1&quot;</source>
+        <translation>キー「%1」の場所がありません</translation>
+    </message>
+    <message>
+        <source>the entry&apos;s number or name, and a key in it</source>
+        <translation>項目の番号または名前と、その中のキー</translation>
+    </message>
+    <message>
+        <source>a number from 0 to %1</source>
+        <translation>0 から %1 までの番号</translation>
+    </message>
+    <message>
+        <source>tables of the file, with dots between them</source>
+        <translation>ファイルの表を点でつないだもの</translation>
+    </message>
+</context>
+<context>
     <name>TomlReader</name>
     <message>
         <source>one of: %1</source>
@@ -13065,6 +13493,14 @@ Run teleta-site --help for more.
     <message>
         <source>a list of texts in quotes</source>
         <translation>引用符で囲んだテキストのリスト</translation>
+    </message>
+    <message>
+        <source>a list of one or more values</source>
+        <translation>1 つ以上の値のリスト</translation>
+    </message>
+    <message>
+        <source>a number, a text in quotes, or true or false</source>
+        <translation>数、引用符で囲んだテキスト、または true か false</translation>
     </message>
 </context>
 <context>
@@ -16190,6 +16626,10 @@ Run teleta-site --help for more.
     <message>
         <source>Takes a few minutes; you can go on using the console</source>
         <translation>数分かかります。その間もコンソールを使えます</translation>
+    </message>
+    <message>
+        <source>Sweeps</source>
+        <translation>スイープ</translation>
     </message>
 </context>
 <context>
@@ -19712,6 +20152,148 @@ Run teleta-site --help for more.
     <message>
         <source>a protocol that names a file for each pattern that is not built in</source>
         <translation>プログラムに付属していない各パターンのファイルを指定したプロトコル</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SweepPanel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>Open the results of a sweep</source>
+        <translation>スイープの結果を開く</translation>
+    </message>
+    <message>
+        <source>Open a sweep</source>
+        <translation>スイープを開く</translation>
+    </message>
+    <message>
+        <source>Sweeps (*.toml)</source>
+        <translation>スイープ (*.toml)</translation>
+    </message>
+    <message>
+        <source>Empty folder for the results, or one of this sweep to go on with</source>
+        <translation>結果のための空のフォルダー、または続けるこのスイープのフォルダー</translation>
+    </message>
+    <message>
+        <source>%1 cells, each with %2 seeds: %3 runs.</source>
+        <translation>%1 セル、それぞれ %2 シード: %3 回の実行。</translation>
+    </message>
+    <message>
+        <source>%1 done, %2 failed, in %3.</source>
+        <translation>%1 回済み、失敗 %2、%3 にあります。</translation>
+    </message>
+    <message>
+        <source>%1 over the cells of the sweep</source>
+        <translation>スイープのセルでの %1</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>実行</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>ばらつき</translation>
+    </message>
+    <message>
+        <source>95 % from</source>
+        <translation>95 % 下限</translation>
+    </message>
+    <message>
+        <source>95 % to</source>
+        <translation>95 % 上限</translation>
+    </message>
+    <message>
+        <source>The runs that are under way end…</source>
+        <translation>進行中の実行が終わります…</translation>
+    </message>
+    <message>
+        <source>Checking every cell…</source>
+        <translation>すべてのセルを検査中…</translation>
+    </message>
+    <message>
+        <source>No sweep is open</source>
+        <translation>スイープは開かれていません</translation>
+    </message>
+    <message>
+        <source>Choose one on the left, or open a file.</source>
+        <translation>左で選ぶか、ファイルを開いてください。</translation>
+    </message>
+    <message>
+        <source>No results yet</source>
+        <translation>まだ結果がありません</translation>
+    </message>
+    <message>
+        <source>A sweep runs a scene over a grid of settings and seeds, and keeps every run.</source>
+        <translation>スイープは設定とシードの格子でシーンを実行し、すべての実行を残します。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs, %3 failed, %4 left</source>
+        <translation>%2 回中 %1 回、失敗 %3、残り %4</translation>
+    </message>
+    <message>
+        <source>Sweeps</source>
+        <translation>スイープ</translation>
+    </message>
+    <message>
+        <source>Sweeps that come with the program</source>
+        <translation>プログラムに付属のスイープ</translation>
+    </message>
+    <message>
+        <source>&amp;Open a sweep…</source>
+        <translation>スイープを開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;results…</source>
+        <translation>結果を開く(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Start…</source>
+        <translation>開始(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Start the sweep…</source>
+        <translation>スイープを開始…</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>測定値(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Chart of a measure over the cells</source>
+        <translation>セルでの測定値の図</translation>
+    </message>
+    <message>
+        <source>Cells with their settings and the measure</source>
+        <translation>セルとその設定と測定値</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SweepRunning</name>
+    <message>
+        <source>The sweep cannot be opened.</source>
+        <translation>スイープを開けません。</translation>
+    </message>
+    <message>
+        <source>The sweep has failed.</source>
+        <translation>スイープが失敗しました。</translation>
     </message>
 </context>
 <context>

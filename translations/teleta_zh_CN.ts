@@ -4852,6 +4852,33 @@ Examples:
     </message>
 </context>
 <context>
+    <name>LadderSweep</name>
+    <message>
+        <source>there is no such rung</source>
+        <translation>没有这一级</translation>
+    </message>
+    <message>
+        <source>there is no ladder &quot;%1&quot;</source>
+        <translation>没有阶梯“%1”</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>以下之一：%1</translation>
+    </message>
+    <message>
+        <source>unknown key &quot;%1&quot;</source>
+        <translation>未知的键“%1”</translation>
+    </message>
+    <message>
+        <source>rung</source>
+        <translation>rung</translation>
+    </message>
+    <message>
+        <source>there is no rung &quot;%1&quot;</source>
+        <translation>没有级“%1”</translation>
+    </message>
+</context>
+<context>
     <name>LanguageMenu</name>
     <message>
         <source>Lan&amp;guage</source>
@@ -9460,6 +9487,25 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>Slurm</name>
+    <message>
+        <source>the program %1 of Slurm is not there</source>
+        <translation>没有 Slurm 的程序 %1</translation>
+    </message>
+    <message>
+        <source>the package slurm-client, or a login node of the cluster</source>
+        <translation>软件包 slurm-client，或集群的登录节点</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 没有应答</translation>
+    </message>
+    <message>
+        <source>%1 refuses: %2</source>
+        <translation>%1 拒绝：%2</translation>
+    </message>
+</context>
+<context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
@@ -12056,6 +12102,25 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>StudySweep</name>
+    <message>
+        <source>&quot;participants&quot; is out of range</source>
+        <translation>“participants”超出范围</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 1000</source>
+        <translation>1 到 1000 的整数</translation>
+    </message>
+    <message>
+        <source>unknown key &quot;%1&quot;</source>
+        <translation>未知的键“%1”</translation>
+    </message>
+    <message>
+        <source>participants, or a key behind &quot;truth.&quot; or &quot;protocol.&quot;</source>
+        <translation>participants，或“truth.”或“protocol.”之后的键</translation>
+    </message>
+</context>
+<context>
     <name>StudyTruth</name>
     <message>
         <source>cannot open the truth: %1</source>
@@ -12106,6 +12171,350 @@ Run teleta-site --help for more.
     <message>
         <source>Results of the study</source>
         <translation>研究结果</translation>
+    </message>
+</context>
+<context>
+    <name>SweepCommand</name>
+    <message>
+        <source>Sweep file: what runs, with which settings and seeds</source>
+        <translation>扫描文件：运行什么，用哪些设置和种子</translation>
+    </message>
+    <message>
+        <source>Folder for runs.csv, cells.csv, figures and sweep.json; a sweep that was interrupted goes on in it</source>
+        <translation>存放 runs.csv、cells.csv、figures 和 sweep.json 的文件夹；中断的扫描在其中继续</translation>
+    </message>
+    <message>
+        <source>Runs at the same time; otherwise as many as the machine has cores</source>
+        <translation>同时进行的运行数；否则与机器的核心数相同</translation>
+    </message>
+    <message>
+        <source>Throw away what the folder has of an earlier sweep</source>
+        <translation>丢弃文件夹中先前扫描的结果</translation>
+    </message>
+    <message>
+        <source>Share of the runs that may fail before this counts as an error</source>
+        <translation>可以失败而不算错误的运行份额</translation>
+    </message>
+    <message>
+        <source>Write the tactile frames with contacts, forces and objects to DIR/frames</source>
+        <translation>把触觉帧连同接触、力和物体写入 DIR/frames</translation>
+    </message>
+    <message>
+        <source>Say how far the sweep in this folder has come</source>
+        <translation>说明此文件夹中扫描的进度</translation>
+    </message>
+    <message>
+        <source>Only merge the results that are there, as each run of this command does at its end</source>
+        <translation>仅合并已有的结果；此命令每次结束时都会这样做</translation>
+    </message>
+    <message>
+        <source>Run it as an array of jobs of Slurm on a cluster</source>
+        <translation>作为 Slurm 的作业数组在集群上运行</translation>
+    </message>
+    <message>
+        <source>Of Slurm: tasks of the array</source>
+        <translation>Slurm：数组的任务数</translation>
+    </message>
+    <message>
+        <source>Of Slurm: runs of one task</source>
+        <translation>Slurm：一个任务的运行数</translation>
+    </message>
+    <message>
+        <source>Of Slurm: an option of sbatch, such as --partition=short; may come again</source>
+        <translation>Slurm：sbatch 的选项，例如 --partition=short；可重复</translation>
+    </message>
+    <message>
+        <source>Of Slurm: wait until all is done and merged</source>
+        <translation>Slurm：等待全部完成并合并</translation>
+    </message>
+    <message>
+        <source>Do the share of this task of --tasks, from 0, as the jobs of Slurm do</source>
+        <translation>执行 --tasks 中此任务（从 0 起）的份额，与 Slurm 的作业相同</translation>
+    </message>
+    <message>
+        <source>is required</source>
+        <translation>是必需的</translation>
+    </message>
+    <message>
+        <source>is not below the number of tasks, %1</source>
+        <translation>不小于任务数 %1</translation>
+    </message>
+    <message>
+        <source>is for scenes of an array or a servo</source>
+        <translation>用于阵列或伺服的场景</translation>
+    </message>
+    <message>
+        <source>a sweep file, or one of: %1</source>
+        <translation>扫描文件，或以下之一：%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are missing</source>
+        <translation>%2 次运行中缺少 %1 次</translation>
+    </message>
+    <message>
+        <source>the same command without --merge, which goes on with them</source>
+        <translation>不带 --merge 的同一命令，它会继续完成</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs failed; runs.csv has the reasons</source>
+        <translation>%2 次运行中有 %1 次失败；原因见 runs.csv</translation>
+    </message>
+    <message>
+        <source>at most %1 (see --allow-failed)</source>
+        <translation>最多 %1（见 --allow-failed）</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>作业</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Merging job</source>
+        <translation>合并作业</translation>
+    </message>
+    <message>
+        <source>How far it is</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Run a scene over a grid of settings and seeds, here or on a cluster</source>
+        <translation>在设置和种子的网格上运行场景，在本机或集群上</translation>
+    </message>
+</context>
+<context>
+    <name>SweepFigure</name>
+    <message>
+        <source>Bars: Wilson&apos;s 95 % interval of the share.</source>
+        <translation>竖线：份额的威尔逊 95 % 区间。</translation>
+    </message>
+    <message>
+        <source>Points: means with their 95 % interval. Dotted: 5 and 95 % of the runs.</source>
+        <translation>点：平均值及其 95 % 区间。虚线：运行的 5 % 和 95 %。</translation>
+    </message>
+    <message>
+        <source>Means. The first %1 of %2 maps.</source>
+        <translation>平均值。%2 张地图中的前 %1 张。</translation>
+    </message>
+    <message>
+        <source>Means. Crossed out: no run has it.</source>
+        <translation>平均值。划去：没有运行具有该值。</translation>
+    </message>
+</context>
+<context>
+    <name>SweepFolder</name>
+    <message>
+        <source>line %1 was &quot;%2&quot; and is &quot;%3&quot;</source>
+        <translation>第 %1 行原为“%2”，现为“%3”</translation>
+    </message>
+    <message>
+        <source>only the spaces differ</source>
+        <translation>仅空格不同</translation>
+    </message>
+    <message>
+        <source>earlier results cannot be removed</source>
+        <translation>无法删除先前的结果</translation>
+    </message>
+    <message>
+        <source>what it runs has changed, %1</source>
+        <translation>所运行的内容已改变，%1</translation>
+    </message>
+    <message>
+        <source>they are of version %1, this is %2</source>
+        <translation>结果属于版本 %1，当前为 %2</translation>
+    </message>
+    <message>
+        <source>they have frames</source>
+        <translation>结果带有帧</translation>
+    </message>
+    <message>
+        <source>they have no frames</source>
+        <translation>结果不带帧</translation>
+    </message>
+    <message>
+        <source>the folder holds other files</source>
+        <translation>文件夹中有其他文件</translation>
+    </message>
+    <message>
+        <source>a new or empty folder, or one of a sweep</source>
+        <translation>新的或空的文件夹，或扫描的文件夹</translation>
+    </message>
+    <message>
+        <source>this describes no sweep</source>
+        <translation>这不是扫描的描述</translation>
+    </message>
+    <message>
+        <source>a file that teleta sweep has written</source>
+        <translation>由 teleta sweep 写出的文件</translation>
+    </message>
+</context>
+<context>
+    <name>SweepFolderText</name>
+    <message>
+        <source>the folder holds results of another sweep: %1</source>
+        <translation>文件夹中有另一扫描的结果：%1</translation>
+    </message>
+    <message>
+        <source>another folder, or --restart, which throws these results away</source>
+        <translation>另一个文件夹，或会丢弃这些结果的 --restart</translation>
+    </message>
+</context>
+<context>
+    <name>SweepParts</name>
+    <message>
+        <source>the file cannot be made: %1</source>
+        <translation>无法创建文件：%1</translation>
+    </message>
+    <message>
+        <source>this is no part of a sweep</source>
+        <translation>这不是扫描的部分文件</translation>
+    </message>
+    <message>
+        <source>this is no row of a sweep</source>
+        <translation>这不是扫描的一行</translation>
+    </message>
+    <message>
+        <source>the number of a run and its times</source>
+        <translation>运行的编号及其时间</translation>
+    </message>
+    <message>
+        <source>this is no number</source>
+        <translation>这不是数字</translation>
+    </message>
+    <message>
+        <source>a number or NA</source>
+        <translation>数字或 NA</translation>
+    </message>
+    <message>
+        <source>a part has the run %1</source>
+        <translation>部分文件中有运行 %1</translation>
+    </message>
+    <message>
+        <source>runs from 0 to %1</source>
+        <translation>0 到 %1 的运行</translation>
+    </message>
+</context>
+<context>
+    <name>SweepPlan</name>
+    <message>
+        <source>a range with scale &quot;log10&quot; reaches 0 or below</source>
+        <translation>scale 为“log10”的范围达到 0 或以下</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is varied twice</source>
+        <translation>键“%1”变化了两次</translation>
+    </message>
+    <message>
+        <source>each key once</source>
+        <translation>每个键一次</translation>
+    </message>
+    <message>
+        <source>keys that go together have unlike numbers of values: %1 and %2</source>
+        <translation>一起变化的键的取值数不同：%1 和 %2</translation>
+    </message>
+    <message>
+        <source>%1 values, as the first key has</source>
+        <translation>%1 个值，与第一个键相同</translation>
+    </message>
+    <message>
+        <source>a sweep runs one thing</source>
+        <translation>一个扫描只运行一样东西</translation>
+    </message>
+    <message>
+        <source>one of: scene, study, ladder</source>
+        <translation>以下之一：scene、study、ladder</translation>
+    </message>
+    <message>
+        <source>these are no seeds</source>
+        <translation>这不是种子</translation>
+    </message>
+    <message>
+        <source>&quot;FIRST:LAST&quot;, such as &quot;1:200&quot;</source>
+        <translation>“FIRST:LAST”，例如“1:200”</translation>
+    </message>
+    <message>
+        <source>the sweep has %1 runs</source>
+        <translation>扫描有 %1 次运行</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>最多 %1</translation>
+    </message>
+</context>
+<context>
+    <name>SweepReport</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs, %3 failed, %4 left</source>
+        <translation>%2 次中已运行 %1 次，失败 %3，剩余 %4</translation>
+    </message>
+    <message>
+        <source>Worst cells so far:</source>
+        <translation>目前最差的单元：</translation>
+    </message>
+    <message>
+        <source>%1 of %2 failed; </source>
+        <translation>%2 次中 %1 次失败；</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>Processor time</source>
+        <translation>处理器时间</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (means of the cells)</source>
+        <translation>%1 至 %2（各单元的平均值）</translation>
+    </message>
+</context>
+<context>
+    <name>SweepRunner</name>
+    <message>
+        <source>a run has no measure &quot;%1&quot;</source>
+        <translation>运行没有测量值“%1”</translation>
+    </message>
+    <message>
+        <source>of: %1</source>
+        <translation>其中：%1</translation>
+    </message>
+    <message>
+        <source>this has no frames of a tactile array</source>
+        <translation>这没有触觉阵列的帧</translation>
+    </message>
+    <message>
+        <source>a scene of an array or a servo</source>
+        <translation>阵列或伺服的场景</translation>
     </message>
 </context>
 <context>
@@ -12929,6 +13338,25 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>TomlEdit</name>
+    <message>
+        <source>there is no place for the key &quot;%1&quot;</source>
+        <translation>键“%1”没有位置</translation>
+    </message>
+    <message>
+        <source>the entry&apos;s number or name, and a key in it</source>
+        <translation>条目的编号或名称，以及其中的键</translation>
+    </message>
+    <message>
+        <source>a number from 0 to %1</source>
+        <translation>0 到 %1 的编号</translation>
+    </message>
+    <message>
+        <source>tables of the file, with dots between them</source>
+        <translation>文件中的表，用点分隔</translation>
+    </message>
+</context>
+<context>
     <name>TomlReader</name>
     <message>
         <source>one of: %1</source>
@@ -13065,6 +13493,14 @@ Run teleta-site --help for more.
     <message>
         <source>a list of texts in quotes</source>
         <translation>带引号的文本的列表</translation>
+    </message>
+    <message>
+        <source>a list of one or more values</source>
+        <translation>含一个或多个值的列表</translation>
+    </message>
+    <message>
+        <source>a number, a text in quotes, or true or false</source>
+        <translation>数字、带引号的文本，或 true 或 false</translation>
     </message>
 </context>
 <context>
@@ -16190,6 +16626,10 @@ Run teleta-site --help for more.
     <message>
         <source>Takes a few minutes; you can go on using the console</source>
         <translation>需要几分钟；期间仍可使用控制台</translation>
+    </message>
+    <message>
+        <source>Sweeps</source>
+        <translation>扫描</translation>
     </message>
 </context>
 <context>
@@ -19712,6 +20152,148 @@ Run teleta-site --help for more.
     <message>
         <source>a protocol that names a file for each pattern that is not built in</source>
         <translation>为每个未随程序提供的图案指定了文件的方案</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SweepPanel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>Open the results of a sweep</source>
+        <translation>打开扫描的结果</translation>
+    </message>
+    <message>
+        <source>Open a sweep</source>
+        <translation>打开扫描</translation>
+    </message>
+    <message>
+        <source>Sweeps (*.toml)</source>
+        <translation>扫描 (*.toml)</translation>
+    </message>
+    <message>
+        <source>Empty folder for the results, or one of this sweep to go on with</source>
+        <translation>存放结果的空文件夹，或要继续的此扫描的文件夹</translation>
+    </message>
+    <message>
+        <source>%1 cells, each with %2 seeds: %3 runs.</source>
+        <translation>%1 个单元，每个 %2 个种子：%3 次运行。</translation>
+    </message>
+    <message>
+        <source>%1 done, %2 failed, in %3.</source>
+        <translation>已完成 %1，失败 %2，位于 %3。</translation>
+    </message>
+    <message>
+        <source>%1 over the cells of the sweep</source>
+        <translation>扫描各单元上的 %1</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均值</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>离散</translation>
+    </message>
+    <message>
+        <source>95 % from</source>
+        <translation>95 % 下限</translation>
+    </message>
+    <message>
+        <source>95 % to</source>
+        <translation>95 % 上限</translation>
+    </message>
+    <message>
+        <source>The runs that are under way end…</source>
+        <translation>正在进行的运行即将结束…</translation>
+    </message>
+    <message>
+        <source>Checking every cell…</source>
+        <translation>正在检查每个单元…</translation>
+    </message>
+    <message>
+        <source>No sweep is open</source>
+        <translation>没有打开扫描</translation>
+    </message>
+    <message>
+        <source>Choose one on the left, or open a file.</source>
+        <translation>在左侧选择一个，或打开文件。</translation>
+    </message>
+    <message>
+        <source>No results yet</source>
+        <translation>还没有结果</translation>
+    </message>
+    <message>
+        <source>A sweep runs a scene over a grid of settings and seeds, and keeps every run.</source>
+        <translation>扫描在设置和种子的网格上运行场景，并保留每次运行。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs, %3 failed, %4 left</source>
+        <translation>%2 次中已运行 %1 次，失败 %3，剩余 %4</translation>
+    </message>
+    <message>
+        <source>Sweeps</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>Sweeps that come with the program</source>
+        <translation>随程序提供的扫描</translation>
+    </message>
+    <message>
+        <source>&amp;Open a sweep…</source>
+        <translation>打开扫描(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;results…</source>
+        <translation>打开结果(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Start…</source>
+        <translation>开始(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Start the sweep…</source>
+        <translation>开始扫描…</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>测量值(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Chart of a measure over the cells</source>
+        <translation>各单元上测量值的图</translation>
+    </message>
+    <message>
+        <source>Cells with their settings and the measure</source>
+        <translation>单元及其设置和测量值</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SweepRunning</name>
+    <message>
+        <source>The sweep cannot be opened.</source>
+        <translation>无法打开扫描。</translation>
+    </message>
+    <message>
+        <source>The sweep has failed.</source>
+        <translation>扫描失败。</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,8 @@
 #include <QFileInfo>
 #include <QString>
 
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <variant>
 
 namespace teleta::sweep {
@@ -63,7 +65,14 @@ public:
         TELETA_TRY(const scene_run::SceneSummary summary,
                    study != nullptr ? scene_run::runStudyScene(*study, options)
                                     : scene_run::runScene(std::get<scene::Scene>(*m_scene), options));
-        RunMeasures measures = scene_run::flatMeasures(summary.measures).numbers;
+        RunMeasures measures;
+        for (const auto& [name, value] : summary.measures.items()) {
+            if (value.is_null())
+                measures.emplace_back(name, std::numeric_limits<double>::quiet_NaN());
+            const nlohmann::ordered_json one{{name, value}};
+            for (auto& number : scene_run::flatMeasures(one).numbers)
+                measures.push_back(std::move(number));
+        }
         if (summary.verdict)
             measures.emplace_back("completed", summary.verdict->completed ? 1.0 : 0.0);
         return measures;

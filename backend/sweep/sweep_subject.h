@@ -17,7 +17,7 @@
 
 namespace teleta::sweep {
 
-/// Measures of a run in the order of its summary; what could not be determined is not there.
+/// Measures of a run in the order of its summary; NaN: it could not be determined.
 using RunMeasures = std::vector<std::pair<std::string, double>>;
 
 /// Runs the cells of a sweep, one run a call. Thread: one.

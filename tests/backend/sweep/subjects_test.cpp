@@ -69,6 +69,24 @@ TEST(SweptScene, isTheSceneWithOtherValues) {
     EXPECT_EQ(*measures, scene_run::flatMeasures(summary->measures).numbers);
 }
 
+TEST(SweptScene, hasMeasuresThatItsFirstRunCannotDetermine) {
+    // A force error has no value before the array slides, and yet the name is right.
+    sweep::SweepPlan plan = planOf("[sweep]\nscene = \"servo-bent-bar\"\nmeasures = [\"force_rms_error_n\"]\n"
+                                   "[sweep.vary]\nduration_s = [0.2, 4.0]\n");
+    const auto subject = sweep::makeSubject(plan, sources());
+    ASSERT_TRUE(subject) << describe(subject.error());
+    const TemporaryFolder folder;
+    sweep::SweepOptions options;
+    options.folder = folder.path("out");
+    options.workers = 1;
+    ASSERT_TRUE(sweep::runSweep(plan, **subject, options));
+    const auto results = sweep::readResults(plan, options.folder);
+    ASSERT_TRUE(results);
+    ASSERT_EQ(results->measures, (std::vector<std::string>{"force_rms_error_n"}));
+    EXPECT_EQ(results->cells[0].measures[0].n, 0U);
+    EXPECT_EQ(results->cells[1].measures[0].n, 1U);
+}
+
 TEST(SweptScene, canHaveAnEffectThatTheFileDoesNotList) {
     sweep::SweepPlan plan = planOf("[sweep]\nscene = \"servo-bent-bar\"\n[sweep.vary]\n"
                                    "\"effect.friction.coefficient\" = [0.3]\nduration_s = [1.0]\n");
