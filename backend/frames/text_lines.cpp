@@ -19,7 +19,8 @@ struct TextLinesText {
     Q_DECLARE_TR_FUNCTIONS(TextLinesText)
 };
 
-constexpr qint64 kMostLine = qint64{16} << 20;
+constexpr std::size_t kMostLine = std::size_t{16} << 20;
+constexpr std::size_t kShortLine = 4096; ///< for which there is room at once
 
 std::string_view trimmed(std::string_view text) {
     const auto isOuter = [](char c) { return c == ' ' || c == '\t'; };
@@ -45,16 +46,34 @@ core::Expected<void> TextLines::open() {
     return {};
 }
 
+/// The next line with its end, or as much of it as shows that it is too long; empty at the end or at an
+/// error. QFile::readLine would take room for the longest line each time.
+std::string_view TextLines::readLine() {
+    std::size_t size = 0;
+    for (;;) {
+        if (size + 1 >= m_buffer.size())
+            m_buffer.resize(std::max(kShortLine, 2 * m_buffer.size()));
+        const qint64 got =
+            m_file.readLine(m_buffer.data() + size, static_cast<qint64>(m_buffer.size() - size));
+        if (got <= 0)
+            break;
+        size += static_cast<std::size_t>(got);
+        if (m_buffer[size - 1] == '\n' || size > kMostLine)
+            break;
+    }
+    return {m_buffer.data(), size};
+}
+
 core::Expected<std::optional<std::string_view>> TextLines::next() {
-    m_line = m_file.readLine(kMostLine + 2);
-    if (m_line.isEmpty()) {
+    const std::string_view whole = readLine();
+    if (whole.empty()) {
         if (m_file.error() != QFileDevice::NoError)
             return core::failed(core::ErrorKind::ioFailed, m_file.errorString(), {}, {m_path});
         return std::optional<std::string_view>();
     }
     ++m_number;
-    std::string_view line(m_line.constData(), static_cast<std::size_t>(m_line.size()));
-    if (m_line.size() > kMostLine)
+    std::string_view line = whole;
+    if (whole.size() > kMostLine)
         return wrong(TextLinesText::tr("the line is longer than 16 MiB"), TextLinesText::tr("a line end"));
     if (m_number == 1 && line.starts_with("\xEF\xBB\xBF"))
         line.remove_prefix(3);

@@ -3,7 +3,6 @@
 
 #include "backend/core/error.h"
 
-#include <QByteArray>
 #include <QFile>
 
 #include <optional>
@@ -32,9 +31,11 @@ public:
                                          long long column = 0) const;
 
 private:
+    std::string_view readLine();
+
     std::string m_path;
     QFile m_file;
-    QByteArray m_line;
+    std::vector<char> m_buffer;
     long long m_number = 0;
 };
 
