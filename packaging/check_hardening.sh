@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Checks that programs were built with Debian's hardening flags, by what the linker and the compiler left in them.
+# Checks that programs and modules were built with Debian's hardening flags, by what the linker and the compiler left in them.
 #   check_hardening.sh PROGRAM...     exit code 1 when something is missing
 # Needs readelf and objdump (binutils).
 set -uo pipefail
@@ -23,7 +23,9 @@ for program in "$@"; do
     segments=$(readelf -lW "$program")
     dynamic=$(readelf -dW "$program")
     symbols=$(readelf --dyn-syms -W "$program")
-    wants "$program" 'PIE' 'Type: +DYN .*Position-Independent' "$header"
+    kind='Position-Independent'
+    [[ $program != *.so ]] || kind='Shared object'
+    wants "$program" 'PIE' "Type: +DYN .*$kind" "$header"
     wants "$program" 'RELRO' 'GNU_RELRO' "$segments"
     wants "$program" 'BIND_NOW' '\(FLAGS\).*BIND_NOW|\(BIND_NOW\)|\(FLAGS_1\).*NOW' "$dynamic"
     wants "$program" 'a stack that is not executable' 'GNU_STACK .* RW +0x' "$segments"

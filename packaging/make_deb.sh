@@ -11,8 +11,9 @@ SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -C "$root" log -1 --format=%ct 2>/d
 export SOURCE_DATE_EPOCH
 configure package
 cmake --build "$root/build/package"
-"$root/packaging/check_hardening.sh" "$root"/build/package/app/cli/teleta "$root"/build/package/app/console/teleta-console \
-    "$root"/build/package/app/site/teleta-site
+# The program teleta itself is too small to need all of it: its commands are in the two modules.
+"$root/packaging/check_hardening.sh" "$root"/build/package/parts/teleta_{commands,everyday}.so \
+    "$root"/build/package/app/console/teleta-console "$root"/build/package/app/site/teleta-site
 cd "$root/build/package"
 rm -f ./*.deb
 log=$(cpack -G DEB 2>&1) || {

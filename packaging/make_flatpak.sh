@@ -29,7 +29,7 @@ plugins=$(packaging_value CPACK_DEBIAN_CONSOLE_PACKAGE_DEPENDS)
 texts=$(packaging_value CPACK_DEBIAN_CONSOLE_PACKAGE_RECOMMENDS)
 texts=${texts/, bash-completion/}
 
-# needed_packages PROGRAM...: the packages of the libraries that programs built in the Sdk link.
+# needed_packages PROGRAM...: the packages of the libraries that programs and modules built in the Sdk link.
 needed_packages() {
     local needed
     tree="$work/Sdk"
@@ -37,7 +37,7 @@ needed_packages() {
     mkdir -p "$tree/tmp/programs/debian"
     printf 'Source: teleta\nPackage: teleta\nArchitecture: any\n' >"$tree/tmp/programs/debian/control"
     cp "$@" "$tree/tmp/programs"
-    needed=$(inside sh -c 'cd /tmp/programs && dpkg-shlibdeps -O teleta teleta-console' 2>"$work/shlibdeps.log") ||
+    needed=$(inside sh -c 'cd /tmp/programs && dpkg-shlibdeps -O teleta teleta-console *.so' 2>"$work/shlibdeps.log") ||
         fail "dpkg-shlibdeps refuses the programs, see $work/shlibdeps.log"
     printf '%s' "${needed#shlibs:Depends=}"
 }
@@ -54,7 +54,7 @@ flatpak-builder --user --force-clean --ccache --disable-rofiles-fuse --jobs="$jo
     tail -n 40 "$work/application.log" >&2
     fail "flatpak-builder failed, see $work/application.log"
 }
-libraries=$(needed_packages "$work"/application/files/bin/*)
+libraries=$(needed_packages "$work"/application/files/bin/* "$work"/application/files/lib/teleta-console/*.so)
 # fc-list, from fontconfig, lists the fonts of the machine that the console sees.
 make_runtime Platform "$libraries, $plugins, $texts, fontconfig"
 ostree prune --repo="$repository" --refs-only --depth=0 >/dev/null

@@ -1,46 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/base/interruption.h"
-#include "app/cli/program.h"
-#include "app/common/arguments.h"
-#include "app/common/translation.h"
-#include "app/common/version.h"
+#include "app/cli/program_part.h"
+#include "backend/core/part_file.h"
 
-#include <QCoreApplication>
-#include <QLocale>
-
-#include <clocale>
-#include <cstdlib>
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <unistd.h>
+
+// The program loads no library of its own, so that it is quick to start: what it does is in one of two
+// modules.
 
 namespace {
 
-/// Qt warns on every start in the C locale, where cron jobs and containers live; C.UTF-8 is the same but for
-/// file names, which are UTF-8 then.
-void preferUtf8() {
-    const char* name = std::setlocale(LC_CTYPE, "");
-    if (name == nullptr || std::string_view(name) == "C" || std::string_view(name) == "POSIX") {
-        const char* all = std::getenv("LC_ALL");
-        setenv(all != nullptr && *all != '\0' ? "LC_ALL" : "LC_CTYPE", "C.UTF-8", 1);
-    }
+/// The commands of teleta_everyday; everyday_commands.h has the same.
+constexpr std::array<std::string_view, 5> kEveryday{"features", "contacts", "gains", "stiffness", "contour"};
+
+constexpr std::string_view kVersion = "teleta " TELETA_VERSION "\n";
+
+bool printedVersion() {
+    return write(STDOUT_FILENO, kVersion.data(), kVersion.size()) == static_cast<ssize_t>(kVersion.size());
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    preferUtf8();
-    QCoreApplication application(argc, argv);
-    QCoreApplication::setApplicationName(QStringLiteral("teleta"));
-    QCoreApplication::setApplicationVersion(teleta::app::version().text());
-    // Qt has set the locale of the environment; numbers in options and files do not depend on it.
-    std::setlocale(LC_NUMERIC, "C");
-    teleta::app::installTranslator(application, QLocale::system());
-    teleta::cli::catchInterruptions();
-    const std::vector<std::string> copies(argv, argv + argc);
-    teleta::app::hidePasswords(argc, argv);
-    std::vector<const char*> arguments;
-    for (const std::string& copy : copies)
-        arguments.push_back(copy.c_str());
-    return teleta::cli::runProgram(argc, arguments.data());
+    const std::string_view first = argc > 1 ? argv[1] : "";
+    // Where it cannot be written, the whole program says why.
+    if (argc == 2 && first == "--version" && printedVersion())
+        return 0;
+    const bool everyday = std::ranges::find(kEveryday, first) != kEveryday.end();
+    std::string reason;
+    const void* const found =
+        teleta::core::findPart(everyday ? "teleta_everyday" : "teleta_commands", reason);
+    if (found == nullptr) {
+        std::fprintf(
+            stderr,
+            "teleta: a part of the program cannot be loaded: %s; expected a complete installation of "
+            "the program\n",
+            reason.c_str());
+        return 1;
+    }
+    return static_cast<const teleta::cli::ProgramPart*>(found)->run(argc, argv);
 }

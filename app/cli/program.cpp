@@ -1,42 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/program.h"
 
-#include "app/cli/base/command.h"
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/standard_streams.h"
-#include "app/cli/commands/arm/arm_commands.h"
-#include "app/cli/commands/camera/camera_commands.h"
-#include "app/cli/commands/certify/certify_commands.h"
-#include "app/cli/commands/devices/devices_commands.h"
-#include "app/cli/commands/ros/ros_commands.h"
-#include "app/cli/commands/scenes/scene_commands.h"
-#include "app/cli/commands/site/site_commands.h"
-#include "app/cli/commands/sweep/sweep_commands.h"
-#include "app/cli/commands/tactile/tactile_commands.h"
+#include "app/common/arguments.h"
+#include "app/common/translation.h"
 #include "app/common/version.h"
 #include "backend/core/failure.h"
 #include "backend/core/passwords.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <CLI/CLI.hpp>
 
+#include <clocale>
+#include <cstdlib>
 #include <new>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace teleta::cli {
 
 namespace {
-
-/// In the order of the help.
-std::vector<Command> allCommands() {
-    return {featuresCommand(),  contactsCommand(), gainsCommand(),   stiffnessCommand(), contourCommand(),
-            calibrateCommand(), locateCommand(),   trackCommand(),   simulateCommand(),  replayCommand(),
-            exportCommand(),    importCommand(),   patternCommand(), studyCommand(),     tradeoffCommand(),
-            sweepCommand(),     armCommand(),      devicesCommand(), rosCommand(),       certifyCommand(),
-            siteCommand()};
-}
 
 struct ProgramText {
     Q_DECLARE_TR_FUNCTIONS(ProgramText)
@@ -102,9 +90,17 @@ core::Expected<void> runWithin(const Command& command) {
     }
 }
 
-} // namespace
+/// Qt warns on every start in the C locale, where cron jobs and containers live; C.UTF-8 is the same but for
+/// file names, which are UTF-8 then.
+void preferUtf8() {
+    const char* name = std::setlocale(LC_CTYPE, "");
+    if (name == nullptr || std::string_view(name) == "C" || std::string_view(name) == "POSIX") {
+        const char* all = std::getenv("LC_ALL");
+        setenv(all != nullptr && *all != '\0' ? "LC_ALL" : "LC_CTYPE", "C.UTF-8", 1);
+    }
+}
 
-int runProgram(int argc, const char* const* argv) {
+int runCommands(int argc, const char* const* argv, const std::vector<Command>& commands) {
     CLI::App app(
         ProgramText::tr("Computes contacts, stiffness and shape from what a tactile robot arm has felt.")
             .toStdString(),
@@ -123,7 +119,6 @@ int runProgram(int argc, const char* const* argv) {
     app.failure_message(usageError);
     app.require_subcommand(0, 1);
 
-    const std::vector<Command> commands = allCommands();
     for (const Command& command : commands) {
         CLI::App* subcommand = app.add_subcommand(command.name, command.summary.toStdString());
         command.declare(*subcommand);
@@ -152,6 +147,25 @@ int runProgram(int argc, const char* const* argv) {
         return app.exit(error) == 0 ? kDone : kWrongUsage;
     }
     return kWrongUsage;
+}
+
+} // namespace
+
+int runProgram(int argc, char** argv, std::vector<Command> (*commands)()) {
+    preferUtf8();
+    QCoreApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("teleta"));
+    QCoreApplication::setApplicationVersion(app::version().text());
+    // Qt has set the locale of the environment; numbers in options and files do not depend on it.
+    std::setlocale(LC_NUMERIC, "C");
+    app::installTranslator(application, QLocale::system());
+    catchInterruptions();
+    const std::vector<std::string> copies(argv, argv + argc);
+    app::hidePasswords(argc, argv);
+    std::vector<const char*> arguments;
+    for (const std::string& copy : copies)
+        arguments.push_back(copy.c_str());
+    return runCommands(argc, arguments.data(), commands());
 }
 
 } // namespace teleta::cli

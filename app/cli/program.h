@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cli/base/command.h"
+
+#include <vector>
+
 namespace teleta::cli {
 
-/// Parses the command line, runs the command and returns the exit code (ExitCode). Needs a QCoreApplication.
-[[nodiscard]] int runProgram(int argc, const char* const* argv);
+/// Runs one of these commands as a process does: makes the QCoreApplication, parses the command line and
+/// returns the exit code (ExitCode). commands is called once the texts can be translated.
+[[nodiscard]] int runProgram(int argc, char** argv, std::vector<Command> (*commands)());
 
 } // namespace teleta::cli

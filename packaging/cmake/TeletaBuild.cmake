@@ -261,19 +261,33 @@ function(teleta_library)
     target_link_libraries(${name} ${access} teleta_options ${used} ${libraries})
 endfunction()
 
+# teleta_module(NAME SOURCES ... LINKS ...)
+# A module that core::findPart finds. It is bound at once, so that one that lacks something is refused as it is loaded.
+function(teleta_module name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+    add_library(${name} MODULE ${ARG_SOURCES})
+    target_link_libraries(${name} PRIVATE teleta_options ${ARG_LINKS})
+    target_link_options(${name} PRIVATE LINKER:-z,now)
+    set_target_properties(${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
+                                             LIBRARY_OUTPUT_DIRECTORY "${TELETA_PARTS_TREE}")
+    install(TARGETS ${name} LIBRARY DESTINATION lib/teleta-console)
+endfunction()
+
+# teleta_program_part(NAME SOURCES ... LINKS ...)
+# A module with code of ours that a program runs. It loads only the libraries that it uses, and exports one constant.
+function(teleta_program_part name)
+    teleta_module(${name} ${ARGN})
+    target_link_options(${name} PRIVATE LINKER:--exclude-libs,ALL LINKER:--as-needed LINKER:--gc-sections)
+endfunction()
+
 # teleta_part(NAME SOURCES ... LINKS ...)
 # A module that core::loadPart loads: it alone links libraries that take long to load. Declare it after the library of
 # the folder, which then brings it along.
 function(teleta_part name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
     file(RELATIVE_PATH folder "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
     teleta_target_of("${folder}" library)
-    add_library(${name} MODULE ${ARG_SOURCES})
-    target_link_libraries(${name} PRIVATE teleta_options ${ARG_LINKS})
-    set_target_properties(${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
-                                             LIBRARY_OUTPUT_DIRECTORY "${TELETA_PARTS_TREE}")
+    teleta_module(${name} ${ARGN})
     add_dependencies(${library} ${name})
-    install(TARGETS ${name} LIBRARY DESTINATION lib/teleta-console)
     set_property(GLOBAL APPEND PROPERTY teleta_parts ${name})
 endfunction()
 

@@ -57,7 +57,13 @@ constexpr char kDisplays[] = "libX11|libxcb|libwayland|libGL|libEGL|libOpenGL";
 constexpr char kLoadedLater[] =
     "libopencv_(imgcodecs|videoio|video|calib3d|highgui)|libgdal|libgdcm|libheif|libav(codec|format)"
     "|libgst|librsvg|libcairo|libhdf5|libmatio";
-constexpr std::ptrdiff_t kMostLibraries = 75; ///< of the command line at its start
+constexpr std::ptrdiff_t kMostLibraries = 75; ///< of the module with all commands
+/// What devices and cameras need, and everyday commands do without.
+constexpr char kOfOtherCommands[] =
+    "libopencv|libddsc|libiceoryx|libhidapi|libmodbus|liburdfdom|libglog|libcholmod|liblapack|libtbb|libX11";
+constexpr std::ptrdiff_t kMostEverydayLibraries = 28;
+/// The C++ library with its own, and the dynamic linker.
+constexpr std::ptrdiff_t kMostLibrariesAtTheStart = 6;
 
 using Names = std::vector<std::string>;
 
@@ -85,16 +91,35 @@ TEST(ProgramsTest, theConsoleAnswersWhereThereIsNoScreen) {
 #endif
 }
 
-TEST(ProgramsTest, commandLineLoadsNoToolkitAndNamesNoDisplay) {
+#ifndef TELETA_SANITIZED // which brings libraries of its own
+TEST(ProgramsTest, commandLineLoadsItsModulesOnly) {
     const std::string loaded = loadedLibraries(TELETA_PROGRAM);
+    ASSERT_NE(loaded.find("libc.so"), std::string::npos) << loaded;
+    EXPECT_LE(std::ranges::count(loaded, '\n'), kMostLibrariesAtTheStart) << loaded;
+    EXPECT_EQ(outputOf("'" TELETA_PROGRAM "' --version").find("teleta "), 0U);
+}
+
+TEST(ProgramsTest, everydayCommandsLoadNoLibraryOfDevicesOrCameras) {
+    const std::string loaded = loadedLibraries(TELETA_EVERYDAY_PART);
     ASSERT_NE(loaded.find("libQt6Core"), std::string::npos) << loaded;
+    EXPECT_EQ(loaded.find("not found"), std::string::npos) << loaded;
+    EXPECT_EQ(matching(loaded, kToolkits), Names{});
+    EXPECT_EQ(matching(loaded, kOfOtherCommands), Names{});
+    EXPECT_EQ(matching(loaded, kLoadedLater), Names{});
+    EXPECT_LE(std::ranges::count(loaded, '\n'), kMostEverydayLibraries) << loaded;
+}
+#endif
+
+TEST(ProgramsTest, commandLineLoadsNoToolkitAndNamesNoDisplay) {
+    const std::string loaded = loadedLibraries(TELETA_COMMANDS_PART);
+    ASSERT_NE(loaded.find("libopencv_core"), std::string::npos) << loaded;
     EXPECT_EQ(matching(loaded, kToolkits), Names{});
     EXPECT_EQ(matching(loaded, kQt5), Names{});
     EXPECT_EQ(matching(loaded, kHighGui), Names{});
     EXPECT_EQ(loaded.find("not found"), std::string::npos) << loaded;
     EXPECT_EQ(matching(loaded, kLoadedLater), Names{});
     EXPECT_LE(std::ranges::count(loaded, '\n'), kMostLibraries) << loaded;
-    const std::string named = namedLibraries(TELETA_PROGRAM);
+    const std::string named = namedLibraries(TELETA_COMMANDS_PART);
     ASSERT_NE(named.find("libQt6Core"), std::string::npos) << named;
     EXPECT_EQ(matching(named, kDisplays), Names{});
 }
