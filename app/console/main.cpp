@@ -11,12 +11,14 @@
 #include "app/console/sudden_end.h"
 #include "app/console/unattended.h"
 #include "backend/core/threads/stop_switch.h"
+#include "widgets/base/background.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QApplication>
 #include <QLocale>
 #include <QStandardPaths>
+#include <QTimer>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +29,9 @@
 namespace {
 
 using namespace teleta;
+
+/// By then the window has been shown.
+constexpr int kDriverAfter_ms = 300;
 
 int print(const console::ParsedOptions& parsed) {
     std::fprintf(parsed.exitCode == 0 ? stdout : stderr, "%s\n", qPrintable(parsed.text));
@@ -83,6 +88,9 @@ int main(int argc, char* argv[]) {
     console::Unattended unattended(options, window);
     window.show();
     window.openRequested(options);
+    // It takes long to load: not before the window is shown, nor when the first source is.
+    QTimer::singleShot(kDriverAfter_ms, &window,
+                       [&window] { base::runInBackground(&window, view3d::loadOpenGlDriver, [](bool) {}); });
     unattended.start();
     return QApplication::exec();
 }

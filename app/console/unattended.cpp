@@ -2,6 +2,7 @@
 #include "app/console/unattended.h"
 
 #include "app/console/main_window.h"
+#include "app/console/process_times.h"
 #include "app/console/study/study_page.h"
 #include "backend/pipeline/camera_channel.h"
 
@@ -14,7 +15,6 @@
 #include <QTimer>
 
 #include <cstdio>
-#include <sys/resource.h>
 
 namespace teleta::console {
 
@@ -22,16 +22,6 @@ namespace {
 
 /// The first second belongs to start-up: windows are laid out and OpenGL compiles its shaders.
 constexpr double kWarmUp_s = 1.0;
-
-/// Of all threads, since the program began.
-double processorTime_s() {
-    rusage used{};
-    getrusage(RUSAGE_SELF, &used);
-    const auto seconds = [](const timeval& time) {
-        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-    };
-    return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
 
 int milliseconds(double time_s) {
     return static_cast<int>(time_s * 1e3);
@@ -48,6 +38,7 @@ void Unattended::start() {
     if (!m_options.screenshot.isEmpty())
         QTimer::singleShot(milliseconds(m_options.after_s), this, &Unattended::takePicture);
     if (m_options.measure_s) {
+        m_window.installEventFilter(this);
         QTimer::singleShot(milliseconds(kWarmUp_s), this, [this] {
             m_window.clock().resetReport();
             m_processorBefore_s = processorTime_s();
@@ -56,6 +47,18 @@ void Unattended::start() {
         QTimer::singleShot(milliseconds(kWarmUp_s + *m_options.measure_s), this,
                            &Unattended::printMeasurement);
     }
+}
+
+bool Unattended::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Paint) {
+        m_window.removeEventFilter(this);
+        // Once all that belongs to this picture is painted and handed to the screen.
+        QTimer::singleShot(0, this, [this] {
+            m_firstWindow_s = processAge_s();
+            m_firstWindowProcessor_s = processorTime_s();
+        });
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 void Unattended::takePicture() {
@@ -87,7 +90,9 @@ void Unattended::printMeasurement() {
                                    {"frames_lost", static_cast<qint64>(status.framesLost)},
                                    {"frames_displayed", static_cast<qint64>(item.displayed)}});
     }
-    const QJsonObject document{{"measured_s", measured_s},
+    const QJsonObject document{{"first_window_s", m_firstWindow_s},
+                               {"first_window_processor_s", m_firstWindowProcessor_s},
+                               {"measured_s", measured_s},
                                {"ticks", static_cast<qint64>(report.ticks)},
                                {"processor_cores", cores},
                                {"tick_work_p50_s", report.work_p50_s},

@@ -15,8 +15,7 @@ constexpr int kOpenGlMajor = 3;
 constexpr int kOpenGlMinor = 2;
 
 GlProblem askDriver() {
-    const QString platform = QGuiApplication::platformName();
-    if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal"))
+    if (!platformHasOpenGl())
         return GlProblem::noGlPlatform;
     QOpenGLContext context;
     context.setFormat(QSurfaceFormat::defaultFormat());
@@ -48,6 +47,16 @@ void configureOpenGlBeforeApplication() {
         qEnvironmentVariableIsSet("WAYLAND_DISPLAY") || qgetenv("XDG_SESSION_TYPE") == "wayland";
     if (wayland && !qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "xcb");
+}
+
+bool platformHasOpenGl() {
+    const QString platform = QGuiApplication::platformName();
+    return platform != QLatin1String("offscreen") && platform != QLatin1String("minimal");
+}
+
+bool loadOpenGlDriver() {
+    QOpenGLContext context; // of the same format as those of the views
+    return platformHasOpenGl() && context.create();
 }
 
 GlProblem findGlProblem() {

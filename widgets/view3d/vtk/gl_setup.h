@@ -20,9 +20,16 @@ enum class GlProblem {
 /// main, before QApplication.
 void configureOpenGlBeforeApplication();
 
+/// Whether the display platform has OpenGL at all; asks no driver. Thread: main, after QApplication.
+[[nodiscard]] bool platformHasOpenGl();
+
 /// Whether OpenGL views can be shown in this process: noGlPlatform, tooOld or none. The first call asks the
-/// driver by creating a 3.2 core context. Thread: main, after QApplication.
+/// driver by creating a 3.2 core context, which loads it: that takes long. Thread: main, after QApplication.
 [[nodiscard]] GlProblem findGlProblem();
+
+/// Loads the driver, so that the first picture of a view need not wait for it. Returns whether there is one.
+/// Thread: any, after QApplication and before its end.
+bool loadOpenGlDriver();
 
 /// A sentence for the user, translated; empty for none.
 [[nodiscard]] QString describe(GlProblem problem);

@@ -88,6 +88,8 @@ bool VtkCanvas::makeContext() {
         emit contextRefused(problem);
         return false;
     };
+    if (const GlProblem problem = findGlProblem(); problem != GlProblem::none)
+        return refuse(problem);
     if (!m_context.isValid()) {
         if (!m_context.create())
             return refuse(GlProblem::contextRefused);

@@ -71,8 +71,9 @@ VtkWidget::VtkWidget(QWidget* parent)
     m_parts->interactor->AddObserver(vtkCommand::RenderEvent, m_parts->onRender);
     m_parts->interactor->Initialize();
 
-    if (findGlProblem() != GlProblem::none) {
-        showFallback(findGlProblem());
+    // The driver is asked when there is something to paint: most of the window is shown without it.
+    if (!platformHasOpenGl()) {
+        showFallback(GlProblem::noGlPlatform);
         return;
     }
     auto* canvas = new VtkCanvas(m_parts->window, m_parts->interactor, this);

@@ -31,7 +31,8 @@ public:
     [[nodiscard]] vtkRenderWindow* renderWindow() const;
     [[nodiscard]] vtkRenderWindowInteractor* interactor() const;
 
-    /// False if VTK cannot use the display's OpenGL; then fallbackText() is shown.
+    /// False if VTK cannot use the display's OpenGL; then fallbackText() is shown. The first painting finds
+    /// out, but for a platform that has none.
     [[nodiscard]] bool canRender() const;
     [[nodiscard]] QString fallbackText() const;
 
