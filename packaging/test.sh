@@ -3,7 +3,7 @@
 # Installs what is missing, builds everything with warnings as errors and runs all checks:
 #   format      clang-format of every C++ file
 #   ci          the whole project: all tests, those with OpenGL on a screen in memory
-#   headless    backend and command line without any GUI library; peers, statistics and faults over many runs only in ci
+#   headless    backend and command line without any GUI library: everything builds and links, and the programs work
 #   tsan        threads: parts of backend and devices under the thread sanitizer
 #   asan        parts of the backend, the hard cases of the others and inputs that once broke a parser, under the address
 #               and undefined-behaviour sanitizers
@@ -65,14 +65,14 @@ check_build() {
     local preset=$1 folder
     shift
     local targets=(all) folders=(.) ctest_arguments=("${labels[@]}")
-    # Peers, and statistics and faults over many runs, take minutes. They are the same without a GUI, and a sanitizer finds its
-    # errors in a few runs.
+    # Peers, and statistics and faults over many runs, take minutes, and a sanitizer finds its errors in a few runs.
     local slow='(_accuracy|file_faults|allocation_failure|cli_certify|study_kill|written_files)_test$'
     [[ $preset == ci ]] || ctest_arguments=(-LE '^(soak|peer)$' -E "$slow")
     if (($#)); then
         folders=("${@/#/tests/}")
         targets=("${folders[@]/%//all}" "${more_tests[@]}")
     fi
+    [[ $preset != headless ]] || targets=(all)
     tests_passed=0
     tests_failed=0
     if ! configure "$preset" || ! cmake --build "$root/build/$preset" --target "${targets[@]}"; then
@@ -89,6 +89,11 @@ check_build() {
     fi
     record "$preset" "$tests_passed" "$tests_failed"
 }
+
+# What is compiled for headless is the same, byte for byte, as for ci, which tests it. What may differ is how it is linked and what is
+# loaded: the libraries of the programs, each command as its help shows it, and the Python module.
+headless_parts=(architecture)
+headless_tests=(core_test cli_test cli_examples_test cli_output_test python_imports_test python_examples_test)
 
 # Folders of tests/ that run under a sanitizer. A part joins its list once all of its tests have run clean there.
 tsan_parts=(backend/core backend/playback devices/replay)
@@ -122,6 +127,11 @@ for name in "${checks[@]}"; do
             else
                 record alone 0 1 "a source does not compile by itself"
             fi
+            ;;
+        headless)
+            more_tests=("${headless_tests[@]}")
+            check_build headless "${headless_parts[@]}"
+            more_tests=()
             ;;
         tsan)
             check_build tsan "${tsan_parts[@]}"

@@ -3,6 +3,7 @@
 #include "backend/vision/contacts/camera_tracker.h"
 #include "backend/vision/finders/contact_ladder.h"
 #include "tests/backend/simulation/camera/camera_scene.h"
+#include "tests/support/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -253,7 +254,7 @@ TEST(HardPictures, ofFewPixelsShowNoContactWhereNothingTouchesAndStillOneThatDoe
         (*tube)->untouched(frame);
         const auto finder = makeContactFinder(*contactRung("dots"), (*tube)->camera());
         ASSERT_TRUE(finder && (*finder)->setReference(frame)) << share;
-        for (int i = 0; i < 40; ++i) {
+        for (int i = 0; i < (teleta::test::kSanitized ? 4 : 40); ++i) {
             (*tube)->untouched(frame); // with other noise
             const auto contacts = (*finder)->find(frame);
             ASSERT_TRUE(contacts) << share;
