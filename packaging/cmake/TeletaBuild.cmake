@@ -256,7 +256,7 @@ function(teleta_library)
     if(teleta_vtk IN_LIST libraries)
         list(REMOVE_ITEM libraries teleta_vtk)
         target_link_libraries(${name} PRIVATE teleta_vtk)
-        vtk_module_autoinit(TARGETS ${name} MODULES ${VTK_LIBRARIES})
+        vtk_module_autoinit(TARGETS ${name} MODULES ${TELETA_VTK_MODULES})
     endif()
     target_link_libraries(${name} ${access} teleta_options ${used} ${libraries})
 endfunction()
@@ -282,13 +282,15 @@ endfunction()
 
 # teleta_part(NAME SOURCES ... LINKS ...)
 # A module that core::loadPart loads: it alone links libraries that take long to load. Declare it after the library of
-# the folder, which then brings it along.
+# the folder, which then brings it along. Those of the backend go with the Python module, too.
 function(teleta_part name)
     file(RELATIVE_PATH folder "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
     teleta_target_of("${folder}" library)
     teleta_module(${name} ${ARGN})
     add_dependencies(${library} ${name})
-    set_property(GLOBAL APPEND PROPERTY teleta_parts ${name})
+    if(folder MATCHES "^backend/")
+        set_property(GLOBAL APPEND PROPERTY teleta_parts ${name})
+    endif()
 endfunction()
 
 # teleta_python_module(NAME LINKS ...)

@@ -79,12 +79,14 @@ if(TELETA_GUI)
                    CommonTransforms
                    FiltersCore
                    FiltersGeneral
-                   InteractionStyle
                    IOGeometry
                    IOPLY
                    IOXML
                    RenderingCore
                    RenderingOpenGL2)
+    # Only a part writes files (widgets/view3d/mesh), whose modules bring many libraries of pictures.
+    set(TELETA_VTK_MODULES ${VTK_LIBRARIES})
+    list(FILTER TELETA_VTK_MODULES EXCLUDE REGEX "^VTK::IO")
     add_library(teleta_vtk INTERFACE)
-    target_link_libraries(teleta_vtk INTERFACE ${VTK_LIBRARIES})
+    target_link_libraries(teleta_vtk INTERFACE ${TELETA_VTK_MODULES})
 endif()

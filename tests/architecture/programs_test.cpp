@@ -61,6 +61,8 @@ constexpr std::ptrdiff_t kMostLibraries = 75; ///< of the module with all comman
 /// What devices and cameras need, and everyday commands do without.
 constexpr char kOfOtherCommands[] =
     "libopencv|libddsc|libiceoryx|libhidapi|libmodbus|liburdfdom|libglog|libcholmod|liblapack|libtbb|libX11";
+/// What VTK's writers and mouse styles would bring, and the console does without at its start.
+constexpr char kOfWriters[] = "libvtkIO(Geometry|Image|PLY)|libvtkInteractionStyle|libmpi|libtiff";
 constexpr std::ptrdiff_t kMostEverydayLibraries = 28;
 /// The C++ library with its own, and the dynamic linker.
 constexpr std::ptrdiff_t kMostLibrariesAtTheStart = 6;
@@ -131,6 +133,7 @@ TEST(ProgramsTest, consoleLoadsOneQtOnly) {
     EXPECT_EQ(matching(loaded, kQt5), Names{});
     EXPECT_EQ(matching(loaded, kHighGui), Names{});
     EXPECT_EQ(loaded.find("not found"), std::string::npos) << loaded;
+    EXPECT_EQ(matching(loaded, kOfWriters), Names{});
     const std::string named = namedLibraries(TELETA_CONSOLE_PROGRAM);
     EXPECT_EQ(matching(named, kLoadedLater), Names{});
 }

@@ -143,24 +143,43 @@ std::optional<Eigen::Vector2d> OrbitStyle::movedShare() const {
            size[1];
 }
 
-void OrbitStyle::Rotate() {
-    if (const auto moved = movedShare()) {
+void OrbitStyle::begin(int state) {
+    end();
+    StartState(state);
+}
+
+void OrbitStyle::end() {
+    if (State != VTKIS_NONE)
+        StopState();
+}
+
+void OrbitStyle::OnLeftButtonDown() {
+    const bool shift = Interactor->GetShiftKey() != 0;
+    const bool control = Interactor->GetControlKey() != 0;
+    begin(!shift ? VTKIS_ROTATE : control ? VTKIS_DOLLY : VTKIS_PAN);
+}
+
+void OrbitStyle::OnMouseMove() {
+    const auto moved = movedShare();
+    if (!moved)
+        return;
+    switch (State) {
+    case VTKIS_ROTATE:
         // Dragging over the height of the picture is half a turn.
         m_camera->turn(-std::numbers::pi * moved->x(), -std::numbers::pi * moved->y());
+        break;
+    case VTKIS_PAN:
+        m_camera->pan(moved->x(), moved->y());
+        break;
+    case VTKIS_DOLLY:
+        m_camera->zoom(std::exp(3.0 * moved->y()));
+        break;
+    default:
+        break;
     }
 }
 
-void OrbitStyle::Pan() {
-    if (const auto moved = movedShare())
-        m_camera->pan(moved->x(), moved->y());
-}
-
-void OrbitStyle::Dolly() {
-    if (const auto moved = movedShare())
-        m_camera->zoom(std::exp(3.0 * moved->y()));
-}
-
-void OrbitStyle::Dolly(double factor) {
+void OrbitStyle::zoom(double factor) {
     if (m_camera != nullptr)
         m_camera->zoom(factor);
 }

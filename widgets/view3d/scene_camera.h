@@ -4,7 +4,7 @@
 #include "widgets/view3d/orbit.h"
 
 #include <Eigen/Core>
-#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkInteractorStyle.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
@@ -63,21 +63,31 @@ private:
 };
 
 /// Mouse: left turns, middle or Shift+left moves, right or wheel zooms.
-class OrbitStyle : public vtkInteractorStyleTrackballCamera {
+class OrbitStyle : public vtkInteractorStyle {
 public:
     static OrbitStyle* New();
     void setCamera(SceneCamera* camera) { m_camera = camera; }
 
-    void Rotate() override;
-    void Pan() override;
-    void Dolly() override;
-    void Spin() override { Rotate(); }
+    void OnMouseMove() override;
+    void OnLeftButtonDown() override;
+    void OnLeftButtonUp() override { end(); }
+    void OnMiddleButtonDown() override { begin(VTKIS_PAN); }
+    void OnMiddleButtonUp() override { end(); }
+    void OnRightButtonDown() override { begin(VTKIS_DOLLY); }
+    void OnRightButtonUp() override { end(); }
+    void OnMouseWheelForward() override { zoom(kWheelStep); }
+    void OnMouseWheelBackward() override { zoom(1.0 / kWheelStep); }
 
 protected:
     OrbitStyle() = default;
-    void Dolly(double factor) override;
 
 private:
+    static constexpr double kWheelStep = 1.21;
+
+    /// A drag of the mouse; one ends where the next begins.
+    void begin(int state);
+    void end();
+    void zoom(double factor);
     /// Movement of the mouse in shares of the picture's height.
     [[nodiscard]] std::optional<Eigen::Vector2d> movedShare() const;
 

@@ -14,7 +14,9 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkInteractorStyle.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -108,6 +110,31 @@ bool isShown(VtkWidget& view) {
     view.show();
     return QTest::qWaitForWindowExposed(&view) && drawn(view);
 }
+
+/// Turns the camera by -200 deg per width while the left button is held, and zooms with the wheel.
+class TurningStyle : public vtkInteractorStyle {
+public:
+    static TurningStyle* New();
+
+    void OnLeftButtonDown() override { m_turns = true; }
+    void OnLeftButtonUp() override { m_turns = false; }
+    void OnMouseMove() override {
+        if (!m_turns)
+            return;
+        const int moved = Interactor->GetEventPosition()[0] - Interactor->GetLastEventPosition()[0];
+        m_camera->Azimuth(-200.0 * moved / Interactor->GetSize()[0]);
+        Interactor->Render();
+    }
+    void OnMouseWheelForward() override { m_camera->SetParallelScale(m_camera->GetParallelScale() / 1.21); }
+    void OnMouseWheelBackward() override { m_camera->SetParallelScale(m_camera->GetParallelScale() * 1.21); }
+
+    vtkCamera* m_camera = nullptr;
+
+private:
+    bool m_turns = false;
+};
+
+vtkStandardNewMacro(TurningStyle);
 
 } // namespace
 
@@ -341,6 +368,9 @@ private slots:
     void draggingWithTheLeftButtonTurnsTheCamera() {
         VtkWidget view;
         const SquareScene scene(view);
+        const vtkNew<TurningStyle> style;
+        style->m_camera = scene.renderer->GetActiveCamera();
+        view.interactor()->SetInteractorStyle(style);
         view.resize(300, 200);
         QVERIFY(isShown(view));
         vtkCamera* camera = scene.renderer->GetActiveCamera();
@@ -350,8 +380,7 @@ private slots:
         QTest::mousePress(canvas, Qt::LeftButton, {}, QPoint(150, 100));
         QTest::mouseMove(canvas, QPoint(180, 100));
         QTest::mouseRelease(canvas, Qt::LeftButton, {}, QPoint(180, 100));
-        // To the right by 30 of 300 px: the trackball style turns -200 deg per width, times its motion factor
-        // 10 / 10.
+        // To the right by 30 of 300 px: by -20 deg.
         double direction[3];
         camera->GetDirectionOfProjection(direction);
         QVERIFY(direction[0] > 0.2);
@@ -362,6 +391,9 @@ private slots:
     void theWheelZoomsByWholeSteps() {
         VtkWidget view;
         const SquareScene scene(view);
+        const vtkNew<TurningStyle> style;
+        style->m_camera = scene.renderer->GetActiveCamera();
+        view.interactor()->SetInteractorStyle(style);
         view.resize(300, 200);
         view.show();
         QVERIFY(QTest::qWaitForWindowExposed(&view));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/mesh/geometry_export.h"
 
+#include "backend/core/part.h"
+#include "widgets/view3d/mesh/geometry_writers.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
@@ -9,13 +12,10 @@
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
-#include <vtkPLYWriter.h>
-#include <vtkSTLWriter.h>
 #include <vtkStringArray.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 #include <vtkTriangleFilter.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <filesystem>
 #include <system_error>
@@ -59,32 +59,6 @@ vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* mesh) {
     return triangles->GetOutput();
 }
 
-/// Returns VTK's error code.
-template <typename Writer>
-unsigned long writeWith(Writer* writer, vtkPolyData* mesh, const QByteArray& path) {
-    writer->SetFileName(path.constData());
-    writer->SetInputData(mesh);
-    writer->Write();
-    return writer->GetErrorCode();
-}
-
-unsigned long writeAs(const QString& format, vtkPolyData* mesh, const QByteArray& path) {
-    if (format == QLatin1String("vtp")) {
-        const vtkNew<vtkXMLPolyDataWriter> writer;
-        writer->SetDataModeToAppended();
-        return writeWith(writer.Get(), mesh, path);
-    }
-    const vtkSmartPointer<vtkPolyData> triangles = trianglesOf(mesh);
-    if (format == QLatin1String("ply")) {
-        const vtkNew<vtkPLYWriter> writer;
-        writer->SetArrayName("colour");
-        return writeWith(writer.Get(), triangles, path);
-    }
-    const vtkNew<vtkSTLWriter> writer;
-    writer->SetFileTypeToBinary();
-    return writeWith(writer.Get(), triangles, path);
-}
-
 } // namespace
 
 core::Expected<void> exportGeometry(std::span<const vtkSmartPointer<vtkPolyData>> meshes_m,
@@ -100,10 +74,17 @@ core::Expected<void> exportGeometry(std::span<const vtkSmartPointer<vtkPolyData>
             core::ErrorKind::badInput, path,
             QCoreApplication::translate("view3d", "The scene is empty: there is nothing to write."));
     }
+    static const core::Expected<const GeometryWriters*> writers =
+        core::part<GeometryWriters>("teleta_geometry_writers");
+    if (!writers)
+        return core::Unexpected(writers.error());
+    vtkSmartPointer<vtkPolyData> mesh = joinedInMillimetres(meshes_m);
+    if (format != QLatin1String("vtp"))
+        mesh = trianglesOf(mesh);
     // The PLY writer insists on its extension.
     const QString part = QStringLiteral("%1.part.%2").arg(path, format);
     const QByteArray partName = QFile::encodeName(part);
-    const unsigned long code = writeAs(format, joinedInMillimetres(meshes_m), partName);
+    const unsigned long code = (*writers)->write(format.toLatin1().constData(), mesh, partName.constData());
     QString reason;
     if (code != vtkErrorCode::NoError) {
         reason = QString::fromLocal8Bit(vtkErrorCode::GetStringFromErrorCode(code));

@@ -11,7 +11,6 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkGenericRenderWindowInteractor.h>
-#include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -60,9 +59,8 @@ VtkWidget::VtkWidget(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
 
-    const vtkNew<vtkInteractorStyleTrackballCamera> style;
     m_parts->interactor->SetRenderWindow(m_parts->window);
-    m_parts->interactor->SetInteractorStyle(style);
+    m_parts->interactor->SetInteractorStyle(nullptr); // what it shows decides how it is turned
     // A render event of VTK becomes a request: the widget draws only when it is painted.
     m_parts->interactor->EnableRenderOff();
     m_parts->onRender->SetClientData(this);
