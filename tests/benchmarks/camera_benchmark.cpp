@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contacts of a camera in a soft tube: each rung of the ladder against the paper's pipeline (resize to 512 x
 // 288, dense inverse search of medium quality against the reference, maximum filter, threshold, contours), on
-// the same rendered frames of 1640 x 1232 and on one core. Counters: frames per second, mean distance from
-// the true contact in mm, missed contacts, time of each stage in ms.
+// the same rendered frames of 1640 x 1232 and on one core; the dots also on two cores. read_every_pixel adds
+// up all pixels of these frames: the least that a method takes which looks at all of them. Counters: frames
+// per second, mean distance from the true contact in mm, missed contacts, time of each stage in ms.
 #include "backend/core/random_stream.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/finders/contact_ladder.h"
@@ -13,6 +14,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -62,9 +64,10 @@ const Frames& frames() {
     return made;
 }
 
-void findContacts(benchmark::State& state, const std::string& name) {
-    cv::setNumThreads(1);
-    auto finder = vision::makeContactFinder(*vision::contactRung(name), frames().tube->camera());
+void findContacts(benchmark::State& state, const std::string& name, int cores) {
+    cv::setNumThreads(cores);
+    auto finder =
+        vision::makeContactFinder(*vision::contactRung(name), frames().tube->camera(), {.cores = cores});
     if (!finder || !(*finder)->setReference(frames().reference)) {
         state.SkipWithError("the rung does not take the camera");
         return;
@@ -102,17 +105,40 @@ void findContacts(benchmark::State& state, const std::string& name) {
         compared + missed > 0 ? static_cast<double>(missed) / (compared + missed) : 0.0;
 }
 
+/// Reading each pixel of the same pictures once: what any method that looks at the whole picture takes.
+void readPictures(benchmark::State& state) {
+    std::size_t i = 0;
+    for (auto _ : state) {
+        const cv::Mat1b& image = frames().frames[i].image;
+        i = (i + 1) % frames().frames.size();
+        std::uint64_t sum = 0;
+        for (int v = 0; v < image.rows; ++v) {
+            const std::uint8_t* row = image[v];
+            std::uint32_t ofRow = 0;
+            for (int u = 0; u < image.cols; ++u)
+                ofRow += row[u];
+            sum += ofRow;
+        }
+        benchmark::DoNotOptimize(sum);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-    for (const vision::ContactRung& rung : vision::contactLadder()) {
-        const std::string name(rung.name);
+    benchmark::RegisterBenchmark("read_every_pixel", readPictures)
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(static_cast<benchmark::IterationCount>(frames().frames.size()));
+    const auto add = [](const std::string& label, const std::string& name, int cores) {
         // Complete rounds over all frames, so that every rung sees the same ones.
-        benchmark::RegisterBenchmark(("contacts/" + name).c_str(),
-                                     [name](benchmark::State& state) { findContacts(state, name); })
+        benchmark::RegisterBenchmark(
+            label.c_str(), [name, cores](benchmark::State& state) { findContacts(state, name, cores); })
             ->Unit(benchmark::kMillisecond)
             ->Iterations(static_cast<benchmark::IterationCount>(frames().frames.size()));
-    }
+    };
+    for (const vision::ContactRung& rung : vision::contactLadder())
+        add("contacts/" + std::string(rung.name), std::string(rung.name), 1);
+    add("contacts/dots_two_cores", "dots", 2);
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
 }

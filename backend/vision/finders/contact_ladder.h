@@ -44,6 +44,9 @@ struct ContactSettings {
                              ///< this share of itself
     double dotDiameter_m = 0.0015;  ///< approximate; > 0
     double paperThreshold_px = 0.3; ///< of the paper's method, in its small image
+    /// >= 1; that may look for dots in a frame at once, from OpenCV's pool of threads. The contacts are the
+    /// same to the last bit. The dense methods do not use it.
+    int cores = 1;
 };
 
 /// Creates a contact finder. stop: cancels the creation and the first setReference(), which invert the lens

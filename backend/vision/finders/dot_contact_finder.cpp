@@ -158,7 +158,7 @@ core::Expected<void> DotContactFinder::takeReference(const cv::Mat1b& frame) {
                             samples[i].metresPerPixel;
         dots[i].neighbours = m_neighbours[i];
     }
-    DotTracker tracker(std::move(dots), m_skinMask, m_settings.dotDiameter_m / window_m);
+    DotTracker tracker(std::move(dots), m_skinMask, m_settings.dotDiameter_m / window_m, m_settings.cores);
     if (tracker.setReference(frame) < kFewestDots)
         return refused(VisionText::tr("The printed dots are too faint to be followed."),
                        VisionText::tr("a frame in focus, in which nothing touches the skin"));

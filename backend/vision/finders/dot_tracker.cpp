@@ -4,6 +4,8 @@
 #include "backend/core/quantile.h"
 
 #include <Eigen/LU>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <array>
@@ -28,7 +30,26 @@ constexpr float kGroundShare = 0.78F;   ///< what is brighter is ground and nois
 constexpr std::size_t kLeastNeighbours = 2;
 constexpr std::size_t kMostNeighbours = 12;
 constexpr int kRounds = 4;
+constexpr int kClearMargin_px = 2;     ///< for rounding
+constexpr int kPartsOfCore = 4;        ///< some parts of the dots take longer
+constexpr std::size_t kReadAhead = 2;  ///< dots
 constexpr double kSamplesAcross = 6.0; ///< at least so many of a dot, where there are so many pixels
+
+/// How far a rectangle of pixels about a middle may grow on each side without containing a hidden pixel or
+/// leaving the picture; -1: not even the rectangle does. sums: integral of the hidden pixels.
+int clearAround_px(const cv::Mat1i& sums, const cv::Point& middle, int halfWidth_px, int halfHeight_px) {
+    constexpr int kMost_px = 64;
+    for (int grown_px = 0; grown_px <= kMost_px; ++grown_px) {
+        const int u0 = middle.x - halfWidth_px - grown_px;
+        const int v0 = middle.y - halfHeight_px - grown_px;
+        const int u1 = middle.x + halfWidth_px + grown_px + 1;
+        const int v1 = middle.y + halfHeight_px + grown_px + 1;
+        if (u0 < 0 || v0 < 0 || u1 >= sums.cols || v1 >= sums.rows ||
+            sums(v1, u1) - sums(v0, u1) - sums(v1, u0) + sums(v0, u0) != 0)
+            return grown_px - 1;
+    }
+    return kMost_px;
+}
 
 double median(std::array<double, kMostNeighbours>& values, std::size_t count) {
     return core::upperMedianOf(std::span(values).first(count));
@@ -36,13 +57,17 @@ double median(std::array<double, kMostNeighbours>& values, std::size_t count) {
 
 } // namespace
 
-DotTracker::DotTracker(std::vector<TrackedDot> dots, const cv::Mat1b& mask, double dotDiameterShare)
+DotTracker::DotTracker(std::vector<TrackedDot> dots, const cv::Mat1b& mask, double dotDiameterShare,
+                       int cores)
     : m_dots(std::move(dots))
-    , m_mask(mask)
+    , m_hidden(mask == 0)
     , m_windows(m_dots.size())
     // The window biases the centroid towards its middle, by the variance of the window over that of window
     // and dot together: 1/10 for (1 - q)^2 in a unit circle, and 1/16 of its squared diameter for a disc.
-    , m_centroidGain(1.0 + dotDiameterShare * dotDiameterShare / 4.0 * 10.0 / 4.0) {
+    , m_centroidGain(1.0 + dotDiameterShare * dotDiameterShare / 4.0 * 10.0 / 4.0)
+    , m_cores(std::max(1, cores)) {
+    cv::Mat1i hiddenSums;
+    cv::integral(m_hidden & 1, hiddenSums, CV_32S);
     for (std::size_t i = 0; i < m_dots.size(); ++i) {
         TrackedDot& dot = m_dots[i];
         Window& window = m_windows[i];
@@ -55,60 +80,36 @@ DotTracker::DotTracker(std::vector<TrackedDot> dots, const cv::Mat1b& mask, doub
         const double mean = 0.5 * (cover(0, 0) + cover(1, 1));
         const double spread = std::hypot(0.5 * (cover(0, 0) - cover(1, 1)), cover(0, 1));
         const double narrow_px = std::sqrt(std::max(mean - spread, 0.0));
-        window.stride = std::clamp(static_cast<int>(narrow_px * dotDiameterShare / kSamplesAcross), 1, 4);
+        const int stride = std::clamp(static_cast<int>(narrow_px * dotDiameterShare / kSamplesAcross), 1, 4);
         window.reach_px = std::max(1.5, std::sqrt(mean + spread));
+        window.shape = DotWindow(dot.metric, stride);
+        window.middle_px = dot.rest_px;
+        window.clear_px =
+            clearAround_px(hiddenSums, cv::Point(cvRound(dot.rest_px.x()), cvRound(dot.rest_px.y())),
+                           window.halfWidth + kClearMargin_px, window.halfHeight + kClearMargin_px);
         dot.now_px = dot.rest_px;
     }
+}
+
+bool DotTracker::isClear(std::size_t dot, const Eigen::Vector2d& centre_px) const {
+    const Window& window = m_windows[dot];
+    return (centre_px - window.middle_px).cwiseAbs().maxCoeff() <= window.clear_px;
 }
 
 DotTracker::Found DotTracker::centroid(const cv::Mat1b& frame, std::size_t dot,
                                        const Eigen::Vector2d& start_px, float gain, int steps) const {
     const Window& window = m_windows[dot];
-    const auto a = static_cast<float>(m_dots[dot].metric(0, 0));
-    const auto b = static_cast<float>(2.0 * m_dots[dot].metric(0, 1));
-    const auto c = static_cast<float>(m_dots[dot].metric(1, 1));
     const float ground = window.ground * gain * kGroundShare;
     const float scale = ground > 0.0F ? 1.0F / ground : 0.0F;
     Found found{.place_px = start_px};
     for (int step = 0; step < steps; ++step) {
-        // The sampled pixels lie on the same lattice in all frames, so that a dot at rest gives the same
-        // samples.
-        const int middle = static_cast<int>(std::lround(found.place_px.x()));
-        const int v0 = std::max(0, static_cast<int>(std::lround(found.place_px.y())) - window.halfHeight) /
-                       window.stride * window.stride;
-        const int v1 =
-            std::min(frame.rows - 1, static_cast<int>(std::lround(found.place_px.y())) + window.halfHeight);
-        const int u0 = std::max(0, middle - window.halfWidth) / window.stride * window.stride;
-        const int u1 = std::min(frame.cols - 1, middle + window.halfWidth);
-        float sum = 0.0F;
-        float darkest = 0.0F;
-        float sumU = 0.0F;
-        float sumV = 0.0F;
-        for (int v = v0; v <= v1; v += window.stride) {
-            const std::uint8_t* row = frame[v];
-            const std::uint8_t* onPattern = m_mask[v];
-            const float dv = static_cast<float>(v) - static_cast<float>(found.place_px.y());
-            for (int u = u0; u <= u1; u += window.stride) {
-                const float dark = ground - static_cast<float>(row[u]);
-                if (dark <= 0.0F || onPattern[u] == 0)
-                    continue;
-                const float du = static_cast<float>(u) - static_cast<float>(found.place_px.x());
-                const float outside = 1.0F - (a * du * du + b * du * dv + c * dv * dv);
-                if (outside <= 0.0F)
-                    continue;
-                const float weight = outside * outside * dark;
-                darkest = std::max(darkest, dark);
-                sum += weight;
-                sumU += weight * du;
-                sumV += weight * dv;
-            }
-        }
-        found.mass = static_cast<double>(sum * scale) * window.stride * window.stride;
-        found.darkest = darkest * scale;
-        if (!(sum > 0.0F))
+        const DarkMoments dark = darkMoments(frame, isClear(dot, found.place_px) ? cv::Mat1b() : m_hidden,
+                                             window.shape, found.place_px, ground);
+        found.mass = static_cast<double>(dark.sum * scale) * window.shape.stride() * window.shape.stride();
+        found.darkest = dark.darkest * scale;
+        if (!(dark.sum > 0.0F))
             return found;
-        const Eigen::Vector2d shift_px = m_centroidGain * Eigen::Vector2d(static_cast<double>(sumU / sum),
-                                                                          static_cast<double>(sumV / sum));
+        const Eigen::Vector2d shift_px = m_centroidGain * (dark.sum_px / dark.sum).cast<double>();
         found.place_px += shift_px;
         if (shift_px.squaredNorm() < kConverged_px * kConverged_px)
             break;
@@ -204,6 +205,16 @@ bool DotTracker::expected(std::size_t dot, Eigen::Vector2d& displacement_px) con
 }
 
 bool DotTracker::strays(std::size_t dot) const {
+    // Near a skin at rest no dot is further from its neighbours than these have moved.
+    double most_px2 = displacement_px(dot).squaredNorm();
+    for (const std::size_t neighbour : m_dots[dot].neighbours) {
+        if (m_dots[neighbour].found)
+            most_px2 = std::max(most_px2, displacement_px(neighbour).squaredNorm());
+    }
+    // |displacement| <= most, |median of each coordinate| <= sqrt(2) most
+    constexpr double kApart2 = 6.0;
+    if (kApart2 * m_dots[dot].tolerance.squaredNorm() * most_px2 <= 1.0)
+        return false;
     Eigen::Vector2d around_px;
     if (!expected(dot, around_px))
         return false;
@@ -228,6 +239,21 @@ void DotTracker::dropDoubles() {
     }
 }
 
+void DotTracker::follow(const cv::Mat1b& frame, float gain, const cv::Range& dots) {
+    const auto end = static_cast<std::size_t>(dots.end);
+    for (auto i = static_cast<std::size_t>(dots.start); i < end; ++i) {
+        TrackedDot& dot = m_dots[i];
+        m_before_px[i] = dot.now_px;
+        if (i + kReadAhead < end) {
+            const TrackedDot& ahead = m_dots[i + kReadAhead];
+            prefetch(frame, m_windows[i + kReadAhead].shape, ahead.now_px + ahead.velocity_px);
+        }
+        dot.found = take(frame, i, dot.now_px + dot.velocity_px, gain);
+        if (!dot.found && dot.velocity_px.squaredNorm() > 1.0)
+            dot.found = take(frame, i, dot.now_px, gain);
+    }
+}
+
 std::size_t DotTracker::track(const cv::Mat1b& frame) {
     const float gain = brightness(frame) / static_cast<float>(m_referenceBrightness);
     if (!(gain > kLeastGain && gain < kMostGain)) {
@@ -237,13 +263,12 @@ std::size_t DotTracker::track(const cv::Mat1b& frame) {
         return 0;
     }
     m_before_px.resize(m_dots.size());
-    for (std::size_t i = 0; i < m_dots.size(); ++i) {
-        TrackedDot& dot = m_dots[i];
-        m_before_px[i] = dot.now_px;
-        dot.found = take(frame, i, dot.now_px + dot.velocity_px, gain);
-        if (!dot.found && dot.velocity_px.squaredNorm() > 1.0)
-            dot.found = take(frame, i, dot.now_px, gain);
-    }
+    const cv::Range all(0, static_cast<int>(m_dots.size()));
+    if (m_cores > 1)
+        cv::parallel_for_(
+            all, [&](const cv::Range& some) { follow(frame, gain, some); }, kPartsOfCore * m_cores);
+    else
+        follow(frame, gain, all);
     dropDoubles();
     m_lost.clear();
     for (std::size_t i = 0; i < m_dots.size(); ++i) {

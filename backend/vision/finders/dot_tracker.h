@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/vision/finders/dark_moments.h"
+
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
@@ -32,8 +34,9 @@ struct TrackedDot {
 class DotTracker {
 public:
     /// dots: with rest_px (approximate), metric, tolerance and neighbours. mask: of the size of the frames, 0
-    /// outside the pattern. dotDiameterShare: diameter of a dot divided by the radius of its window.
-    DotTracker(std::vector<TrackedDot> dots, const cv::Mat1b& mask, double dotDiameterShare);
+    /// outside the pattern. dotDiameterShare: diameter of a dot divided by the radius of its window. cores:
+    /// >= 1; with more than one, OpenCV's pool of threads helps in track(), with the same results.
+    DotTracker(std::vector<TrackedDot> dots, const cv::Mat1b& mask, double dotDiameterShare, int cores = 1);
 
     /// Sets the frame in which the dots are at rest and finds their exact places. Returns the number of dots
     /// found.
@@ -50,7 +53,11 @@ public:
 
 private:
     struct Window {
-        int stride = 1;
+        DotWindow shape{};
+        Eigen::Vector2d middle_px = Eigen::Vector2d::Zero();
+        /// While the centre is not further than this from the middle, in u or v, the mask is nowhere 0 in the
+        /// window.
+        double clear_px = -1.0;
         int halfWidth = 0, halfHeight = 0;
         float ground = 0.0F;   ///< grey level of the background around the dot in the reference
         double mass = 0.0;     ///< sum of the darkness in the reference
@@ -62,10 +69,13 @@ private:
         double mass = 0.0;
         float darkest = 0.0F; ///< darkness of its darkest pixel, as a share of the background
     };
+    [[nodiscard]] bool isClear(std::size_t dot, const Eigen::Vector2d& centre_px) const;
     [[nodiscard]] Found centroid(const cv::Mat1b& frame, std::size_t dot, const Eigen::Vector2d& start_px,
                                  float gain, int steps) const;
     [[nodiscard]] bool take(const cv::Mat1b& frame, std::size_t dot, const Eigen::Vector2d& start_px,
                             float gain);
+    /// Follows each of these dots alone, from the previous frame.
+    void follow(const cv::Mat1b& frame, float gain, const cv::Range& dots);
     [[nodiscard]] float brightness(const cv::Mat1b& frame) const;
     /// Median displacement of the neighbours that were found. Returns false when there are too few.
     [[nodiscard]] bool expected(std::size_t dot, Eigen::Vector2d& displacement_px) const;
@@ -73,11 +83,12 @@ private:
     void dropDoubles();
 
     std::vector<TrackedDot> m_dots;
-    cv::Mat1b m_mask;
+    cv::Mat1b m_hidden; ///< 255 outside the pattern, else 0
     std::vector<Window> m_windows;
     std::vector<std::size_t> m_lost;
     std::vector<Eigen::Vector2d> m_before_px;
     double m_centroidGain;
+    int m_cores;
     double m_referenceBrightness = 1.0;
 };
 

@@ -39,7 +39,7 @@ struct Grid {
         }
         return image;
     }
-    [[nodiscard]] DotTracker tracker() const {
+    [[nodiscard]] DotTracker tracker(int cores = 1) const {
         std::vector<TrackedDot> dots;
         const double window_px = 0.62 * kPitch_px;
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -54,7 +54,7 @@ struct Grid {
             dots.push_back(dot);
         }
         return DotTracker(std::move(dots), cv::Mat1b(kSide_px, kSide_px, std::uint8_t{255}),
-                          kDiameter_px / window_px);
+                          kDiameter_px / window_px, cores);
     }
 };
 
@@ -119,6 +119,24 @@ TEST(DotTracker, isNotMisledByAFlickeringLamp) {
     for (const double brightness : {0.6, 1.3, 0.8, 1.0}) {
         EXPECT_EQ(tracker.track(grid.draw({0.5, 0.5}, brightness)), grid.places.size()) << brightness;
         expectAt(tracker, grid, {0.5, 0.5}, 0.1);
+    }
+}
+
+TEST(DotTracker, findsTheSameWithTwoCoresToTheLastBit) {
+    const Grid grid;
+    DotTracker one = grid.tracker();
+    DotTracker two = grid.tracker(2);
+    (void)one.setReference(grid.draw({0.0, 0.0}));
+    (void)two.setReference(grid.draw({0.0, 0.0}));
+    // Slowly, with a jump, and with a blank frame in between.
+    for (const double shift_px : {0.3, 1.7, 9.0, 9.4, -1.0, 0.2}) {
+        const cv::Mat1b frame = shift_px < 0.0 ? cv::Mat1b(kSide_px, kSide_px, std::uint8_t{180})
+                                               : grid.draw({shift_px, 0.5 * shift_px});
+        EXPECT_EQ(one.track(frame), two.track(frame)) << shift_px;
+        for (std::size_t i = 0; i < one.dots().size(); ++i) {
+            EXPECT_EQ(one.dots()[i].found, two.dots()[i].found) << i;
+            EXPECT_EQ(one.dots()[i].now_px, two.dots()[i].now_px) << i;
+        }
     }
 }
 
