@@ -23,7 +23,7 @@ build_packages=(
     # charts and the 3D view
     libqcustomplot-dev libqcustomplot2.1-qt6 libvtk9-dev
     # numerics
-    libeigen3-dev libceres-dev libboost-math-dev
+    libeigen3-dev libboost-math-dev
     # files, queues, command line
     libsqlite3-dev libtomlplusplus-dev nlohmann-json3-dev libzip-dev libreaderwriterqueue-dev libcli11-dev libexpected-dev
     # HDF5 and MAT files

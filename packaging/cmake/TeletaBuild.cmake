@@ -100,7 +100,7 @@ if(TELETA_SANITIZE)
         target_compile_options(teleta_options INTERFACE -fno-sanitize-recover=undefined)
     endif()
     if(TELETA_SANITIZE MATCHES "address")
-        # Under this sanitizer Eigen would use an allocator of its own, but Ceres was built with the ordinary one.
+        # Under this sanitizer Eigen would use an allocator of its own, in which it sees less.
         target_compile_definitions(teleta_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
     endif()
     if(TELETA_SANITIZE MATCHES "fuzzer")

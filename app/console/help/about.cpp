@@ -61,7 +61,6 @@ void openAbout(QWidget* parent) {
         {"QCustomPlot", plot::libraryVersion(), "GPL-3.0"},
         {"Eigen", view3d::eigenLibraryVersion(), "MPL-2.0"},
         {"OpenCV", built(kOpenCvVersion), "Apache-2.0"},
-        {"Ceres Solver", built(kCeresVersion), "BSD-3-Clause"},
         {"Boost", built(kBoostVersion), "BSL-1.0"},
         {"hidapi", built(kHidapiVersion), "GPL-3.0"},
         {"libmodbus", built(kLibmodbusVersion), "LGPL-2.1"},

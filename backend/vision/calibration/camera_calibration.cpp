@@ -124,10 +124,11 @@ std::optional<CameraParameters> fitSquares(const CameraParameters& start, Pairs 
         if (!camera)
             break;
         const double noise_px = noiseOf(pairs, *camera, kPoseAndFocus + settings.freeDistortion);
-        if (std::abs(noise_px - settings.noise_px) <= 0.01 * settings.noise_px ||
-            noise_px <= kSmallestNoise_px)
+        const bool isSame = std::abs(noise_px - settings.noise_px) <= 0.01 * settings.noise_px;
+        if ((isSame && settings.isNear) || noise_px <= kSmallestNoise_px)
             break;
         settings.noise_px = noise_px;
+        settings.isNear = true;
     }
     return camera;
 }
@@ -138,19 +139,25 @@ struct RobustFit {
     double spread_px = kInfinity; ///< median of all residuals
 };
 
-/// Converges from a start to the camera that most pairs agree with.
-std::optional<RobustFit> descend(const CameraParameters& start, Pairs pairs) {
+/// Converges from a start to the camera that most pairs agree with. Gives up a start that remains far from
+/// the spread of a better one.
+std::optional<RobustFit> descend(const CameraParameters& start, Pairs pairs, double better_px) {
     CameraParameters camera = start;
     camera.skew_px = 0.0;
     double spread_px = core::upperMedianOf(errors_px(pairs, camera));
     if (!std::isfinite(spread_px))
         return std::nullopt;
     constexpr int kMostRounds = 15;
+    constexpr int kPatience = 3;
+    constexpr double kHopeless = 4.0;
     for (int round = 0; round < kMostRounds; ++round) {
         RefinementSettings settings;
         settings.noise_px = std::max(kSmallestNoise_px, spread_px / kMedianOfLength);
         settings.lossScale_px = kTukey * settings.noise_px;
         settings.freeDistortion = freeDistortion(pairs.size());
+        // The next round has another scale, so this one need not converge.
+        settings.tolerance = 1e-4;
+        settings.mostSteps = 20;
         const std::optional<CameraParameters> better = refineCamera(camera, pairs, settings);
         if (!better)
             break;
@@ -160,6 +167,8 @@ std::optional<RobustFit> descend(const CameraParameters& start, Pairs pairs) {
         camera = *better;
         const bool settled = next_px > 0.99 * spread_px;
         spread_px = next_px;
+        if (round >= kPatience && spread_px > kHopeless * better_px)
+            break;
         if (settled || spread_px <= kSmallestNoise_px)
             break;
     }
@@ -229,15 +238,25 @@ void takeBack(RobustFit& fit, Pairs pairs) {
 }
 
 tl::expected<RobustFit, CalibrationRefusal> fitRobust(Pairs pairs, const CalibrationSettings& settings) {
-    std::vector<CameraParameters> starts = alignedCameras(pairs, settings.width_px, settings.height_px);
-    if (const std::optional<CameraParameters> linear = directLinearCamera(pairs))
-        starts.push_back(*linear);
     std::optional<RobustFit> best;
-    for (const CameraParameters& start : starts) {
-        const std::optional<RobustFit> fit = descend(start, pairs);
-        if (fit && (!best || fit->spread_px < best->spread_px))
+    bool isConfirmed = false; // two starts have come to the same camera
+    const auto tryStart = [&](const CameraParameters& start) {
+        constexpr double kSameSpread = 0.01;
+        const std::optional<RobustFit> fit = descend(start, pairs, best ? best->spread_px : kInfinity);
+        if (!fit)
+            return;
+        if (best && std::abs(fit->spread_px - best->spread_px) <= kSameSpread * best->spread_px)
+            isConfirmed = true;
+        else if (best && fit->spread_px < best->spread_px)
+            isConfirmed = false;
+        if (!best || fit->spread_px < best->spread_px)
             best = fit;
-    }
+    };
+    for (const CameraParameters& start : alignedCameras(pairs, settings.width_px, settings.height_px))
+        tryStart(start);
+    // Wrong pairs, from which this start is far from the camera, make it slow.
+    if (const std::optional<CameraParameters> linear = directLinearCamera(pairs); linear && !isConfirmed)
+        tryStart(*linear);
     if (!best)
         return Refused(CalibrationRefusal::noAgreement);
     // With fewer pairs a wrong one cannot be recognised: the remaining ones fit some camera by chance.
@@ -298,8 +317,9 @@ std::optional<CameraParameters> unfold(const CameraParameters& camera, Pairs kep
             return found;
         return std::nullopt;
     };
-    // The improvement that one parameter brings by chance with a probability of 1 %.
-    constexpr double kByChance = 6.63;
+    // The improvement that the six radial parameters together bring by chance with a probability of 1 %: a
+    // pole beyond the last points uses all of them.
+    constexpr double kByChance = 16.81;
     const double forNothing = std::sqrt(1.0 + kByChance / spareEquations(kept.size(), kPoseAndFocus));
     for (const double upTo : {kFieldOfView, 3.0, 2.0, 1.2 * needed}) {
         // The last radius may be larger than the previous ones.

@@ -23,6 +23,13 @@ struct RefinementSettings {
     /// The lens model is constrained to be monotone up to this tangent of the angle to the axis; 0: no
     /// constraint.
     double monotoneUpTo = 0.0;
+    /// Relative decrease of the loss in a step at which the fit ends. The steps converge quadratically, so
+    /// the camera is much nearer to the minimum than this says.
+    double tolerance = 1e-9;
+    int mostSteps = 200;
+    /// Whether the start is near the minimum: the first steps are not shortened then. From afar a long step
+    /// may end beyond a pole of the lens model, from where there is no way back.
+    bool isNear = false;
 };
 
 /// Prior standard deviation of a distortion parameter (0..7: k1..k6, p1, p2).
@@ -34,7 +41,7 @@ struct RefinementSettings {
 [[nodiscard]] bool isFreeDistortion(int parameter, int freeDistortion);
 
 /// Fits a camera by minimising the loss of the distances between pixels and projected points. All parameters
-/// except the skew are fitted together by Levenberg-Marquardt (Ceres) with exact derivatives. start: must
+/// except the skew are fitted together by Levenberg-Marquardt with exact derivatives. start: must
 /// have all points to be fitted in front of it; pairs that it cannot project are left out. Empty when the
 /// solver finds no camera. Thread: any (pure).
 [[nodiscard]] std::optional<CameraParameters> refineCamera(const CameraParameters& start,

@@ -77,8 +77,10 @@ Eigen::Matrix3d orthonormal(Eigen::Matrix3d r) {
 
 /// Eigenvector of the least eigenvalue of a symmetric matrix; condition: ratio of the second least eigenvalue
 /// to the largest.
-Eigen::VectorXd leastEigenvector(const Eigen::MatrixXd& squares, double* condition = nullptr) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(squares);
+template <int Size>
+Eigen::Matrix<double, Size, 1> leastEigenvector(const Eigen::Matrix<double, Size, Size>& squares,
+                                                double* condition = nullptr) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>> solver(squares);
     if (condition != nullptr)
         *condition = solver.eigenvalues()[1] / solver.eigenvalues()[squares.rows() - 1];
     return solver.eigenvectors().col(0);
@@ -88,28 +90,31 @@ Eigen::VectorXd leastEigenvector(const Eigen::MatrixXd& squares, double* conditi
 using Alignment = Eigen::Matrix<double, 2, 4>;
 
 class AlignmentSearch {
+    using Row = Eigen::Matrix<double, 8, 1>;
+
 public:
     AlignmentSearch(std::span<const CalibrationPair> pairs, const Eigen::Vector2d& middle_px)
-        : m_toUnits(pairs, [](const CalibrationPair& pair) { return pair.p_Sensor_m; })
-        , m_rows(static_cast<Eigen::Index>(pairs.size()), 8) {
+        : m_toUnits(pairs, [](const CalibrationPair& pair) { return pair.p_Sensor_m; }) {
         for (const CalibrationPair& pair : pairs) {
             const Eigen::Vector2d m = pair.pixel - middle_px;
             const Eigen::Vector3d p = m_toUnits(pair.p_Sensor_m);
             const Eigen::RowVector4d point(p.x(), p.y(), p.z(), 1.0);
             m_pixels.push_back(m);
             m_points.emplace_back(point);
-            const Eigen::Index row = static_cast<Eigen::Index>(m_pixels.size()) - 1;
             const double distance = std::max(m.norm(), std::numeric_limits<double>::min());
-            m_rows.row(row) << -m.y() / distance * point, m.x() / distance * point;
+            Row& row = m_rows.emplace_back();
+            row << -m.y() / distance * point.transpose(), m.x() / distance * point.transpose();
         }
     }
 
     /// Least squares over the pairs with these indices.
-    [[nodiscard]] Alignment fit(const std::vector<Eigen::Index>& which) const {
-        Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(8, 8);
-        for (const Eigen::Index i : which)
-            squares += m_rows.row(i).transpose() * m_rows.row(i);
-        const Eigen::VectorXd v = leastEigenvector(squares);
+    [[nodiscard]] Alignment fit(std::span<const Eigen::Index> which) const {
+        Eigen::Matrix<double, 8, 8> squares = Eigen::Matrix<double, 8, 8>::Zero();
+        for (const Eigen::Index i : which) {
+            const Row& row = m_rows[static_cast<std::size_t>(i)];
+            squares += row * row.transpose();
+        }
+        const Row v = leastEigenvector<8>(squares);
         Alignment alignment;
         alignment << v.head<4>().transpose(), v.tail<4>().transpose();
         double sign = 0.0;
@@ -128,7 +133,7 @@ public:
         return std::abs(d.x() * m.y() - d.y() * m.x()) / length;
     }
 
-    [[nodiscard]] Eigen::Index size() const { return m_rows.rows(); }
+    [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(m_rows.size()); }
     [[nodiscard]] const Normalisation<3>& toUnits() const { return m_toUnits; }
 
 private:
@@ -137,7 +142,7 @@ private:
     }
 
     Normalisation<3> m_toUnits;
-    Eigen::MatrixXd m_rows;
+    std::vector<Row> m_rows;
     std::vector<Eigen::Vector2d> m_pixels;
     std::vector<Eigen::RowVector4d> m_points;
 };
@@ -145,18 +150,22 @@ private:
 /// The alignment with the most support, refined on the supporting pairs, and these pairs.
 std::optional<Alignment> consensus(const AlignmentSearch& search, double tolerance_px,
                                    std::vector<Eigen::Index>& supporters) {
-    constexpr int kSamples = 1000;
+    constexpr int kMostSamples = 1000;
+    constexpr int kFewestSamples = 100;
     constexpr std::size_t kSampleSize = 7;
     std::mt19937_64 engine(1);
     std::vector<Eigen::Index> order(static_cast<std::size_t>(search.size()));
     for (std::size_t i = 0; i < order.size(); ++i)
         order[i] = static_cast<Eigen::Index>(i);
+    std::size_t agreeing = 0; // with the newest alignment
     const auto support = [&](const Alignment& alignment, std::vector<Eigen::Index>* which) {
         double sum = 0.0;
+        agreeing = 0;
         for (Eigen::Index i = 0; i < search.size(); ++i) {
             const double share = search.distance_px(alignment, i) / tolerance_px;
             if (share < 1.0) {
                 sum += 1.0 - share * share;
+                ++agreeing;
                 if (which != nullptr)
                     which->push_back(i);
             }
@@ -165,14 +174,23 @@ std::optional<Alignment> consensus(const AlignmentSearch& search, double toleran
     };
     std::optional<Alignment> best;
     double bestSupport = 0.0;
-    for (int sample = 0; sample < kSamples; ++sample) {
+    // After so many samples one without a wrong pair has been missed with a probability of 1e-9.
+    const auto enough = [&] {
+        const double right = static_cast<double>(agreeing) / static_cast<double>(search.size());
+        const double missed = std::log1p(-std::min(std::pow(right, kSampleSize), 0.99));
+        return std::clamp(std::log(1e-9) / std::min(missed, -1e-300), static_cast<double>(kFewestSamples),
+                          static_cast<double>(kMostSamples));
+    };
+    double samples = kMostSamples;
+    for (int sample = 0; sample < samples; ++sample) {
         for (std::size_t i = 0; i < kSampleSize; ++i)
             std::swap(order[i], order[i + engine() % (order.size() - i)]);
-        const Alignment alignment = search.fit({order.begin(), order.begin() + kSampleSize});
+        const Alignment alignment = search.fit(std::span(order).first(kSampleSize));
         const double found = support(alignment, nullptr);
         if (found > bestSupport) {
             best = alignment;
             bestSupport = found;
+            samples = enough();
         }
     }
     constexpr int kRefinements = 5;
@@ -259,11 +277,11 @@ std::optional<CameraParameters> directLinearCamera(std::span<const CalibrationPa
         return std::nullopt;
     const Normalisation<2> pixels(pairs, [](const CalibrationPair& pair) { return pair.pixel; });
     const Normalisation<3> points(pairs, [](const CalibrationPair& pair) { return pair.p_Sensor_m; });
-    Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(12, 12);
+    Eigen::Matrix<double, 12, 12> squares = Eigen::Matrix<double, 12, 12>::Zero();
     for (const CalibrationPair& pair : pairs) {
         const Eigen::Vector2d u = pixels(pair.pixel);
         const Eigen::Vector3d p = points(pair.p_Sensor_m);
-        Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(2, 12);
+        Eigen::Matrix<double, 2, 12> equations = Eigen::Matrix<double, 2, 12>::Zero();
         for (int i = 0; i < 2; ++i) {
             equations.row(i).segment<4>(4 * i) << p.x(), p.y(), p.z(), 1.0;
             equations.row(i).tail<4>() << -u[i] * p.x(), -u[i] * p.y(), -u[i] * p.z(), -u[i];
@@ -271,7 +289,7 @@ std::optional<CameraParameters> directLinearCamera(std::span<const CalibrationPa
         squares += equations.transpose() * equations;
     }
     double condition = 0.0;
-    const Eigen::VectorXd v = leastEigenvector(squares, &condition);
+    const Eigen::Matrix<double, 12, 1> v = leastEigenvector<12>(squares, &condition);
     constexpr double kRankTolerance = 1e-14;
     if (!(condition > kRankTolerance))
         return std::nullopt;
